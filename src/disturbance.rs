@@ -1,0 +1,75 @@
+//! What is added to the velocity that the robot applies: assumptions B and C of the paper.
+
+use rand::RngExt;
+use rand::rngs::Xoshiro256PlusPlus;
+use serde::{Deserialize, Serialize};
+
+use crate::posture::Velocity;
+use crate::random::{Purpose, stream};
+
+/// The kinds of disturbance δ = (δ1, δ2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DisturbanceKind {
+    /// δ = 0.
+    #[default]
+    None,
+    /// Each component uniform in [−ε, ε), drawn afresh at each sample.
+    Random,
+    /// δ is (linear, angular) at every sample, with their signs: wheels that slip.
+    Slip,
+}
+
+/// A disturbance of the applied velocity, bounded by |δ1| ≤ |linear| and |δ2| ≤ |angular|.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Disturbance {
+    /// Which kind.
+    pub kind: DisturbanceKind,
+    /// ε1 or the slip, in m/s.
+    pub linear: f64,
+    /// ε2 or the slip, in rad/s.
+    pub angular: f64,
+    /// Seed of the random kind.
+    pub seed: u32,
+}
+
+impl Disturbance {
+    /// The disturbances of a run from the start posture with this index, sample by sample.
+    ///
+    /// They do not depend on the gains, so that all gains are tried on the same bad luck.
+    pub(crate) fn sequence(&self, start: u32) -> DisturbanceSequence {
+        match self.kind {
+            DisturbanceKind::None => DisturbanceSequence::Constant(Velocity::ZERO),
+            DisturbanceKind::Slip => DisturbanceSequence::Constant(Velocity {
+                linear: self.linear,
+                angular: self.angular,
+            }),
+            DisturbanceKind::Random => DisturbanceSequence::Random {
+                bound: Velocity { linear: self.linear, angular: self.angular },
+                rng: stream(self.seed, Purpose::Disturbance, start),
+            },
+        }
+    }
+}
+
+/// The disturbances of one run.
+#[derive(Clone, Debug)]
+pub(crate) enum DisturbanceSequence {
+    Constant(Velocity),
+    Random { bound: Velocity, rng: Xoshiro256PlusPlus },
+}
+
+impl DisturbanceSequence {
+    pub(crate) fn next(&mut self) -> Velocity {
+        match self {
+            Self::Constant(velocity) => *velocity,
+            Self::Random { bound, rng } => {
+                let mut signed_unit = || 2.0 * rng.random::<f64>() - 1.0;
+                Velocity {
+                    linear: bound.linear * signed_unit(),
+                    angular: bound.angular * signed_unit(),
+                }
+            }
+        }
+    }
+}

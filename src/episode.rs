@@ -1,0 +1,326 @@
+//! One run of one robot: commanded, limited, moved, and paid for, sample by sample.
+
+use serde::Serialize;
+
+use crate::control::{Gains, lyapunov, lyapunov_rate};
+use crate::cost::Cost;
+use crate::disturbance::DisturbanceSequence;
+use crate::experiment::{Experiment, InvalidInput, shown};
+use crate::posture::{Arc, ErrorPosture, Posture, Velocity, wrap};
+use crate::real::Real;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// The robot came within the tolerances of the goal.
+    Arrived,
+    /// The horizon was reached.
+    Horizon,
+    /// The robot left the finite numbers, as it can without limits.
+    Diverged,
+}
+
+/// An experiment that was validated and is ready to be driven.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    experiment: Experiment,
+    reference_arc: Option<Arc<f64>>,
+    samples: u32,
+}
+
+/// What a robot carries from one sample to the next.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Robot<S> {
+    pub(crate) error: ErrorPosture<S>,
+    /// The velocity applied during the sample before.
+    pub(crate) velocity: Velocity<S>,
+    /// Σ (p − p_r)ᵀ(p − p_r), still without ½ dt.
+    pub(crate) path: S,
+    /// Σ qᵀ R q, still without ½ dt.
+    pub(crate) energy: S,
+}
+
+/// What happened to a robot between two samples.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Step<S> {
+    pub(crate) command: Velocity<S>,
+    pub(crate) arc: Arc<S>,
+    pub(crate) next: Robot<S>,
+}
+
+impl Robot<f64> {
+    fn at_rest(error: ErrorPosture) -> Self {
+        Self { error, velocity: Velocity::ZERO, path: 0.0, energy: 0.0 }
+    }
+}
+
+impl Setting {
+    /// Validates an experiment; the error names the field that is wrong.
+    pub fn new(experiment: Experiment) -> Result<Self, InvalidInput> {
+        experiment.validate()?;
+        let reference_arc = experiment
+            .is_tracking()
+            .then(|| Arc::new(experiment.reference_velocity, experiment.sample_time));
+        let samples = experiment.samples();
+        Ok(Self { experiment, reference_arc, samples })
+    }
+
+    /// The experiment.
+    pub fn experiment(&self) -> &Experiment {
+        &self.experiment
+    }
+
+    /// Checks that a start posture with this index exists.
+    pub fn validate_start(&self, start: f64) -> Result<u32, InvalidInput> {
+        let last = self.experiment.starts.len() - 1;
+        if start.fract() == 0.0 && (0.0..=last as f64).contains(&start) {
+            Ok(start as u32)
+        } else {
+            Err(InvalidInput::new(
+                "start",
+                format!("a whole number from 0 to {last}"),
+                shown(start),
+            ))
+        }
+    }
+
+    /// J of these gains, in parts: the mean over all start postures.
+    pub fn cost(&self, gains: &Gains) -> Cost {
+        let starts = 0..self.experiment.starts.len() as u32;
+        Cost::mean(starts.map(|start| self.episode(*gains, start).finished().cost()))
+    }
+
+    /// A run with these gains from the start posture with this index, which must exist.
+    pub fn episode(&self, gains: Gains, start: u32) -> Episode<'_> {
+        Episode::new(self, gains, start)
+    }
+
+    /// The reference posture after a time `t` (s).
+    pub fn reference(&self, t: f64) -> Posture {
+        self.experiment.goal.advance(self.experiment.reference_velocity, t)
+    }
+
+    /// One sample: law, limits, cost, motion. This is the one place where a robot moves.
+    #[inline(always)]
+    pub(crate) fn step<S: Real>(
+        &self,
+        robot: &Robot<S>,
+        gains: &Gains<S>,
+        disturbance: Velocity<S>,
+    ) -> Step<S> {
+        let e = &self.experiment;
+        let command = e.law.command(&robot.error, gains, e.reference_velocity);
+        let q = e.limits.applied(command, robot.velocity, e.sample_time);
+        let [rv, rw] = e.weights.velocity;
+        let energy = S::splat(rv) * (q.linear * q.linear) + S::splat(rw) * (q.angular * q.angular);
+        let arc = Arc::new(q + disturbance, e.sample_time);
+        let moved = robot.error.robot_moved(&arc);
+        let error = match &self.reference_arc {
+            Some(reference) => moved.reference_moved(&reference.splat()),
+            None => moved,
+        };
+        let next = Robot {
+            error,
+            velocity: q,
+            path: robot.path + robot.error.squared_deviation(),
+            energy: robot.energy + energy,
+        };
+        Step { command, arc, next }
+    }
+
+    /// How a run has ended at sample `n`, if it has.
+    #[inline(always)]
+    pub(crate) fn outcome(&self, error: &ErrorPosture, n: u32) -> Option<Outcome> {
+        let Experiment { tolerance, .. } = &self.experiment;
+        if !error.squared_deviation().is_finite() {
+            return Some(Outcome::Diverged);
+        }
+        let near = error.x * error.x + error.y * error.y <= tolerance.position * tolerance.position
+            && error.theta.abs() <= tolerance.heading;
+        if near && self.reference_arc.is_none() {
+            Some(Outcome::Arrived)
+        } else if n >= self.samples {
+            Some(Outcome::Horizon)
+        } else {
+            None
+        }
+    }
+
+    /// Time of sample `n`, where a run ended with `outcome`: t_f.
+    pub(crate) fn final_time(&self, outcome: Option<Outcome>, n: u32) -> f64 {
+        match outcome {
+            Some(Outcome::Horizon) => self.experiment.horizon,
+            _ => f64::from(n) * self.experiment.sample_time,
+        }
+    }
+
+    /// J of a robot that is at sample `n`, in parts.
+    pub(crate) fn cost_at(
+        &self,
+        robot: &Robot<f64>,
+        gains: &Gains,
+        n: u32,
+        outcome: Option<Outcome>,
+    ) -> Cost {
+        let e = &self.experiment;
+        let half_dt = 0.5 * e.sample_time;
+        let time = self.final_time(outcome, n);
+        let cost = Cost {
+            time,
+            final_error: e.weights.final_error(&robot.error, self.reference(time).theta),
+            path: half_dt * robot.path,
+            energy: half_dt * robot.energy,
+            penalty: e.weights.penalty(gains),
+        };
+        if outcome == Some(Outcome::Diverged) {
+            return Cost { final_error: f64::INFINITY, ..cost }.without_nan();
+        }
+        cost.without_nan()
+    }
+}
+
+/// A robot on its way: sample by sample, or whole.
+#[derive(Clone, Debug)]
+pub struct Episode<'a> {
+    setting: &'a Setting,
+    state: EpisodeState,
+}
+
+/// An episode without the setting that it runs in, for those who keep both.
+#[derive(Clone, Debug)]
+pub(crate) struct EpisodeState {
+    gains: Gains,
+    disturbances: DisturbanceSequence,
+    robot: Robot<f64>,
+    /// θ of the robot, not wrapped.
+    heading: f64,
+    /// What the law asked for during the sample before.
+    command: Velocity,
+    n: u32,
+    outcome: Option<Outcome>,
+}
+
+/// The robot at one sample.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Sample {
+    /// t in seconds.
+    pub time: f64,
+    /// The robot's posture; θ is not wrapped.
+    pub posture: Posture,
+    /// The reference posture.
+    pub reference: Posture,
+    /// What the control law asks for; at the end of a run, what it last asked for.
+    pub command: Velocity,
+    /// What the limits leave of it, applied until the next sample; at the end, what was last applied.
+    pub velocity: Velocity,
+    /// The error posture (3).
+    pub error: ErrorPosture,
+    /// V
+    pub lyapunov: f64,
+    /// V̇ with the applied velocity.
+    pub lyapunov_rate: f64,
+    /// How the run ended, if it has.
+    pub outcome: Option<Outcome>,
+}
+
+/// Beyond so many radians the full turns are forgotten: nobody counts them, and an angle must stay finite.
+const MOST_HEADING: f64 = 1e6;
+
+impl EpisodeState {
+    pub(crate) fn new(setting: &Setting, gains: Gains, start: u32) -> Self {
+        let experiment = &setting.experiment;
+        let posture = experiment.starts[start as usize];
+        let robot = Robot::at_rest(posture.error_to(experiment.goal));
+        Self {
+            gains,
+            disturbances: experiment.disturbance.sequence(start),
+            robot,
+            heading: posture.theta,
+            command: Velocity::ZERO,
+            n: 0,
+            outcome: setting.outcome(&robot.error, 0),
+        }
+    }
+
+    /// The robot now; if the run goes on, the robot then moves to the next sample.
+    pub(crate) fn step(&mut self, setting: &Setting) -> Sample {
+        let before = self.clone();
+        self.advance(setting);
+        let Experiment { reference_velocity, .. } = setting.experiment;
+        let time = setting.final_time(before.outcome, before.n);
+        let reference = setting.reference(time);
+        let error = before.robot.error;
+        Sample {
+            time,
+            posture: Posture { theta: before.heading, ..error.posture(reference) },
+            reference,
+            command: self.command,
+            velocity: self.robot.velocity,
+            error,
+            lyapunov: lyapunov(&error),
+            lyapunov_rate: lyapunov_rate(&error, self.robot.velocity, reference_velocity),
+            outcome: before.outcome,
+        }
+    }
+
+    #[inline]
+    fn advance(&mut self, setting: &Setting) {
+        if self.outcome.is_none() {
+            let step = setting.step(&self.robot, &self.gains, self.disturbances.next());
+            self.command = step.command;
+            self.robot = step.next;
+            self.n += 1;
+            self.outcome = setting.outcome(&self.robot.error, self.n);
+            self.heading += step.arc.turn();
+            if self.heading.abs() > MOST_HEADING {
+                let time = setting.final_time(self.outcome, self.n);
+                self.heading = wrap(setting.reference(time).theta - self.robot.error.theta);
+            }
+        }
+    }
+}
+
+impl<'a> Episode<'a> {
+    fn new(setting: &'a Setting, gains: Gains, start: u32) -> Self {
+        Self { setting, state: EpisodeState::new(setting, gains, start) }
+    }
+
+    /// The run driven to its end.
+    pub fn finished(mut self) -> Self {
+        while self.state.outcome.is_none() {
+            self.state.advance(self.setting);
+        }
+        self
+    }
+
+    /// How the run ended, if it has.
+    pub fn outcome(&self) -> Option<Outcome> {
+        self.state.outcome
+    }
+
+    /// t_f if the run has ended, else the time now, in seconds.
+    pub fn time(&self) -> f64 {
+        self.setting.final_time(self.state.outcome, self.state.n)
+    }
+
+    /// J until now, in parts.
+    pub fn cost(&self) -> Cost {
+        let EpisodeState { robot, gains, n, outcome, .. } = &self.state;
+        self.setting.cost_at(robot, gains, *n, *outcome)
+    }
+
+    /// All samples from here to the end of the run.
+    pub fn samples(&mut self) -> impl Iterator<Item = Sample> {
+        let mut over = false;
+        core::iter::from_fn(move || {
+            if over {
+                return None;
+            }
+            let sample = self.state.step(self.setting);
+            over = sample.outcome.is_some();
+            Some(sample)
+        })
+    }
+}

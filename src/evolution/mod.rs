@@ -1,0 +1,123 @@
+//! Evolutionary programming as in section 4 of the paper: mutation, drive, tournament, survival.
+
+mod history;
+mod individual;
+mod mutation;
+mod tournament;
+
+pub use history::Evolution;
+pub use individual::Individual;
+pub use mutation::{COMMON_LEARNING_RATE, LEARNING_RATE, Mutation};
+pub use tournament::{Tournament, wins_bout};
+
+use serde::Serialize;
+
+use crate::episode::Setting;
+use crate::random::{Purpose, stream};
+
+/// One generation in full. Solutions are numbered 0 to N − 1 for the parents and N to 2N − 1 for the offspring.
+///
+/// Generation 0 has only parents, the initial population.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct GenerationRecord {
+    /// The generation's number.
+    pub generation: u32,
+    /// The survivors of the generation before.
+    pub parents: Vec<Individual>,
+    /// One offspring of each parent, in their order.
+    pub offspring: Vec<Individual>,
+    /// The draws that made each offspring.
+    pub mutations: Vec<Mutation>,
+    /// Whom each of the 2N solutions met, and how many bouts it won.
+    #[serde(flatten)]
+    pub tournament: Tournament,
+    /// The numbers of those that survive, best ranked first.
+    pub survivors: Vec<u32>,
+}
+
+impl GenerationRecord {
+    /// Generation 0: N individuals with k_j uniform in the initial range and σ_j the initial σ (steps 1 and 2).
+    pub fn initial(setting: &Setting) -> Self {
+        let e = &setting.experiment().evolution;
+        let mut rng = stream(e.seed, Purpose::Initialisation, 0);
+        let parents: Vec<_> =
+            (0..e.population).map(|_| Individual::random(e, &mut rng).evaluated(setting)).collect();
+        let survivors = (0..e.population).collect();
+        Self {
+            generation: 0,
+            parents,
+            offspring: Vec::new(),
+            mutations: Vec::new(),
+            tournament: Tournament::default(),
+            survivors,
+        }
+    }
+
+    /// Steps 3 to 6 of the paper's procedure: one offspring of each parent, their drives, the tournament.
+    ///
+    /// It depends on the setting, the parents and the generation's number alone.
+    pub fn next(setting: &Setting, parents: Vec<Individual>, generation: u32) -> Self {
+        let e = &setting.experiment().evolution;
+        let mut rng = stream(e.seed, Purpose::Mutation, generation);
+        let mutations: Vec<_> = parents.iter().map(|_| Mutation::draw(&mut rng)).collect();
+        let offspring: Vec<_> = parents
+            .iter()
+            .zip(&mutations)
+            .map(|(parent, mutation)| mutation.offspring(parent).evaluated(setting))
+            .collect();
+        let costs: Vec<f64> = parents.iter().chain(&offspring).map(|i| i.cost).collect();
+        let mut rng = stream(e.seed, Purpose::Tournament, generation);
+        let tournament = Tournament::hold(&costs, e.opponents, &mut rng);
+        let mut survivors = tournament.ranking(&costs);
+        survivors.truncate(parents.len());
+        Self { generation, parents, offspring, mutations, tournament, survivors }
+    }
+
+    /// The solution with this number.
+    pub fn solution(&self, number: u32) -> &Individual {
+        let number = number as usize;
+        let offspring = || &self.offspring[number - self.parents.len()];
+        self.parents.get(number).unwrap_or_else(offspring)
+    }
+
+    /// The individuals that survive, best ranked first: the parents of the next generation.
+    pub fn population(&self) -> Vec<Individual> {
+        self.survivors.iter().map(|number| *self.solution(*number)).collect()
+    }
+}
+
+/// One generation in short.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Statistics {
+    /// The generation's number.
+    pub generation: u32,
+    /// Runs driven since the start: one for each solution and start posture.
+    pub evaluations: f64,
+    /// The individual with the lowest cost.
+    pub best: Individual,
+    /// Median cost; with an even number of individuals the mean of the two in the middle.
+    pub median: f64,
+    /// Highest cost.
+    pub worst: f64,
+    /// The mean of σ_j over the population.
+    pub mean_sigmas: [f64; 3],
+}
+
+impl Statistics {
+    fn new(record: &GenerationRecord, starts: usize) -> Self {
+        let mut population = record.population();
+        population.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let n = population.len();
+        let median = 0.5 * (population[(n - 1) / 2].cost + population[n / 2].cost);
+        let sigmas: nalgebra::Vector3<f64> = population.iter().map(|i| i.sigmas).sum();
+        Self {
+            generation: record.generation,
+            evaluations: (f64::from(record.generation) + 1.0) * (n * starts) as f64,
+            best: population[0],
+            median,
+            worst: population[n - 1].cost,
+            mean_sigmas: (sigmas / n as f64).into(),
+        }
+    }
+}

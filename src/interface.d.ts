@@ -1,0 +1,141 @@
+/** A posture p = (x, y, θ), equation (1): metres and radians, θ counter-clockwise from the X axis. */
+export interface Posture { x: number; y: number; theta: number }
+/** A velocity q = (v, ω): m/s and rad/s. */
+export interface Velocity { linear: number; angular: number }
+/** The name of one of the paper's two experiments: Figures 4 and 5, or Figures 6 and 7. */
+export type Preset = 'velocity-limits' | 'acceleration-limits';
+/** Three gains (kx, ky, kθ). */
+export type Gains = Float64Array | readonly number[];
+/** Everything that defines a run. Every number's range is in `fields()`. */
+export interface Experiment {
+  /** The control law: (5) of the paper, or the rule of Kanayama et al. (1990). */
+  law: 'shim-kim' | 'kanayama';
+  /** Where the robot starts; with several, its cost is the mean over all of them. */
+  starts: Posture[];
+  /** The reference posture p_r. */
+  goal: Posture;
+  /** The reference velocity q_r; (0, 0) means parking, anything else tracking a moving reference. */
+  referenceVelocity: Velocity;
+  /** Seconds between two commands. */
+  sampleTime: number;
+  /** Seconds after which a robot that has not arrived is stopped. */
+  horizon: number;
+  /** m/s, rad/s, m/s², rad/s²; null means not limited. */
+  limits: { speed: number | null; turnRate: number | null; acceleration: number | null; turnAcceleration: number | null };
+  /** The robot has arrived when it is this near to the goal: metres, radians. */
+  tolerance: { position: number; heading: number };
+  /** W on (x, y, θ), R on (v, ω), and κ, of the cost (9). */
+  weights: { final: [number, number, number]; velocity: [number, number]; penalty: number };
+  /** What is added to the applied velocity: fresh noise in ±(linear, angular) at each sample, or a constant slip. */
+  disturbance: { kind: 'none' | 'random' | 'slip'; linear: number; angular: number; seed: number };
+  /** The settings of evolutionary programming. */
+  evolution: { population: number; opponents: number; seed: number; initialRange: [number, number]; initialSigma: number };
+}
+/** An experiment in which any field may be left out; the preset `velocity-limits` fills it in. */
+export type PartialExperiment = {
+  [K in keyof Experiment]?: Experiment[K] extends unknown[] ? Experiment[K]
+    : Experiment[K] extends object ? Partial<Experiment[K]> : Experiment[K];
+};
+/** The cost J of equation (9) and its parts; total is their sum. Lower is better; Infinity if the run left the finite numbers. */
+export interface Cost { total: number; time: number; finalError: number; path: number; energy: number; penalty: number }
+/** How a run ended. */
+export type Outcome = 'arrived' | 'horizon' | 'diverged';
+/** One run: arrays with one value a sample, the first at time 0, the last where the run ended. */
+export interface Run {
+  /** Seconds. */
+  time: Float64Array;
+  /** Metres. */
+  x: Float64Array;
+  /** Metres. */
+  y: Float64Array;
+  /** Radians, not wrapped. */
+  theta: Float64Array;
+  /** The velocity applied from this sample to the next, after the limits, m/s; the last sample repeats the one before. */
+  linear: Float64Array;
+  /** The same for the turn rate, rad/s. */
+  angular: Float64Array;
+  /** The velocity that the control law asked for, before the limits, m/s. */
+  commandLinear: Float64Array;
+  /** The same for the turn rate, rad/s. */
+  commandAngular: Float64Array;
+  cost: Cost;
+  outcome: Outcome;
+  arrived: boolean;
+  /** t_f in seconds: the arrival time, or the horizon. */
+  finalTime: number;
+}
+/** The robot at one sample. */
+export interface Sample {
+  time: number;
+  posture: Posture;
+  /** The reference posture, which moves when the reference velocity is not zero. */
+  reference: Posture;
+  /** What the control law asks for. */
+  command: Velocity;
+  /** What the limits leave of it; it is applied until the next sample. */
+  velocity: Velocity;
+  /** The error posture (3), in the frame of the reference: metres, and radians in (−π, π]. */
+  error: Posture;
+  /** V = ½ x_e² + ½ y_e² + (1 − cos θ_e). */
+  lyapunov: number;
+  /** dV/dt with the applied velocity. */
+  lyapunovRate: number;
+  arrived: boolean;
+  /** null while the robot drives. */
+  outcome: Outcome | null;
+}
+/** One trial solution: gains, their strategy parameters σ, and its cost. */
+export interface Individual { gains: [number, number, number]; sigmas: [number, number, number]; cost: number }
+/** One generation in short. */
+export interface Statistics {
+  generation: number;
+  /** Drives since the start, one for each individual and start posture. */
+  evaluations: number;
+  best: Individual;
+  median: number;
+  worst: number;
+  /** Mean strategy parameter of each gain over the population. */
+  meanSigmas: [number, number, number];
+}
+/** The standard normal draws that made one offspring. */
+export interface Mutation { gains: [number, number, number]; common: number; sigmas: [number, number, number] }
+/**
+ * One generation in full. Solutions are numbered 0 to N − 1 for the parents and N to 2N − 1 for the offspring.
+ * Generation 0 has only parents (the initial population).
+ */
+export interface GenerationRecord {
+  generation: number;
+  parents: Individual[];
+  offspring: Individual[];
+  /** The draws behind each offspring. */
+  mutations: Mutation[];
+  /** For each of the 2N solutions, whom it met. */
+  opponents: number[][];
+  /** For each of the 2N solutions, how many bouts it won. */
+  wins: number[];
+  /** The N that survive, best ranked first. */
+  survivors: number[];
+}
+/** One axis of a landscape: `count` values of a gain from `from` to `to`, evenly spaced or, with `log`, evenly in the logarithm. */
+export interface Axis { gain: 'kx' | 'ky' | 'ktheta'; from: number; to: number; count: number; log?: boolean }
+/** The cells of a landscape of J over two gains. */
+export interface Landscape {
+  x: Axis;
+  y: Axis;
+  /** All three gains; the two on the axes are replaced. */
+  gains: Gains;
+  /** The rows [first, end) to compute; all when left out. */
+  rows?: [number, number];
+}
+/** The range of one numeric field of an experiment. */
+export interface Field { path: string; unit: string; min: number; max: number; integer: boolean; nullable: boolean }
+/** What the paper states of one of its experiments. */
+export interface PaperResult {
+  preset: Preset;
+  /** The figure's number in the paper. */
+  figure: string;
+  method: 'ep' | 'arbitrary';
+  gains: [number, number, number];
+  /** J as printed in the paper, whose weights are not given. */
+  cost: number;
+}

@@ -1,0 +1,470 @@
+//! The boundary to JavaScript: the only module that knows it. Types are in `interface.d.ts`.
+
+use js_sys::{Array, ArrayBuffer, Float64Array, Object, Reflect};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use crate::control::Gains;
+use crate::episode::{EpisodeState, Outcome, Sample, Setting};
+use crate::evolution;
+use crate::experiment::{
+    CHOICES, Experiment, FIELDS, InvalidInput, MAX_STARTS, PAPER_RESULTS, Preset, field_at, shown,
+};
+use crate::survey::{self, Axis, Gain, MAX_AXIS_COUNT};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("interface.d.ts");
+
+/// Makes a panic an Error with its message instead of a bare trap.
+///
+/// After a panic this instance of the module must not be used again.
+#[wasm_bindgen(start)]
+pub fn throw_panics() {
+    std::panic::set_hook(Box::new(|panic| {
+        let message = format!("ep-locomotion: internal error, please reload ({panic})");
+        web_sys::console::error_1(&message.as_str().into());
+        wasm_bindgen::throw_str(&message);
+    }));
+}
+
+impl From<InvalidInput> for JsValue {
+    fn from(error: InvalidInput) -> Self {
+        js_sys::Error::new(&error.to_string()).into()
+    }
+}
+
+type Result<T, E = JsValue> = core::result::Result<T, E>;
+
+/// The experiment with a preset's name, or the given one with every field that it leaves out filled in.
+///
+/// Throws an Error that names the field when one is unknown, of a wrong type, or out of its range.
+#[wasm_bindgen(unchecked_return_type = "Experiment")]
+pub fn experiment(
+    #[wasm_bindgen(
+        js_name = "presetOrPartial",
+        unchecked_param_type = "Preset | PartialExperiment"
+    )]
+    given: JsValue,
+) -> Result<JsValue> {
+    match given.as_string() {
+        Some(name) => plain(&Preset::named(&name)?.experiment()),
+        None => plain(setting(given)?.experiment()),
+    }
+}
+
+/// Drives one robot from `starts[start]` (0 if left out) to the end of its run.
+#[wasm_bindgen(unchecked_return_type = "Run")]
+pub fn simulate(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "number | undefined")] start: JsValue,
+) -> Result<JsValue> {
+    let setting = setting(experiment)?;
+    let start = start_index(&setting, start)?;
+    let mut episode = setting.episode(one_triple(gains)?, start);
+    let samples: Vec<Sample> = episode.samples().collect();
+    let run = Object::new();
+    let set = |key: &str, value: &JsValue| Reflect::set(&run, &key.into(), value);
+    type Column = fn(&Sample) -> f64;
+    let columns: [(&str, Column); 8] = [
+        ("time", |s| s.time),
+        ("x", |s| s.posture.x),
+        ("y", |s| s.posture.y),
+        ("theta", |s| s.posture.theta),
+        ("linear", |s| s.velocity.linear),
+        ("angular", |s| s.velocity.angular),
+        ("commandLinear", |s| s.command.linear),
+        ("commandAngular", |s| s.command.angular),
+    ];
+    for (name, column) in columns {
+        let values: Vec<f64> = samples.iter().map(column).collect();
+        set(name, &Float64Array::from(values.as_slice()).into())?;
+    }
+    set("cost", &plain(&episode.cost())?)?;
+    set("outcome", &plain(&episode.outcome())?)?;
+    set("arrived", &(episode.outcome() == Some(Outcome::Arrived)).into())?;
+    set("finalTime", &episode.time().into())?;
+    Ok(run.into())
+}
+
+/// J of each gain triple, the mean over the start postures: n triples in, n costs out.
+#[wasm_bindgen(unchecked_return_type = "Float64Array")]
+pub fn evaluate(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+) -> Result<JsValue> {
+    let setting = setting(experiment)?;
+    let costs = survey::evaluate(&setting, &triples(gains)?)?;
+    Ok(Float64Array::from(costs.as_slice()).into())
+}
+
+/// J over two gains, row by row: `x.count` values for each row of `rows`.
+#[wasm_bindgen(unchecked_return_type = "Float64Array")]
+pub fn landscape(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(js_name = "landscape", unchecked_param_type = "Landscape")] given: JsValue,
+) -> Result<JsValue> {
+    let setting = setting(experiment)?;
+    let given = Input { value: given, path: "landscape".into() };
+    given.keys(&["x", "y", "gains", "rows"])?;
+    let (x, y) = (axis(given.get("x")?)?, axis(given.get("y")?)?);
+    let gains = one_triple(given.get("gains")?.value)?;
+    let rows = match given.get("rows")? {
+        all if all.value.is_undefined() => [0, y.count],
+        rows => {
+            let [first, end] = rows
+                .array(Some(2))?
+                .map(|row| row.whole_number(y.count))
+                .collect::<Result<Vec<_>>>()?[..]
+            else {
+                unreachable!("the length was checked")
+            };
+            [first, end]
+        }
+    };
+    let costs = survey::Landscape { x, y, gains }.costs(&setting, rows)?;
+    Ok(Float64Array::from(costs.as_slice()).into())
+}
+
+/// Every number of an experiment with its unit and range.
+#[wasm_bindgen(unchecked_return_type = "Field[]")]
+pub fn fields() -> Result<JsValue> {
+    plain(&FIELDS.as_slice())
+}
+
+/// The results that the paper prints.
+#[wasm_bindgen(unchecked_return_type = "PaperResult[]")]
+pub fn paper() -> Result<JsValue> {
+    plain(&PAPER_RESULTS)
+}
+
+/// A seed from the machine's own source of chance.
+#[wasm_bindgen(js_name = "randomSeed")]
+pub fn random_seed() -> Result<u32> {
+    let unavailable = |e| js_sys::Error::new(&format!("no source of random numbers: {e}")).into();
+    getrandom::u32().map_err(unavailable)
+}
+
+/// One robot, sample by sample.
+#[wasm_bindgen]
+pub struct Simulation {
+    setting: Setting,
+    state: EpisodeState,
+}
+
+#[wasm_bindgen]
+impl Simulation {
+    /// A robot at rest at `starts[start]` (0 if left out).
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number | undefined")] start: JsValue,
+    ) -> Result<Simulation> {
+        let setting = setting(experiment)?;
+        let start = start_index(&setting, start)?;
+        let state = EpisodeState::new(&setting, one_triple(gains)?, start);
+        Ok(Self { setting, state })
+    }
+
+    /// The robot now; then it moves on by one sample, unless its run has ended.
+    #[wasm_bindgen(unchecked_return_type = "Sample")]
+    pub fn step(&mut self) -> Result<JsValue> {
+        let sample = self.state.step(&self.setting);
+        let object = plain(&sample)?;
+        let arrived = sample.outcome == Some(Outcome::Arrived);
+        Reflect::set(&object, &"arrived".into(), &arrived.into())?;
+        Ok(object)
+    }
+}
+
+/// A run of evolutionary programming that remembers every generation.
+#[wasm_bindgen]
+pub struct Evolution(evolution::Evolution);
+
+#[wasm_bindgen]
+impl Evolution {
+    /// Generation 0: the random initial population, driven.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    ) -> Result<Evolution> {
+        let setting = setting(experiment)?;
+        Ok(Self(evolution::Evolution::new(setting.experiment().clone())?))
+    }
+
+    /// The number of the newest generation.
+    #[wasm_bindgen(getter)]
+    pub fn generation(&self) -> u32 {
+        self.0.generation()
+    }
+
+    /// Evolves one generation.
+    #[wasm_bindgen(unchecked_return_type = "Statistics")]
+    pub fn step(&mut self) -> Result<JsValue> {
+        plain(&self.0.step())
+    }
+
+    /// One generation in short; the newest if left out.
+    #[wasm_bindgen(unchecked_return_type = "Statistics")]
+    pub fn statistics(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number | undefined")] generation: JsValue,
+    ) -> Result<JsValue> {
+        plain(&self.0.statistics(self.generation_number(generation)?)?)
+    }
+
+    /// One generation in full.
+    #[wasm_bindgen(unchecked_return_type = "GenerationRecord")]
+    pub fn record(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] generation: JsValue,
+    ) -> Result<JsValue> {
+        plain(&self.0.record(number(generation, "generation")?)?)
+    }
+
+    /// The population that a generation left, best ranked first; the newest if left out.
+    #[wasm_bindgen(unchecked_return_type = "Individual[]")]
+    pub fn population(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number | undefined")] generation: JsValue,
+    ) -> Result<JsValue> {
+        plain(&self.0.population(self.generation_number(generation)?)?)
+    }
+
+    /// 16 hexadecimal digits over every number of the history. The same everywhere for the same experiment and generation.
+    pub fn hash(&self) -> String {
+        self.0.hash()
+    }
+
+    fn generation_number(&self, given: JsValue) -> Result<f64> {
+        if given.is_undefined() {
+            return Ok(self.0.generation().into());
+        }
+        number(given, "generation")
+    }
+}
+
+/// A plain object, with null for what is absent.
+fn plain(value: &(impl Serialize + ?Sized)) -> Result<JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::new()
+        .serialize_maps_as_objects(true)
+        .serialize_missing_as_null(true);
+    Ok(value.serialize(&serializer)?)
+}
+
+fn setting(given: JsValue) -> Result<Setting> {
+    let template = plain(&Preset::default().experiment())?;
+    let completed = Input { value: given, path: String::new() }.completed(&template)?;
+    let experiment: Experiment = serde_wasm_bindgen::from_value(completed)?;
+    Ok(Setting::new(experiment)?)
+}
+
+fn start_index(setting: &Setting, given: JsValue) -> Result<u32> {
+    let start = if given.is_undefined() { 0.0 } else { number(given, "start")? };
+    Ok(setting.validate_start(start)?)
+}
+
+fn number(given: JsValue, name: &str) -> Result<f64> {
+    let input = Input { value: given, path: name.into() };
+    input.value.as_f64().ok_or_else(|| input.refused("a number").into())
+}
+
+fn one_triple(given: JsValue) -> Result<Gains> {
+    match triples(given)?[..] {
+        [gains] => Ok(gains),
+        ref several => {
+            let found = format!("{} numbers", 3 * several.len());
+            Err(InvalidInput::new("gains", "three numbers (kx, ky, kθ)", found).into())
+        }
+    }
+}
+
+fn triples(given: JsValue) -> Result<Vec<Gains>> {
+    let input = Input { value: given, path: "gains".into() };
+    let numbers = input.numbers()?;
+    if !numbers.len().is_multiple_of(3) {
+        let found = format!("{} numbers", numbers.len());
+        return Err(InvalidInput::new("gains", "three numbers for each robot", found).into());
+    }
+    if let Some(index) = numbers.iter().position(|k| !k.is_finite()) {
+        let found = shown(numbers[index]);
+        return Err(InvalidInput::new(format!("gains[{index}]"), "finite", found).into());
+    }
+    Ok(numbers.chunks_exact(3).map(|k| Gains::new(k[0], k[1], k[2])).collect())
+}
+
+fn axis(given: Input) -> Result<Axis> {
+    given.keys(&["gain", "from", "to", "count", "log"])?;
+    let gain = given.get("gain")?;
+    let log = given.get("log")?;
+    Ok(Axis {
+        gain: match gain.value.as_string().as_deref() {
+            Some("kx") => Gain::X,
+            Some("ky") => Gain::Y,
+            Some("ktheta" | "kθ") => Gain::Theta,
+            _ => return Err(gain.refused("'kx', 'ky' or 'ktheta'").into()),
+        },
+        from: given.get("from")?.number()?,
+        to: given.get("to")?.number()?,
+        count: given.get("count")?.whole_number(MAX_AXIS_COUNT)?,
+        log: match log.value.as_bool() {
+            Some(log) => log,
+            None if log.value.is_undefined() => false,
+            None => return Err(log.refused("true or false").into()),
+        },
+    })
+}
+
+/// A value that came from JavaScript, and where it stood.
+struct Input {
+    value: JsValue,
+    path: String,
+}
+
+impl Input {
+    fn refused(&self, expected: impl Into<String>) -> InvalidInput {
+        let path = if self.path.is_empty() { "experiment" } else { &self.path };
+        InvalidInput::new(path, expected, description(&self.value))
+    }
+
+    /// The object's own field; what it inherits does not count.
+    fn get(&self, key: &str) -> Result<Input> {
+        let path =
+            if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) };
+        let own = Object::has_own(self.value.unchecked_ref::<Object>(), &key.into());
+        let value = if own { Reflect::get(&self.value, &key.into())? } else { JsValue::UNDEFINED };
+        Ok(Input { value, path })
+    }
+
+    /// Refuses anything but an object that has no other keys than these.
+    fn keys(&self, known: &[&str]) -> Result<()> {
+        if !self.value.is_object() || Array::is_array(&self.value) {
+            return Err(self.refused("an object").into());
+        }
+        for key in Reflect::own_keys(self.value.unchecked_ref())? {
+            let key = key.as_string().unwrap_or_else(|| "a symbol".into());
+            if !known.contains(&key.as_str()) {
+                let path = if self.path.is_empty() { "experiment" } else { &self.path };
+                let expected = format!("an object with no fields but {}", known.join(", "));
+                return Err(InvalidInput::new(path, expected, format!("one with '{key}'")).into());
+            }
+        }
+        Ok(())
+    }
+
+    /// The elements of an array, which must have this length if one is given.
+    fn array(&self, length: Option<u32>) -> Result<impl Iterator<Item = Input>> {
+        let expected = || match length {
+            Some(length) => format!("an array of {length}"),
+            None => format!("an array of 1 to {MAX_STARTS}"),
+        };
+        let array: &Array = self.value.unchecked_ref();
+        if !Array::is_array(&self.value)
+            || length.is_some_and(|length| length != array.length())
+            || array.length() as usize > MAX_STARTS
+        {
+            return Err(self.refused(expected()).into());
+        }
+        let elements: Vec<Input> = (0..array.length())
+            .map(|i| Input { value: array.get(i), path: format!("{}[{i}]", self.path) })
+            .collect();
+        Ok(elements.into_iter())
+    }
+
+    fn numbers(&self) -> Result<Vec<f64>> {
+        if let Some(array) = self.value.dyn_ref::<Float64Array>() {
+            return Ok(array.to_vec());
+        }
+        if !Array::is_array(&self.value) && !ArrayBuffer::is_view(&self.value) {
+            return Err(self.refused("a Float64Array or an array of numbers").into());
+        }
+        let elements = Array::from(&self.value).into_iter().enumerate();
+        elements.map(|(i, value)| number(value, &format!("{}[{i}]", self.path))).collect()
+    }
+
+    fn number(&self) -> Result<f64> {
+        self.value.as_f64().ok_or_else(|| self.refused("a number").into())
+    }
+
+    fn whole_number(&self, largest: u32) -> Result<u32> {
+        let refused = || self.refused(format!("a whole number from 0 to {largest}"));
+        let number = self.value.as_f64().ok_or_else(refused)?;
+        if number.fract() == 0.0 && (0.0..=f64::from(largest)).contains(&number) {
+            Ok(number as u32)
+        } else {
+            Err(refused().into())
+        }
+    }
+
+    /// This value where it is given and allowed, the template's where it is left out.
+    fn completed(&self, template: &JsValue) -> Result<JsValue> {
+        if self.value.is_undefined() && !self.path.is_empty() {
+            return Ok(template.clone());
+        }
+        if let Some(field) = field_at(&self.path) {
+            let allowed = match self.value.as_f64() {
+                Some(number) => field.allows(number),
+                None => self.value.is_null() && field.nullable,
+            };
+            if !allowed {
+                return Err(self.refused(field.expected()).into());
+            }
+            return Ok(self.value.clone());
+        }
+        if let Some((_, words)) = CHOICES.iter().find(|(path, _)| *path == self.path) {
+            let word = self.value.as_string();
+            if !word.is_some_and(|word| words.contains(&word.as_str())) {
+                let expected: Vec<String> = words.iter().map(|word| format!("'{word}'")).collect();
+                return Err(self.refused(expected.join(" or ")).into());
+            }
+            return Ok(self.value.clone());
+        }
+        if Array::is_array(template) {
+            let template: &Array = template.unchecked_ref();
+            let any_length = self.path == "starts";
+            let array = Array::new();
+            for (i, element) in self.array((!any_length).then(|| template.length()))?.enumerate() {
+                let template = template.get(if any_length { 0 } else { i as u32 });
+                array.push(&element.completed(&template)?);
+            }
+            return Ok(array.into());
+        }
+        let names: Vec<String> = Object::keys(template.unchecked_ref::<Object>())
+            .into_iter()
+            .filter_map(|key| key.as_string())
+            .collect();
+        self.keys(&names.iter().map(String::as_str).collect::<Vec<_>>())?;
+        let object = Object::new();
+        for name in &names {
+            let template = Reflect::get(template, &name.into())?;
+            let value = self.get(name)?.completed(&template)?;
+            Reflect::set(&object, &name.into(), &value)?;
+        }
+        Ok(object.into())
+    }
+}
+
+/// A value in words for a message.
+fn description(value: &JsValue) -> String {
+    if let Some(number) = value.as_f64() {
+        return shown(number);
+    }
+    if let Some(text) = value.as_string() {
+        let shown: String = text.chars().take(40).collect();
+        return if shown.len() < text.len() {
+            format!("'{shown}…'")
+        } else {
+            format!("'{shown}'")
+        };
+    }
+    if Array::is_array(value) {
+        return format!("an array of {}", value.unchecked_ref::<Array>().length());
+    }
+    match value.as_bool() {
+        Some(truth) => truth.to_string(),
+        None if value.is_null() => "null".into(),
+        None if value.is_undefined() => "undefined".into(),
+        None => format!("of type {}", value.js_typeof().as_string().unwrap_or_default()),
+    }
+}

@@ -1,0 +1,289 @@
+//! The interface to JavaScript, called as JavaScript calls it. It exists under Node only.
+#![cfg(target_arch = "wasm32")]
+
+use ep_locomotion::wasm::{
+    Evolution, Simulation, evaluate, experiment, fields, landscape, paper, random_seed, simulate,
+};
+use js_sys::{Array, Float64Array, Function, JSON, Object, Reflect};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// The value of a JavaScript expression.
+fn js(expression: &str) -> JsValue {
+    Function::new_no_args(&format!("return ({expression})"))
+        .call0(&JsValue::NULL)
+        .expect(expression)
+}
+
+fn text(value: &JsValue) -> String {
+    JSON::stringify(value).expect("plain").into()
+}
+
+fn get(object: &JsValue, path: &str) -> JsValue {
+    path.split('.')
+        .fold(object.clone(), |value, key| Reflect::get(&value, &key.into()).expect("an object"))
+}
+
+fn number(object: &JsValue, path: &str) -> f64 {
+    get(object, path).as_f64().expect(path)
+}
+
+#[track_caller]
+fn message<T>(result: Result<T, JsValue>) -> String {
+    let error = result.err().expect("refused");
+    error.dyn_into::<js_sys::Error>().expect("an Error").message().into()
+}
+
+fn gains(k: [f64; 3]) -> JsValue {
+    Float64Array::from(k.as_slice()).into()
+}
+
+const EP: [f64; 3] = [3.23673, 0.09678, 5.17891];
+
+#[wasm_bindgen_test]
+fn presets_have_every_field_and_partial_experiments_are_completed() {
+    let preset = experiment("velocity-limits".into()).expect("a preset");
+    assert_eq!(
+        text(&preset),
+        "{\"law\":\"shim-kim\",\"starts\":[{\"x\":0,\"y\":0,\"theta\":0}],\
+         \"goal\":{\"x\":2,\"y\":2,\"theta\":0.7853981633974483},\
+         \"referenceVelocity\":{\"linear\":0,\"angular\":0},\"sampleTime\":0.01,\"horizon\":10,\
+         \"limits\":{\"speed\":2,\"turnRate\":6.283185307179586,\"acceleration\":null,\
+         \"turnAcceleration\":null},\"tolerance\":{\"position\":0.05,\"heading\":0.05},\
+         \"weights\":{\"final\":[1,1,1],\"velocity\":[1,1],\"penalty\":1000},\
+         \"disturbance\":{\"kind\":\"none\",\"linear\":0,\"angular\":0,\"seed\":0},\
+         \"evolution\":{\"population\":20,\"opponents\":10,\"seed\":1,\
+         \"initialRange\":[0.01,10],\"initialSigma\":1}}"
+    );
+    assert_eq!(text(&experiment(js("{}")).expect("defaults")), text(&preset));
+    assert_eq!(text(&experiment(preset.clone()).expect("itself")), text(&preset));
+    let changed = experiment(js("{goal: {x: 1}, starts: [{y: 2}, {}], limits: {speed: null}}"));
+    let changed = changed.expect("valid");
+    assert_eq!(text(&get(&changed, "goal")), "{\"x\":1,\"y\":2,\"theta\":0.7853981633974483}");
+    assert_eq!(text(&get(&changed, "starts.0")), "{\"x\":0,\"y\":2,\"theta\":0}");
+    assert!(get(&changed, "limits.speed").is_null());
+}
+
+#[wasm_bindgen_test]
+fn a_wrong_experiment_is_refused_by_name() {
+    for (given, expected) in [
+        ("null", "experiment must be an object, but was null"),
+        ("undefined", "experiment must be an object, but was undefined"),
+        ("7", "experiment must be an object, but was 7"),
+        ("[]", "experiment must be an object, but was an array of 0"),
+        ("{goal: null}", "goal must be an object, but was null"),
+        (
+            "{goal: {z: 1}}",
+            "goal must be an object with no fields but x, y, theta, but was one with 'z'",
+        ),
+        ("{goal: {x: '1'}}", "goal.x must be a number from -1000 to 1000 m, but was '1'"),
+        ("{goal: {x: NaN}}", "goal.x must be a number from -1000 to 1000 m, but was NaN"),
+        ("{goal: {x: null}}", "goal.x must be a number from -1000 to 1000 m, but was null"),
+        ("{goal: {x: 1n}}", "goal.x must be a number from -1000 to 1000 m, but was of type bigint"),
+        (
+            "{goal: {x: Symbol()}}",
+            "goal.x must be a number from -1000 to 1000 m, but was of type symbol",
+        ),
+        (
+            "{goal: {x: new Number(1)}}",
+            "goal.x must be a number from -1000 to 1000 m, but was of type object",
+        ),
+        ("{law: 'none'}", "law must be 'shim-kim' or 'kanayama', but was 'none'"),
+        ("{law: 1}", "law must be 'shim-kim' or 'kanayama', but was 1"),
+        ("{starts: {}}", "starts must be an array of 1 to 10000, but was of type object"),
+        ("{starts: []}", "starts must be a list of 1 to 10000 postures, but was a list of 0"),
+        (
+            "{starts: new Array(1e7)}",
+            "starts must be an array of 1 to 10000, but was an array of 10000000",
+        ),
+        (
+            "{starts: [{}, {x: 1e9}]}",
+            "starts[1].x must be a number from -1000 to 1000 m, but was 1000000000",
+        ),
+        ("{weights: {final: [1]}}", "weights.final must be an array of 3, but was an array of 1"),
+        (
+            "{weights: {final: [1, 2, -1]}}",
+            "weights.final[2] must be a number from 0 to 1000000, but was -1",
+        ),
+        (
+            "{limits: {speed: 'fast'}}",
+            "limits.speed must be a number from 0 to 1000000 m/s, or null for no limit, but was 'fast'",
+        ),
+        (
+            "{limits: {speed: Infinity}}",
+            "limits.speed must be a number from 0 to 1000000 m/s, or null for no limit, but was Infinity",
+        ),
+        (
+            "{evolution: {population: 2.5}}",
+            "evolution.population must be a whole number from 1 to 2000, but was 2.5",
+        ),
+        (
+            "{evolution: {seed: -1}}",
+            "evolution.seed must be a whole number from 0 to 4294967295, but was -1",
+        ),
+        (
+            "{disturbance: {kind: 'wind'}}",
+            "disturbance.kind must be 'none' or 'random' or 'slip', but was 'wind'",
+        ),
+        (
+            "{[Symbol.iterator]: 1}",
+            "experiment must be an object with no fields but law, starts, goal, referenceVelocity, sampleTime, horizon, limits, tolerance, weights, disturbance, evolution, but was one with 'a symbol'",
+        ),
+        ("{get goal() { throw new Error('trap') }}", "trap"),
+        ("new Proxy({}, {ownKeys() { throw new Error('trap') }})", "trap"),
+    ] {
+        assert_eq!(message(experiment(js(given))), expected, "{given}");
+    }
+    assert_eq!(
+        message(experiment("figure-4".into())),
+        "experiment must be 'velocity-limits' or 'acceleration-limits', but was 'figure-4'"
+    );
+    // An inherited field is nobody's wish.
+    let inherited = experiment(js("Object.create({horizon: 3})")).expect("valid");
+    assert_eq!(number(&inherited, "horizon"), 10.0);
+}
+
+#[wasm_bindgen_test]
+fn simulate_gives_one_value_a_sample_and_the_cost_in_parts() {
+    let e = experiment("velocity-limits".into()).expect("a preset");
+    let run = simulate(e.clone(), gains(EP), JsValue::UNDEFINED).expect("a run");
+    for name in ["time", "x", "y", "theta", "linear", "angular", "commandLinear", "commandAngular"]
+    {
+        let column = get(&run, name).dyn_into::<Float64Array>().expect("a Float64Array");
+        assert_eq!(column.length(), 191, "{name}");
+    }
+    assert!((number(&run, "cost.total") - 7.93542857).abs() < 1e-6);
+    let parts = ["time", "finalError", "path", "energy", "penalty"];
+    let sum: f64 = parts.iter().map(|part| number(&run, &format!("cost.{part}"))).sum();
+    assert!((sum - number(&run, "cost.total")).abs() < 1e-12);
+    assert_eq!(get(&run, "arrived"), JsValue::TRUE);
+    assert_eq!(get(&run, "outcome"), JsValue::from("arrived"));
+    assert!((number(&run, "finalTime") - 1.9).abs() < 1e-9);
+    let costs: Float64Array =
+        evaluate(e, js("[3.23673, 0.09678, 5.17891, 10, 10, 10]")).expect("costs").into();
+    assert_eq!(costs.to_vec()[0], number(&run, "cost.total"));
+    assert!((costs.to_vec()[1] - 9.01560109).abs() < 1e-6);
+}
+
+#[wasm_bindgen_test]
+fn a_simulation_steps_through_the_same_run() {
+    let e = experiment("acceleration-limits".into()).expect("a preset");
+    let run = simulate(e.clone(), gains(EP), JsValue::UNDEFINED).expect("a run");
+    let x = Float64Array::from(get(&run, "x")).to_vec();
+    let mut robot = Simulation::new(e, gains(EP), 0.into()).expect("a robot");
+    for x in &x {
+        let sample = robot.step().expect("a sample");
+        assert_eq!(number(&sample, "posture.x"), *x);
+        for name in ["command", "velocity", "reference", "error", "lyapunov", "lyapunovRate"] {
+            assert!(!get(&sample, name).is_undefined(), "{name}");
+        }
+    }
+    let last = robot.step().expect("the last sample again");
+    assert_eq!(
+        (number(&last, "posture.x"), get(&last, "arrived")),
+        (x[x.len() - 1], JsValue::TRUE)
+    );
+}
+
+#[wasm_bindgen_test]
+fn wrong_arguments_are_refused_by_name() {
+    let e = || experiment("velocity-limits".into()).expect("a preset");
+    let run = |gains: &str, start: &str| message(simulate(e(), js(gains), js(start)));
+    for (given, start, expected) in [
+        (
+            "undefined",
+            "0",
+            "gains must be a Float64Array or an array of numbers, but was undefined",
+        ),
+        ("'123'", "0", "gains must be a Float64Array or an array of numbers, but was '123'"),
+        ("[1, 2]", "0", "gains must be three numbers for each robot, but was 2 numbers"),
+        ("[1, 2, 3, 4, 5, 6]", "0", "gains must be three numbers (kx, ky, kθ), but was 6 numbers"),
+        ("[1, 2, 'x']", "0", "gains[2] must be a number, but was 'x'"),
+        ("[1, NaN, 3]", "0", "gains[1] must be finite, but was NaN"),
+        ("[1, 2, 3]", "1", "start must be a whole number from 0 to 0, but was 1"),
+        ("[1, 2, 3]", "0.5", "start must be a whole number from 0 to 0, but was 0.5"),
+        ("[1, 2, 3]", "'0'", "start must be a number, but was '0'"),
+    ] {
+        assert_eq!(run(given, start), expected);
+    }
+    let evolution = Evolution::new(e()).expect("a run");
+    assert_eq!(
+        message(evolution.record(1.into())),
+        "generation must be a whole number from 0 to 0, the newest, but was 1"
+    );
+    let many = format!("new Float64Array({})", 3_000_000);
+    assert_eq!(
+        message(evaluate(e(), js(&many))),
+        "the number of gain triples must be at most 400000 with 1 starts and 1000 samples a run, \
+         but was 1000000"
+    );
+}
+
+#[wasm_bindgen_test]
+fn an_evolution_tells_its_generations() {
+    let mut evolution = Evolution::new(js("{}")).expect("a run");
+    for generation in 1..=5 {
+        let statistics = evolution.step().expect("statistics");
+        assert_eq!(number(&statistics, "generation"), f64::from(generation));
+        assert_eq!(number(&statistics, "evaluations"), f64::from(20 * (generation + 1)));
+    }
+    assert_eq!(evolution.generation(), 5);
+    let record = evolution.record(3.into()).expect("a record");
+    for (name, length) in [
+        ("parents", 20),
+        ("offspring", 20),
+        ("mutations", 20),
+        ("opponents", 40),
+        ("wins", 40),
+        ("survivors", 20),
+    ] {
+        assert_eq!(Array::from(&get(&record, name)).length(), length, "{name}");
+    }
+    assert_eq!(Array::from(&get(&record, "parents.0.gains")).length(), 3);
+    assert_eq!(number(&record, "generation"), 3.0);
+    let newest = evolution.population(JsValue::UNDEFINED).expect("a population");
+    let statistics = evolution.statistics(JsValue::UNDEFINED).expect("statistics");
+    assert_eq!(text(&get(&newest, "0")), text(&get(&statistics, "best")));
+    assert_eq!(evolution.hash().len(), 16);
+}
+
+#[wasm_bindgen_test]
+fn a_landscape_is_the_same_in_one_piece_or_in_rows() {
+    let spec = |rows: &str| {
+        let text = format!(
+            "{{x: {{gain: 'kx', from: 1, to: 9, count: 5}}, y: {{gain: 'ktheta', from: 1, to: 10, \
+             count: 4, log: true}}, gains: [0, 0.1, 0]{rows}}}"
+        );
+        landscape(js("{}"), js(&text)).map(|costs| Float64Array::from(costs).to_vec())
+    };
+    let whole = spec("").expect("costs");
+    assert_eq!(whole.len(), 20);
+    let rows = [spec(", rows: [0, 1]").expect("costs"), spec(", rows: [1, 4]").expect("costs")];
+    assert_eq!(rows.concat(), whole);
+    // kx = 3, kθ = 10 is the second of the last row.
+    let alone =
+        Float64Array::from(evaluate(js("{}"), js("[3, 0.1, 10]")).expect("a cost")).to_vec();
+    assert!((alone[0] - whole[16]).abs() < 1e-9);
+    assert_eq!(
+        message(spec(", rows: [0, 5]")),
+        "landscape.rows[1] must be a whole number from 0 to 4, but was 5"
+    );
+    assert_eq!(
+        message(landscape(js("{}"), js("{}"))),
+        "landscape.x must be an object, but was undefined"
+    );
+}
+
+#[wasm_bindgen_test]
+fn the_tables_are_complete() {
+    assert_eq!(Array::from(&paper().expect("results")).length(), 4);
+    let fields = Array::from(&fields().expect("fields"));
+    let preset = experiment("velocity-limits".into()).expect("a preset");
+    for field in fields.iter() {
+        let path = get(&field, "path").as_string().expect("a path").replace("[]", ".0");
+        assert!(!get(&preset, &path).is_undefined(), "{path}");
+    }
+    assert_eq!(Object::keys(fields.get(0).unchecked_ref::<Object>()).length(), 6);
+    let seeds = [random_seed(), random_seed(), random_seed()].map(|seed| seed.expect("a seed"));
+    assert!(seeds[0] != seeds[1] || seeds[1] != seeds[2]);
+}

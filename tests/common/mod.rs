@@ -1,0 +1,70 @@
+//! Seeded random material for the tests of laws.
+#![allow(dead_code)] // each test file uses its own part
+
+use ep_locomotion::control::Gains;
+use ep_locomotion::posture::{ErrorPosture, Posture, Velocity};
+use rand::rngs::Xoshiro256PlusPlus;
+use rand::{RngExt, SeedableRng};
+
+pub struct Random(pub Xoshiro256PlusPlus);
+
+impl Random {
+    pub fn new(seed: u64) -> Self {
+        Self(Xoshiro256PlusPlus::seed_from_u64(seed))
+    }
+
+    /// Uniform in [low, high).
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.0.random::<f64>()
+    }
+
+    /// One of the first `count` whole numbers.
+    pub fn below(&mut self, count: u32) -> u32 {
+        self.0.random_range(0..count)
+    }
+
+    /// A number of any magnitude, from the smallest to the largest, sometimes a special one.
+    pub fn hostile(&mut self) -> f64 {
+        const SPECIAL: [f64; 6] = [0.0, -0.0, f64::MAX, f64::MIN, f64::MIN_POSITIVE, 5e-324];
+        let sign = if self.below(2) == 0 { 1.0 } else { -1.0 };
+        match self.below(10) {
+            0 => SPECIAL[self.below(6) as usize],
+            1..=4 => sign * 10f64.powf(self.within(-300.0, 300.0)),
+            _ => sign * 10f64.powf(self.within(-3.0, 3.0)),
+        }
+    }
+
+    pub fn posture(&mut self, reach: f64) -> Posture {
+        Posture {
+            x: self.within(-reach, reach),
+            y: self.within(-reach, reach),
+            theta: self.within(-3.1, 3.1),
+        }
+    }
+
+    pub fn velocity(&mut self, reach: f64) -> Velocity {
+        Velocity { linear: self.within(-reach, reach), angular: self.within(-reach, reach) }
+    }
+
+    pub fn gains(&mut self, low: f64, high: f64) -> Gains {
+        Gains::new(self.within(low, high), self.within(low, high), self.within(low, high))
+    }
+
+    /// An error posture away from the singularities sin θ_e = 0 and cos θ_e = 0.
+    pub fn error(&mut self) -> ErrorPosture {
+        loop {
+            let p = self.posture(3.0);
+            let e = ErrorPosture::new(p.x, p.y, p.theta);
+            if e.sin.abs() > 0.05 && e.cos.abs() > 0.05 {
+                return e;
+            }
+        }
+    }
+}
+
+/// Asserts that two numbers agree to `tolerance`, relative to the larger of them and 1.
+#[track_caller]
+pub fn assert_close(a: f64, b: f64, tolerance: f64) {
+    let scale = a.abs().max(b.abs()).max(1.0);
+    assert!((a - b).abs() <= tolerance * scale, "{a} and {b} differ by {:e}", (a - b).abs());
+}

@@ -1,0 +1,327 @@
+//! Laws of a whole run and of its cost.
+
+mod common;
+
+use common::{Random, assert_close};
+use ep_locomotion::control::{Gains, Law};
+use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
+use ep_locomotion::episode::{Outcome, Sample, Setting};
+use ep_locomotion::experiment::{Experiment, PAPER_RESULTS, Preset};
+use ep_locomotion::limits::Limits;
+use ep_locomotion::posture::{Posture, Velocity, wrap};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const EP_GAINS: Gains = Gains::new(3.23673, 0.09678, 5.17891);
+
+fn velocity_limits() -> Experiment {
+    Preset::VelocityLimits.experiment()
+}
+
+fn run(experiment: &Experiment, gains: Gains) -> Vec<Sample> {
+    let setting = Setting::new(experiment.clone()).expect("valid");
+    setting.episode(gains, 0).samples().collect()
+}
+
+fn cost(experiment: &Experiment, gains: Gains) -> ep_locomotion::cost::Cost {
+    Setting::new(experiment.clone()).expect("valid").cost(&gains)
+}
+
+/// Starts from which the paper's gains arrive, so that rounding cannot decide the outcome.
+fn gentle(random: &mut Random) -> (Experiment, Gains) {
+    let start = Posture {
+        x: random.within(-0.5, 0.5),
+        y: random.within(-0.5, 0.5),
+        theta: random.within(-0.5, 0.5),
+    };
+    let gains =
+        Gains::new(random.within(2.0, 5.0), random.within(0.01, 0.2), random.within(3.0, 6.0));
+    (Experiment { starts: vec![start], ..velocity_limits() }, gains)
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_sample_follows_from_the_one_before_by_the_exact_arc() {
+    let mut random = Random::new(1);
+    for round in 0..200 {
+        let gains = random.gains(0.0, 10.0);
+        let mut experiment = velocity_limits();
+        experiment.starts = vec![random.posture(3.0)];
+        if round % 2 == 1 {
+            experiment.reference_velocity = random.velocity(1.0);
+        }
+        // Small turns go by series, large ones by sine and arc tangent.
+        experiment.sample_time = [0.01, 0.05, 0.5][round % 3];
+        if round % 5 == 0 {
+            experiment.limits = Limits::NONE;
+        }
+        let dt = experiment.sample_time;
+        for pair in run(&experiment, gains).windows(2) {
+            let [now, next] = [pair[0], pair[1]];
+            let expected = now.posture.advance(now.velocity, dt);
+            let scale = 1.0 + now.velocity.linear.abs() * dt;
+            // Where nothing is limited the heading turns by up to thousands of radians in a sample, and a number of
+            // that size cannot hold the angle better than this.
+            let turn = 1.0 + now.posture.theta.abs() + (now.velocity.angular * dt).abs();
+            let tolerance = 1e-11 * turn;
+            if next.outcome == Some(Outcome::Diverged) || tolerance > 1e-6 || scale > 1e3 {
+                break;
+            }
+            assert_close(next.posture.x / scale, expected.x / scale, tolerance);
+            assert_close(next.posture.y / scale, expected.y / scale, tolerance);
+            assert_close(wrap(next.posture.theta - expected.theta), 0.0, tolerance);
+            let error = next.posture.error_to(next.reference);
+            assert_close(error.x / scale, next.error.x / scale, tolerance);
+            assert_close(error.y / scale, next.error.y / scale, tolerance);
+            assert_close(wrap(error.theta - next.error.theta), 0.0, tolerance);
+            assert_close(next.error.cos, next.error.theta.cos(), 1e-10);
+            assert_close(next.error.sin, next.error.theta.sin(), 1e-10);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_rigid_motion_of_the_plane_changes_nothing() {
+    let mut random = Random::new(2);
+    let mut compared = 0;
+    for _ in 0..300 {
+        let (experiment, gains) = gentle(&mut random);
+        let by = random.posture(5.0);
+        let moved = |p: Posture| Posture {
+            x: by.x + by.theta.cos() * p.x - by.theta.sin() * p.y,
+            y: by.y + by.theta.sin() * p.x + by.theta.cos() * p.y,
+            theta: p.theta + by.theta,
+        };
+        let elsewhere = Experiment {
+            starts: vec![moved(experiment.starts[0])],
+            goal: moved(experiment.goal),
+            ..experiment.clone()
+        };
+        let (a, b) = (cost(&experiment, gains), cost(&elsewhere, gains));
+        if a.time > 3.0 {
+            continue; // it missed the goal and circles near it, where every bit of rounding counts
+        }
+        compared += 1;
+        assert_close(a.total(), b.total(), 1e-9);
+        assert_close(a.path, b.path, 1e-9);
+        assert_close(a.energy, b.energy, 1e-9);
+    }
+    assert!(compared > 200, "{compared}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_mirror_image_costs_the_same() {
+    let mut random = Random::new(3);
+    for _ in 0..300 {
+        let (experiment, gains) = gentle(&mut random);
+        let mirrored = |p: Posture| Posture { x: p.x, y: -p.y, theta: -p.theta };
+        let mirror = Experiment {
+            starts: vec![mirrored(experiment.starts[0])],
+            goal: mirrored(experiment.goal),
+            ..experiment.clone()
+        };
+        assert_close(cost(&experiment, gains).total(), cost(&mirror, gains).total(), 1e-9);
+        let (a, b) = (run(&experiment, gains), run(&mirror, gains));
+        assert_eq!(a.len(), b.len());
+        for (a, b) in a.iter().zip(&b) {
+            assert_close(a.posture.y, -b.posture.y, 1e-7);
+            assert_close(a.velocity.angular, -b.velocity.angular, 1e-5);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_parts_are_the_integrals_of_the_trajectory() {
+    let mut random = Random::new(4);
+    for _ in 0..100 {
+        let mut experiment = velocity_limits();
+        experiment.starts = vec![random.posture(2.0)];
+        experiment.weights.final_error = [2.0, 3.0, 5.0];
+        experiment.weights.velocity = [0.5, 0.25];
+        let gains = random.gains(-1.0, 8.0);
+        let samples = run(&experiment, gains);
+        let (last, driven) = samples.split_last().expect("a run has a sample");
+        let half_dt = 0.5 * experiment.sample_time;
+        let [rv, rw] = experiment.weights.velocity;
+        let square = |x: f64| x * x;
+        let path: f64 = driven
+            .iter()
+            .map(|s| square(s.error.x) + square(s.error.y) + square(s.error.theta))
+            .sum();
+        let energy: f64 = driven
+            .iter()
+            .map(|s| rv * square(s.velocity.linear) + rw * square(s.velocity.angular))
+            .sum();
+        let goal = experiment.goal;
+        let final_error = 2.0 * square(last.posture.x - goal.x)
+            + 3.0 * square(last.posture.y - goal.y)
+            + 5.0 * square(wrap(last.posture.theta - goal.theta));
+        let penalty: f64 =
+            1000.0 * [gains.x, gains.y, gains.theta].iter().map(|k| (-k).max(0.0)).sum::<f64>();
+        let parts = cost(&experiment, gains);
+        assert_close(parts.time, last.time, 1e-14);
+        assert_close(parts.path, half_dt * path, 1e-12);
+        assert_close(parts.energy, half_dt * energy, 1e-12);
+        assert_close(parts.final_error, final_error, 1e-9);
+        assert_close(parts.penalty, penalty, 1e-14);
+        let sum = parts.time + parts.final_error + parts.path + parts.energy + parts.penalty;
+        assert_eq!(parts.total(), sum);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn doubled_weights_double_their_parts_and_no_other() {
+    let mut random = Random::new(5);
+    for _ in 0..100 {
+        let mut experiment = velocity_limits();
+        experiment.starts = vec![random.posture(2.0)];
+        let gains = random.gains(0.0, 10.0);
+        let single = cost(&experiment, gains);
+        experiment.weights.final_error = [2.0; 3];
+        experiment.weights.velocity = [2.0; 2];
+        let double = cost(&experiment, gains);
+        assert_eq!(double.final_error, 2.0 * single.final_error);
+        assert_eq!(double.energy, 2.0 * single.energy);
+        assert_eq!([double.time, double.path], [single.time, single.path]);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn several_starts_cost_the_mean_of_each() {
+    let mut random = Random::new(6);
+    let starts: Vec<Posture> = (0..7).map(|_| random.posture(2.0)).collect();
+    let together = Experiment { starts: starts.clone(), ..velocity_limits() };
+    let alone = starts.iter().map(|start| {
+        cost(&Experiment { starts: vec![*start], ..velocity_limits() }, EP_GAINS).total()
+    });
+    assert_close(cost(&together, EP_GAINS).total(), alone.sum::<f64>() / 7.0, 1e-14);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_outcome_is_what_the_last_sample_shows() {
+    let arrives = run(&velocity_limits(), EP_GAINS);
+    let last = arrives.last().expect("a sample");
+    assert_eq!(last.outcome, Some(Outcome::Arrived));
+    assert!(last.error.x.hypot(last.error.y) <= 0.05 && last.error.theta.abs() <= 0.05);
+    assert!(arrives.iter().rev().skip(1).all(|s| s.outcome.is_none()));
+
+    let never = Experiment { horizon: 0.5, ..velocity_limits() };
+    let last = *run(&never, EP_GAINS).last().expect("a sample");
+    assert_eq!((last.outcome, last.time), (Some(Outcome::Horizon), 0.5));
+
+    let there = Experiment { starts: vec![velocity_limits().goal], ..velocity_limits() };
+    let samples = run(&there, EP_GAINS);
+    assert_eq!((samples.len(), samples[0].time), (1, 0.0));
+    assert_eq!(samples[0].outcome, Some(Outcome::Arrived));
+    assert_eq!(cost(&there, EP_GAINS).total(), 0.0);
+
+    let free = Experiment { limits: Limits::NONE, ..velocity_limits() };
+    let diverged = cost(&free, Gains::new(1e200, 1e200, 1.0));
+    assert_eq!(diverged.total(), f64::INFINITY);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_first_limited_sample_respects_the_rest_at_the_start() {
+    let samples = run(&Preset::AccelerationLimits.experiment(), Gains::new(30.0, 30.0, 30.0));
+    assert_close(samples[0].velocity.linear, 0.05, 1e-14);
+    assert_close(samples[0].velocity.angular, 0.05 * core::f64::consts::PI, 1e-14);
+    for pair in samples.windows(2) {
+        let change = (pair[1].velocity.linear - pair[0].velocity.linear).abs();
+        assert!(change <= 0.05 + 1e-12);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn without_limits_v_never_rises() {
+    let mut random = Random::new(7);
+    let mut experiment = Experiment { limits: Limits::NONE, ..velocity_limits() };
+    experiment.sample_time = 1e-4;
+    experiment.horizon = 1.0;
+    for _ in 0..20 {
+        experiment.starts = vec![random.posture(1.0)];
+        let gains = Gains::new(random.within(1.0, 5.0), 0.0, random.within(1.0, 5.0));
+        for pair in run(&experiment, gains).windows(2) {
+            assert!(pair[1].lyapunov <= pair[0].lyapunov + 1e-9);
+            assert!(pair[0].lyapunov_rate <= 1e-9);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn kanayama_cannot_park_but_tracks() {
+    let mut experiment = Experiment { law: Law::Kanayama, ..velocity_limits() };
+    experiment.limits = Limits::NONE;
+    let parked = run(&experiment, Gains::new(1.0, 1.0, 1.0));
+    assert!(parked.iter().all(|s| s.posture.theta == 0.0), "it never turns");
+    let last = parked.last().expect("a sample");
+    assert_eq!(last.outcome, Some(Outcome::Horizon));
+    assert_close(last.posture.y, 0.0, 1e-12);
+
+    experiment.reference_velocity = Velocity { linear: 0.5, angular: 0.2 };
+    experiment.starts = vec![Posture { x: 1.6, y: 2.2, theta: 0.6 }];
+    let tracked = run(&experiment, Gains::new(4.0, 16.0, 8.0));
+    let last = tracked.last().expect("a sample");
+    assert_eq!(last.time, experiment.horizon);
+    assert!(last.error.x.hypot(last.error.y) < 1e-3 && last.error.theta.abs() < 1e-3);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_papers_law_tracks_a_moving_reference_too() {
+    let mut experiment = velocity_limits();
+    experiment.reference_velocity = Velocity { linear: 0.5, angular: 0.2 };
+    experiment.starts = vec![Posture { x: 1.0, y: 1.5, theta: 0.3 }];
+    let samples = run(&experiment, Gains::new(3.0, 5.0, 5.0));
+    let last = samples.last().expect("a sample");
+    assert_eq!(last.outcome, Some(Outcome::Horizon));
+    assert!(last.lyapunov < 0.1 * samples[0].lyapunov);
+    let travelled = experiment.goal.advance(experiment.reference_velocity, experiment.horizon);
+    assert_eq!(last.reference, travelled);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn disturbances_stay_in_their_bounds_and_follow_their_seed() {
+    let disturbance = |kind, seed| Disturbance { kind, linear: 0.3, angular: 0.2, seed };
+    let with = |disturbance| Experiment { disturbance, ..velocity_limits() };
+    // What the robot did beyond what it applied, from its postures.
+    let excess = |samples: &[Sample]| -> Vec<Velocity> {
+        let between = samples.windows(2);
+        between
+            .map(|pair| {
+                let [a, b] = [pair[0], pair[1]];
+                let turn = b.posture.theta - a.posture.theta;
+                let chord = (b.posture.x - a.posture.x).hypot(b.posture.y - a.posture.y);
+                let direction = a.posture.theta + 0.5 * turn;
+                let forwards = direction.cos() * (b.posture.x - a.posture.x)
+                    + direction.sin() * (b.posture.y - a.posture.y);
+                let speed = chord.copysign(forwards) / 0.01 / ((0.5 * turn).sin() / (0.5 * turn));
+                Velocity {
+                    linear: speed - a.velocity.linear,
+                    angular: turn / 0.01 - a.velocity.angular,
+                }
+            })
+            .collect()
+    };
+    let random = run(&with(disturbance(DisturbanceKind::Random, 1)), EP_GAINS);
+    let deltas = excess(&random);
+    assert!(deltas.iter().all(|d| d.linear.abs() <= 0.3 + 1e-9 && d.angular.abs() <= 0.2 + 1e-9));
+    assert!(deltas.iter().any(|d| d.linear > 0.25) && deltas.iter().any(|d| d.linear < -0.25));
+    assert_eq!(random, run(&with(disturbance(DisturbanceKind::Random, 1)), EP_GAINS));
+    assert_ne!(random, run(&with(disturbance(DisturbanceKind::Random, 2)), EP_GAINS));
+    let slip = excess(&run(&with(disturbance(DisturbanceKind::Slip, 0)), EP_GAINS));
+    for delta in slip {
+        assert_close(delta.linear, 0.3, 1e-9);
+        assert_close(delta.angular, 0.2, 1e-9);
+    }
+    let none = with(disturbance(DisturbanceKind::None, 5));
+    assert_eq!(run(&none, EP_GAINS), run(&velocity_limits(), EP_GAINS));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_papers_ordering_holds_here() {
+    for preset in [Preset::VelocityLimits, Preset::AccelerationLimits] {
+        let costs: Vec<f64> = PAPER_RESULTS
+            .iter()
+            .filter(|row| row.preset == preset)
+            .map(|row| cost(&preset.experiment(), row.gains()).total())
+            .collect();
+        assert!(costs[0] < costs[1], "{costs:?}");
+    }
+}

@@ -1,0 +1,270 @@
+//! Laws of mutation, tournament and the whole run of evolution.
+
+mod common;
+
+use common::{Random, assert_close};
+use ep_locomotion::evolution::{
+    COMMON_LEARNING_RATE, Evolution, GenerationRecord, Individual, LEARNING_RATE, Mutation,
+    Tournament, wins_bout,
+};
+use ep_locomotion::experiment::{Experiment, Preset};
+use nalgebra::Vector3;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+fn experiment(seed: u32) -> Experiment {
+    let mut experiment = Preset::VelocityLimits.experiment();
+    experiment.evolution.seed = seed;
+    experiment
+}
+
+fn evolved(experiment: Experiment, generations: u32) -> Evolution {
+    let mut evolution = Evolution::new(experiment).expect("valid");
+    for _ in 0..generations {
+        evolution.step();
+    }
+    evolution
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+fn covariance(a: &[f64], b: &[f64]) -> f64 {
+    let (mean_a, mean_b) = (mean(a), mean(b));
+    let products: Vec<f64> = a.iter().zip(b).map(|(a, b)| (a - mean_a) * (b - mean_b)).collect();
+    mean(&products)
+}
+
+const PARENT: Individual = Individual {
+    gains: Vector3::new(3.0, 0.5, 5.0),
+    sigmas: Vector3::new(0.5, 2.0, 1e-3),
+    cost: 8.0,
+};
+
+#[wasm_bindgen_test(unsupported = test)]
+fn tau_and_tau_prime_are_the_papers_for_three_gains() {
+    let n = 3f64;
+    assert_close(LEARNING_RATE, 1.0 / (2.0 * n.sqrt()).sqrt(), 1e-15);
+    assert_close(COMMON_LEARNING_RATE, 1.0 / (2.0 * n).sqrt(), 1e-15);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn gains_spread_by_the_old_sigma_and_sigmas_by_tau_and_tau_prime() {
+    let mut random = Random::new(1);
+    let count = 100_000;
+    let mut steps = [const { Vec::new() }; 3];
+    let mut logs = [const { Vec::new() }; 3];
+    for _ in 0..count {
+        let offspring = Mutation::draw(&mut random.0).offspring(&PARENT);
+        for j in 0..3 {
+            steps[j].push((offspring.gains[j] - PARENT.gains[j]) / PARENT.sigmas[j]);
+            logs[j].push((offspring.sigmas[j] / PARENT.sigmas[j]).ln());
+        }
+    }
+    let noise = 5.0 / f64::from(count).sqrt();
+    for j in 0..3 {
+        assert!(mean(&steps[j]).abs() < noise, "unbiased");
+        // With the new σ the variance would be exp(2 (τ² + τ'²)) = 2.5 times as large.
+        assert!((covariance(&steps[j], &steps[j]) - 1.0).abs() < 2.0 * noise);
+        assert!(mean(&logs[j]).abs() < noise);
+        let spread = LEARNING_RATE * LEARNING_RATE + COMMON_LEARNING_RATE * COMMON_LEARNING_RATE;
+        assert!((covariance(&logs[j], &logs[j]) - spread).abs() < noise);
+        for other in 0..3 {
+            assert!(covariance(&steps[j], &logs[other]).abs() < noise, "separate draws");
+            if other != j {
+                assert!(covariance(&steps[j], &steps[other]).abs() < noise);
+                // Only the common draw ties two σ together.
+                let tie = covariance(&logs[j], &logs[other]);
+                assert!((tie - COMMON_LEARNING_RATE * COMMON_LEARNING_RATE).abs() < noise);
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn an_offspring_is_the_formula_of_its_draws() {
+    let draws = Mutation {
+        gains: Vector3::new(1.0, -2.0, 0.5),
+        common: 0.3,
+        sigmas: Vector3::new(-1.0, 0.0, 2.0),
+    };
+    let offspring = draws.offspring(&PARENT);
+    assert_eq!(offspring.gains, Vector3::new(3.5, -3.5, 5.0005));
+    for j in 0..3 {
+        let exponent = COMMON_LEARNING_RATE * 0.3 + LEARNING_RATE * draws.sigmas[j];
+        assert_close(offspring.sigmas[j], PARENT.sigmas[j] * exponent.exp(), 1e-14);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn opponents_are_the_others_each_as_often() {
+    let mut random = Random::new(2);
+    let costs = [1.0; 6];
+    let mut met = [[0u32; 6]; 6];
+    let rounds = 6_000;
+    for _ in 0..rounds {
+        for (own, opponents) in
+            Tournament::hold(&costs, 10, &mut random.0).opponents.iter().enumerate()
+        {
+            assert_eq!(opponents.len(), 10);
+            opponents.iter().for_each(|other| met[own][*other as usize] += 1);
+        }
+    }
+    let expected = f64::from(rounds * 10 / 5);
+    for (own, row) in met.iter().enumerate() {
+        assert_eq!(row[own], 0, "nobody meets itself");
+        let chi_squared: f64 = (0..6)
+            .filter(|other| *other != own)
+            .map(|other| (f64::from(row[other]) - expected).powi(2) / expected)
+            .sum();
+        assert!(chi_squared < 18.5, "χ² with 4 degrees of freedom is {chi_squared}"); // 0.1 %
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn bouts_table() {
+    const INF: f64 = f64::INFINITY;
+    for (cost, opponent, wins) in [
+        (1.0, 2.0, true),
+        (2.0, 1.0, false),
+        (1.0, 1.0, true),
+        (1.0, INF, true),
+        (INF, 1.0, false),
+        (INF, INF, false),
+        (f64::NAN, 1.0, false),
+    ] {
+        assert_eq!(wins_bout(cost, opponent), wins, "{cost} against {opponent}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn ranking_table() {
+    let tournament = |wins: &[u32]| Tournament { opponents: Vec::new(), wins: wins.to_vec() };
+    for (wins, costs, ranking) in [
+        ([1, 3, 2, 0], [5.0, 6.0, 7.0, 8.0], [1, 2, 0, 3]),
+        ([2, 2, 2, 2], [4.0, 1.0, 3.0, 2.0], [1, 3, 2, 0]),
+        ([2, 2, 2, 2], [1.0, 1.0, 0.5, 1.0], [2, 0, 1, 3]),
+        ([0, 0, 0, 1], [f64::INFINITY, f64::INFINITY, 1.0, 9.0], [3, 2, 0, 1]),
+    ] {
+        assert_eq!(tournament(&wins).ranking(&costs), ranking, "{wins:?} {costs:?}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_first_population_is_uniform_in_the_initial_range() {
+    let mut start = experiment(3);
+    start.evolution.population = 2000;
+    start.horizon = 0.01;
+    let population = Evolution::new(start).expect("valid").population(0.0).expect("generation 0");
+    for j in 0..3 {
+        let gains: Vec<f64> = population.iter().map(|i| i.gains[j]).collect();
+        assert!(gains.iter().all(|k| (0.01..10.0).contains(k)));
+        assert!((mean(&gains) - 5.005).abs() < 0.26);
+        assert!((covariance(&gains, &gains) - 9.99f64.powi(2) / 12.0).abs() < 0.6);
+    }
+    assert!(population.iter().all(|i| i.sigmas == Vector3::repeat(1.0)));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_best_cost_never_rises_and_the_first_of_the_population_has_it() {
+    for seed in [1, 2, 3] {
+        let mut evolution = evolved(experiment(seed), 0);
+        let mut best = evolution.newest().best.cost;
+        for generation in 1..=100 {
+            let statistics = evolution.step();
+            assert!(statistics.best.cost <= best);
+            best = statistics.best.cost;
+            let population = evolution.population(f64::from(generation)).expect("newest");
+            assert_eq!(population[0], statistics.best);
+            assert!(statistics.median >= best && statistics.worst >= statistics.median);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_record_adds_up() {
+    let evolution = evolved(experiment(4), 30);
+    let mut population = evolution.population(0.0).expect("generation 0");
+    for generation in 1..=30 {
+        let record = evolution.record(f64::from(generation)).expect("a generation");
+        assert_eq!(record.parents, population);
+        let costs: Vec<f64> = (0..40).map(|number| record.solution(number).cost).collect();
+        for (parent, (draws, offspring)) in
+            record.parents.iter().zip(record.mutations.iter().zip(&record.offspring))
+        {
+            let child = draws.offspring(parent);
+            assert_eq!((child.gains, child.sigmas), (offspring.gains, offspring.sigmas));
+            let cost = evolution.setting().cost(&offspring.gains.into()).total();
+            assert_eq!(cost, offspring.cost);
+        }
+        for (own, opponents) in record.tournament.opponents.iter().enumerate() {
+            let won = opponents.iter().filter(|o| costs[own] <= costs[**o as usize]).count();
+            assert_eq!(won as u32, record.tournament.wins[own]);
+        }
+        let fewest = |numbers: &mut dyn Iterator<Item = u32>| {
+            numbers.map(|number| record.tournament.wins[number as usize]).min()
+        };
+        let weakest = fewest(&mut record.survivors.iter().copied()).expect("20 survive");
+        for number in (0..40).filter(|number| !record.survivors.contains(number)) {
+            assert!(record.tournament.wins[number as usize] <= weakest);
+        }
+        population = record.population();
+    }
+    assert_eq!(population, evolution.population(30.0).expect("newest"));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_run_is_a_function_of_its_experiment_alone() {
+    let straight = evolved(experiment(5), 40);
+    let mut watched = evolved(experiment(5), 0);
+    let mut other = evolved(experiment(6), 0);
+    for generation in 0..40 {
+        watched.record(f64::from(generation / 2)).expect("a generation");
+        other.step();
+        watched.step();
+    }
+    assert_eq!(straight.hash(), watched.hash());
+    assert_ne!(straight.hash(), other.hash());
+    let records = |e: &Evolution| -> Vec<GenerationRecord> {
+        (0..=40).rev().map(|g| e.record(f64::from(g)).expect("a generation")).collect()
+    };
+    assert_eq!(records(&straight), records(&watched));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn dropped_snapshots_are_computed_again_to_the_bit() {
+    let mut large = experiment(7);
+    large.evolution.population = 2000;
+    large.evolution.opponents = 1;
+    large.horizon = 0.02;
+    // 75 populations of this size fill the snapshots; later every fourth is kept.
+    let mut evolution = evolved(large.clone(), 0);
+    let mut kept = vec![evolution.population(0.0).expect("generation 0")];
+    for generation in 1..=160 {
+        evolution.step();
+        kept.push(evolution.population(f64::from(generation)).expect("newest"));
+    }
+    for (generation, population) in kept.iter().enumerate() {
+        assert_eq!(&evolution.population(generation as f64).expect("kept or not"), population);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_generation_that_is_not_there_is_refused() {
+    let evolution = evolved(experiment(1), 2);
+    for generation in [3.0, -1.0, 0.5, f64::NAN, f64::INFINITY] {
+        let message = evolution.record(generation).expect_err("refused").to_string();
+        assert!(message.starts_with("generation must be a whole number from 0 to 2"), "{message}");
+        assert!(evolution.population(generation).is_err());
+        assert!(evolution.statistics(generation).is_err());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_population_of_one_still_evolves() {
+    let mut lonely = experiment(8);
+    lonely.evolution.population = 1;
+    let statistics = evolved(lonely, 20).newest();
+    assert_eq!((statistics.generation, statistics.evaluations), (20, 21.0));
+    assert_eq!(statistics.median, statistics.best.cost);
+}

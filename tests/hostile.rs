@@ -1,0 +1,208 @@
+//! Whatever the numbers, nothing panics and no cost is NaN.
+
+mod common;
+
+use common::Random;
+use ep_locomotion::control::{Gains, Law};
+use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
+use ep_locomotion::episode::{Outcome, Setting};
+use ep_locomotion::evolution::Evolution;
+use ep_locomotion::experiment::{Experiment, FIELDS, Preset};
+use ep_locomotion::limits::Limits;
+use ep_locomotion::posture::{Posture, Velocity};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// An experiment with numbers of any magnitude that its fields allow.
+fn wild(random: &mut Random) -> Experiment {
+    let mut within = |low: f64, high: f64| random.hostile().clamp(low, high);
+    let mut limit = || {
+        let value = within(-1e6, 1e6);
+        (value >= 0.0).then_some(value)
+    };
+    let limits = Limits {
+        speed: limit(),
+        turn_rate: limit(),
+        acceleration: limit(),
+        turn_acceleration: limit(),
+    };
+    let mut posture =
+        || Posture { x: within(-1e3, 1e3), y: within(-1e3, 1e3), theta: within(-100.0, 100.0) };
+    let (starts, goal) = (vec![posture(), posture()], posture());
+    let sample_time = within(1e-5, 10.0).abs().max(1e-5);
+    let mut weight = || within(-1e6, 1e6).abs();
+    let mut experiment =
+        Experiment { starts, goal, limits, sample_time, ..Preset::VelocityLimits.experiment() };
+    experiment.horizon = (12.0 * sample_time).min(1e5);
+    experiment.weights.final_error = [weight(), weight(), weight()];
+    experiment.weights.velocity = [weight(), weight()];
+    experiment.weights.penalty = weight();
+    experiment.tolerance.position = within(-1e3, 1e3).abs();
+    experiment.tolerance.heading = within(-100.0, 100.0).abs();
+    let kind = [DisturbanceKind::None, DisturbanceKind::Random, DisturbanceKind::Slip]
+        [random.below(3) as usize];
+    experiment.disturbance = Disturbance {
+        kind,
+        linear: random.hostile().abs().min(100.0),
+        angular: random.hostile().abs().min(100.0),
+        seed: random.below(u32::MAX),
+    };
+    if random.below(3) == 0 {
+        let mut velocity = || random.hostile().clamp(-100.0, 100.0);
+        experiment.reference_velocity = Velocity { linear: velocity(), angular: velocity() };
+    }
+    if random.below(4) == 0 {
+        experiment.law = Law::Kanayama;
+    }
+    experiment
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_million_wild_runs_never_panic_and_never_cost_nan() {
+    let mut random = Random::new(1);
+    let (mut finite, mut diverged) = (0, 0);
+    for _ in 0..100_000 {
+        let setting = Setting::new(wild(&mut random)).expect("within the ranges");
+        for _ in 0..5 {
+            let gains = Gains::new(random.hostile(), random.hostile(), random.hostile());
+            for start in 0..2 {
+                let episode = setting.episode(gains, start).finished();
+                let cost = episode.cost();
+                for part in [cost.time, cost.final_error, cost.path, cost.energy, cost.penalty] {
+                    assert!(part >= 0.0, "{part}");
+                }
+                assert!(!cost.total().is_nan());
+                finite += u32::from(cost.total().is_finite());
+                diverged += u32::from(episode.outcome() == Some(Outcome::Diverged));
+            }
+        }
+    }
+    assert!(finite > 100_000 && diverged > 100, "{finite} finite, {diverged} diverged");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn wild_samples_are_finite_until_a_run_diverges() {
+    let mut random = Random::new(2);
+    for _ in 0..5_000 {
+        let setting = Setting::new(wild(&mut random)).expect("within the ranges");
+        let gains = Gains::new(random.hostile(), random.hostile(), random.hostile());
+        for sample in setting.episode(gains, 0).samples() {
+            if sample.outcome == Some(Outcome::Diverged) {
+                break;
+            }
+            let p = sample.posture;
+            assert!(p.x.is_finite() && p.y.is_finite() && p.theta.is_finite(), "{sample:?}");
+            assert!(sample.error.theta.abs() <= core::f64::consts::PI);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn wild_evolutions_keep_their_order() {
+    let mut random = Random::new(3);
+    for _ in 0..300 {
+        let mut experiment = wild(&mut random);
+        experiment.evolution.population = 1 + random.below(5);
+        experiment.evolution.initial_sigma = random.hostile().abs().min(1e6);
+        let mut evolution = Evolution::new(experiment).expect("within the ranges");
+        let mut best = evolution.newest().best.cost;
+        for _ in 0..30 {
+            let next = evolution.step().best.cost;
+            assert!(next <= best);
+            best = next;
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_field_refuses_what_is_outside_its_range_by_name() {
+    let valid = Preset::AccelerationLimits.experiment();
+    assert_eq!(valid.validate(), Ok(()));
+    type Setter = fn(&mut Experiment, f64);
+    let set: [(&str, Setter); 20] = [
+        ("starts[0].x", |e, v| e.starts[0].x = v),
+        ("starts[0].y", |e, v| e.starts[0].y = v),
+        ("starts[0].theta", |e, v| e.starts[0].theta = v),
+        ("goal.x", |e, v| e.goal.x = v),
+        ("goal.y", |e, v| e.goal.y = v),
+        ("goal.theta", |e, v| e.goal.theta = v),
+        ("referenceVelocity.linear", |e, v| e.reference_velocity.linear = v),
+        ("referenceVelocity.angular", |e, v| e.reference_velocity.angular = v),
+        ("sampleTime", |e, v| e.sample_time = v),
+        ("horizon", |e, v| e.horizon = v),
+        ("limits.speed", |e, v| e.limits.speed = Some(v)),
+        ("limits.turnRate", |e, v| e.limits.turn_rate = Some(v)),
+        ("limits.acceleration", |e, v| e.limits.acceleration = Some(v)),
+        ("limits.turnAcceleration", |e, v| e.limits.turn_acceleration = Some(v)),
+        ("tolerance.position", |e, v| e.tolerance.position = v),
+        ("tolerance.heading", |e, v| e.tolerance.heading = v),
+        ("weights.final[1]", |e, v| e.weights.final_error[1] = v),
+        ("weights.velocity[1]", |e, v| e.weights.velocity[1] = v),
+        ("weights.penalty", |e, v| e.weights.penalty = v),
+        ("evolution.initialSigma", |e, v| e.evolution.initial_sigma = v),
+    ];
+    for (field, set) in set {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300] {
+            let mut experiment = valid.clone();
+            set(&mut experiment, value);
+            let message = experiment.validate().expect_err("refused").to_string();
+            assert!(message.starts_with(&format!("{field} must be a number from ")), "{message}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn rules_between_fields_are_told_in_words() {
+    let refused = |change: fn(&mut Experiment)| {
+        let mut experiment = Preset::VelocityLimits.experiment();
+        change(&mut experiment);
+        Setting::new(experiment).expect_err("refused").to_string()
+    };
+    for (change, message) in [
+        (
+            (|e| e.starts.clear()) as fn(&mut Experiment),
+            "starts must be a list of 1 to 10000 postures, but was a list of 0",
+        ),
+        (
+            |e| (e.horizon, e.sample_time) = (1e4, 1e-3),
+            "horizon must be at most 100000 times sampleTime, but was 10000 with sampleTime 0.001",
+        ),
+        (
+            |e| e.evolution.initial_range = [2.0, 1.0],
+            "evolution.initialRange must be [low, high] with low under high, but was [2, 1]",
+        ),
+        (
+            |e| {
+                e.disturbance.kind = DisturbanceKind::Random;
+                e.disturbance.linear = -0.1;
+            },
+            "disturbance.linear must be 0 or more for a random disturbance, but was -0.1",
+        ),
+        (
+            |e| e.evolution.population = 0,
+            "evolution.population must be a whole number from 1 to 2000, but was 0",
+        ),
+        (
+            |e| {
+                e.starts = vec![Posture::default(); 1000];
+                e.evolution.population = 500;
+            },
+            "evolution.population must be at most 400 with 1000 starts and 1000 samples a run, \
+             but was 500",
+        ),
+    ] {
+        assert_eq!(refused(change), message);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_presets_are_in_every_range() {
+    for preset in [Preset::VelocityLimits, Preset::AccelerationLimits] {
+        assert_eq!(Preset::named(preset.name()), Ok(preset));
+        assert_eq!(preset.experiment().validate(), Ok(()));
+    }
+    assert_eq!(
+        Preset::named("no-limits").expect_err("refused").to_string(),
+        "experiment must be 'velocity-limits' or 'acceleration-limits', but was 'no-limits'"
+    );
+    assert!(FIELDS.iter().all(|field| field.min < field.max));
+}

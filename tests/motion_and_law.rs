@@ -1,0 +1,246 @@
+//! Laws of the motion, the control law, its stability and the limits.
+
+mod common;
+
+use common::{Random, assert_close};
+use ep_locomotion::control::{
+    Gains, Law, lyapunov, lyapunov_rate, lyapunov_rate_bound, lyapunov_rate_parts, robust_gains,
+};
+use ep_locomotion::limits::Limits;
+use ep_locomotion::posture::{ErrorPosture, Posture, Velocity, wrap};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[wasm_bindgen_test(unsupported = test)]
+fn wrapped_angles_point_the_same_way() {
+    use core::f64::consts::PI;
+    let mut random = Random::new(1);
+    for _ in 0..10_000 {
+        let angle = random.within(-100.0, 100.0);
+        let wrapped = wrap(angle);
+        assert!(wrapped > -PI && wrapped <= PI);
+        assert_close(wrapped.sin(), angle.sin(), 1e-13);
+        assert_close(wrapped.cos(), angle.cos(), 1e-13);
+    }
+    for (angle, expected) in [(PI, PI), (-PI, PI), (0.5, 0.5), (-3.0, -3.0), (3.0 * PI, PI)] {
+        assert_close(wrap(angle), expected, 1e-15);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn two_half_steps_of_an_arc_are_one_whole_step() {
+    let mut random = Random::new(2);
+    for _ in 0..10_000 {
+        let (start, q) = (random.posture(3.0), random.velocity(10.0));
+        let dt = random.within(0.0, 2.0);
+        let halves = start.advance(q, 0.5 * dt).advance(q, 0.5 * dt);
+        let whole = start.advance(q, dt);
+        assert_close(halves.x, whole.x, 1e-12);
+        assert_close(halves.y, whole.y, 1e-12);
+        assert_close(halves.theta, whole.theta, 1e-12);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_full_circle_returns_and_no_turn_is_a_straight_line() {
+    let q = Velocity { linear: 1.5, angular: 2.0 };
+    let start = Posture { x: 1.0, y: -2.0, theta: 0.3 };
+    let back = start.advance(q, core::f64::consts::PI);
+    assert_close(back.x, start.x, 1e-14);
+    assert_close(back.y, start.y, 1e-14);
+    let straight = start.advance(Velocity { linear: 1.5, angular: 0.0 }, 2.0);
+    assert_close(straight.x, 1.0 + 3.0 * 0.3f64.cos(), 1e-15);
+    assert_close(straight.y, -2.0 + 3.0 * 0.3f64.sin(), 1e-15);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_error_posture_and_its_inverse_agree_and_ignore_the_frame() {
+    let mut random = Random::new(3);
+    for _ in 0..10_000 {
+        let (robot, goal) = (random.posture(3.0), random.posture(3.0));
+        let error = robot.error_to(goal);
+        let back = error.posture(goal);
+        assert_close(back.x, robot.x, 1e-14);
+        assert_close(back.y, robot.y, 1e-14);
+        assert_close(wrap(back.theta - robot.theta), 0.0, 1e-14);
+        let (shift, turn) = ([random.within(-5.0, 5.0), 2.0], random.within(-3.0, 3.0));
+        let moved = |p: Posture| Posture {
+            x: shift[0] + turn.cos() * p.x - turn.sin() * p.y,
+            y: shift[1] + turn.sin() * p.x + turn.cos() * p.y,
+            theta: p.theta + turn,
+        };
+        let same = moved(robot).error_to(moved(goal));
+        assert_close(same.x, error.x, 1e-13);
+        assert_close(same.y, error.y, 1e-13);
+        assert_close(same.theta, error.theta, 1e-13);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn lemma_1_gives_the_rate_of_the_error_posture() {
+    let mut random = Random::new(4);
+    let h = 1e-5;
+    for _ in 0..10_000 {
+        let (robot, goal) = (random.posture(3.0), random.posture(3.0));
+        let (q, r) = (random.velocity(3.0), random.velocity(3.0));
+        let error_at = |t| robot.advance(q, t).error_to(goal.advance(r, t));
+        let (before, after) = (error_at(-h), error_at(h));
+        if (after.theta - before.theta).abs() > 1.0 {
+            continue; // θ_e passed from π to −π
+        }
+        let rate = robot.error_to(goal).rate(q, r);
+        assert_close((after.x - before.x) / (2.0 * h), rate[0], 1e-8);
+        assert_close((after.y - before.y) / (2.0 * h), rate[1], 1e-8);
+        assert_close((after.theta - before.theta) / (2.0 * h), rate[2], 1e-8);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn under_the_law_the_lyapunov_rate_is_the_sum_of_three_squares() {
+    let mut random = Random::new(5);
+    for _ in 0..10_000 {
+        let e = random.error();
+        let (k, r) = (random.gains(-10.0, 10.0), random.velocity(3.0));
+        let q = Law::ShimKim.command(&e, &k, r);
+        let parts = lyapunov_rate_parts(&e, &k);
+        // The terms that cancel are as large as the velocity times the error.
+        let scale = 1.0 + (q.linear.abs() + q.angular.abs()) * lyapunov(&e);
+        assert_close(lyapunov_rate(&e, q, r) / scale, parts.iter().sum::<f64>() / scale, 1e-14);
+        let square = [e.x * e.cos, e.y * e.y, e.sin].map(|x| x * x);
+        for (part, expected) in
+            parts.into_iter().zip([-k.x * square[0], -k.y * square[1], -k.theta * square[2]])
+        {
+            assert_close(part, expected, 1e-14);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_lyapunov_rate_is_the_slope_of_the_lyapunov_function() {
+    let mut random = Random::new(6);
+    let h = 1e-5;
+    for _ in 0..1_000 {
+        let (robot, goal) = (random.posture(2.0), random.posture(2.0));
+        let (q, r) = (random.velocity(2.0), random.velocity(2.0));
+        let v_at = |t| lyapunov(&robot.advance(q, t).error_to(goal.advance(r, t)));
+        let slope = (v_at(h) - v_at(-h)) / (2.0 * h);
+        assert_close(slope, lyapunov_rate(&robot.error_to(goal), q, r), 1e-8);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn theorem_2_where_its_inequalities_hold_no_bounded_disturbance_lets_v_rise() {
+    let mut random = Random::new(7);
+    for _ in 0..10_000 {
+        let e = random.error();
+        let bound = Velocity { linear: random.within(0.0, 2.0), angular: random.within(0.0, 2.0) };
+        let least = robust_gains(&e, bound);
+        let over = |k: f64| k * 1.001 + 1e-9;
+        let k = Gains::new(over(least.x), over(least.y), over(least.theta));
+        let worst = lyapunov_rate_bound(&e, &k, bound);
+        assert!(worst < 0.0, "{worst}");
+        let delta = Velocity {
+            linear: bound.linear * random.within(-1.0, 1.0),
+            angular: bound.angular * random.within(-1.0, 1.0),
+        };
+        let r = random.velocity(1.0);
+        let command = Law::ShimKim.command(&e, &k, r);
+        let rate = lyapunov_rate(&e, command + delta, r);
+        let scale = 1.0 + (command.linear.abs() + command.angular.abs()) * lyapunov(&e);
+        assert!(rate <= worst + 1e-13 * scale, "{rate} over the bound {worst}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn theorem_2_asks_for_infinite_gains_only_where_a_disturbance_meets_no_error() {
+    let at_goal = ErrorPosture::new(0.0, 0.0, 0.0);
+    let k = robust_gains(&at_goal, Velocity { linear: 0.1, angular: 0.1 });
+    assert_eq!([k.x, k.theta], [f64::INFINITY; 2]);
+    assert_eq!(robust_gains(&at_goal, Velocity::ZERO), Gains::new(0.0, 0.0, 0.0));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_law_is_guarded_where_it_divides_by_zero() {
+    let k = Gains::new(1.0, 2.0, 3.0);
+    let r = Velocity { linear: 1.0, angular: 0.0 };
+    let straight = |sin| ErrorPosture { x: 1.0, y: 0.5, theta: 0.0, cos: 1.0, sin };
+    let (plus, minus) = (
+        Law::ShimKim.command(&straight(0.0), &k, Velocity::ZERO),
+        Law::ShimKim.command(&straight(-0.0), &k, Velocity::ZERO),
+    );
+    assert_close(plus.linear, 1.0 - 2.0 * 0.125 / 1e-6, 1e-12);
+    assert_close(minus.linear, 1.0 + 2.0 * 0.125 / 1e-6, 1e-12);
+    let across = ErrorPosture { x: 1.0, y: 0.5, theta: 1.0, cos: -0.0, sin: 1.0 };
+    let q = Law::ShimKim.command(&across, &k, r);
+    assert_close(q.linear, -2.0 * 0.125 - 1e6, 1e-12);
+    let on_line = ErrorPosture { x: 1.0, y: 0.0, theta: 0.0, cos: 1.0, sin: 0.0 };
+    let q = Law::ShimKim.command(&on_line, &k, Velocity::ZERO);
+    assert_eq!([q.linear, q.angular], [1.0, 0.0]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn kanayama_turns_only_with_a_moving_reference() {
+    let mut random = Random::new(8);
+    for _ in 0..1_000 {
+        let (e, k) = (random.error(), random.gains(0.0, 10.0));
+        let q = Law::Kanayama.command(&e, &k, Velocity::ZERO);
+        assert_eq!(q.angular, 0.0);
+        assert_close(q.linear, k.x * (e.cos * e.x - e.sin * e.y), 1e-14);
+    }
+    let e = ErrorPosture::new(0.5, -0.25, 0.4);
+    let r = Velocity { linear: 0.7, angular: 0.2 };
+    let q = Law::Kanayama.command(&e, &Gains::new(1.0, 2.0, 3.0), r);
+    let (x, y) =
+        (0.4f64.cos() * 0.5 + 0.4f64.sin() * 0.25, 0.4f64.sin() * 0.5 - 0.4f64.cos() * 0.25);
+    assert_close(q.linear, 0.7 * 0.4f64.cos() + x, 1e-14);
+    assert_close(q.angular, 0.2 + 0.7 * (2.0 * y + 3.0 * 0.4f64.sin()), 1e-14);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn limits_hold_and_applying_them_twice_changes_nothing() {
+    let mut random = Random::new(9);
+    let dt = 0.01;
+    for _ in 0..10_000 {
+        let [speed, turn_rate] = [random.within(0.1, 5.0), random.within(0.1, 5.0)];
+        let [acceleration, turn_acceleration] =
+            [random.within(0.1, 50.0), random.within(0.1, 50.0)];
+        let limits = Limits {
+            speed: Some(speed),
+            turn_rate: Some(turn_rate),
+            acceleration: Some(acceleration),
+            turn_acceleration: Some(turn_acceleration),
+        };
+        let previous = Velocity {
+            linear: random.within(-speed, speed),
+            angular: random.within(-turn_rate, turn_rate),
+        };
+        let command = random.velocity(10.0);
+        let q = limits.applied(command, previous, dt);
+        assert_eq!(limits.applied(q, previous, dt), q);
+        assert!(q.linear.abs() <= speed && q.angular.abs() <= turn_rate);
+        assert!((q.linear - previous.linear).abs() <= acceleration * dt * (1.0 + 1e-12));
+        assert!((q.angular - previous.angular).abs() <= turn_acceleration * dt * (1.0 + 1e-12));
+        assert_eq!(Limits::NONE.applied(command, previous, dt), command);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn limits_table() {
+    let limits = Limits { speed: Some(2.0), acceleration: Some(5.0), ..Limits::NONE };
+    let linear = |command, previous| {
+        let velocity = |linear| Velocity { linear, angular: 9.0 };
+        let q = limits.applied(velocity(command), velocity(previous), 0.1);
+        assert_eq!(q.angular, 9.0);
+        q.linear
+    };
+    // command, previous, applied: from rest, braking, clamped before the rate, huge, backwards
+    for (command, previous, applied) in [
+        (0.3, 0.0, 0.3),
+        (1.0, 0.0, 0.5),
+        (0.0, 2.0, 1.5),
+        (9.0, 1.9, 2.0),
+        (f64::INFINITY, 0.0, 0.5),
+        (-9.0, 0.0, -0.5),
+    ] {
+        assert_eq!(linear(command, previous), applied, "{command} after {previous}");
+    }
+}
