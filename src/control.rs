@@ -22,6 +22,11 @@ impl Gains {
     pub const fn new(x: f64, y: f64, theta: f64) -> Self {
         Self { x, y, theta }
     }
+
+    /// The same gains in every lane.
+    pub(crate) fn splat<S: Real>(&self) -> Gains<S> {
+        Gains { x: S::splat(self.x), y: S::splat(self.y), theta: S::splat(self.theta) }
+    }
 }
 
 impl From<Vector3<f64>> for Gains {

@@ -39,7 +39,7 @@ impl Disturbance {
     /// They do not depend on the gains, so that all gains are tried on the same bad luck.
     pub(crate) fn sequence(&self, start: u32) -> DisturbanceSequence {
         match self.kind {
-            DisturbanceKind::None => DisturbanceSequence::Constant(Velocity::ZERO),
+            DisturbanceKind::None => DisturbanceSequence::None,
             DisturbanceKind::Slip => DisturbanceSequence::Constant(Velocity {
                 linear: self.linear,
                 angular: self.angular,
@@ -55,20 +55,23 @@ impl Disturbance {
 /// The disturbances of one run.
 #[derive(Clone, Debug)]
 pub(crate) enum DisturbanceSequence {
+    None,
     Constant(Velocity),
     Random { bound: Velocity, rng: Xoshiro256PlusPlus },
 }
 
 impl DisturbanceSequence {
-    pub(crate) fn next(&mut self) -> Velocity {
+    #[inline]
+    pub(crate) fn next(&mut self) -> Option<Velocity> {
         match self {
-            Self::Constant(velocity) => *velocity,
+            Self::None => None,
+            Self::Constant(velocity) => Some(*velocity),
             Self::Random { bound, rng } => {
                 let mut signed_unit = || 2.0 * rng.random::<f64>() - 1.0;
-                Velocity {
+                Some(Velocity {
                     linear: bound.linear * signed_unit(),
                     angular: bound.angular * signed_unit(),
-                }
+                })
             }
         }
     }

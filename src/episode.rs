@@ -50,8 +50,18 @@ pub(crate) struct Step<S> {
 }
 
 impl Robot<f64> {
-    fn at_rest(error: ErrorPosture) -> Self {
+    pub(crate) fn at_rest(error: ErrorPosture) -> Self {
         Self { error, velocity: Velocity::ZERO, path: 0.0, energy: 0.0 }
+    }
+
+    /// The same robot in every lane.
+    pub(crate) fn splat<S: Real>(&self) -> Robot<S> {
+        Robot {
+            error: self.error.splat(),
+            velocity: self.velocity.splat(),
+            path: S::splat(self.path),
+            energy: S::splat(self.energy),
+        }
     }
 }
 
@@ -85,15 +95,32 @@ impl Setting {
         }
     }
 
-    /// J of these gains, in parts: the mean over all start postures.
-    pub fn cost(&self, gains: &Gains) -> Cost {
-        let starts = 0..self.experiment.starts.len() as u32;
-        Cost::mean(starts.map(|start| self.episode(*gains, start).finished().cost()))
-    }
-
     /// A run with these gains from the start posture with this index, which must exist.
     pub fn episode(&self, gains: Gains, start: u32) -> Episode<'_> {
         Episode::new(self, gains, start)
+    }
+
+    /// How many start postures there are.
+    pub(crate) fn starts(&self) -> usize {
+        self.experiment.starts.len()
+    }
+
+    /// Samples until the horizon.
+    pub(crate) fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// The largest (x_e² + y_e², |θ_e|) that counts as arrived; none if the reference moves.
+    #[inline(always)]
+    pub(crate) fn arrival(&self) -> Option<[f64; 2]> {
+        let Experiment { tolerance, .. } = &self.experiment;
+        let square = tolerance.position * tolerance.position;
+        self.reference_arc.is_none().then_some([square, tolerance.heading])
+    }
+
+    /// A robot at rest at the start posture with this index.
+    pub(crate) fn robot_at(&self, start: usize) -> Robot<f64> {
+        Robot::at_rest(self.experiment.starts[start].error_to(self.experiment.goal))
     }
 
     /// The reference posture after a time `t` (s).
@@ -107,14 +134,15 @@ impl Setting {
         &self,
         robot: &Robot<S>,
         gains: &Gains<S>,
-        disturbance: Velocity<S>,
+        disturbance: Option<Velocity<S>>,
     ) -> Step<S> {
         let e = &self.experiment;
         let command = e.law.command(&robot.error, gains, e.reference_velocity);
         let q = e.limits.applied(command, robot.velocity, e.sample_time);
         let [rv, rw] = e.weights.velocity;
         let energy = S::splat(rv) * (q.linear * q.linear) + S::splat(rw) * (q.angular * q.angular);
-        let arc = Arc::new(q + disturbance, e.sample_time);
+        let moved_by = disturbance.map_or(q, |delta| q + delta);
+        let arc = Arc::new(moved_by, e.sample_time);
         let moved = robot.error.robot_moved(&arc);
         let error = match &self.reference_arc {
             Some(reference) => moved.reference_moved(&reference.splat()),
@@ -132,13 +160,13 @@ impl Setting {
     /// How a run has ended at sample `n`, if it has.
     #[inline(always)]
     pub(crate) fn outcome(&self, error: &ErrorPosture, n: u32) -> Option<Outcome> {
-        let Experiment { tolerance, .. } = &self.experiment;
         if !error.squared_deviation().is_finite() {
             return Some(Outcome::Diverged);
         }
-        let near = error.x * error.x + error.y * error.y <= tolerance.position * tolerance.position
-            && error.theta.abs() <= tolerance.heading;
-        if near && self.reference_arc.is_none() {
+        let near = self.arrival().is_some_and(|[square, heading]| {
+            error.squared_distance() <= square && error.theta.abs() <= heading
+        });
+        if near {
             Some(Outcome::Arrived)
         } else if n >= self.samples {
             Some(Outcome::Horizon)
@@ -231,13 +259,12 @@ const MOST_HEADING: f64 = 1e6;
 impl EpisodeState {
     pub(crate) fn new(setting: &Setting, gains: Gains, start: u32) -> Self {
         let experiment = &setting.experiment;
-        let posture = experiment.starts[start as usize];
-        let robot = Robot::at_rest(posture.error_to(experiment.goal));
+        let robot = setting.robot_at(start as usize);
         Self {
             gains,
             disturbances: experiment.disturbance.sequence(start),
             robot,
-            heading: posture.theta,
+            heading: experiment.starts[start as usize].theta,
             command: Velocity::ZERO,
             n: 0,
             outcome: setting.outcome(&robot.error, 0),

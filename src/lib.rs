@@ -12,6 +12,7 @@
 //! - [`cost`]: the cost J (9) in its parts
 //! - [`experiment`]: everything that defines a run, the presets, the allowed ranges
 //! - [`episode`]: one run of one robot
+//! - `lanes`: many runs at once, with the same law and the same bits
 //! - [`evolution`]: mutation, tournament, one generation, the whole run
 //! - [`survey`]: many gains in one call
 //! - `wasm`: the same for JavaScript
@@ -59,6 +60,8 @@ pub mod cost;
 pub mod experiment;
 
 pub mod episode;
+
+mod lanes;
 
 pub mod evolution;
 

@@ -174,6 +174,17 @@ impl ErrorPosture {
         Self { x, y, theta, cos, sin }
     }
 
+    /// The same error in every lane.
+    pub(crate) fn splat<S: Real>(&self) -> ErrorPosture<S> {
+        ErrorPosture {
+            x: S::splat(self.x),
+            y: S::splat(self.y),
+            theta: S::splat(self.theta),
+            cos: S::splat(self.cos),
+            sin: S::splat(self.sin),
+        }
+    }
+
     /// The posture that has this error: the inverse of equation (3). θ is in (θ_r − π, θ_r + π].
     pub fn posture(self, reference: Posture) -> Posture {
         let offset = Rotation2::new(reference.theta) * Vector2::new(self.x, self.y);
@@ -200,7 +211,13 @@ impl<S: Real> ErrorPosture<S> {
     /// x_e² + y_e² + θ_e², the integrand (p − p_r)ᵀ(p − p_r) of the cost (9).
     #[inline]
     pub fn squared_deviation(&self) -> S {
-        self.x * self.x + self.y * self.y + self.theta * self.theta
+        self.squared_distance() + self.theta * self.theta
+    }
+
+    /// x_e² + y_e²
+    #[inline]
+    pub fn squared_distance(&self) -> S {
+        self.x * self.x + self.y * self.y
     }
 
     /// The error after the robot has moved along the arc.

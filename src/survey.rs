@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::control::Gains;
+use crate::cost::Cost;
 use crate::episode::Setting;
 use crate::experiment::{InvalidInput, shown};
 
@@ -11,7 +12,11 @@ use crate::experiment::{InvalidInput, shown};
 /// The error says how many are allowed in one call.
 pub fn evaluate(setting: &Setting, gains: &[Gains]) -> Result<Vec<f64>, InvalidInput> {
     setting.experiment().validate_work("the number of gain triples", gains.len())?;
-    Ok(gains.iter().map(|k| setting.cost(k).total()).collect())
+    Ok(totals(setting, gains))
+}
+
+fn totals(setting: &Setting, gains: &[Gains]) -> Vec<f64> {
+    setting.costs(gains).iter().map(Cost::total).collect()
 }
 
 /// One of the three gains.
@@ -121,15 +126,15 @@ impl Landscape {
         }
         let cells = (end - first) as usize * self.x.count as usize;
         setting.experiment().validate_work("the number of cells", cells)?;
-        let cost = |row, column| {
+        let gains_at = |row, column| {
             let mut gains = self.gains;
             self.x.gain.set(&mut gains, self.x.value(column));
             self.y.gain.set(&mut gains, self.y.value(row));
-            setting.cost(&gains).total()
+            gains
         };
-        Ok((first..end)
-            .flat_map(|row| (0..self.x.count).map(move |column| (row, column)))
-            .map(|(row, column)| cost(row, column))
-            .collect())
+        let cells = (first..end)
+            .flat_map(|row| (0..self.x.count).map(move |column| gains_at(row, column)))
+            .collect::<Vec<_>>();
+        Ok(totals(setting, &cells))
     }
 }

@@ -2,59 +2,14 @@
 
 mod common;
 
-use common::Random;
-use ep_locomotion::control::{Gains, Law};
-use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
+use common::{Random, wild};
+use ep_locomotion::control::Gains;
+use ep_locomotion::disturbance::DisturbanceKind;
 use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
 use ep_locomotion::experiment::{Experiment, FIELDS, Preset};
-use ep_locomotion::limits::Limits;
-use ep_locomotion::posture::{Posture, Velocity};
+use ep_locomotion::posture::Posture;
 use wasm_bindgen_test::wasm_bindgen_test;
-
-/// An experiment with numbers of any magnitude that its fields allow.
-fn wild(random: &mut Random) -> Experiment {
-    let mut within = |low: f64, high: f64| random.hostile().clamp(low, high);
-    let mut limit = || {
-        let value = within(-1e6, 1e6);
-        (value >= 0.0).then_some(value)
-    };
-    let limits = Limits {
-        speed: limit(),
-        turn_rate: limit(),
-        acceleration: limit(),
-        turn_acceleration: limit(),
-    };
-    let mut posture =
-        || Posture { x: within(-1e3, 1e3), y: within(-1e3, 1e3), theta: within(-100.0, 100.0) };
-    let (starts, goal) = (vec![posture(), posture()], posture());
-    let sample_time = within(1e-5, 10.0).abs().max(1e-5);
-    let mut weight = || within(-1e6, 1e6).abs();
-    let mut experiment =
-        Experiment { starts, goal, limits, sample_time, ..Preset::VelocityLimits.experiment() };
-    experiment.horizon = (12.0 * sample_time).min(1e5);
-    experiment.weights.final_error = [weight(), weight(), weight()];
-    experiment.weights.velocity = [weight(), weight()];
-    experiment.weights.penalty = weight();
-    experiment.tolerance.position = within(-1e3, 1e3).abs();
-    experiment.tolerance.heading = within(-100.0, 100.0).abs();
-    let kind = [DisturbanceKind::None, DisturbanceKind::Random, DisturbanceKind::Slip]
-        [random.below(3) as usize];
-    experiment.disturbance = Disturbance {
-        kind,
-        linear: random.hostile().abs().min(100.0),
-        angular: random.hostile().abs().min(100.0),
-        seed: random.below(u32::MAX),
-    };
-    if random.below(3) == 0 {
-        let mut velocity = || random.hostile().clamp(-100.0, 100.0);
-        experiment.reference_velocity = Velocity { linear: velocity(), angular: velocity() };
-    }
-    if random.below(4) == 0 {
-        experiment.law = Law::Kanayama;
-    }
-    experiment
-}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_million_wild_runs_never_panic_and_never_cost_nan() {

@@ -4,7 +4,6 @@ use nalgebra::Vector3;
 use rand::{Rng, RngExt};
 use serde::Serialize;
 
-use crate::episode::Setting;
 use crate::experiment::EvolutionSettings;
 
 /// A pair of real-valued vectors (k, σ) and the cost of k.
@@ -27,10 +26,5 @@ impl Individual {
             sigmas: Vector3::repeat(settings.initial_sigma),
             cost: f64::INFINITY,
         }
-    }
-
-    /// The same individual with its cost: it is driven from every start.
-    pub(crate) fn evaluated(self, setting: &Setting) -> Self {
-        Self { cost: setting.cost(&self.gains.into()).total(), ..self }
     }
 }

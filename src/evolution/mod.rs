@@ -40,8 +40,8 @@ impl GenerationRecord {
     pub fn initial(setting: &Setting) -> Self {
         let e = &setting.experiment().evolution;
         let mut rng = stream(e.seed, Purpose::Initialisation, 0);
-        let parents: Vec<_> =
-            (0..e.population).map(|_| Individual::random(e, &mut rng).evaluated(setting)).collect();
+        let parents = (0..e.population).map(|_| Individual::random(e, &mut rng)).collect();
+        let parents = evaluated(setting, parents);
         let survivors = (0..e.population).collect();
         Self {
             generation: 0,
@@ -60,11 +60,9 @@ impl GenerationRecord {
         let e = &setting.experiment().evolution;
         let mut rng = stream(e.seed, Purpose::Mutation, generation);
         let mutations: Vec<_> = parents.iter().map(|_| Mutation::draw(&mut rng)).collect();
-        let offspring: Vec<_> = parents
-            .iter()
-            .zip(&mutations)
-            .map(|(parent, mutation)| mutation.offspring(parent).evaluated(setting))
-            .collect();
+        let pairs = mutations.iter().zip(&parents);
+        let offspring = pairs.map(|(mutation, parent)| mutation.offspring(parent)).collect();
+        let offspring = evaluated(setting, offspring);
         let costs: Vec<f64> = parents.iter().chain(&offspring).map(|i| i.cost).collect();
         let mut rng = stream(e.seed, Purpose::Tournament, generation);
         let tournament = Tournament::hold(&costs, e.opponents, &mut rng);
@@ -84,6 +82,15 @@ impl GenerationRecord {
     pub fn population(&self) -> Vec<Individual> {
         self.survivors.iter().map(|number| *self.solution(*number)).collect()
     }
+}
+
+/// The same individuals with their costs: all are driven from every start.
+fn evaluated(setting: &Setting, mut individuals: Vec<Individual>) -> Vec<Individual> {
+    let gains: Vec<_> = individuals.iter().map(|individual| individual.gains.into()).collect();
+    for (individual, cost) in individuals.iter_mut().zip(setting.costs(&gains)) {
+        individual.cost = cost.total();
+    }
+    individuals
 }
 
 /// One generation in short.
