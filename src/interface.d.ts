@@ -101,7 +101,7 @@ export interface Statistics {
 export interface Mutation { gains: [number, number, number]; common: number; sigmas: [number, number, number] }
 /**
  * One generation in full. Solutions are numbered 0 to N − 1 for the parents and N to 2N − 1 for the offspring.
- * Generation 0 has only parents (the initial population).
+ * Generation 0 has only parents: the initial population in the order of its draws, all of which survive.
  */
 export interface GenerationRecord {
   generation: number;

@@ -1,6 +1,9 @@
 //! Many runs at once, each robot in a lane of its own, with the bits that it would have alone.
 
-use wide::f64x8;
+use core::array::from_fn;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use wide::f64x2;
 
 use crate::control::Gains;
 use crate::cost::Cost;
@@ -9,56 +12,132 @@ use crate::episode::{Robot, Setting};
 use crate::posture::{ErrorPosture, Velocity};
 use crate::real::Real;
 
-/// A number of each of the robots that are driven side by side.
-type Lanes = f64x8;
+/// SIMD registers side by side: enough that one division need not wait for the other.
+const REGISTERS: usize = 4;
 
-/// How many there are.
-const LANES: usize = 8;
+/// How many robots are driven side by side.
+const LANES: usize = 2 * REGISTERS;
+
+/// A number of each of the robots that are driven side by side.
+#[derive(Clone, Copy)]
+struct Lanes([f64x2; REGISTERS]);
+
+impl Lanes {
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64x2, f64x2) -> f64x2) -> Self {
+        Self(from_fn(|i| f(self.0[i], other.0[i])))
+    }
+
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64x2) -> f64x2) -> Self {
+        Self(self.0.map(f))
+    }
+
+    fn set(&mut self, index: usize, value: f64) {
+        self.0[index / 2].as_mut_array()[index % 2] = value;
+    }
+
+    /// Whether any lane of a mask is set.
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0.into_iter().reduce(|a, b| a | b).is_some_and(f64x2::any)
+    }
+}
+
+impl Add for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.zip(other, |a, b| a * b)
+    }
+}
+
+impl Div for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.zip(other, |a, b| a / b)
+    }
+}
+
+impl Neg for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(|a| -a)
+    }
+}
 
 impl Real for Lanes {
-    #[inline]
+    #[inline(always)]
     fn splat(value: f64) -> Self {
-        Lanes::splat(value)
+        Self([f64x2::splat(value); REGISTERS])
     }
 
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
-        Lanes::abs(self)
+        self.map(f64x2::abs)
     }
 
-    #[inline]
+    #[inline(always)]
     fn copysign(self, sign: Self) -> Self {
-        Lanes::abs(self) | (sign & Lanes::splat(-0.0))
+        self.zip(sign, |a, sign| a.abs() | (sign & f64x2::splat(-0.0)))
     }
 
     // x86 and WebAssembly differ in which operand they give back when one is NaN.
-    #[inline]
+    #[inline(always)]
     fn at_most(self, bound: Self) -> Self {
-        if cfg!(target_arch = "wasm32") { self.fast_min(bound) } else { bound.fast_min(self) }
+        self.zip(bound, |a, bound| {
+            if cfg!(target_arch = "wasm32") { a.fast_min(bound) } else { bound.fast_min(a) }
+        })
     }
 
-    #[inline]
+    #[inline(always)]
     fn at_least(self, bound: Self) -> Self {
-        if cfg!(target_arch = "wasm32") { self.fast_max(bound) } else { bound.fast_max(self) }
+        self.zip(bound, |a, bound| {
+            if cfg!(target_arch = "wasm32") { a.fast_max(bound) } else { bound.fast_max(a) }
+        })
     }
 
     #[inline]
     fn lane(self, index: usize) -> f64 {
-        self.as_array()[index]
+        self.0[index / 2].as_array()[index % 2]
     }
 
-    #[inline]
+    #[inline(always)]
     fn any_beyond(self, limit: f64) -> bool {
-        Lanes::abs(self).simd_ge(Lanes::splat(limit)).to_bitmask() != 0
+        self.map(|a| a.abs().simd_ge(f64x2::splat(limit))).any()
     }
 
     #[cold]
-    fn replaced_beyond(self, angle: Self, limit: f64, exact: impl Fn(usize) -> f64) -> Self {
-        let mut lanes = self.to_array();
-        for (index, lane) in lanes.iter_mut().enumerate() {
-            *lane = lane.replaced_beyond(angle.lane(index), limit, |_| exact(index));
+    fn replaced_beyond(mut self, angle: Self, limit: f64, exact: impl Fn(usize) -> f64) -> Self {
+        for index in 0..LANES {
+            let replaced =
+                self.lane(index).replaced_beyond(angle.lane(index), limit, |_| exact(index));
+            self.set(index, replaced);
         }
-        Lanes::new(lanes)
+        self
     }
 }
 
@@ -135,11 +214,13 @@ impl<'a> Convoy<'a> {
 
     /// Drives all robots until one has ended its run.
     fn advance(&mut self, next_horizon: u64) {
-        let busy = (0..LANES).filter(|index| self.lanes[*index].is_some());
-        let busy = busy.fold(0, |bits, index| bits | 1 << index);
+        let mut busy = Lanes::splat(0.0);
+        for (index, lane) in self.lanes.iter().enumerate() {
+            busy.set(index, if lane.is_some() { f64::from_bits(u64::MAX) } else { 0.0 });
+        }
         let noisy = self.setting.experiment().disturbance.kind != DisturbanceKind::None;
         let (mut robots, mut now) = (self.robots, self.now);
-        while now < next_horizon && self.ended(&robots.error) & busy == 0 {
+        while now < next_horizon && !self.ended(&robots.error).zip(busy, |a, b| a & b).any() {
             let disturbance = noisy.then(|| self.disturbance());
             robots = self.setting.step(&robots, &self.robots_gains, disturbance).next;
             now += 1;
@@ -147,28 +228,26 @@ impl<'a> Convoy<'a> {
         (self.robots, self.now) = (robots, now);
     }
 
-    /// One bit for each robot that has arrived or diverged; idle lanes may have one too.
+    /// A mask of the robots that have arrived or diverged; idle lanes may be among them.
     #[inline(always)]
-    fn ended(&self, e: &ErrorPosture<Lanes>) -> u32 {
-        let finite = e.squared_deviation().simd_lt(Lanes::splat(f64::INFINITY));
-        let ended = match self.setting.arrival() {
-            Some([square, heading]) => {
-                let near = e.squared_distance().simd_le(Lanes::splat(square))
-                    & Lanes::abs(e.theta).simd_le(Lanes::splat(heading));
-                near | !finite
-            }
-            None => !finite,
-        };
-        ended.to_bitmask()
+    fn ended(&self, e: &ErrorPosture<Lanes>) -> Lanes {
+        let finite = |a: f64x2| a.simd_lt(f64x2::splat(f64::INFINITY));
+        let diverged = e.squared_deviation().map(|a| !finite(a));
+        let Some([square, heading]) = self.setting.arrival() else { return diverged };
+        let near = |a: f64x2| a.simd_le(f64x2::splat(square));
+        let aligned = |a: f64x2| a.abs().simd_le(f64x2::splat(heading));
+        let arrived =
+            e.squared_distance().zip(e.theta, |place, theta| near(place) & aligned(theta));
+        arrived.zip(diverged, |a, b| a | b)
     }
 
     #[cold]
     fn disturbance(&mut self) -> Velocity<Lanes> {
-        let mut velocity = Velocity::ZERO.splat();
+        let mut velocity = Velocity::ZERO.splat::<Lanes>();
         for (index, lane) in self.lanes.iter_mut().enumerate() {
             if let Some(delta) = lane.as_mut().and_then(|lane| lane.disturbances.next()) {
-                set(&mut velocity.linear, index, delta.linear);
-                set(&mut velocity.angular, index, delta.angular);
+                velocity.linear.set(index, delta.linear);
+                velocity.angular.set(index, delta.angular);
             }
         }
         velocity
@@ -199,18 +278,14 @@ impl<'a> Convoy<'a> {
                 continue;
             }
             put(&mut self.robots, index, &robot);
-            set(&mut self.robots_gains.x, index, gains.x);
-            set(&mut self.robots_gains.y, index, gains.y);
-            set(&mut self.robots_gains.theta, index, gains.theta);
+            self.robots_gains.x.set(index, gains.x);
+            self.robots_gains.y.set(index, gains.y);
+            self.robots_gains.theta.set(index, gains.theta);
             let disturbances = self.setting.experiment().disturbance.sequence(start as u32);
             self.lanes[index] = Some(Lane { run, gains, since: self.now, disturbances });
             return;
         }
     }
-}
-
-fn set(lanes: &mut Lanes, index: usize, value: f64) {
-    lanes.as_mut_array()[index] = value;
 }
 
 fn robot_in(robots: &Robot<Lanes>, index: usize) -> Robot<f64> {
@@ -245,6 +320,6 @@ fn put(robots: &mut Robot<Lanes>, index: usize, robot: &Robot<f64>) {
         (path, robot.path),
         (energy, robot.energy),
     ] {
-        set(lanes, index, value);
+        lanes.set(index, value);
     }
 }

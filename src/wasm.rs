@@ -52,16 +52,34 @@ pub fn experiment(
     }
 }
 
+/// Drives a robot with each gain triple from `starts[start]` (0 if left out): what `simulate` does, for many at once.
+#[wasm_bindgen(js_name = "simulateAll", unchecked_return_type = "Run[]")]
+pub fn simulate_all(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "number")] start: JsValue,
+) -> Result<Array> {
+    let setting = setting(experiment)?;
+    let start = start_index(&setting, start)?;
+    let gains = triples(gains)?;
+    setting.experiment().validate_work("the number of gain triples", gains.len())?;
+    gains.into_iter().map(|gains| run(&setting, gains, start)).collect()
+}
+
 /// Drives one robot from `starts[start]` (0 if left out) to the end of its run.
 #[wasm_bindgen(unchecked_return_type = "Run")]
 pub fn simulate(
     #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "number | undefined")] start: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "number")] start: JsValue,
 ) -> Result<JsValue> {
     let setting = setting(experiment)?;
     let start = start_index(&setting, start)?;
-    let mut episode = setting.episode(one_triple(gains)?, start);
+    run(&setting, one_triple(gains)?, start)
+}
+
+fn run(setting: &Setting, gains: Gains, start: u32) -> Result<JsValue> {
+    let mut episode = setting.episode(gains, start);
     let samples: Vec<Sample> = episode.samples().collect();
     let run = Object::new();
     let set = |key: &str, value: &JsValue| Reflect::set(&run, &key.into(), value);
@@ -159,7 +177,7 @@ impl Simulation {
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "number | undefined")] start: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] start: JsValue,
     ) -> Result<Simulation> {
         let setting = setting(experiment)?;
         let start = start_index(&setting, start)?;
@@ -209,7 +227,7 @@ impl Evolution {
     #[wasm_bindgen(unchecked_return_type = "Statistics")]
     pub fn statistics(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "number | undefined")] generation: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] generation: JsValue,
     ) -> Result<JsValue> {
         plain(&self.0.statistics(self.generation_number(generation)?)?)
     }
@@ -227,7 +245,7 @@ impl Evolution {
     #[wasm_bindgen(unchecked_return_type = "Individual[]")]
     pub fn population(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "number | undefined")] generation: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] generation: JsValue,
     ) -> Result<JsValue> {
         plain(&self.0.population(self.generation_number(generation)?)?)
     }
@@ -253,8 +271,13 @@ fn plain(value: &(impl Serialize + ?Sized)) -> Result<JsValue> {
     Ok(value.serialize(&serializer)?)
 }
 
+thread_local! {
+    /// The default experiment as a plain object, which nobody changes.
+    static TEMPLATE: Result<JsValue> = plain(&Preset::default().experiment());
+}
+
 fn setting(given: JsValue) -> Result<Setting> {
-    let template = plain(&Preset::default().experiment())?;
+    let template = TEMPLATE.with(Clone::clone)?;
     let completed = Input { value: given, path: String::new() }.completed(&template)?;
     let experiment: Experiment = serde_wasm_bindgen::from_value(completed)?;
     Ok(Setting::new(experiment)?)
@@ -289,9 +312,15 @@ fn triples(given: JsValue) -> Result<Vec<Gains>> {
     }
     if let Some(index) = numbers.iter().position(|k| !k.is_finite()) {
         let found = shown(numbers[index]);
-        return Err(InvalidInput::new(format!("gains[{index}]"), "finite", found).into());
+        return Err(InvalidInput::new(gain_name(index), "a finite number", found).into());
     }
     Ok(numbers.chunks_exact(3).map(|k| Gains::new(k[0], k[1], k[2])).collect())
+}
+
+/// kx, ky or kθ, and of which robot if it is not the first.
+fn gain_name(index: usize) -> String {
+    let name = ["kx", "ky", "kθ"][index % 3];
+    if index < 3 { name.into() } else { format!("{name} (gains[{index}])") }
 }
 
 fn axis(given: Input) -> Result<Axis> {
@@ -372,6 +401,7 @@ impl Input {
         Ok(elements.into_iter())
     }
 
+    /// The numbers of an array of gains.
     fn numbers(&self) -> Result<Vec<f64>> {
         if let Some(array) = self.value.dyn_ref::<Float64Array>() {
             return Ok(array.to_vec());
@@ -380,7 +410,7 @@ impl Input {
             return Err(self.refused("a Float64Array or an array of numbers").into());
         }
         let elements = Array::from(&self.value).into_iter().enumerate();
-        elements.map(|(i, value)| number(value, &format!("{}[{i}]", self.path))).collect()
+        elements.map(|(i, value)| number(value, &gain_name(i))).collect()
     }
 
     fn number(&self) -> Result<f64> {

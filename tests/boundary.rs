@@ -3,6 +3,7 @@
 
 use ep_locomotion::wasm::{
     Evolution, Simulation, evaluate, experiment, fields, landscape, paper, random_seed, simulate,
+    simulate_all,
 };
 use js_sys::{Array, Float64Array, Function, JSON, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -159,6 +160,11 @@ fn simulate_gives_one_value_a_sample_and_the_cost_in_parts() {
     assert_eq!(get(&run, "arrived"), JsValue::TRUE);
     assert_eq!(get(&run, "outcome"), JsValue::from("arrived"));
     assert!((number(&run, "finalTime") - 1.9).abs() < 1e-9);
+    let runs =
+        simulate_all(e.clone(), js("[3.23673, 0.09678, 5.17891, 10, 10, 10]"), JsValue::UNDEFINED);
+    let runs = runs.expect("runs");
+    assert_eq!(text(&runs.get(0)), text(&run));
+    assert!((number(&runs.get(1), "cost.total") - 9.01560109).abs() < 1e-6);
     let costs: Float64Array =
         evaluate(e, js("[3.23673, 0.09678, 5.17891, 10, 10, 10]")).expect("costs").into();
     assert_eq!(costs.to_vec()[0], number(&run, "cost.total"));
@@ -198,8 +204,8 @@ fn wrong_arguments_are_refused_by_name() {
         ("'123'", "0", "gains must be a Float64Array or an array of numbers, but was '123'"),
         ("[1, 2]", "0", "gains must be three numbers for each robot, but was 2 numbers"),
         ("[1, 2, 3, 4, 5, 6]", "0", "gains must be three numbers (kx, ky, kθ), but was 6 numbers"),
-        ("[1, 2, 'x']", "0", "gains[2] must be a number, but was 'x'"),
-        ("[1, NaN, 3]", "0", "gains[1] must be finite, but was NaN"),
+        ("[1, 2, 'x']", "0", "kθ must be a number, but was 'x'"),
+        ("[1, NaN, 3]", "0", "ky must be a finite number, but was NaN"),
         ("[1, 2, 3]", "1", "start must be a whole number from 0 to 0, but was 1"),
         ("[1, 2, 3]", "0.5", "start must be a whole number from 0 to 0, but was 0.5"),
         ("[1, 2, 3]", "'0'", "start must be a number, but was '0'"),

@@ -169,6 +169,7 @@ fn the_first_population_is_uniform_in_the_initial_range() {
 fn the_best_cost_never_rises_and_the_first_of_the_population_has_it() {
     for seed in [1, 2, 3] {
         let mut evolution = evolved(experiment(seed), 0);
+        assert_eq!(evolution.population(0.0).expect("first")[0], evolution.newest().best);
         let mut best = evolution.newest().best.cost;
         for generation in 1..=100 {
             let statistics = evolution.step();

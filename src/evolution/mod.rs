@@ -17,7 +17,7 @@ use crate::random::{Purpose, stream};
 
 /// One generation in full. Solutions are numbered 0 to N − 1 for the parents and N to 2N − 1 for the offspring.
 ///
-/// Generation 0 has only parents, the initial population.
+/// Generation 0 has only parents, the initial population in the order of its draws; all survive.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct GenerationRecord {
     /// The generation's number.
@@ -42,7 +42,8 @@ impl GenerationRecord {
         let mut rng = stream(e.seed, Purpose::Initialisation, 0);
         let parents = (0..e.population).map(|_| Individual::random(e, &mut rng)).collect();
         let parents = evaluated(setting, parents);
-        let survivors = (0..e.population).collect();
+        let mut survivors: Vec<u32> = (0..e.population).collect();
+        survivors.sort_by(|a, b| parents[*a as usize].cost.total_cmp(&parents[*b as usize].cost));
         Self {
             generation: 0,
             parents,

@@ -1,0 +1,51 @@
+// npm run build: the core as pkg/ and the static site as dist/.
+import { existsSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { lastChange, run, runPackage, step, task } from './run.mjs';
+import { installTools } from './tools.mjs';
+
+const sources = ['src', 'Cargo.toml', 'Cargo.lock', '.cargo'];
+const wasm = 'pkg/ep_locomotion_bg.wasm';
+/** Written last, so that a build that was interrupted is done again. */
+const stamp = 'pkg/.complete';
+
+/** The core, compiled, joined to JavaScript and optimised, unless nothing has changed. */
+export async function buildCore() {
+  if (lastChange(stamp) > lastChange(...sources) && existsSync(wasm)) return;
+  rmSync(stamp, { force: true });
+  await step('compiling the core to WebAssembly, usually 1 minute at first', () =>
+    run('wasm-pack', ['build', '--target', 'web', '--no-opt']),
+  );
+  await step('optimising the WebAssembly', async () => {
+    const optimised = `${wasm}.optimised`;
+    await runPackage('binaryen/bin/wasm-opt', ['-O3', ...features, wasm, '-o', optimised]);
+    renameSync(optimised, wasm);
+  });
+  writeFileSync(stamp, '');
+}
+
+/** What every browser of the last years has, and what the compiler was told to use. */
+const features = [
+  '--enable-simd',
+  '--enable-bulk-memory',
+  '--enable-mutable-globals',
+  '--enable-nontrapping-float-to-int',
+  '--enable-sign-ext',
+  '--enable-reference-types',
+  '--enable-multivalue',
+];
+
+/** The static site, which works from any folder of any host. */
+export const buildSite = () =>
+  step('building the site', () =>
+    runPackage('vite/bin/vite.js', ['build', '--config', 'www/vite.config.js', '--logLevel', 'warn']),
+  );
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  await task(async () => {
+    await installTools();
+    await buildCore();
+    await buildSite();
+    console.log('\nThe site is in dist/: copy that folder to any static host.');
+  });
+}

@@ -1,0 +1,89 @@
+// npm test: every check of the project, stopping at the first that fails.
+//
+//   npm test -- page               only the page, in the browsers of this machine
+//   npm test -- --require-engines  an absent browser is a failure
+//   ENGINES=firefox npm test       only these browsers
+import { readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { findEngines } from '../tests/page/engines.js';
+import { buildCore, buildSite } from './build.mjs';
+import { Failure, run, runPackage, step, task, top } from './run.mjs';
+import { installGeckodriver, installTools } from './tools.mjs';
+
+const count = { passed: 0, failed: 0 };
+
+await task(async () => {
+  const { values, positionals } = parseArgs({
+    allowPositionals: true,
+    options: { 'require-engines': { type: 'boolean', default: false } },
+  });
+  const strangers = positionals.filter((name) => name !== 'page');
+  if (strangers.length > 0) throw new Failure(`npm test knows only "page", not ${strangers.join(', ')}`);
+
+  const { found, absent } = findEngines();
+  const advice = absent
+    .map(({ name, hint }) => `\nEngine that is absent: ${name}; to have it: ${hint}`)
+    .join('');
+  if (values['require-engines'] && absent.length > 0) throw new Failure(`every engine is required${advice}`);
+
+  await installTools();
+  if (found.some(({ name, driver }) => name === 'firefox' && driver === null)) await installGeckodriver();
+  if (positionals.length === 0) await testSources();
+  await buildCore();
+  if (positionals.length === 0) await testTypes();
+  await buildSite();
+  if (found.length > 0) await testPage();
+  console.log(`\nEngines that ran: ${found.map(({ name }) => name).join(', ') || 'none'}${advice}`);
+}).finally(() => console.log(`\n${count.passed} passed, ${count.failed} failed`));
+
+async function testSources() {
+  const clippy = (/** @type {string[]} */ ...target) =>
+    run('cargo', ['clippy', ...target, '--', '-D', 'warnings']);
+  await step('format of the Rust (cargo fmt mends it)', () => run('cargo', ['fmt', '--check']));
+  await step('format and lint of the JavaScript (npm run format mends it)', () =>
+    runPackage('@biomejs/biome/bin/biome', ['check', '.']),
+  );
+  await step('lint of the Rust', () => clippy('--all-targets'));
+  await step('lint of the Rust for WebAssembly', () => clippy('--lib', '--target', 'wasm32-unknown-unknown'));
+  await step('native tests', () => counted('cargo', ['test']));
+  await step('the same tests as WebAssembly under Node', () => counted('wasm-pack', ['test', '--node']));
+}
+
+/** They rest on the types of the core, which its build writes. */
+function testTypes() {
+  return step('types of the JavaScript', () => runPackage('typescript/bin/tsc', ['-p', 'www']));
+}
+
+function testPage() {
+  const folder = join('tests', 'page');
+  const files = readdirSync(join(top, folder)).filter((name) => name.endsWith('.test.js'));
+  const options = ['--test', '--test-concurrency=1', '--test-reporter=spec'];
+  return step('tests of the built page in real browsers', () =>
+    counted(process.execPath, [...options, ...files.map((name) => join(folder, name))]),
+  );
+}
+
+/**
+ * Runs tests and adds up what their closing lines count, also if some fail.
+ * @param {string} program
+ * @param {string[]} args
+ */
+async function counted(program, args) {
+  /** @param {string} output */
+  const add = (output) => {
+    for (const [, passed, failed] of output.matchAll(/test result: .*?(\d+) passed; (\d+) failed/g)) {
+      count.passed += Number(passed);
+      count.failed += Number(failed);
+    }
+    for (const [, kind, number] of output.matchAll(/^\S+ (pass|fail|cancelled) (\d+)/gm)) {
+      count[kind === 'pass' ? 'passed' : 'failed'] += Number(number);
+    }
+  };
+  try {
+    add(await run(program, args, { keepColours: false }));
+  } catch (error) {
+    if (error instanceof Failure) add(error.output);
+    throw error;
+  }
+}

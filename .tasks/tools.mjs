@@ -1,0 +1,103 @@
+// Installs what is missing: the wasm target, the npm packages, and the Rust tools that no package ships, which go into
+// the folder .tools/ so that nothing else on the machine changes.
+import { existsSync, readFileSync, rmSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { ask, Failure, lastChange, run, step, top } from './run.mjs';
+
+const bin = join(top, '.tools', 'bin');
+
+/** Everything that builds the page. */
+export async function installTools() {
+  preparePath();
+  await checkToolchain();
+  await installPackages();
+  await installWasmBindgen();
+  await installWasmPack();
+  removeBuild();
+}
+
+/** The WebDriver of Firefox, which only the page tests need. */
+export async function installGeckodriver() {
+  await cargoInstall('geckodriver', ['--version', '0.37.1'], 'it drives Firefox in the page tests');
+  removeBuild();
+}
+
+/** Lets child processes find the tools, wasm-pack's own children included. */
+function preparePath() {
+  process.env.PATH = bin + delimiter + process.env.PATH;
+  if (process.env.RUSTFLAGS === undefined) return;
+  console.log('RUSTFLAGS is set aside, because it would replace the flags of .cargo/config.toml');
+  delete process.env.RUSTFLAGS;
+}
+
+async function checkToolchain() {
+  const [major, minor] = process.versions.node.split('.').map(Number);
+  if (major < 20 || (major === 20 && minor < 19) || (major === 22 && minor < 12)) {
+    throw new Failure(
+      `Node ${process.versions.node} is too old: Node 20.19 or newer is needed (22.12 or newer of 22)`,
+    );
+  }
+  const sysroot = ask('rustc', ['--print', 'sysroot']);
+  if (sysroot === null || ask('cargo', ['--version']) === null) {
+    throw new Failure('rustc and cargo are needed: install Rust with rustup, see https://rustup.rs');
+  }
+  const missing = [
+    !existsSync(join(sysroot, 'lib', 'rustlib', 'wasm32-unknown-unknown')) && [
+      'target',
+      'wasm32-unknown-unknown',
+    ],
+    ask('cargo', ['fmt', '--version']) === null && ['component', 'rustfmt'],
+    ask('cargo', ['clippy', '--version']) === null && ['component', 'clippy'],
+  ].filter((part) => part !== false);
+  for (const [kind, name] of missing) {
+    await step(`installing the Rust ${kind} ${name}`, () => run('rustup', [kind, 'add', name]));
+  }
+}
+
+async function installPackages() {
+  if (lastChange('node_modules/.package-lock.json') >= lastChange('package-lock.json')) return;
+  await step('installing the npm packages, usually 5 to 60 s', () => {
+    // npm names its own program to its scripts; calling that one needs no shell on Windows.
+    const npm = process.env.npm_execpath;
+    const args = ['ci', '--include=dev', '--no-audit', '--no-fund'];
+    return npm ? run(process.execPath, [npm, ...args]) : run('npm', args);
+  });
+}
+
+/** It must be of exactly the version of the library that it serves, and needs its test runner beside it. */
+async function installWasmBindgen() {
+  const lock = readFileSync(join(top, 'Cargo.lock'), 'utf8');
+  const version = /name = "wasm-bindgen"\r?\nversion = "(.+)"/.exec(lock)?.[1];
+  if (version === undefined)
+    throw new Failure('Cargo.lock does not name wasm-bindgen: run "cargo generate-lockfile"');
+  const programs = ['wasm-bindgen', 'wasm-bindgen-test-runner'];
+  if (programs.every((program) => ask(program, ['--version'])?.endsWith(` ${version}`))) return;
+  const options = ['--version', version, '--no-default-features'];
+  await cargoInstall(
+    'wasm-bindgen-cli',
+    options,
+    `it joins the core to JavaScript, and Cargo.lock wants ${version}`,
+  );
+}
+
+async function installWasmPack() {
+  const [, major, minor] = /(\d+)\.(\d+)\.\d+$/.exec(ask('wasm-pack', ['--version']) ?? '') ?? [];
+  if (Number(major) > 0 || Number(minor) >= 15) return;
+  await cargoInstall('wasm-pack', ['--version', '0.15.1'], 'it builds and tests the core as WebAssembly');
+}
+
+/**
+ * A debug build takes a third of a release build's time, and what the tool then does takes no longer to notice.
+ * @param {string} name
+ * @param {string[]} options
+ * @param {string} reason
+ */
+async function cargoInstall(name, options, reason) {
+  console.log(`\n${name} is missing: ${reason}. It is built into .tools/ once.`);
+  const env = { CARGO_TARGET_DIR: join(top, '.tools', 'build'), CARGO_PROFILE_DEV_DEBUG: '0' };
+  const args = ['install', name, ...options, '--debug', '--force', '--root', join(top, '.tools')];
+  await step(`building ${name}, usually 1 to 2 minutes`, () => run('cargo', args, { env }));
+}
+
+/** The tools share compiled dependencies while they are built; afterwards those are only a load on the disk. */
+const removeBuild = () => rmSync(join(top, '.tools', 'build'), { recursive: true, force: true });

@@ -1,0 +1,343 @@
+// Drives the page in every engine of this machine by one protocol, WebDriver.
+//
+// A test file is a list of `pageTest('what must hold', async (page) => …)`; each becomes one test per engine. When dist/
+// is built, one file in one engine runs by `ENGINES=chromium node --test tests/page/page.test.js`.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { createRequire } from 'node:module';
+import { after, test } from 'node:test';
+import { setTimeout as delay } from 'node:timers/promises';
+import axe from 'axe-core';
+import { Builder, By, Key } from 'selenium-webdriver';
+import { Command, Name } from 'selenium-webdriver/lib/command.js';
+import { findEngines, findProgram } from './engines.js';
+import { serve } from './server.js';
+
+export { Key };
+
+// Its types go by the folder's name, which an import of a module would not find.
+/** @type {typeof import('selenium-webdriver/remote')} */
+const { DriverService } = createRequire(import.meta.url)('selenium-webdriver/remote');
+
+/** @typedef {import('./engines.js').Engine} Engine */
+/** @typedef {import('selenium-webdriver').WebDriver} WebDriver */
+/** @typedef {{ x: number, y: number }} Point CSS pixels from the top left corner of an element */
+
+/** Generous, because it bounds only failures: a page that works is never waited for this long. */
+const patience = 15_000;
+const testTimeout = 180_000;
+
+/** The page in one engine. */
+export class Page {
+  /**
+   * @param {import('./engines.js').EngineName} engine
+   * @param {WebDriver} driver for what the methods below do not offer
+   * @param {import('./server.js').Site} site
+   */
+  constructor(engine, driver, site) {
+    this.engine = engine;
+    this.driver = driver;
+    this.site = site;
+  }
+
+  /**
+   * Opens the page afresh, which `pageTest` has done once already, and waits until it is ready.
+   * @param {string} [fragment] what follows the address, for instance '#law=kanayama'
+   */
+  async open(fragment = '') {
+    // Between two addresses that differ in the fragment alone, a browser would not load the page again.
+    await this.driver.get('about:blank');
+    this.site.problems.length = 0;
+    await this.driver.get(this.site.address + fragment);
+    await this.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+  }
+
+  /**
+   * Runs a function in the page and returns what it returns, or what its promise comes to. The function sees only the
+   * page and its arguments, and gives back plain objects.
+   * @template {unknown[]} A
+   * @template T
+   * @param {(...args: A) => T | Promise<T>} body
+   * @param {A} args
+   * @returns {Promise<T>}
+   */
+  evaluate(body, ...args) {
+    return this.driver.executeScript(body, ...args);
+  }
+
+  /**
+   * Waits until a function that runs in the page returns something true, and returns that.
+   * @template {unknown[]} A
+   * @template T
+   * @param {string} what is waited for, told if it never comes
+   * @param {(...args: A) => T | Promise<T>} condition
+   * @param {A} args
+   * @returns {Promise<T>}
+   */
+  async until(what, condition, ...args) {
+    const end = performance.now() + patience;
+    for (;;) {
+      const result = await this.evaluate(condition, ...args);
+      if (result) return result;
+      if (performance.now() > end) {
+        const problems = (await this.problems()).map((problem) => `\n  ${problem}`).join('');
+        throw new Error(`waited ${patience / 1000} s in vain until ${what}${problems}`);
+      }
+      await delay(20);
+    }
+  }
+
+  /**
+   * Console errors, uncaught errors, refused and failed requests, those to other hosts included, since the page was opened.
+   * @returns {Promise<string[]>}
+   */
+  async problems() {
+    const collected = await this.evaluate(
+      () =>
+        /** @type {{ collectedProblems: string[] }} */ (/** @type {unknown} */ (window)).collectedProblems,
+    );
+    return [...collected, ...this.site.problems];
+  }
+
+  /**
+   * What axe-core finds to be an obstacle for people who use assistive technology.
+   * @returns {Promise<string[]>}
+   */
+  async obstacles() {
+    await this.driver.executeScript(axe.source);
+    return this.evaluate(async () => {
+      const runner = /** @type {{ axe: typeof axe }} */ (/** @type {unknown} */ (window)).axe;
+      const { violations } = await runner.run();
+      return violations.map(
+        ({ id, help, nodes }) => `${id}: ${help}: ${nodes.map(({ html }) => html).join(' ')}`,
+      );
+    });
+  }
+
+  /**
+   * The one element that a CSS selector finds, scrolled into view.
+   * @param {string} selector
+   */
+  async element(selector) {
+    const elements = await this.driver.findElements(By.css(selector));
+    assert.equal(elements.length, 1, `${selector} must find one element, it finds ${elements.length}`);
+    await this.driver.executeScript("arguments[0].scrollIntoView({ block: 'nearest' })", elements[0]);
+    return elements[0];
+  }
+
+  /**
+   * The text that a person sees of an element.
+   * @param {string} selector
+   */
+  async text(selector) {
+    return (await this.element(selector)).getText();
+  }
+
+  /** @param {string} selector */
+  async click(selector) {
+    await (await this.element(selector)).click();
+  }
+
+  /**
+   * Presses keys one after the other; where they go is decided by the focus, as for a person.
+   * @param {...string} keys characters, or names such as Key.TAB
+   */
+  async press(...keys) {
+    let actions = this.driver.actions();
+    for (const key of keys) actions = actions.keyDown(key).keyUp(key);
+    await actions.perform();
+  }
+
+  /** @param {string} selector */
+  async focus(selector) {
+    const element = await this.element(selector);
+    await this.driver.executeScript('arguments[0].focus()', element);
+  }
+
+  /**
+   * Drags with the mouse through points of an element.
+   * @param {string} selector
+   * @param {Point[]} points
+   */
+  drag(selector, points) {
+    return this.#dragWith('mouse', selector, points);
+  }
+
+  /**
+   * Drags with a finger through points of an element. WebKitGTK has no touch: there it is the mouse again.
+   * @param {string} selector
+   * @param {Point[]} points
+   */
+  touchDrag(selector, points) {
+    return this.#dragWith('touch', selector, points);
+  }
+
+  /**
+   * @param {'mouse' | 'touch'} pointerType
+   * @param {string} selector
+   * @param {Point[]} points
+   */
+  async #dragWith(pointerType, selector, points) {
+    const element = await this.element(selector);
+    const corner = await this.evaluate((box) => {
+      const { left, top } = /** @type {Element} */ (/** @type {unknown} */ (box)).getBoundingClientRect();
+      return { left, top };
+    }, element);
+    const moves = points.map(({ x, y }, index) => ({
+      type: 'pointerMove',
+      duration: index === 0 ? 0 : 30,
+      origin: 'viewport',
+      x: Math.round(corner.left + x),
+      y: Math.round(corner.top + y),
+    }));
+    const actions = [
+      moves[0],
+      { type: 'pointerDown', button: 0 },
+      ...moves.slice(1),
+      { type: 'pointerUp', button: 0 },
+    ];
+    const sequence = { type: 'pointer', id: pointerType, parameters: { pointerType }, actions };
+    await this.driver.execute(new Command(Name.ACTIONS).setParameter('actions', [sequence]));
+  }
+
+  /**
+   * Gives the page a size in CSS pixels. Firefox and WebKitGTK stop at a width of 500 and 447.
+   * @param {number} width
+   * @param {number} height
+   */
+  async resize(width, height) {
+    const window = this.driver.manage().window();
+    // The frame's size is not known beforehand: the second attempt corrects what the first one missed.
+    for (let attempt = 0; attempt < 2; attempt++) {
+      const inner = await this.evaluate(() => ({ width: innerWidth, height: innerHeight }));
+      const outer = await window.getRect();
+      await window.setRect({
+        width: outer.width + width - inner.width,
+        height: outer.height + height - inner.height,
+      });
+    }
+  }
+
+  /** What the page looks like, as a PNG. */
+  async screenshot() {
+    return Buffer.from(await this.driver.takeScreenshot(), 'base64');
+  }
+}
+
+/**
+ * What ends the things that were started, the latest first; what does not end well must not keep the others.
+ * @type {(() => unknown)[]}
+ */
+const endings = [];
+after(async () => {
+  for (const end of endings.reverse()) {
+    try {
+      await end();
+    } catch (error) {
+      console.error(error);
+    }
+  }
+});
+
+const { found } = findEngines();
+/** @type {Promise<import('./server.js').Site> | undefined} */
+let site;
+/** @type {Map<string, Promise<WebDriver>>} */
+const drivers = new Map();
+
+/**
+ * Declares one test in each engine, on the page opened afresh.
+ * @param {string} name
+ * @param {(page: Page) => Promise<void>} body
+ */
+export function pageTest(name, body) {
+  for (const engine of found) {
+    test(`${engine.name}: ${name}`, { timeout: testTimeout }, async () => {
+      site ??= startSite();
+      const driver = drivers.get(engine.name) ?? startBrowser(engine);
+      drivers.set(engine.name, driver);
+      const page = new Page(engine.name, await driver, await site);
+      try {
+        await page.resize(1200, 900);
+        await page.open();
+        await body(page);
+      } finally {
+        // A page that goes on moving would slow the tests of the other engines.
+        await page.driver.get('about:blank');
+      }
+    });
+  }
+}
+
+async function startSite() {
+  const started = await serve();
+  endings.push(() => started.close());
+  return started;
+}
+
+/**
+ * @param {Engine} engine
+ * @returns {Promise<WebDriver>}
+ */
+async function startBrowser(engine) {
+  const screen = engine.name === 'webkit' ? await startScreen() : {};
+  const builder = new Builder().withCapabilities(capabilities(engine));
+  if (engine.driver !== null) {
+    const service = new DriverService.Builder(engine.driver)
+      .setLoopback(true)
+      .setEnvironment(/** @type {Record<string, string>} */ ({ ...process.env, ...screen }))
+      .build();
+    endings.push(() => service.kill());
+    builder.usingServer(await service.start());
+  }
+  const driver = builder.build();
+  endings.push(() => driver.quit());
+  await driver.getSession();
+  return driver;
+}
+
+/**
+ * @param {Engine} engine
+ * @returns {Record<string, unknown>}
+ */
+function capabilities({ name, browser }) {
+  const asRoot = process.getuid?.() === 0;
+  switch (name) {
+    case 'chromium': {
+      const args = ['--headless=new', '--disable-gpu', '--disable-background-networking', '--no-first-run'];
+      // Its sandbox does not run as root, which is who runs in most containers.
+      if (asRoot) args.push('--no-sandbox');
+      return { browserName: 'chrome', 'goog:chromeOptions': { binary: browser, args } };
+    }
+    case 'firefox':
+      return { browserName: 'firefox', 'moz:firefoxOptions': { binary: browser, args: ['-headless'] } };
+    case 'webkit':
+      if (process.platform === 'darwin') return { browserName: 'safari' };
+      return {
+        browserName: 'MiniBrowser',
+        'webkitgtk:browserOptions': { binary: browser, args: ['--automation'] },
+      };
+  }
+}
+
+/**
+ * WebKitGTK has no headless mode: it gets a screen that nobody sees.
+ * @returns {Promise<Record<string, string>>} what its programs have to know
+ */
+async function startScreen() {
+  const program = findProgram(['Xvfb']);
+  if (program === null) return {};
+  const args = ['-displayfd', '3', '-screen', '0', '1600x1200x24', '-nolisten', 'tcp'];
+  const child = spawn(program, args, { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
+  endings.push(() => child.kill());
+  const display = await new Promise((resolve, reject) => {
+    child.once('exit', (code) => reject(new Error(`${program} ended with exit code ${code}`)));
+    child.once('error', reject);
+    child.stdio[3]?.once('data', (number) => resolve(String(number).trim()));
+  });
+  /** @type {Record<string, string>} */
+  // Where the machine has no language, WebKit would take "C" for one.
+  const environment = { DISPLAY: `:${display}`, GDK_BACKEND: 'x11', LC_ALL: 'en_US.UTF-8' };
+  if (process.getuid?.() === 0) environment.WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS = '1';
+  return environment;
+}

@@ -1,0 +1,94 @@
+// Serves the built site from a sub-folder, as a course's host would, under a content security policy that allows
+// nothing inline and no other host, and keeps a record of all that goes wrong.
+import { readFileSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize, sep } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const folder = '/some/course/ep/';
+const collector = '/collector.js';
+const reports = '/policy-reports';
+
+const policy = [
+  "default-src 'self'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "style-src 'self'",
+  "img-src 'self' data: blob:",
+  `report-uri ${reports}`,
+].join('; ');
+
+/** @type {Record<string, string>} */
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.wasm': 'application/wasm',
+  '.json': 'application/json',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+};
+
+/**
+ * @typedef {object} Site
+ * @property {string} address where the page is
+ * @property {string[]} problems requests that were refused or not found since the array was last emptied
+ * @property {() => Promise<void>} close
+ */
+
+/**
+ * @param {string} [root] the folder to serve
+ * @returns {Promise<Site>}
+ */
+export async function serve(root = fileURLToPath(new URL('../../dist/', import.meta.url))) {
+  /** @type {string[]} */
+  const problems = [];
+  const collectorText = readFileSync(new URL('collector.js', import.meta.url));
+
+  /** @param {string} path @returns {Promise<string | Buffer | null>} the body, or null if there is none */
+  async function body(path) {
+    if (path === collector) return collectorText;
+    const inside = normalize(path.slice(folder.length) || 'index.html');
+    if (!path.startsWith(folder) || inside.startsWith(`..${sep}`)) return null;
+    const content = await readFile(join(root, inside)).catch(() => null);
+    if (content === null || extname(inside) !== '.html') return content;
+    // The collector has to run before any script of the page.
+    return content.toString().replace(/<head[^>]*>/i, `$&<script src="${collector}"></script>`);
+  }
+
+  const server = createServer(async (request, response) => {
+    const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
+    if (path === reports) {
+      let text = '';
+      for await (const part of request) text += part;
+      const report = JSON.parse(text)['csp-report'];
+      problems.push(
+        `policy: ${report['violated-directive']} refuses ${report['blocked-uri']} in ${report['document-uri']}`,
+      );
+      response.writeHead(204).end();
+      return;
+    }
+    const content = await body(path);
+    // Browsers look for this one by themselves.
+    if (content === null && path !== '/favicon.ico') problems.push(`not found: ${request.method} ${path}`);
+    const type = extname(path) === '' ? types['.html'] : (types[extname(path)] ?? 'application/octet-stream');
+    response.writeHead(content === null ? 404 : 200, {
+      'Content-Type': type,
+      'Content-Security-Policy': policy,
+      'Cache-Control': 'no-store',
+    });
+    response.end(content);
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
+  const address = server.address();
+  if (address === null || typeof address === 'string') throw new Error('the server has no port');
+  return {
+    address: `http://localhost:${address.port}${folder}`,
+    problems,
+    close: () =>
+      new Promise((resolve) => {
+        server.close(() => resolve());
+        server.closeAllConnections();
+      }),
+  };
+}

@@ -1,0 +1,173 @@
+// The fitness curve: the best and the median J of each generation.
+import uPlot from 'uplot';
+import { watch } from './state.js';
+import * as strings from './strings.js';
+
+/** @typedef {import('./engine.js').Statistics} Statistics */
+/** @typedef {{ history: Statistics[], paper: number, theme: number }} CurveModel */
+
+const gutter = 100;
+const wholeSteps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
+const labelHeight = 17;
+
+/** @param {HTMLElement} root */
+export function createCurve(root) {
+  /** @type {CurveModel} */
+  let model = { history: [], paper: Number.NaN, theme: 0 };
+  const changed = watch();
+  const labels = createLabels();
+  const only = () => model.history.length === 1;
+  const points = { show: only, size: 7 };
+
+  const plot = new uPlot(
+    {
+      ...sizeOf(root),
+      padding: [8, gutter, 0, 0],
+      legend: { show: false },
+      cursor: { show: false },
+      scales: {
+        x: { time: false, range: () => [0, lastTick(model.history.length - 1)] },
+        y: { range: () => costRange(model) },
+      },
+      axes: [
+        { ...axis(), size: 28, space: 56, incrs: wholeSteps },
+        { ...axis(), size: 52, space: 32, values: sameDigits },
+      ],
+      series: [
+        {},
+        { stroke: () => colour('--muted'), width: 1.5, points: { ...points, fill: () => colour('--muted') } },
+        { stroke: () => colour('--muted'), width: 1.5, dash: [2, 5], points: { show: false } },
+        { stroke: () => colour('--ink'), width: 2.5, points: { ...points, fill: () => colour('--ink') } },
+      ],
+      hooks: { draw: [(drawn) => labels.draw(drawn, model)] },
+    },
+    [[], [], [], []],
+    root,
+  );
+  plot.over.append(...labels.elements);
+
+  new ResizeObserver(() => plot.setSize(sizeOf(root))).observe(root);
+
+  return {
+    /** @param {CurveModel} next */
+    draw(next) {
+      if (!changed(next.history, next.paper, next.theme)) return;
+      model = next;
+      plot.setData(columns(next));
+    },
+  };
+}
+
+/** @param {HTMLElement} root */
+const sizeOf = (root) => ({
+  width: Math.max(200, root.clientWidth),
+  height: Math.max(100, root.clientHeight),
+});
+
+/** @param {string} name */
+const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+/** @returns {uPlot.Axis} */
+const axis = () => ({
+  stroke: () => colour('--muted'),
+  font: '13px system-ui, sans-serif',
+  grid: { stroke: () => colour('--hairline'), width: 1 },
+  ticks: { show: false },
+  gap: 6,
+});
+
+/** As many digits as the step needs, at every tick. @param {uPlot} _ @param {number[]} ticks */
+function sameDigits(_, ticks) {
+  const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
+  const digits =
+    [0, 1, 2, 3, 4, 5].find(
+      (count) => Math.abs(step * 10 ** count - Math.round(step * 10 ** count)) < 1e-6,
+    ) ?? 6;
+  return ticks.map((tick) => tick.toFixed(digits));
+}
+
+/** @param {CurveModel} model @returns {uPlot.AlignedData} */
+function columns({ history, paper }) {
+  const last = lastTick(history.length - 1);
+  const rest = history.length <= last ? [last] : [];
+  const gap = rest.map(() => null);
+  return [
+    [...history.map((one) => one.generation), ...rest],
+    [...history.map((one) => one.median), ...gap],
+    [...history.map(() => paper), ...rest.map(() => paper)],
+    [...history.map((one) => one.best.cost), ...gap],
+  ];
+}
+
+/** The end of the generation axis: it grows in steps, so that the curve does not shrink at each generation. @param {number} generation */
+function lastTick(generation) {
+  return [20, 50, 100, 200, 300, 500].find((end) => generation <= end) ?? Math.ceil(generation / 500) * 500;
+}
+
+/** The best curve fills the plot; the first medians may come in from above. @param {CurveModel} model @returns {[number, number]} */
+function costRange({ history, paper }) {
+  const best = history.map((one) => one.best.cost).filter(Number.isFinite);
+  if (best.length === 0) return [0, 1];
+  const [first, newest] = [best[0], best[best.length - 1]];
+  const medians = history.map((one) => one.median).filter(Number.isFinite);
+  const high = Math.min(Math.max(first, ...medians, Math.min(paper, 1.3 * first)), 1.4 * first);
+  const low = Math.min(newest, paper);
+  const room = 0.08 * (high - low) + 0.01 * high;
+  return [low - 2 * room, high + room];
+}
+
+/** Names at the ends of the lines. */
+function createLabels() {
+  const make = (/** @type {string} */ name, /** @type {string} */ text) => {
+    const element = document.createElement('span');
+    element.className = `line-label ${name}`;
+    element.textContent = text;
+    return element;
+  };
+  const best = make('best', strings.bestLine);
+  const median = make('median', strings.medianLine);
+  const paper = make('paper', strings.paperLine);
+  const axisName = make('axis', strings.generationAxis);
+  const costName = make('axis', strings.costSymbol);
+
+  /** @param {uPlot} plot @param {CurveModel} model */
+  const draw = (plot, model) => {
+    const newest = model.history.at(-1);
+    if (!newest) return;
+    const end = plot.valToPos(newest.generation, 'x') + 10;
+    const right = plot.over.clientWidth + 6;
+    const height = (/** @type {number} */ cost) =>
+      Math.min(Math.max(plot.valToPos(cost, 'y'), 0), plot.over.clientHeight);
+    // Beside its point while that is alone, then on the far side of its line.
+    const aside = newest.generation === 0 ? 0 : 6;
+    const isAbove = (/** @type {number} */ cost) => plot.valToPos(cost, 'y') < 0;
+    median.textContent = isAbove(newest.median) ? strings.above(strings.medianLine) : strings.medianLine;
+    paper.textContent = isAbove(model.paper) ? strings.above(strings.paperLine) : strings.paperLine;
+    const places = [
+      { element: best, x: end, y: height(newest.best.cost) + aside },
+      { element: median, x: end, y: height(newest.median) - aside },
+      { element: paper, x: right, y: height(model.paper) },
+    ];
+    const together = end > right - 60 ? [places] : [places.slice(0, 2), places.slice(2)];
+    for (const group of together) spread(group, plot.over.clientHeight);
+    for (const { element, x, y } of places)
+      element.style.transform = `translate(${x}px, ${y}px) translateY(-50%)`;
+    costName.style.transform = 'translate(-50px, 0)';
+    axisName.style.transform = `translate(${right + 6}px, ${plot.over.clientHeight + 6}px)`;
+  };
+  return { elements: [best, median, paper, axisName, costName], draw };
+}
+
+/**
+ * Moves labels apart that would lie on each other, as little up as down, and keeps them inside.
+ * @param {{ y: number }[]} places @param {number} height
+ */
+function spread(places, height) {
+  const sorted = [...places].sort((a, b) => a.y - b.y);
+  const wanted = sorted.map(({ y }) => y);
+  for (let i = 1; i < sorted.length; i += 1) sorted[i].y = Math.max(wanted[i], sorted[i - 1].y + labelHeight);
+  const pushed = sorted.reduce((sum, { y }, i) => sum + y - wanted[i], 0) / sorted.length;
+  const up = Math.min(pushed, sorted[0].y);
+  const over = Math.max(0, sorted[sorted.length - 1].y - up - height);
+  for (const place of sorted) place.y -= up + over;
+}

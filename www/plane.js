@@ -1,0 +1,269 @@
+// The plane in metres: paths on one canvas, redrawn when they change; robots on another, redrawn as they move.
+import { keepInside, knobOf } from './view.js';
+import { watch } from './state.js';
+import * as strings from './strings.js';
+
+/** @typedef {import('./engine.js').Posture} Posture */
+/** @typedef {import('./engine.js').Run} Run */
+/** @typedef {import('./state.js').Scene} Scene */
+/** @typedef {import('./view.js').View} View */
+/** @typedef {{ paper: string, hairline: string, ink: string, muted: string }} Colours */
+/** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, time: number, theme: number }} PlaneModel */
+
+const arrow = { robot: 17, posture: 17, ghost: 9 };
+const font = '13px system-ui, sans-serif';
+
+/** @param {HTMLCanvasElement} pathsCanvas @param {HTMLCanvasElement} robotsCanvas */
+export function createPlane(pathsCanvas, robotsCanvas) {
+  const paths = createLayer(pathsCanvas);
+  const robots = createLayer(robotsCanvas);
+  const pathsChanged = watch();
+  const robotsChanged = watch();
+  let colours = readColours();
+  const themeChanged = watch();
+
+  /** @param {PlaneModel} model */
+  const draw = ({ view, scene, start, goal, time, theme }) => {
+    if (themeChanged(theme)) colours = readColours();
+    if (pathsChanged(view, scene.driving, scene.others, scene.comparison, start, goal, theme)) {
+      paths.clear(view);
+      drawGrid(paths.context, view, colours);
+      drawPaths(paths, view, scene, colours);
+      drawTarget(paths.context, view, start, colours.muted, colours);
+      drawTarget(paths.context, view, goal, colours.ink, colours);
+    }
+    if (robotsChanged(view, scene.driving, scene.others, scene.comparison, time, theme)) {
+      robots.clear(view);
+      drawRobots(robots, view, scene, time, colours);
+    }
+  };
+  return { draw };
+}
+
+/** @returns {Colours} */
+function readColours() {
+  const style = getComputedStyle(document.documentElement);
+  const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+  return {
+    paper: colour('--paper'),
+    hairline: colour('--hairline'),
+    ink: colour('--ink'),
+    muted: colour('--muted'),
+  };
+}
+
+/** @param {HTMLCanvasElement} canvas */
+function createLayer(canvas) {
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  const pixels = () => globalThis.devicePixelRatio || 1;
+  return {
+    context,
+    /** @param {View} view */
+    clear(view) {
+      const [width, height] = [Math.round(view.width * pixels()), Math.round(view.height * pixels())];
+      if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+      this.inPixels();
+      context.clearRect(0, 0, view.width, view.height);
+      context.setLineDash([]);
+    },
+    inPixels: () => context.setTransform(pixels(), 0, 0, pixels(), 0, 0),
+    /** @param {View} view */
+    inMetres(view) {
+      const scale = pixels() * view.scale;
+      context.setTransform(scale, 0, 0, -scale, pixels() * view.originX, pixels() * view.originY);
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createLayer>} Layer */
+
+/** @param {CanvasRenderingContext2D} context @param {View} view @param {Colours} colours */
+function drawGrid(context, view, colours) {
+  const step = gridStep(view);
+  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const low = view.world(0, view.height);
+  const high = view.world(view.width, 0);
+  context.font = font;
+  context.lineWidth = 1;
+  context.strokeStyle = colours.hairline;
+  context.fillStyle = colours.muted;
+  context.textAlign = 'center';
+  context.textBaseline = 'alphabetic';
+  context.beginPath();
+  for (const x of multiples(low.x, high.x, step)) {
+    const px = Math.round(view.screenX(x)) + 0.5;
+    if (px < 44) continue;
+    context.moveTo(px, 0);
+    context.lineTo(px, view.height - 28);
+    if (px < view.width - 20) context.fillText(`${strings.fixed(x, digits)} m`, px, view.height - 10);
+  }
+  context.textAlign = 'right';
+  context.textBaseline = 'middle';
+  for (const y of multiples(low.y, high.y, step)) {
+    const py = Math.round(view.screenY(y)) + 0.5;
+    if (py > view.height - 32) continue;
+    context.moveTo(44, py);
+    context.lineTo(view.width, py);
+    if (py > 12) context.fillText(strings.fixed(y, digits), 34, py);
+  }
+  context.stroke();
+}
+
+/** The metres between grid lines: 1, 2 or 5 times a power of ten, and far enough apart for the size of the plane. @param {View} view */
+function gridStep({ scale, width }) {
+  const least = Math.min(140, width / 4.5) / scale;
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * ([1, 2, 5].find((factor) => factor * power >= least) ?? 10);
+}
+
+/** @param {number} from @param {number} to @param {number} step */
+function multiples(from, to, step) {
+  const first = Math.ceil(from / step);
+  return Array.from({ length: Math.max(0, Math.floor(to / step) - first + 1) }, (_, i) => (first + i) * step);
+}
+
+/** @param {Layer} layer @param {View} view @param {Scene} scene @param {Colours} colours */
+function drawPaths({ context, inPixels, inMetres }, view, scene, colours) {
+  /** @param {Run} run @param {string} colour @param {number} alpha @param {number} width @param {number[]} [dash] */
+  const path = (run, colour, alpha, width, dash = []) => {
+    inMetres(view);
+    context.strokeStyle = colour;
+    context.globalAlpha = alpha;
+    context.lineWidth = width / view.scale;
+    context.setLineDash(dash.map((length) => length / view.scale));
+    context.beginPath();
+    trace(context, view, run, run.time.length - 1);
+    context.stroke();
+  };
+  context.lineJoin = 'round';
+  context.lineCap = 'round';
+  for (const run of scene.others) path(run, colours.ink, 0.2, 1);
+  path(scene.comparison, colours.muted, 1, 2, [2, 6]);
+  path(scene.driving, colours.ink, 0.4, 1.5);
+  context.globalAlpha = 1;
+  context.setLineDash([]);
+  inPixels();
+}
+
+/** A run up to a sample, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} last */
+function trace(context, { scale }, { x, y }, last) {
+  const least = 0.6 / scale;
+  let drawn = 0;
+  context.moveTo(x[0], y[0]);
+  for (let i = 1; i <= last; i += 1) {
+    if (i < last && Math.abs(x[i] - x[drawn]) + Math.abs(y[i] - y[drawn]) < least) continue;
+    context.lineTo(x[i], y[i]);
+    drawn = i;
+  }
+}
+
+/** Start or goal: an empty arrow, and the knob that turns it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} colour @param {Colours} colours */
+function drawTarget(context, view, posture, colour, colours) {
+  const knob = knobOf(view, posture);
+  const [px, py] = [view.screenX(posture.x), view.screenY(posture.y)];
+  const angle = Math.atan2(knob.py - py, knob.px - px);
+  context.strokeStyle = colours.muted;
+  context.lineWidth = 1;
+  context.beginPath();
+  context.moveTo(px + arrow.posture * Math.cos(angle), py + arrow.posture * Math.sin(angle));
+  context.lineTo(knob.px - 5 * Math.cos(angle), knob.py - 5 * Math.sin(angle));
+  context.moveTo(knob.px + 5, knob.py);
+  context.arc(knob.px, knob.py, 5, 0, 2 * Math.PI);
+  context.stroke();
+  kite(context, px, py, posture.theta, arrow.posture);
+  context.fillStyle = colours.paper;
+  context.strokeStyle = colour;
+  context.lineWidth = 2;
+  context.fill();
+  context.stroke();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {number} theta @param {number} size */
+function kite(context, px, py, theta, size) {
+  const [c, s] = [Math.cos(theta) * size, -Math.sin(theta) * size];
+  context.beginPath();
+  context.moveTo(px + c, py + s);
+  context.lineTo(px - 0.75 * c - 0.68 * s, py - 0.75 * s + 0.68 * c);
+  context.lineTo(px - 0.35 * c, py - 0.35 * s);
+  context.lineTo(px - 0.75 * c + 0.68 * s, py - 0.75 * s - 0.68 * c);
+  context.closePath();
+}
+
+/** @param {Layer} layer @param {View} view @param {Scene} scene @param {number} time @param {Colours} colours */
+function drawRobots(layer, view, scene, time, colours) {
+  const { context } = layer;
+  /** @param {Run} run @param {number} size */
+  const robot = (run, size) => {
+    const { x, y, theta } = postureAt(run, time);
+    kite(context, view.screenX(x), view.screenY(y), theta, size);
+  };
+  context.fillStyle = colours.ink;
+  context.globalAlpha = 0.3;
+  for (const run of scene.others) {
+    robot(run, arrow.ghost);
+    context.fill();
+  }
+  context.globalAlpha = 1;
+  context.strokeStyle = colours.muted;
+  context.fillStyle = colours.paper;
+  context.lineWidth = 1.5;
+  robot(scene.comparison, 12);
+  context.fill();
+  context.stroke();
+  drawTrail(layer, view, scene.driving, time, colours);
+  context.fillStyle = colours.ink;
+  robot(scene.driving, arrow.robot);
+  context.fill();
+  drawStray(context, view, postureAt(scene.driving, time), colours);
+}
+
+/** @param {Layer} layer @param {View} view @param {Run} run @param {number} time @param {Colours} colours */
+function drawTrail({ context, inPixels, inMetres }, view, run, time, colours) {
+  const { x, y } = postureAt(run, time);
+  inMetres(view);
+  context.strokeStyle = colours.ink;
+  context.lineWidth = 3.5 / view.scale;
+  context.lineJoin = 'round';
+  context.lineCap = 'round';
+  context.beginPath();
+  trace(context, view, run, sampleBefore(run, time));
+  context.lineTo(x, y);
+  context.stroke();
+  inPixels();
+}
+
+/** A robot outside the plane leaves a mark at the edge, with its distance from there. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {Colours} colours */
+function drawStray(context, view, { x, y }, colours) {
+  const [px, py] = [view.screenX(x), view.screenY(y)];
+  const edge = keepInside(view, px, py);
+  const beyond = Math.hypot(px - edge.px, py - edge.py);
+  if (beyond < 24) return;
+  context.fillStyle = colours.ink;
+  kite(context, edge.px, edge.py, Math.atan2(edge.py - py, px - edge.px), 10);
+  context.fill();
+  context.font = font;
+  context.textBaseline = 'middle';
+  const inward = edge.px > view.width / 2 ? -1 : 1;
+  const text = strings.outside(beyond / view.scale);
+  context.textAlign = inward < 0 ? 'right' : 'left';
+  context.lineWidth = 5;
+  context.strokeStyle = colours.paper;
+  context.strokeText(text, edge.px + 18 * inward, edge.py);
+  context.fillText(text, edge.px + 18 * inward, edge.py);
+}
+
+/** @param {Run} run @param {number} time */
+function sampleBefore(run, time) {
+  const last = run.time.length - 1;
+  if (last < 1 || time >= run.time[last]) return last;
+  return Math.min(last, Math.floor(time / run.time[1] + 1e-9));
+}
+
+/** Where the robot is, between two samples on the straight line. @param {Run} run @param {number} time @returns {Posture} */
+function postureAt(run, time) {
+  const i = sampleBefore(run, time);
+  const j = Math.min(i + 1, run.time.length - 1);
+  const part = i === j ? 0 : (time - run.time[i]) / (run.time[j] - run.time[i]);
+  const between = (/** @type {Float64Array} */ values) => values[i] + part * (values[j] - values[i]);
+  return { x: between(run.x), y: between(run.y), theta: between(run.theta) };
+}

@@ -1,0 +1,174 @@
+// The one state of the page, and what follows from it.
+
+/** @typedef {import('./engine.js').Experiment} Experiment */
+/** @typedef {import('./engine.js').Individual} Individual */
+/** @typedef {import('./engine.js').PaperResult} PaperResult */
+/** @typedef {import('./engine.js').Preset} Preset */
+/** @typedef {import('./engine.js').Run} Run */
+/** @typedef {import('./engine.js').Statistics} Statistics */
+/** @typedef {import('./view.js').Box} Box */
+
+/** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver Whose gains drive the robot in ink. */
+/** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'reset'} Restart Why evolution is at generation 0. */
+/** @typedef {readonly [number, number, number]} Triple */
+/** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */
+
+/**
+ * @typedef {object} State
+ * @property {Preset} preset
+ * @property {Experiment} experiment
+ * @property {Statistics[]} history One entry a generation, the newest last.
+ * @property {Individual[]} population The newest generation, best first.
+ * @property {boolean} evolving
+ * @property {Restart} restart
+ * @property {Driver} driver
+ * @property {Triple | null} handGains
+ * @property {RobotClock} robot
+ * @property {number} speed
+ * @property {boolean} dragging A posture is held by the pointer.
+ * @property {Box} box The part of the plane that must be seen.
+ * @property {{ width: number, height: number }} size Of the plane, in pixels.
+ * @property {number} theme Counts the changes of theme.
+ * @property {string} message
+ * @property {readonly [string, string, string]} gainErrors
+ */
+
+/**
+ * @typedef {object} Scene
+ * @property {Run} driving
+ * @property {Run[]} others The rest of the population, when the evolved best drives.
+ * @property {Run} comparison
+ * @property {Driver} comparisonDriver
+ * @property {Run} paperEp The gains that evolution found in the paper.
+ */
+
+/** Evolution pauses by itself at the multiples of this, so that a forgotten page comes to rest. */
+export const generationsPerRun = 100;
+export const generationsPerSecond = 8;
+const holdSeconds = 0.8;
+
+/** @param {State} initial @param {() => void} onChange */
+export function createStore(initial, onChange) {
+  let state = initial;
+  return {
+    get: () => state,
+    /** @param {Partial<State>} patch */
+    update(patch) {
+      state = { ...state, ...patch };
+      onChange();
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createStore>} Store */
+
+/**
+ * The same function, computed anew only when an argument is another one.
+ * @template {unknown[]} A @template R
+ * @param {(...args: A) => R} compute
+ * @returns {(...args: A) => R}
+ */
+export function remember(compute) {
+  /** @type {{ args: A, value: R } | null} */
+  let last = null;
+  return (...args) => {
+    if (!last || args.some((arg, i) => arg !== last?.args[i])) last = { args, value: compute(...args) };
+    return last.value;
+  };
+}
+
+/**
+ * True when it is called with other arguments than the last time.
+ * @returns {(...args: unknown[]) => boolean}
+ */
+export function watch() {
+  /** @type {unknown[] | null} */
+  let last = null;
+  return (...args) => {
+    const changed = !last || args.some((arg, i) => arg !== last?.[i]);
+    last = args;
+    return changed;
+  };
+}
+
+/**
+ * The gains that someone drives with.
+ * @param {State} state @param {Driver} driver @param {PaperResult[]} paper
+ * @returns {Triple}
+ */
+export function gainsOf(state, driver, paper) {
+  if (driver === 'evolved') return state.population[0].gains;
+  if (driver === 'hand' && state.handGains) return state.handGains;
+  const method = driver === 'paper-arbitrary' ? 'arbitrary' : 'ep';
+  const row = paper.find((one) => one.preset === state.preset && one.method === method);
+  if (!row) throw new Error(`paper: no ${method} gains for ${state.preset}`);
+  return row.gains;
+}
+
+/** Whom a driver is compared with: paper's choices with evolution, evolution with the paper. @param {Driver} driver @returns {Driver} */
+const rivalOf = (driver) =>
+  driver === 'hand' || driver === 'paper-arbitrary' ? 'evolved' : 'paper-arbitrary';
+
+/**
+ * The drives of all but the best. Those who survived a generation are not driven again.
+ * @param {(experiment: Experiment, gains: Triple) => Run} drive
+ */
+function createOthers(drive) {
+  /** @type {Map<string, Run>} */
+  let known = new Map();
+  /** @type {Experiment | null} */
+  let knownExperiment = null;
+  return remember((/** @type {Experiment} */ experiment, /** @type {Individual[]} */ population) => {
+    const before = experiment === knownExperiment ? known : new Map();
+    const runs = population.map(({ gains }) => before.get(String(gains)) ?? drive(experiment, gains));
+    known = new Map(population.map(({ gains }, i) => [String(gains), runs[i]]));
+    knownExperiment = experiment;
+    return runs.slice(1);
+  });
+}
+
+/**
+ * Everything that drives, as a pure function of the state.
+ * @param {(experiment: Experiment, gains: Triple) => Run} drive @param {PaperResult[]} paper
+ * @returns {(state: State) => Scene}
+ */
+export function createScene(drive, paper) {
+  const driving = remember(drive);
+  const comparison = remember(drive);
+  const paperEp = remember(drive);
+  const others = createOthers(drive);
+  /** @type {Run[]} */
+  const none = [];
+  return (state) => {
+    const { experiment, population, driver } = state;
+    const comparisonDriver = rivalOf(driver);
+    return {
+      driving: driving(experiment, gainsOf(state, driver, paper)),
+      others: driver === 'evolved' ? others(experiment, population) : none,
+      comparison: comparison(experiment, gainsOf(state, comparisonDriver, paper)),
+      comparisonDriver,
+      paperEp: paperEp(experiment, gainsOf(state, 'paper-ep', paper)),
+    };
+  };
+}
+
+/**
+ * The robot's clock some real seconds later. At the end it stops, or waits a moment and starts again.
+ * @param {RobotClock} clock @param {number} seconds @param {number} speed @param {number} finalTime @param {boolean} loops
+ * @returns {RobotClock}
+ */
+export function advanceRobot(clock, seconds, speed, finalTime, loops) {
+  const time = Math.min(clock.time, finalTime) + seconds * speed;
+  if (time < finalTime) return { time, held: 0, playing: true };
+  const held = clock.held + seconds;
+  if (loops)
+    return held < holdSeconds
+      ? { time: finalTime, held, playing: true }
+      : { time: 0, held: 0, playing: true };
+  return atEnd;
+}
+
+/** A clock that has run out stays at the end of whatever drives next. @type {RobotClock} */
+export const atEnd = Object.freeze({ time: Number.MAX_VALUE, held: 0, playing: false });
+/** @type {RobotClock} */
+export const fromStart = Object.freeze({ time: 0, held: 0, playing: true });

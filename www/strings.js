@@ -1,0 +1,220 @@
+// Every word on the screen.
+
+/** @typedef {import('./engine.js').Posture} Posture */
+/** @typedef {import('./engine.js').Run} Run */
+/** @typedef {import('./engine.js').Statistics} Statistics */
+/** @typedef {import('./state.js').Driver} Driver */
+/** @typedef {import('./state.js').Restart} Restart */
+
+/** Fixed digits and no −0, as it is typed. @param {number} value @param {number} digits */
+export const typed = (value, digits) => (Math.abs(value) < 0.5 / 10 ** digits ? 0 : value).toFixed(digits);
+
+/** The same as it is printed, with a minus sign. @param {number} value @param {number} digits */
+export const fixed = (value, digits) => typed(value, digits).replace('-', '−');
+
+/** @param {number} value */
+export function costText(value) {
+  if (!Number.isFinite(value)) return '∞';
+  if (value < 100) return fixed(value, 3);
+  return value < 1e6 ? fixed(value, 1) : value.toExponential(2);
+}
+
+/** @param {number} radians */
+export const degrees = (radians) => `${fixed((radians * 180) / Math.PI, 0)}°`;
+
+/** @param {Posture} posture */
+export const postureText = ({ x, y, theta }) => `${fixed(x, 2)} m, ${fixed(y, 2)} m, ${degrees(theta)}`;
+
+/** Texts of elements with data-text, labels of elements with data-label. */
+export const texts = {
+  planeSection: 'The robots',
+  robotClock: 'Clock of the robots',
+  speed: 'Speed of the robots',
+  scrub: 'Time of the robots',
+  curveTitle: 'Fitness curve',
+  generationWord: 'generation',
+  evolutionClock: 'Clock of evolution',
+  oneGeneration: '1 generation',
+  reset: 'Reset',
+  newSeed: 'New seed',
+  seedWord: 'seed',
+  gainsTitle: 'Gains',
+  costMeaning: 'J, lower is better',
+};
+
+export const presetLegend = 'Limits of the robot';
+export const presets = /** @type {const} */ ([
+  { value: 'velocity-limits', text: 'Velocity limits', hint: 'Figures 4 and 5 of the paper' },
+  { value: 'acceleration-limits', text: '+ acceleration limits', hint: 'Figures 6 and 7 of the paper' },
+]);
+
+export const driverLegend = 'What drives';
+export const drivers = /** @type {const} */ ([
+  { value: 'evolved', text: 'Evolved best' },
+  { value: 'hand', text: 'By hand' },
+  {
+    value: 'paper-ep',
+    text: 'Paper: EP',
+    hint: 'The gains that evolutionary programming found in the paper',
+  },
+  {
+    value: 'paper-arbitrary',
+    text: 'Paper: arbitrary',
+    hint: 'The gains that the paper compares with, chosen without evolution',
+  },
+]);
+
+export const speeds = /** @type {const} */ ([
+  [0.25, '¼×'],
+  [0.5, '½×'],
+  [1, '1×'],
+  [2, '2×'],
+]);
+
+/** @param {number} population */
+export const tagline = (population) =>
+  `${population} robots, each with three random gains, drive to the goal. Evolution keeps the gains that drive well.`;
+
+/** @param {Driver} driver @param {number} generation */
+export const driverName = (driver, generation) =>
+  ({
+    evolved: `best of generation ${generation}`,
+    hand: 'your gains',
+    'paper-ep': 'paper’s EP gains',
+    'paper-arbitrary': 'paper’s arbitrary gains',
+  })[driver];
+
+/** @param {Driver} driver */
+export const costTitle = (driver) =>
+  ({
+    evolved: 'Cost of the best robot',
+    hand: 'Cost of your gains',
+    'paper-ep': 'Cost of the paper’s EP gains',
+    'paper-arbitrary': 'Cost of the paper’s arbitrary gains',
+  })[driver];
+
+/** @param {Run} run */
+export const outcomeText = (run) =>
+  ({
+    arrived: `arrives after ${fixed(run.finalTime, 2)} s`,
+    horizon: `has not arrived after ${fixed(run.finalTime, 0)} s`,
+    diverged: 'leaves the finite numbers',
+  })[run.outcome];
+
+/** @param {string} name @param {number} cost */
+export const costNote = (name, cost) => `${name} here: ${costText(cost)}`;
+
+/** @param {number} value */
+export const partText = (value) => (value < 100 ? fixed(value, 2) : costText(value));
+
+export const costParts = /** @type {const} */ ([
+  ['time', 'time'],
+  ['path', 'path'],
+  ['energy', 'energy'],
+  ['finalError', 'final'],
+  ['penalty', 'penalty'],
+]);
+
+/** @param {number} others @param {number} arrived */
+export const othersText = (others, arrived) => `the other ${others}, ${arrived} of them arrive`;
+
+/** @param {string} name @param {Run} run */
+export const comparisonText = (name, run) => `${name}, J ${costText(run.cost.total)}`;
+
+export const dragHint = 'drag or turn them';
+export const startName = 'Start';
+export const goalName = 'Goal';
+export const restorePostures = 'Back to the paper’s';
+
+/** @param {string} name @param {Posture} posture */
+export const positionLabel = (name, posture) =>
+  `${name} at ${postureText(posture)}. Arrow keys move it by 0.1 m, with Alt by 0.01 m; Shift with Left or Right turns it by 5°.`;
+
+/** @param {string} name @param {Posture} posture */
+export const headingLabel = (name, posture) =>
+  `Heading of the ${name.toLowerCase()}, ${degrees(posture.theta)}. Left and Right turn it by 5°, with Alt by 1°.`;
+
+export const planeLabel = 'The plane, with the robots driving from start to goal';
+
+/** @param {string} name @param {Run} run @param {Posture} start @param {Posture} goal @param {string} time @param {string} others */
+export const planeText = (name, run, start, goal, time, others) =>
+  `Driving: ${name}, from ${postureText(start)} to ${postureText(goal)}; it ${outcomeText(run)}. Shown at ${time}. ${others}`;
+
+/** @param {number} time @param {number} finalTime */
+export const clockText = (time, finalTime) => `${fixed(time, 2)} of ${fixed(finalTime, 2)} s`;
+
+export const play = 'Let the robots drive';
+export const pause = 'Hold the robots';
+export const run = 'Run';
+export const pauseEvolution = 'Pause';
+
+/** @param {Restart} restart @param {number} population */
+export const restartText = (restart, population) =>
+  ({
+    begin: `${population} random robots. Run: all have offspring, the better half stays.`,
+    moved: 'Start or goal has moved: evolution begins again at generation 0.',
+    limits: 'Other limits: evolution begins again at generation 0.',
+    seed: `New seed: ${population} other robots at generation 0.`,
+    reset: 'Generation 0 again. The same seed gives the same evolution.',
+  })[restart];
+
+/** @param {Statistics} first @param {Statistics} newest */
+export function progressText(first, newest) {
+  const drives = `${newest.evaluations} drives so far`;
+  const [from, to] = [costText(first.best.cost), costText(newest.best.cost)];
+  return from === to
+    ? `${drives}; the best J is still ${to}.`
+    : `${drives} took the best J from ${from} to ${to}.`;
+}
+
+/** @param {number} generation */
+export const restText = (generation) => `Paused at generation ${generation}. Run goes on.`;
+
+/** @param {Statistics} statistics */
+export const announcement = (statistics) =>
+  `Generation ${statistics.generation}: best J ${costText(statistics.best.cost)}`;
+
+export const bestLine = 'best';
+export const medianLine = 'median';
+export const paperLine = 'paper’s EP';
+/** A line that runs above the picture. @param {string} line */
+export const above = (line) => `${line} ↑`;
+
+/** @param {number} metres */
+export const outside = (metres) => `${fixed(metres, 1)} m outside`;
+
+/** @param {Statistics} first @param {Statistics} newest */
+export const curveLabel = (first, newest) =>
+  `Fitness curve over ${newest.generation} generations: best J from ${costText(first.best.cost)} to ${costText(newest.best.cost)}, median from ${costText(first.median)} to ${costText(newest.median)}.`;
+
+export const generationAxis = 'generation';
+export const costSymbol = 'J';
+
+/** @param {Driver} driver @param {number} evolved The best cost of the newest generation. */
+export const gainsNote = (driver, evolved) =>
+  ({
+    evolved: 'move one to drive by hand',
+    hand: `can you get below ${costText(evolved)}, evolution’s best?`,
+    'paper-ep': 'found by evolution in the paper',
+    'paper-arbitrary': 'chosen without evolution',
+  })[driver];
+
+export const gains = /** @type {const} */ ([
+  { id: 'kx', name: 'kx', letter: 'k', index: 'x' },
+  { id: 'ky', name: 'ky', letter: 'k', index: 'y' },
+  { id: 'ktheta', name: 'kθ', letter: 'k', index: 'θ' },
+]);
+
+/** @param {string} name */
+export const gainSliderLabel = (name) => `${name}, slider`;
+/** @param {string} name */
+export const gainInputLabel = (name) => `${name}, value`;
+
+/** @param {string} name @param {string} was */
+export const notANumber = (name, was) => `${name} must be a number, for example 3.5; it was “${was}”.`;
+/** @param {string} name @param {string} message */
+export const gainRefused = (name, message) => `${name} was refused: ${message}`;
+
+/** @param {string} message */
+export const coreMissing = (message) =>
+  `The robots cannot drive here, because this browser did not load the page's WebAssembly core (${message}).`;

@@ -1,0 +1,90 @@
+// The elements of the page, each given to the view that draws in it.
+import { createEvolutionBar, createRobotBar } from './clocks.js';
+import { createCost } from './cost.js';
+import { createCurve } from './curve.js';
+import { createGains } from './gains.js';
+import { createHandles } from './handles.js';
+import { createNotes } from './notes.js';
+import { createPlane } from './plane.js';
+import { createSegmented } from './segmented.js';
+import * as strings from './strings.js';
+
+/** @typedef {import('./actions.js').Actions} Actions */
+/** @typedef {ReturnType<typeof createViews>} Views */
+
+/** @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
+export const byId = (id) => /** @type {T} */ (document.getElementById(id));
+
+/** @param {string} text */
+export function showMessage(text) {
+  const message = byId('message');
+  if (message.textContent !== text) message.textContent = text;
+  message.hidden = text === '';
+}
+
+export function fillTexts() {
+  const words = /** @type {Record<string, string>} */ (strings.texts);
+  for (const element of document.querySelectorAll('[data-text]'))
+    element.textContent = words[element.getAttribute('data-text') ?? ''];
+  for (const element of document.querySelectorAll('[data-label]'))
+    element.setAttribute('aria-label', words[element.getAttribute('data-label') ?? '']);
+}
+
+/** @param {Actions} actions */
+export function createViews(actions) {
+  return {
+    preset: createSegmented(byId('preset'), strings.presetLegend, strings.presets, actions.choosePreset),
+    drivers: createSegmented(byId('drives'), strings.driverLegend, strings.drivers, actions.chooseDriver),
+    plane: createPlane(byId('plane-paths'), byId('plane-robots')),
+    handles: createHandles(byId('handles'), {
+      postureOf: actions.postureOf,
+      onMove: actions.movePosture,
+      onRelease: actions.releasePosture,
+    }),
+    notes: createNotes(
+      {
+        legend: byId('legend'),
+        postures: byId('postures'),
+        planeText: byId('plane-text'),
+        curve: byId('curve'),
+        announcer: byId('announcer'),
+      },
+      { onRestore: actions.restorePostures },
+    ),
+    robotBar: createRobotBar(
+      { play: byId('play'), speed: byId('speed'), clock: byId('clock'), scrub: byId('scrub') },
+      { onPlay: actions.togglePlay, onSpeed: actions.setSpeed, onScrub: actions.scrub },
+    ),
+    cost: createCost({
+      title: byId('cost-title'),
+      total: byId('cost-total'),
+      outcome: byId('outcome'),
+      note: byId('cost-note'),
+      bar: byId('cost-bar'),
+      parts: byId('cost-parts'),
+    }),
+    curve: createCurve(byId('curve')),
+    evolutionBar: createEvolutionBar(
+      {
+        run: byId('run'),
+        one: byId('one-generation'),
+        reset: byId('reset'),
+        seedButton: byId('new-seed'),
+        seed: byId('seed'),
+        generation: byId('generation'),
+        note: byId('evolution-note'),
+      },
+      {
+        onRun: actions.toggleEvolution,
+        onOne: actions.oneGeneration,
+        onReset: actions.reset,
+        onNewSeed: actions.newSeed,
+      },
+    ),
+    gains: createGains(byId('gains'), byId('gains-note'), {
+      onSlide: actions.slideGain,
+      onSlid: actions.driveAgain,
+      onType: actions.typeGain,
+    }),
+  };
+}
