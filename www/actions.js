@@ -86,7 +86,7 @@ export function createActions(engine, store, paper, finalTime) {
   /** @param {readonly number[]} gains */
   const driveByHand = (gains) => {
     const handGains = /** @type {Triple} */ (gains);
-    engine.drive(store.get().experiment, handGains);
+    engine.drive(store.get().experiment, [handGains]);
     store.update({ handGains, driver: 'hand', gainErrors: noErrors, message: '' });
   };
 

@@ -1,9 +1,8 @@
 // The only module that knows the core: everything else receives plain numbers from here.
-import init, { Evolution, experiment, paper, randomSeed, simulate } from '../pkg/ep_locomotion.js';
+import init, { Evolution, experiment, paper, randomSeed, simulateAll } from '../pkg/ep_locomotion.js';
 
 /** @typedef {import('../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
-/** @typedef {import('../pkg/ep_locomotion.js').Gains} Gains */
 /** @typedef {import('../pkg/ep_locomotion.js').Individual} Individual */
 /** @typedef {import('../pkg/ep_locomotion.js').PaperResult} PaperResult */
 /** @typedef {import('../pkg/ep_locomotion.js').Posture} Posture */
@@ -11,12 +10,10 @@ import init, { Evolution, experiment, paper, randomSeed, simulate } from '../pkg
 /** @typedef {import('../pkg/ep_locomotion.js').Run} Run */
 /** @typedef {import('../pkg/ep_locomotion.js').Cost} Cost */
 /** @typedef {import('../pkg/ep_locomotion.js').Statistics} Statistics */
+/** @typedef {readonly [number, number, number]} Triple kx, ky, kθ */
 
 /** @typedef {{ statistics: Statistics, population: Individual[] }} Generation The newest one; its population is best first. */
 /** @typedef {Awaited<ReturnType<typeof createEngine>>} Engine */
-
-/** The initial population comes in the order of its draws. @param {Individual} a @param {Individual} b */
-const byCost = (a, b) => (a.cost === b.cost ? 0 : a.cost < b.cost ? -1 : 1);
 
 /** Loads the core. */
 export async function createEngine() {
@@ -26,8 +23,8 @@ export async function createEngine() {
 
   /** @param {Evolution} from @returns {Generation} */
   const newest = (from) => ({
-    statistics: from.statistics(from.generation),
-    population: from.population(from.generation).sort(byCost),
+    statistics: from.statistics(),
+    population: from.population(),
   });
 
   return {
@@ -52,7 +49,7 @@ export async function createEngine() {
       return newest(evolution);
     },
 
-    /** @param {Experiment} from @param {Gains} gains */
-    drive: (from, gains) => simulate(from, gains, 0),
+    /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
+    drive: (from, gains) => simulateAll(from, gains.flat()),
   };
 }

@@ -10,7 +10,7 @@
 
 /** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver Whose gains drive the robot in ink. */
 /** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'reset'} Restart Why evolution is at generation 0. */
-/** @typedef {readonly [number, number, number]} Triple */
+/** @typedef {import('./engine.js').Triple} Triple */
 /** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */
 
 /**
@@ -32,6 +32,8 @@
  * @property {string} message
  * @property {readonly [string, string, string]} gainErrors
  */
+
+/** @typedef {(experiment: Experiment, gains: readonly Triple[]) => Run[]} Drive */
 
 /**
  * @typedef {object} Scene
@@ -111,7 +113,7 @@ const rivalOf = (driver) =>
 
 /**
  * The drives of all but the best. Those who survived a generation are not driven again.
- * @param {(experiment: Experiment, gains: Triple) => Run} drive
+ * @param {Drive} drive
  */
 function createOthers(drive) {
   /** @type {Map<string, Run>} */
@@ -119,9 +121,14 @@ function createOthers(drive) {
   /** @type {Experiment | null} */
   let knownExperiment = null;
   return remember((/** @type {Experiment} */ experiment, /** @type {Individual[]} */ population) => {
+    /** @type {Map<string, Run>} */
     const before = experiment === knownExperiment ? known : new Map();
-    const runs = population.map(({ gains }) => before.get(String(gains)) ?? drive(experiment, gains));
-    known = new Map(population.map(({ gains }, i) => [String(gains), runs[i]]));
+    const gains = population.map((individual) => individual.gains);
+    const newborn = gains.filter((triple) => !before.has(String(triple)));
+    const driven = drive(experiment, newborn);
+    for (const [i, triple] of newborn.entries()) before.set(String(triple), driven[i]);
+    const runs = gains.map((triple) => /** @type {Run} */ (before.get(String(triple))));
+    known = new Map(gains.map((triple, i) => [String(triple), runs[i]]));
     knownExperiment = experiment;
     return runs.slice(1);
   });
@@ -129,13 +136,15 @@ function createOthers(drive) {
 
 /**
  * Everything that drives, as a pure function of the state.
- * @param {(experiment: Experiment, gains: Triple) => Run} drive @param {PaperResult[]} paper
+ * @param {Drive} drive @param {PaperResult[]} paper
  * @returns {(state: State) => Scene}
  */
 export function createScene(drive, paper) {
-  const driving = remember(drive);
-  const comparison = remember(drive);
-  const paperEp = remember(drive);
+  const driveOne = () =>
+    remember((/** @type {Experiment} */ e, /** @type {Triple} */ gains) => drive(e, [gains])[0]);
+  const driving = driveOne();
+  const comparison = driveOne();
+  const paperEp = driveOne();
   const others = createOthers(drive);
   /** @type {Run[]} */
   const none = [];

@@ -151,7 +151,7 @@ export const pauseEvolution = 'Pause';
 /** @param {Restart} restart @param {number} population */
 export const restartText = (restart, population) =>
   ({
-    begin: `${population} random robots. Run: all have offspring, the better half stays.`,
+    begin: `${population} random robots. Run: each has one offspring, then a tournament keeps ${population}.`,
     moved: 'Start or goal has moved: evolution begins again at generation 0.',
     limits: 'Other limits: evolution begins again at generation 0.',
     seed: `New seed: ${population} other robots at generation 0.`,
