@@ -1,27 +1,29 @@
 // npm run build: the core as pkg/ and the static site as dist/.
-import { existsSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { lastChange, run, runPackage, step, task } from './run.mjs';
 import { installTools } from './tools.mjs';
 
 const sources = ['src', 'Cargo.toml', 'Cargo.lock', '.cargo'];
 const wasm = 'pkg/ep_locomotion_bg.wasm';
-/** Written last, so that a build that was interrupted is done again. */
+/** Holds the time of the sources that were built. Written last, so that a build that was interrupted is done again. */
 const stamp = 'pkg/.complete';
 
 /** The core, compiled, joined to JavaScript and optimised, unless nothing has changed. */
 export async function buildCore() {
-  if (lastChange(stamp) > lastChange(...sources) && existsSync(wasm)) return;
+  const sourceTime = String(lastChange(...sources));
+  const built = existsSync(stamp) && readFileSync(stamp, 'utf8') === sourceTime;
+  const ours = existsSync(wasm) && lastChange(wasm) <= lastChange(stamp);
+  if (built && ours) return;
   rmSync(stamp, { force: true });
-  await step('compiling the core to WebAssembly, usually 1 minute at first', () =>
-    run('wasm-pack', ['build', '--target', 'web', '--no-opt']),
-  );
+  const compile = () => run('wasm-pack', ['build', '--target', 'web', '--no-opt']);
+  await step('compiling the core to WebAssembly', compile, '1 minute at first, then 10 s');
   await step('optimising the WebAssembly', async () => {
     const optimised = `${wasm}.optimised`;
     await runPackage('binaryen/bin/wasm-opt', ['-O3', ...features, wasm, '-o', optimised]);
     renameSync(optimised, wasm);
   });
-  writeFileSync(stamp, '');
+  writeFileSync(stamp, sourceTime);
 }
 
 /** What every browser of the last years has, and what the compiler was told to use. */

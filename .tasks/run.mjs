@@ -34,10 +34,11 @@ export async function task(body) {
  * @template T
  * @param {string} name
  * @param {() => T | Promise<T>} body
+ * @param {string} [usual] how long it usually takes
  * @returns {Promise<T>}
  */
-export async function step(name, body) {
-  console.log(`\n▸ ${name}`);
+export async function step(name, body, usual) {
+  console.log(`\n▸ ${name}${usual ? `, usually ${usual}` : ''}`);
   const start = performance.now();
   const seconds = () => `${((performance.now() - start) / 1000).toFixed(1)} s`;
   try {

@@ -9,7 +9,7 @@ import { parseArgs } from 'node:util';
 import { findEngines } from '../tests/page/engines.js';
 import { buildCore, buildSite } from './build.mjs';
 import { Failure, run, runPackage, step, task, top } from './run.mjs';
-import { installGeckodriver, installTools } from './tools.mjs';
+import { installTools } from './tools.mjs';
 
 const count = { passed: 0, failed: 0 };
 
@@ -27,8 +27,8 @@ await task(async () => {
     .join('');
   if (values['require-engines'] && absent.length > 0) throw new Failure(`every engine is required${advice}`);
 
-  await installTools();
-  if (found.some(({ name, driver }) => name === 'firefox' && driver === null)) await installGeckodriver();
+  const undriven = found.some(({ name, driver }) => name === 'firefox' && driver === null);
+  await installTools({ geckodriver: undriven });
   if (positionals.length === 0) await testSources();
   await buildCore();
   if (positionals.length === 0) await testTypes();

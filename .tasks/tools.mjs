@@ -5,21 +5,21 @@ import { delimiter, join } from 'node:path';
 import { ask, Failure, lastChange, run, step, top } from './run.mjs';
 
 const bin = join(top, '.tools', 'bin');
+const build = join(top, '.tools', 'build');
 
-/** Everything that builds the page. */
-export async function installTools() {
+/**
+ * Everything that builds the page.
+ * @param {{ geckodriver?: boolean }} [also] the WebDriver of Firefox, which only the page tests need
+ */
+export async function installTools({ geckodriver = false } = {}) {
   preparePath();
   await checkToolchain();
   await installPackages();
   await installWasmBindgen();
   await installWasmPack();
-  removeBuild();
-}
-
-/** The WebDriver of Firefox, which only the page tests need. */
-export async function installGeckodriver() {
-  await cargoInstall('geckodriver', ['--version', '0.37.1'], 'it drives Firefox in the page tests');
-  removeBuild();
+  if (geckodriver) await installGeckodriver();
+  // The tools share compiled dependencies while they are built; afterwards those are only a load on the disk.
+  rmSync(build, { recursive: true, force: true });
 }
 
 /** Lets child processes find the tools, wasm-pack's own children included. */
@@ -56,12 +56,11 @@ async function checkToolchain() {
 
 async function installPackages() {
   if (lastChange('node_modules/.package-lock.json') >= lastChange('package-lock.json')) return;
-  await step('installing the npm packages, usually 5 to 60 s', () => {
-    // npm names its own program to its scripts; calling that one needs no shell on Windows.
-    const npm = process.env.npm_execpath;
-    const args = ['ci', '--include=dev', '--no-audit', '--no-fund'];
-    return npm ? run(process.execPath, [npm, ...args]) : run('npm', args);
-  });
+  // npm names its own program to its scripts; calling that one needs no shell on Windows.
+  const npm = process.env.npm_execpath;
+  const args = ['ci', '--include=dev', '--no-audit', '--no-fund'];
+  const install = () => (npm ? run(process.execPath, [npm, ...args]) : run('npm', args));
+  await step('installing the npm packages', install, '5 to 60 s');
 }
 
 /** It must be of exactly the version of the library that it serves, and needs its test runner beside it. */
@@ -86,6 +85,10 @@ async function installWasmPack() {
   await cargoInstall('wasm-pack', ['--version', '0.15.1'], 'it builds and tests the core as WebAssembly');
 }
 
+async function installGeckodriver() {
+  await cargoInstall('geckodriver', ['--version', '0.37.1'], 'it drives Firefox in the page tests');
+}
+
 /**
  * A debug build takes a third of a release build's time, and what the tool then does takes no longer to notice.
  * @param {string} name
@@ -94,10 +97,7 @@ async function installWasmPack() {
  */
 async function cargoInstall(name, options, reason) {
   console.log(`\n${name} is missing: ${reason}. It is built into .tools/ once.`);
-  const env = { CARGO_TARGET_DIR: join(top, '.tools', 'build'), CARGO_PROFILE_DEV_DEBUG: '0' };
+  const env = { CARGO_TARGET_DIR: build, CARGO_PROFILE_DEV_DEBUG: '0' };
   const args = ['install', name, ...options, '--debug', '--force', '--root', join(top, '.tools')];
-  await step(`building ${name}, usually 1 to 2 minutes`, () => run('cargo', args, { env }));
+  await step(`building ${name}`, () => run('cargo', args, { env }), '1 to 2 minutes');
 }
-
-/** The tools share compiled dependencies while they are built; afterwards those are only a load on the disk. */
-const removeBuild = () => rmSync(join(top, '.tools', 'build'), { recursive: true, force: true });

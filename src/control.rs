@@ -58,7 +58,7 @@ pub const SMALLEST_DIVISOR: f64 = 1e-6;
 /// 1/s, with |s| never under [`SMALLEST_DIVISOR`].
 #[inline]
 fn guarded_reciprocal<S: Real>(s: S) -> S {
-    S::splat(1.0) / s.abs().at_least(S::splat(SMALLEST_DIVISOR)).copysign(s)
+    S::splat(1.0) / s.away_from_zero(SMALLEST_DIVISOR)
 }
 
 impl Law {
@@ -83,14 +83,14 @@ impl Law {
                 let aside = k.y * (e.y * e.y * e.y) * cosec;
                 let parking = Velocity {
                     linear: ahead - aside,
-                    angular: (S::splat(r.angular) + k.theta * e.sin + ahead * e.y)
-                        + aside * (cosec * x_cos),
+                    angular: (k.theta * e.sin + ahead * e.y) + aside * (cosec * x_cos),
                 };
-                if r.linear == 0.0 {
+                if r == Velocity::ZERO {
                     return parking;
                 }
                 let forward = S::splat(r.linear) * guarded_reciprocal(e.cos);
-                parking + Velocity { linear: forward, angular: e.y * forward }
+                let turn = S::splat(r.angular) + e.y * forward;
+                parking + Velocity { linear: forward, angular: turn }
             }
             Law::Kanayama => {
                 let (x, y) = (e.x * e.cos - e.y * e.sin, e.x * e.sin + e.y * e.cos);

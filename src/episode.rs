@@ -2,12 +2,13 @@
 
 use serde::Serialize;
 
-use crate::control::{Gains, lyapunov, lyapunov_rate};
+use crate::control::{Gains, Law, lyapunov, lyapunov_rate};
 use crate::cost::Cost;
 use crate::disturbance::DisturbanceSequence;
-use crate::experiment::{Experiment, InvalidInput, shown};
+use crate::experiment::{Experiment, InvalidInput, Tolerance, shown};
+use crate::limits::Limits;
 use crate::posture::{Arc, ErrorPosture, Posture, Velocity, wrap};
-use crate::real::Real;
+use crate::real::{Real, SMALL_ANGLE};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -25,20 +26,35 @@ pub enum Outcome {
 #[derive(Clone, Debug)]
 pub struct Setting {
     experiment: Experiment,
-    reference_arc: Option<Arc<f64>>,
+    rules: Rules,
     samples: u32,
+}
+
+/// What every sample needs of an experiment.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rules {
+    law: Law,
+    reference_velocity: Velocity,
+    /// How the reference moves in one sample, if it does.
+    reference_arc: Option<Arc<f64>>,
+    limits: Limits,
+    sample_time: f64,
+    /// The largest (x_e² + y_e², |θ_e|) that counts as arrived; none if the reference moves.
+    pub(crate) arrival: Option<[f64; 2]>,
 }
 
 /// What a robot carries from one sample to the next.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Robot<S> {
     pub(crate) error: ErrorPosture<S>,
+    /// (p − p_r)ᵀ(p − p_r)
+    pub(crate) deviation: S,
     /// The velocity applied during the sample before.
     pub(crate) velocity: Velocity<S>,
     /// Σ (p − p_r)ᵀ(p − p_r), still without ½ dt.
     pub(crate) path: S,
-    /// Σ qᵀ R q, still without ½ dt.
-    pub(crate) energy: S,
+    /// Σ v² and Σ ω², still without R and ½ dt.
+    pub(crate) energy: Velocity<S>,
 }
 
 /// What happened to a robot between two samples.
@@ -51,16 +67,18 @@ pub(crate) struct Step<S> {
 
 impl Robot<f64> {
     pub(crate) fn at_rest(error: ErrorPosture) -> Self {
-        Self { error, velocity: Velocity::ZERO, path: 0.0, energy: 0.0 }
+        let deviation = error.squared_deviation();
+        Self { error, deviation, velocity: Velocity::ZERO, path: 0.0, energy: Velocity::ZERO }
     }
 
     /// The same robot in every lane.
     pub(crate) fn splat<S: Real>(&self) -> Robot<S> {
         Robot {
             error: self.error.splat(),
+            deviation: S::splat(self.deviation),
             velocity: self.velocity.splat(),
             path: S::splat(self.path),
-            energy: S::splat(self.energy),
+            energy: self.energy.splat(),
         }
     }
 }
@@ -69,11 +87,8 @@ impl Setting {
     /// Validates an experiment; the error names the field that is wrong.
     pub fn new(experiment: Experiment) -> Result<Self, InvalidInput> {
         experiment.validate()?;
-        let reference_arc = experiment
-            .is_tracking()
-            .then(|| Arc::new(experiment.reference_velocity, experiment.sample_time));
         let samples = experiment.samples();
-        Ok(Self { experiment, reference_arc, samples })
+        Ok(Self { rules: Rules::new(&experiment), experiment, samples })
     }
 
     /// The experiment.
@@ -110,12 +125,9 @@ impl Setting {
         self.samples
     }
 
-    /// The largest (x_e² + y_e², |θ_e|) that counts as arrived; none if the reference moves.
-    #[inline(always)]
-    pub(crate) fn arrival(&self) -> Option<[f64; 2]> {
-        let Experiment { tolerance, .. } = &self.experiment;
-        let square = tolerance.position * tolerance.position;
-        self.reference_arc.is_none().then_some([square, tolerance.heading])
+    /// What every sample needs.
+    pub(crate) fn rules(&self) -> Rules {
+        self.rules
     }
 
     /// A robot at rest at the start posture with this index.
@@ -128,51 +140,11 @@ impl Setting {
         self.experiment.goal.advance(self.experiment.reference_velocity, t)
     }
 
-    /// One sample: law, limits, cost, motion. This is the one place where a robot moves.
-    #[inline(always)]
-    pub(crate) fn step<S: Real>(
-        &self,
-        robot: &Robot<S>,
-        gains: &Gains<S>,
-        disturbance: Option<Velocity<S>>,
-    ) -> Step<S> {
-        let e = &self.experiment;
-        let command = e.law.command(&robot.error, gains, e.reference_velocity);
-        let q = e.limits.applied(command, robot.velocity, e.sample_time);
-        let [rv, rw] = e.weights.velocity;
-        let energy = S::splat(rv) * (q.linear * q.linear) + S::splat(rw) * (q.angular * q.angular);
-        let moved_by = disturbance.map_or(q, |delta| q + delta);
-        let arc = Arc::new(moved_by, e.sample_time);
-        let moved = robot.error.robot_moved(&arc);
-        let error = match &self.reference_arc {
-            Some(reference) => moved.reference_moved(&reference.splat()),
-            None => moved,
-        };
-        let next = Robot {
-            error,
-            velocity: q,
-            path: robot.path + robot.error.squared_deviation(),
-            energy: robot.energy + energy,
-        };
-        Step { command, arc, next }
-    }
-
     /// How a run has ended at sample `n`, if it has.
     #[inline(always)]
     pub(crate) fn outcome(&self, error: &ErrorPosture, n: u32) -> Option<Outcome> {
-        if !error.squared_deviation().is_finite() {
-            return Some(Outcome::Diverged);
-        }
-        let near = self.arrival().is_some_and(|[square, heading]| {
-            error.squared_distance() <= square && error.theta.abs() <= heading
-        });
-        if near {
-            Some(Outcome::Arrived)
-        } else if n >= self.samples {
-            Some(Outcome::Horizon)
-        } else {
-            None
-        }
+        let horizon = (n >= self.samples).then_some(Outcome::Horizon);
+        self.rules.end(error).or(horizon)
     }
 
     /// Time of sample `n`, where a run ended with `outcome`: t_f.
@@ -193,18 +165,77 @@ impl Setting {
     ) -> Cost {
         let e = &self.experiment;
         let half_dt = 0.5 * e.sample_time;
+        let [rv, rw] = e.weights.velocity;
         let time = self.final_time(outcome, n);
         let cost = Cost {
             time,
             final_error: e.weights.final_error(&robot.error, self.reference(time).theta),
             path: half_dt * robot.path,
-            energy: half_dt * robot.energy,
+            energy: half_dt * (rv * robot.energy.linear + rw * robot.energy.angular),
             penalty: e.weights.penalty(gains),
         };
         if outcome == Some(Outcome::Diverged) {
             return Cost { final_error: f64::INFINITY, ..cost }.without_nan();
         }
         cost.without_nan()
+    }
+}
+
+impl Rules {
+    fn new(e: &Experiment) -> Self {
+        let Tolerance { position, heading } = e.tolerance;
+        let tracking = e.is_tracking();
+        Self {
+            law: e.law,
+            reference_velocity: e.reference_velocity,
+            reference_arc: tracking.then(|| Arc::new(e.reference_velocity, e.sample_time)),
+            limits: e.limits,
+            sample_time: e.sample_time,
+            arrival: (!tracking).then_some([position * position, heading]),
+        }
+    }
+
+    /// Whether the reference turns so far in a sample that only single robots can follow.
+    pub(crate) fn reference_turns_far(&self) -> bool {
+        self.reference_arc.is_some_and(|arc| arc.half_turn().abs() >= SMALL_ANGLE)
+    }
+
+    /// How a run ends here, at whatever time.
+    #[inline(always)]
+    pub(crate) fn end(&self, error: &ErrorPosture) -> Option<Outcome> {
+        if !error.squared_deviation().is_finite() {
+            return Some(Outcome::Diverged);
+        }
+        let [square, heading] = self.arrival?;
+        let arrived = error.squared_distance() <= square && error.theta.abs() <= heading;
+        arrived.then_some(Outcome::Arrived)
+    }
+
+    /// One sample: law, limits, cost, motion. This is the one place where a robot moves.
+    #[inline(always)]
+    pub(crate) fn step<S: Real>(
+        &self,
+        robot: &Robot<S>,
+        gains: &Gains<S>,
+        disturbance: Option<Velocity<S>>,
+    ) -> Step<S> {
+        let command = self.law.command(&robot.error, gains, self.reference_velocity);
+        let q = self.limits.applied(command, robot.velocity, self.sample_time);
+        let squares = Velocity { linear: q.linear * q.linear, angular: q.angular * q.angular };
+        let arc = Arc::new(disturbance.map_or(q, |delta| q + delta), self.sample_time);
+        let moved = robot.error.robot_moved(&arc);
+        let error = match &self.reference_arc {
+            Some(reference) => moved.reference_moved(&reference.splat()),
+            None => moved,
+        };
+        let next = Robot {
+            error,
+            deviation: error.squared_deviation(),
+            velocity: q,
+            path: robot.path + robot.deviation,
+            energy: robot.energy + squares,
+        };
+        Step { command, arc, next }
     }
 }
 
@@ -295,7 +326,7 @@ impl EpisodeState {
     #[inline]
     fn advance(&mut self, setting: &Setting) {
         if self.outcome.is_none() {
-            let step = setting.step(&self.robot, &self.gains, self.disturbances.next());
+            let step = setting.rules.step(&self.robot, &self.gains, self.disturbances.next());
             self.command = step.command;
             self.robot = step.next;
             self.n += 1;

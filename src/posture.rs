@@ -54,10 +54,6 @@ pub fn wrap(angle: f64) -> f64 {
     if wrapped <= -PI || wrapped > PI { PI } else { wrapped }
 }
 
-/// Up to this half turn, in radians, four terms of the series suffice: the turn is exact to the last bit, the chord to
-/// a part in 10¹⁵. What cos h lacks in length is made up where the direction is brought back to length 1.
-const SMALL_ANGLE: f64 = 1.0 / 16.0;
-
 /// The circular arc that a robot with a constant velocity (v, ω) describes in a time dt.
 ///
 /// With h = ω dt / 2 the robot moves by a chord v dt · sin h / h in the direction θ + h, and turns by 2h.
@@ -68,6 +64,13 @@ pub(crate) struct Arc<S> {
     cos: S,
     sin: S,
     chord: S,
+}
+
+impl<S: Copy> Arc<S> {
+    /// h, half of the angle by which the heading turns, in radians.
+    pub(crate) fn half_turn(&self) -> S {
+        self.half_turn
+    }
 }
 
 impl Arc<f64> {
@@ -92,16 +95,7 @@ impl<S: Real> Arc<S> {
     #[inline]
     pub(crate) fn new(velocity: Velocity<S>, dt: f64) -> Self {
         let h = velocity.angular * S::splat(0.5 * dt);
-        let z = h * h;
-        let series = |[a, b, c]: [f64; 3]| {
-            S::splat(1.0) - z * (S::splat(a) - z * (S::splat(b) - z * S::splat(c)))
-        };
-        let mut sinc = series([1.0 / 6.0, 1.0 / 120.0, 1.0 / 5040.0]);
-        let mut cos = series([1.0 / 2.0, 1.0 / 24.0, 1.0 / 720.0]);
-        if h.any_beyond(SMALL_ANGLE) {
-            sinc = sinc.replaced_beyond(h, SMALL_ANGLE, |i| libm::sin(h.lane(i)) / h.lane(i));
-            cos = cos.replaced_beyond(h, SMALL_ANGLE, |i| libm::cos(h.lane(i)));
-        }
+        let (sinc, cos) = h.sinc_cos();
         Self { half_turn: h, cos, sin: h * sinc, chord: velocity.linear * S::splat(dt) * sinc }
     }
 
@@ -241,19 +235,8 @@ impl<S: Real> ErrorPosture<S> {
     fn turned_back(&self, arc: &Arc<S>) -> (Self, (S, S)) {
         let half_way = arc.turned_back((self.cos, self.sin));
         let (cos, sin) = arc.turned_twice((self.cos, self.sin), half_way);
-        // One Newton step towards length 1, or the rounding of thousands of turns would add up.
-        let shrink = S::splat(1.5) - S::splat(0.5) * (cos * cos + sin * sin);
-        let (cos, sin) = (cos * shrink, sin * shrink);
-        let mut theta = self.theta - (arc.half_turn + arc.half_turn);
-        // After a large turn the angle is read off the direction, which lost nothing.
-        if arc.half_turn.any_beyond(SMALL_ANGLE) {
-            theta = theta.replaced_beyond(arc.half_turn, SMALL_ANGLE, |i| {
-                libm::atan2(sin.lane(i), cos.lane(i))
-            });
-        }
-        if theta.any_beyond(PI) {
-            theta = theta.replaced_beyond(theta, PI, |i| wrap(theta.lane(i)));
-        }
+        let theta = self.theta - (arc.half_turn + arc.half_turn);
+        let theta = theta.kept_in_range(arc.half_turn, cos, sin);
         (Self { theta, cos, sin, ..*self }, half_way)
     }
 }

@@ -1,6 +1,9 @@
 //! The numbers that the control law computes with.
 
+use core::f64::consts::PI;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::posture::wrap;
 
 /// A real number, or several side by side: whatever the law, the limits and the motion are computed with.
 ///
@@ -18,20 +21,36 @@ pub trait Real:
     fn splat(value: f64) -> Self;
     /// |self|
     fn abs(self) -> Self;
-    /// The magnitude of `self` with the sign of `sign`, as IEEE 754 has it: −0 is negative.
-    fn copysign(self, sign: Self) -> Self;
+    /// `self` with its magnitude raised to `least` where it is smaller. Zeros keep their sign: −0 gives −`least`.
+    fn away_from_zero(self, least: f64) -> Self;
     /// `bound` where it is smaller than `self`, else `self`; so NaN stays NaN.
     fn at_most(self, bound: Self) -> Self;
     /// `bound` where it is larger than `self`, else `self`; so NaN stays NaN.
     fn at_least(self, bound: Self) -> Self;
-    /// The value of the robot with this index.
-    fn lane(self, index: usize) -> f64;
-    /// Whether `|self|` is at least `limit` for any robot.
-    fn any_beyond(self, limit: f64) -> bool;
-    /// `exact(index)` for each robot whose `|angle|` is at least `limit`, `self` for the others.
+    /// (sin h / h, cos h) for a half turn h = `self` in radians.
     ///
-    /// It is meant for what happens seldom, such as an angle that leaves (−π, π].
-    fn replaced_beyond(self, angle: Self, limit: f64, exact: impl Fn(usize) -> f64) -> Self;
+    /// Side by side it holds only while |h| < [`SMALL_ANGLE`]; whoever drives many robots must see to that.
+    fn sinc_cos(self) -> (Self, Self);
+    /// The angle of the direction (cos, sin), in (−π, π], where `self` is the same angle but for full turns, after a half
+    /// turn `h`.
+    ///
+    /// Side by side it gives back `self`: whoever drives many robots must see to it that |self| < π and |h| is small.
+    fn kept_in_range(self, h: Self, cos: Self, sin: Self) -> Self;
+}
+
+/// Up to this half turn, in radians, four terms of the series give sin h and cos h to the last bit.
+pub(crate) const SMALL_ANGLE: f64 = 1.0 / 24.0;
+
+/// (sin h / h, cos h) for |h| < [`SMALL_ANGLE`].
+#[inline]
+pub(crate) fn sinc_cos_series<S: Real>(h: S) -> (S, S) {
+    let z = h * h;
+    let one = S::splat(1.0);
+    let [a, b, c] = [1.0 / 6.0, 1.0 / 120.0, 1.0 / 5040.0].map(S::splat);
+    let sinc = one - z * (a - z * (b - z * c));
+    let [a, b, c] = [1.0 / 2.0, 1.0 / 24.0, 1.0 / 720.0].map(S::splat);
+    let cos = one - z * (a - z * (b - z * c));
+    (sinc, cos)
 }
 
 impl Real for f64 {
@@ -46,8 +65,8 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn copysign(self, sign: Self) -> Self {
-        f64::copysign(self, sign)
+    fn away_from_zero(self, least: f64) -> Self {
+        f64::abs(self).at_least(least).copysign(self)
     }
 
     #[inline]
@@ -61,17 +80,23 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn lane(self, _index: usize) -> f64 {
-        self
+    fn sinc_cos(self) -> (Self, Self) {
+        if f64::abs(self) < SMALL_ANGLE {
+            sinc_cos_series(self)
+        } else {
+            (libm::sin(self) / self, libm::cos(self))
+        }
     }
 
     #[inline]
-    fn any_beyond(self, limit: f64) -> bool {
-        f64::abs(self) >= limit
-    }
-
-    #[inline]
-    fn replaced_beyond(self, angle: Self, limit: f64, exact: impl Fn(usize) -> f64) -> Self {
-        if f64::abs(angle) >= limit { exact(0) } else { self }
+    fn kept_in_range(self, h: Self, cos: Self, sin: Self) -> Self {
+        if f64::abs(h) >= SMALL_ANGLE {
+            // After a large turn the direction knows the angle better.
+            wrap(libm::atan2(sin, cos))
+        } else if f64::abs(self) >= PI {
+            wrap(self)
+        } else {
+            self
+        }
     }
 }
