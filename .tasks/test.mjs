@@ -48,6 +48,12 @@ async function testSources() {
   await step('lint of the Rust for WebAssembly', () => clippy('--lib', '--target', 'wasm32-unknown-unknown'));
   await step('native tests', () => counted('cargo', ['test']));
   await step('the same tests as WebAssembly under Node', () => counted('wasm-pack', ['test', '--node']));
+  await step('the known values with every optimisation, natively', () =>
+    counted('cargo', ['test', '--release', '--test', 'golden']),
+  );
+  await step('the known values with every optimisation, under Node', () =>
+    counted('wasm-pack', ['test', '--node', '--release', '--test', 'golden']),
+  );
 }
 
 /** They rest on the types of the core, which its build writes. */

@@ -55,7 +55,10 @@ function start(engine) {
   byId('instrument').hidden = false;
   followSurroundings(store, () => draw(store.get(), sceneOf(store.get())));
   loop.request();
-  document.documentElement.dataset.ready = 'true';
+  // After the first picture, which was asked for before this.
+  requestAnimationFrame(() => {
+    document.documentElement.dataset.ready = 'true';
+  });
 }
 
 /** @param {Store} store @param {() => void} draw */

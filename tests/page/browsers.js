@@ -72,13 +72,13 @@ export class Page {
    * @param {string} what is waited for, told if it never comes
    * @param {(...args: A) => T | Promise<T>} condition
    * @param {A} args
-   * @returns {Promise<T>}
+   * @returns {Promise<Exclude<T, false | null | undefined | '' | 0>>}
    */
   async until(what, condition, ...args) {
     const end = performance.now() + patience;
     for (;;) {
       const result = await this.evaluate(condition, ...args);
-      if (result) return result;
+      if (result) return /** @type {Exclude<T, false | null | undefined | '' | 0>} */ (result);
       if (performance.now() > end) {
         const problems = (await this.problems()).map((problem) => `\n  ${problem}`).join('');
         throw new Error(`waited ${patience / 1000} s in vain until ${what}${problems}`);
@@ -336,8 +336,14 @@ async function startScreen() {
     child.stdio[3]?.once('data', (number) => resolve(String(number).trim()));
   });
   /** @type {Record<string, string>} */
-  // Where the machine has no language, WebKit would take "C" for one.
-  const environment = { DISPLAY: `:${display}`, GDK_BACKEND: 'x11', LC_ALL: 'en_US.UTF-8' };
+  const environment = {
+    DISPLAY: `:${display}`,
+    GDK_BACKEND: 'x11',
+    // Where the machine has no language, WebKit would take "C" for one.
+    LC_ALL: 'en_US.UTF-8',
+    // This screen has no graphics card, without which that renderer needs a third of a second for a frame.
+    WEBKIT_DISABLE_DMABUF_RENDERER: '1',
+  };
   if (process.getuid?.() === 0) environment.WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS = '1';
   return environment;
 }
