@@ -1,6 +1,8 @@
 //! Many runs at once, each robot in a lane of its own, with the bits that it would have alone.
 
+use core::array::from_fn;
 use core::f64::consts::PI;
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use wide::f64x2;
 
@@ -11,46 +13,124 @@ use crate::episode::{Robot, Rules, Setting, Step};
 use crate::posture::{ErrorPosture, Velocity};
 use crate::real::{Real, SMALL_ANGLE, sinc_cos_series};
 
-/// Two robots share a register.
-const PAIR: usize = 2;
+/// Registers that are computed with side by side, so that the processor need not wait for one division.
+const REGISTERS: usize = 4;
 
-/// Pairs that are driven in turn: while one waits for a division the processor goes on with the others.
-const PAIRS: usize = 4;
+/// How many robots are driven side by side: two in each register.
+const LANES: usize = 2 * REGISTERS;
 
-impl Real for f64x2 {
-    #[inline]
+/// A number of each of the robots that are driven side by side, or a mask.
+#[derive(Clone, Copy)]
+struct Lanes([f64x2; REGISTERS]);
+
+impl Lanes {
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64x2) -> f64x2) -> Self {
+        Self(self.0.map(f))
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64x2, f64x2) -> f64x2) -> Self {
+        Self(from_fn(|i| f(self.0[i], other.0[i])))
+    }
+
+    fn lane(&self, index: usize) -> f64 {
+        self.0[index / 2].as_array()[index % 2]
+    }
+
+    fn set(&mut self, index: usize, value: f64) {
+        self.0[index / 2].as_mut_array()[index % 2] = value;
+    }
+
+    #[inline(always)]
+    fn under(self, bound: f64) -> Self {
+        self.map(|a| a.simd_lt(f64x2::splat(bound)))
+    }
+
+    #[inline(always)]
+    fn at_most_mask(self, bound: f64) -> Self {
+        self.map(|a| a.simd_le(f64x2::splat(bound)))
+    }
+
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        self.zip(other, |a, b| a & b)
+    }
+
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0.into_iter().reduce(|a, b| a | b).is_some_and(f64x2::any)
+    }
+
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.0.into_iter().reduce(|a, b| a & b).is_some_and(f64x2::all)
+    }
+}
+
+macro_rules! lanewise {
+    ($($operator:ident $function:ident),*) => {$(
+        impl $operator for Lanes {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $function(self, other: Self) -> Self {
+                self.zip(other, f64x2::$function)
+            }
+        }
+    )*};
+}
+
+lanewise!(Add add, Sub sub, Mul mul, Div div);
+
+impl Neg for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(f64x2::neg)
+    }
+}
+
+impl Real for Lanes {
+    #[inline(always)]
     fn splat(value: f64) -> Self {
-        f64x2::splat(value)
+        Self([f64x2::splat(value); REGISTERS])
     }
 
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
-        f64x2::abs(self)
+        self.map(f64x2::abs)
     }
 
-    #[inline]
+    #[inline(always)]
     fn away_from_zero(self, least: f64) -> Self {
         let sign = f64x2::splat(-0.0);
-        (self & !sign).at_least(f64x2::splat(least)) | (self & sign)
+        let magnitude = self.map(|a| a & !sign).at_least(Self::splat(least));
+        magnitude.zip(self, |a, b| a | (b & sign))
     }
 
     // x86 and WebAssembly differ in which operand they give back when one is NaN.
-    #[inline]
+    #[inline(always)]
     fn at_most(self, bound: Self) -> Self {
-        if cfg!(target_arch = "wasm32") { self.fast_min(bound) } else { bound.fast_min(self) }
+        self.zip(bound, |a, bound| {
+            if cfg!(target_arch = "wasm32") { a.fast_min(bound) } else { bound.fast_min(a) }
+        })
     }
 
-    #[inline]
+    #[inline(always)]
     fn at_least(self, bound: Self) -> Self {
-        if cfg!(target_arch = "wasm32") { self.fast_max(bound) } else { bound.fast_max(self) }
+        self.zip(bound, |a, bound| {
+            if cfg!(target_arch = "wasm32") { a.fast_max(bound) } else { bound.fast_max(a) }
+        })
     }
 
-    #[inline]
+    #[inline(always)]
     fn sinc_cos(self) -> (Self, Self) {
         sinc_cos_series(self)
     }
 
-    #[inline]
+    #[inline(always)]
     fn kept_in_range(self, _h: Self, _cos: Self, _sin: Self) -> Self {
         self
     }
@@ -78,20 +158,20 @@ struct Convoy<'a> {
     costs: Vec<Cost>,
     /// How many runs were taken up.
     taken: usize,
-    pairs: [Pair; PAIRS],
+    team: Team,
     /// What only one robot has; none in an idle lane.
-    lanes: [[Option<Lane>; PAIR]; PAIRS],
+    lanes: [Option<Lane>; LANES],
     /// Samples since the convoy set out.
     now: u64,
 }
 
-/// Two robots and their gains.
+/// The robots that are driven side by side, and their gains.
 #[derive(Clone, Copy)]
-struct Pair {
-    robots: Robot<f64x2>,
-    gains: Gains<f64x2>,
+struct Team {
+    robots: Robot<Lanes>,
+    gains: Gains<Lanes>,
     /// A mask of the lanes that are not idle.
-    busy: f64x2,
+    busy: Lanes,
 }
 
 struct Lane {
@@ -104,28 +184,20 @@ struct Lane {
 
 impl<'a> Convoy<'a> {
     fn new(setting: &'a Setting, gains: &'a [Gains]) -> Self {
-        let idle = Pair {
+        let team = Team {
             robots: Robot::at_rest(ErrorPosture::new(0.0, 0.0, 0.0)).splat(),
             gains: Gains::new(0.0, 0.0, 0.0).splat(),
-            busy: f64x2::splat(0.0),
+            busy: Lanes::splat(0.0),
         };
-        Self {
-            setting,
-            gains,
-            costs: vec![Cost::default(); gains.len() * setting.starts()],
-            taken: 0,
-            pairs: [idle; PAIRS],
-            lanes: [const { [const { None }; PAIR] }; PAIRS],
-            now: 0,
-        }
+        let costs = vec![Cost::default(); gains.len() * setting.starts()];
+        Self { setting, gains, costs, taken: 0, team, lanes: [const { None }; LANES], now: 0 }
     }
 
     fn drive(mut self) -> Vec<Cost> {
-        let places = || (0..PAIRS).flat_map(|pair| (0..PAIR).map(move |index| (pair, index)));
-        places().for_each(|(pair, index)| self.take_next(pair, index));
+        (0..LANES).for_each(|index| self.take_next(index));
         while let Some(next_horizon) = self.next_horizon() {
             self.advance(next_horizon);
-            places().for_each(|(pair, index)| self.finish(pair, index));
+            (0..LANES).for_each(|index| self.finish(index));
         }
         self.costs
     }
@@ -133,40 +205,36 @@ impl<'a> Convoy<'a> {
     /// The sample of the convoy at which the next robot reaches the horizon; none if no robot drives.
     fn next_horizon(&self) -> Option<u64> {
         let samples = u64::from(self.setting.samples());
-        self.lanes.iter().flatten().flatten().map(|lane| lane.since + samples).min()
+        self.lanes.iter().flatten().map(|lane| lane.since + samples).min()
     }
 
     /// Drives all robots until one has ended its run.
     fn advance(&mut self, next_horizon: u64) {
         // Copies, so that the compiler need not read them again for every sample.
-        let (rules, mut pairs, mut now) = (self.setting.rules(), self.pairs, self.now);
+        let (rules, mut team, mut now) = (self.setting.rules(), self.team, self.now);
         let noisy = self.setting.experiment().disturbance.kind != DisturbanceKind::None;
         let mut ended = false;
         while now < next_horizon && !ended {
-            let mut ended_robots = f64x2::splat(0.0);
-            for (pair, lanes) in pairs.iter_mut().zip(&mut self.lanes) {
-                ended_robots |= pair.step(&rules, noisy.then(|| disturbance(lanes)));
-            }
-            ended = ended_robots.any();
+            ended = team.step(&rules, noisy.then(|| disturbance(&mut self.lanes)));
             now += 1;
         }
-        (self.pairs, self.now) = (pairs, now);
+        (self.team, self.now) = (team, now);
     }
 
     /// Notes the cost of a robot that has ended its run, and lets its lane take up the next run.
-    fn finish(&mut self, pair: usize, index: usize) {
-        let Some(lane) = &self.lanes[pair][index] else { return };
-        let robot = self.pairs[pair].robots.lane(index);
+    fn finish(&mut self, index: usize) {
+        let Some(lane) = &self.lanes[index] else { return };
+        let robot = self.team.robots.lane(index);
         let n = (self.now - lane.since) as u32;
         let outcome = self.setting.outcome(&robot.error, n);
         if outcome.is_some() {
             self.costs[lane.run] = self.setting.cost_at(&robot, &lane.gains, n, outcome);
-            self.take_next(pair, index);
+            self.take_next(index);
         }
     }
 
-    fn take_next(&mut self, pair: usize, index: usize) {
-        self.lanes[pair][index] = None;
+    fn take_next(&mut self, index: usize) {
+        self.lanes[index] = None;
         let starts = self.setting.starts();
         while self.taken < self.costs.len() {
             let run = self.taken;
@@ -179,55 +247,54 @@ impl<'a> Convoy<'a> {
                 continue;
             }
             let disturbances = self.setting.experiment().disturbance.sequence(start as u32);
-            self.pairs[pair].seat(index, &robot, &gains);
-            self.pairs[pair].busy.as_mut_array()[index] = f64::from_bits(u64::MAX);
-            self.lanes[pair][index] = Some(Lane { run, gains, since: self.now, disturbances });
+            self.team.seat(index, &robot, &gains);
+            self.team.busy.set(index, f64::from_bits(u64::MAX));
+            self.lanes[index] = Some(Lane { run, gains, since: self.now, disturbances });
             return;
         }
-        self.pairs[pair].busy.as_mut_array()[index] = 0.0;
+        self.team.busy.set(index, 0.0);
     }
 }
 
 #[cold]
-fn disturbance(lanes: &mut [Option<Lane>; PAIR]) -> Velocity<f64x2> {
-    let mut of = |index: usize| lanes[index].as_mut().and_then(|lane| lane.disturbances.next());
-    let [a, b] = [of(0), of(1)].map(|delta| delta.unwrap_or(Velocity::ZERO));
-    Velocity {
-        linear: f64x2::new([a.linear, b.linear]),
-        angular: f64x2::new([a.angular, b.angular]),
+fn disturbance(lanes: &mut [Option<Lane>; LANES]) -> Velocity<Lanes> {
+    let mut velocity = Velocity::ZERO.splat::<Lanes>();
+    for (index, lane) in lanes.iter_mut().enumerate() {
+        if let Some(delta) = lane.as_mut().and_then(|lane| lane.disturbances.next()) {
+            velocity.linear.set(index, delta.linear);
+            velocity.angular.set(index, delta.angular);
+        }
     }
+    velocity
 }
 
-impl Pair {
-    /// One sample of both robots. Returns a mask of those that have arrived or diverged.
+impl Team {
+    /// One sample of all robots. Returns whether one has arrived or diverged.
     #[inline(always)]
-    fn step(&mut self, rules: &Rules, disturbance: Option<Velocity<f64x2>>) -> f64x2 {
+    fn step(&mut self, rules: &Rules, disturbance: Option<Velocity<Lanes>>) -> bool {
         let Step { arc, next, .. } = rules.step(&self.robots, &self.gains, disturbance);
         let heading = next.error.theta.abs();
-        let usual = arc.half_turn().abs().simd_lt(f64x2::splat(SMALL_ANGLE))
-            & heading.simd_lt(f64x2::splat(PI))
-            & next.deviation.simd_lt(f64x2::splat(f64::INFINITY));
+        let usual = arc.half_turn().abs().under(SMALL_ANGLE);
+        let usual = usual.and(heading.under(PI)).and(next.deviation.under(f64::INFINITY));
         if !usual.all() || rules.reference_turns_far() {
             return self.step_one_by_one(rules, disturbance);
         }
         self.robots = next;
-        let Some([square, tolerance]) = rules.arrival else { return f64x2::splat(0.0) };
-        let near = next.error.squared_distance().simd_le(f64x2::splat(square));
-        near & heading.simd_le(f64x2::splat(tolerance)) & self.busy
+        let Some([square, tolerance]) = rules.arrival else { return false };
+        let near = next.error.squared_distance().at_most_mask(square);
+        near.and(heading.at_most_mask(tolerance)).and(self.busy).any()
     }
 
-    /// The same where the formulas for both together do not hold: after a large turn, or out of range.
+    /// The same where the formulas for all together do not hold: after a large turn, or out of range.
     #[cold]
-    fn step_one_by_one(&mut self, rules: &Rules, disturbance: Option<Velocity<f64x2>>) -> f64x2 {
-        let mut ended = self.busy;
-        for index in 0..PAIR {
+    fn step_one_by_one(&mut self, rules: &Rules, disturbance: Option<Velocity<Lanes>>) -> bool {
+        let mut ended = false;
+        for index in 0..LANES {
             let gains = self.gains.lane(index);
             let disturbance = disturbance.map(|delta| delta.lane(index));
             let next = rules.step(&self.robots.lane(index), &gains, disturbance).next;
             self.seat(index, &next, &gains);
-            if rules.end(&next.error).is_none() {
-                ended.as_mut_array()[index] = 0.0;
-            }
+            ended |= rules.end(&next.error).is_some() && self.busy.lane(index) != 0.0;
         }
         ended
     }
@@ -251,31 +318,30 @@ impl Pair {
             (&mut gains.y, k.y),
             (&mut gains.theta, k.theta),
         ] {
-            lanes.as_mut_array()[index] = value;
+            lanes.set(index, value);
         }
     }
 }
 
-impl Gains<f64x2> {
+impl Gains<Lanes> {
     fn lane(&self, index: usize) -> Gains {
-        let [x, y, theta] = [self.x, self.y, self.theta].map(|k| k.as_array()[index]);
+        let [x, y, theta] = [self.x, self.y, self.theta].map(|k| k.lane(index));
         Gains { x, y, theta }
     }
 }
 
-impl Velocity<f64x2> {
+impl Velocity<Lanes> {
     fn lane(&self, index: usize) -> Velocity {
-        let [linear, angular] = [self.linear, self.angular].map(|q| q.as_array()[index]);
+        let [linear, angular] = [self.linear, self.angular].map(|q| q.lane(index));
         Velocity { linear, angular }
     }
 }
 
-impl Robot<f64x2> {
+impl Robot<Lanes> {
     fn lane(&self, index: usize) -> Robot<f64> {
         let e = &self.error;
-        let [x, y, theta, cos, sin] =
-            [e.x, e.y, e.theta, e.cos, e.sin].map(|a| a.as_array()[index]);
-        let [deviation, path] = [self.deviation, self.path].map(|a| a.as_array()[index]);
+        let [x, y, theta, cos, sin] = [e.x, e.y, e.theta, e.cos, e.sin].map(|a| a.lane(index));
+        let [deviation, path] = [self.deviation, self.path].map(|a| a.lane(index));
         let [velocity, energy] = [self.velocity, self.energy].map(|q| q.lane(index));
         Robot { error: ErrorPosture { x, y, theta, cos, sin }, deviation, velocity, path, energy }
     }
