@@ -93,7 +93,9 @@ export function createEvolutionBar(elements, events) {
     /** @param {{ evolving: boolean, generation: number, seed: number, note: string }} model */
     draw(model) {
       if (!changed(...Object.values(model))) return;
-      elements.run.textContent = model.evolving ? strings.pauseEvolution : strings.run;
+      const verb = model.evolving ? strings.pauseEvolution : strings.run;
+      // A press in which the text is written again is no click in WebKit.
+      if (elements.run.textContent !== verb) elements.run.textContent = verb;
       elements.generation.textContent = String(model.generation);
       elements.seed.textContent = String(model.seed);
       elements.note.textContent = model.note;

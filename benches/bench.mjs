@@ -1,0 +1,129 @@
+// npm run bench [-- --json]: the same work in plain JavaScript, as WebAssembly and natively, one after the other.
+//
+// What counts are the ratios within one run: absolute times depend on the machine and on what else it does.
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import os from 'node:os';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { drive } from './episode.js';
+
+const rounds = 9;
+const robots = 128 * 128;
+const { values } = parseArgs({ options: { json: { type: 'boolean', default: false } } });
+const top = fileURLToPath(new URL('..', import.meta.url));
+const cargo = (/** @type {string[]} */ ...args) =>
+  execFileSync('cargo', args, { cwd: top, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });
+
+cargo('build', '--release', '--target', 'wasm32-unknown-unknown', '--example', 'bench_wasm');
+const wasm = await instance('target/wasm32-unknown-unknown/release/examples/bench_wasm.wasm');
+const native = JSON.parse(cargo('bench', '--bench', 'native', '--', String(rounds), String(robots)));
+
+const cases = [
+  { name: 'runs of 200 samples', position: 0, horizon: 2 },
+  { name: 'a landscape, runs of different lengths', position: 0.05, horizon: 10 },
+];
+const results = cases.map((options, number) => {
+  const samples = wasm.samples(number, robots);
+  checkSame(javascript(options), wasm.scalar(number, robots), wasm.lanes(number, robots));
+  const perSample = (/** @type {number[]} */ times) => (median(times) * 1e6) / samples;
+  return {
+    case: options.name,
+    robots,
+    samples,
+    nsPerSample: {
+      javascript: perSample(measure(() => javascript(options))),
+      wasmScalar: perSample(measure(() => wasm.scalar(number, robots))),
+      wasmLanes: perSample(measure(() => wasm.lanes(number, robots))),
+      nativeScalar: perSample(native[`scalar${number}`]),
+      nativeLanes: perSample(native[`lanes${number}`]),
+    },
+  };
+});
+const whole = {
+  evolution: median(measure(() => wasm.evolution(20, 200, 10))),
+  landscape64: median(measure(() => wasm.landscape(64))),
+  landscape128: median(measure(() => wasm.landscape(128))),
+  landscape256: median(measure(() => wasm.landscape(256))),
+  population20: median(measure(() => wasm.evolution(20, 20, 1))),
+  population40: median(measure(() => wasm.evolution(40, 20, 1))),
+  population80: median(measure(() => wasm.evolution(80, 20, 1))),
+  horizon1: median(measure(() => wasm.evolution(80, 20, 1))),
+  horizon05: median(measure(() => wasm.evolution(80, 20, 0.5))),
+};
+
+const machine = { processor: os.cpus()[0].model, cores: os.cpus().length, node: process.version };
+if (values.json) console.log(JSON.stringify({ machine, rounds, results, milliseconds: whole }, null, 2));
+else print();
+
+/** The module without its JavaScript glue, which this work never calls. @param {string} path */
+async function instance(path) {
+  const module = new WebAssembly.Module(readFileSync(`${top}/${path}`));
+  /** @type {Record<string, Record<string, () => void>>} */
+  const imports = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+    imports[from] ??= {};
+    imports[from][name] = () => {
+      throw new Error(`${from}.${name} is not there`);
+    };
+  }
+  const { exports } = await WebAssembly.instantiate(module, imports);
+  return /** @type {Record<'lanes' | 'scalar' | 'samples' | 'evolution' | 'landscape', (...args: number[]) => number>} */ (
+    /** @type {unknown} */ (exports)
+  );
+}
+
+/** Sum of J over the same robots as in work.rs. @param {{ position: number, horizon: number }} options */
+function javascript(options) {
+  const side = Math.ceil(Math.sqrt(robots));
+  const value = (/** @type {number} */ i) => 0.5 + (9.5 * i) / (side - 1);
+  const start = { x: 0, y: 0, theta: 0 };
+  const goal = { x: 2, y: 2, theta: Math.PI / 4 };
+  let sum = 0;
+  for (let i = 0; i < robots; i++) {
+    sum += drive(start, goal, options, value(i % side), 0.1, value(Math.floor(i / side)));
+  }
+  return sum;
+}
+
+/** @param {number} javascriptSum @param {number} scalar @param {number} lanes */
+function checkSame(javascriptSum, scalar, lanes) {
+  if (scalar !== lanes) throw new Error(`lanes give ${lanes}, single robots ${scalar}`);
+  // Where a robot circles near the goal, the last bits of Math.sin decide.
+  if (Math.abs(javascriptSum / scalar - 1) > 1e-3)
+    throw new Error(`JavaScript gives ${javascriptSum}, the core ${scalar}`);
+}
+
+/** Milliseconds of each round, after one to warm up. @param {() => number} work */
+function measure(work) {
+  work();
+  return Array.from({ length: rounds }, () => {
+    const start = performance.now();
+    work();
+    return performance.now() - start;
+  });
+}
+
+/** @param {number[]} values */
+function median(values) {
+  return [...values].sort((a, b) => a - b)[values.length >> 1];
+}
+
+function print() {
+  console.log(
+    `${machine.processor}, ${machine.cores} cores, Node ${machine.node}; median of ${rounds} rounds`,
+  );
+  for (const { case: name, samples, nsPerSample } of results) {
+    console.log(`\n${name}: ${robots} robots, ${(samples / robots).toFixed(0)} samples each on average`);
+    for (const [kind, ns] of Object.entries(nsPerSample)) {
+      const perSecond = (1e9 / ns / (samples / robots)).toFixed(0);
+      const ratio = (nsPerSample.javascript / ns).toFixed(1);
+      console.log(
+        `  ${kind.padEnd(14)}${ns.toFixed(2).padStart(7)} ns a robot's sample${perSecond.padStart(10)} runs a second${ratio.padStart(7)} × JavaScript`,
+      );
+    }
+  }
+  console.log('\nwhole jobs as WebAssembly, one core');
+  for (const [name, ms] of Object.entries(whole))
+    console.log(`  ${name.padEnd(14)}${ms.toFixed(1).padStart(8)} ms`);
+}
