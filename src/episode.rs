@@ -115,11 +115,6 @@ impl Setting {
         Episode::new(self, gains, start)
     }
 
-    /// How many start postures there are.
-    pub(crate) fn starts(&self) -> usize {
-        self.experiment.starts.len()
-    }
-
     /// Samples until the horizon.
     pub(crate) fn samples(&self) -> u32 {
         self.samples
@@ -130,9 +125,9 @@ impl Setting {
         self.rules
     }
 
-    /// A robot at rest at the start posture with this index.
-    pub(crate) fn robot_at(&self, start: usize) -> Robot<f64> {
-        Robot::at_rest(self.experiment.starts[start].error_to(self.experiment.goal))
+    /// A robot at rest at this posture.
+    pub(crate) fn robot_at(&self, start: Posture) -> Robot<f64> {
+        Robot::at_rest(start.error_to(self.experiment.goal))
     }
 
     /// The reference posture after a time `t` (s).
@@ -290,12 +285,13 @@ const MOST_HEADING: f64 = 1e6;
 impl EpisodeState {
     pub(crate) fn new(setting: &Setting, gains: Gains, start: u32) -> Self {
         let experiment = &setting.experiment;
-        let robot = setting.robot_at(start as usize);
+        let posture = experiment.starts[start as usize];
+        let robot = setting.robot_at(posture);
         Self {
             gains,
             disturbances: experiment.disturbance.sequence(start),
             robot,
-            heading: experiment.starts[start as usize].theta,
+            heading: posture.theta,
             command: Velocity::ZERO,
             n: 0,
             outcome: setting.outcome(&robot.error, 0),

@@ -417,12 +417,12 @@ impl Experiment {
 
     /// Refuses to drive more than [`MAX_WORK`] samples in one call.
     pub(crate) fn validate_work(&self, field: &str, robots: usize) -> Result<(), InvalidInput> {
-        let one = self.starts.len() as f64 * (self.horizon / self.sample_time).max(1.0);
+        let one = self.starts.len().max(1) as f64 * (self.horizon / self.sample_time).max(1.0);
         if robots as f64 * one > MAX_WORK {
             let expected = format!(
                 "at most {} with {} starts and {} samples a run",
                 (MAX_WORK / one).floor(),
-                self.starts.len(),
+                self.starts.len().max(1),
                 self.samples()
             );
             return Err(InvalidInput::new(field, expected, robots.to_string()));

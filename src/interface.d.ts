@@ -127,6 +127,41 @@ export interface Landscape {
   /** The rows [first, end) to compute; all when left out. */
   rows?: [number, number];
 }
+/** `count` values from `from` to `to`, evenly spaced. */
+export interface Range { from: number; to: number; count: number }
+/** Start postures at every position of a grid, with `headings` headings each, evenly around the circle from 0. */
+export interface StartGrid {
+  gains: Gains;
+  /** Metres. */
+  x: Range;
+  /** Metres. */
+  y: Range;
+  headings: number;
+  /** The starts [first, end) to drive from; all when left out. All headings of a position stand together, then x varies, then y. */
+  part?: [number, number];
+}
+/** One value for each start of a grid. */
+export interface Robustness {
+  /** J. */
+  cost: Float64Array;
+  /** t_f in seconds. */
+  finalTime: Float64Array;
+  /** 1 where the robot arrived, else 0. */
+  arrived: Uint8Array;
+}
+/** Which seeds [first, end) to run, and for how many generations. */
+export interface SeedRuns { seeds: [number, number]; generations: number }
+/** What evolution with one seed found, and random search with as many drives. */
+export interface SeedRun {
+  /** The best J of each generation, from 0. */
+  best: Float64Array;
+  /** The best individual in the end. */
+  champion: Individual;
+  /** The best J that random search had found by then; it begins with the same population. */
+  random: Float64Array;
+}
+/** Where start postures stand on a circle: its centre and radius in metres. */
+export interface Circle { x: number; y: number; radius: number; count: number; seed: number }
 /** The range of one numeric field of an experiment. */
 export interface Field { path: string; unit: string; min: number; max: number; integer: boolean; nullable: boolean }
 /** What the paper states of one of its experiments. */

@@ -9,8 +9,8 @@ use wide::f64x2;
 use crate::control::Gains;
 use crate::cost::Cost;
 use crate::disturbance::{DisturbanceKind, DisturbanceSequence};
-use crate::episode::{Robot, Rules, Setting, Step};
-use crate::posture::{ErrorPosture, Velocity};
+use crate::episode::{Outcome, Robot, Rules, Setting, Step};
+use crate::posture::{ErrorPosture, Posture, Velocity};
 use crate::real::{Real, SMALL_ANGLE, sinc_cos_series};
 
 /// Registers that are computed with side by side, so that the processor need not wait for one division.
@@ -136,26 +136,54 @@ impl Real for Lanes {
     }
 }
 
+/// One run that is to be driven.
+#[derive(Clone, Copy)]
+pub(crate) struct Run {
+    pub(crate) gains: Gains,
+    pub(crate) start: Posture,
+    /// Which of the streams of disturbances it meets.
+    pub(crate) stream: u32,
+}
+
+/// How a run ended, and what it cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunEnd {
+    /// J in parts; its time is t_f.
+    pub cost: Cost,
+    /// How the run ended.
+    pub outcome: Outcome,
+}
+
 impl Setting {
     /// J of each of these gains, in parts: the mean over all start postures.
     pub fn costs(&self, gains: &[Gains]) -> Vec<Cost> {
-        let starts = self.starts();
-        let costs = Convoy::new(self, gains).drive();
-        costs.chunks_exact(starts).map(|costs| Cost::mean(costs.iter().copied())).collect()
+        let starts = &self.experiment().starts;
+        let run = |i| {
+            let start = i % starts.len();
+            Run { gains: gains[i / starts.len()], start: starts[start], stream: start as u32 }
+        };
+        let ends = self.drive(gains.len() * starts.len(), run);
+        ends.chunks_exact(starts.len())
+            .map(|ends| Cost::mean(ends.iter().map(|end| end.cost)))
+            .collect()
     }
 
     /// J of these gains, in parts: the mean over all start postures.
     pub fn cost(&self, gains: &Gains) -> Cost {
         self.costs(core::slice::from_ref(gains))[0]
     }
+
+    /// The ends of `count` runs, in their order.
+    pub(crate) fn drive(&self, count: usize, run: impl Fn(usize) -> Run) -> Vec<RunEnd> {
+        Convoy::new(self, count, run).drive()
+    }
 }
 
-/// All runs of some gains from all starts. A lane whose robot has ended its run takes up the next.
-struct Convoy<'a> {
+/// Many runs. A lane whose robot has ended its run takes up the next.
+struct Convoy<'a, F> {
     setting: &'a Setting,
-    gains: &'a [Gains],
-    /// The cost of each run: of the first gains from all starts, of the second, and so on.
-    costs: Vec<Cost>,
+    run: F,
+    ends: Vec<RunEnd>,
     /// How many runs were taken up.
     taken: usize,
     team: Team,
@@ -175,6 +203,7 @@ struct Team {
 }
 
 struct Lane {
+    /// The number of its run.
     run: usize,
     gains: Gains,
     /// The sample of the convoy at which it set out.
@@ -182,24 +211,24 @@ struct Lane {
     disturbances: DisturbanceSequence,
 }
 
-impl<'a> Convoy<'a> {
-    fn new(setting: &'a Setting, gains: &'a [Gains]) -> Self {
+impl<'a, F: Fn(usize) -> Run> Convoy<'a, F> {
+    fn new(setting: &'a Setting, count: usize, run: F) -> Self {
         let team = Team {
             robots: Robot::at_rest(ErrorPosture::new(0.0, 0.0, 0.0)).splat(),
             gains: Gains::new(0.0, 0.0, 0.0).splat(),
             busy: Lanes::splat(0.0),
         };
-        let costs = vec![Cost::default(); gains.len() * setting.starts()];
-        Self { setting, gains, costs, taken: 0, team, lanes: [const { None }; LANES], now: 0 }
+        let ends = vec![RunEnd { cost: Cost::default(), outcome: Outcome::Horizon }; count];
+        Self { setting, run, ends, taken: 0, team, lanes: [const { None }; LANES], now: 0 }
     }
 
-    fn drive(mut self) -> Vec<Cost> {
+    fn drive(mut self) -> Vec<RunEnd> {
         (0..LANES).for_each(|index| self.take_next(index));
         while let Some(next_horizon) = self.next_horizon() {
             self.advance(next_horizon);
             (0..LANES).for_each(|index| self.finish(index));
         }
-        self.costs
+        self.ends
     }
 
     /// The sample of the convoy at which the next robot reaches the horizon; none if no robot drives.
@@ -221,38 +250,42 @@ impl<'a> Convoy<'a> {
         (self.team, self.now) = (team, now);
     }
 
-    /// Notes the cost of a robot that has ended its run, and lets its lane take up the next run.
+    /// Notes the end of a robot's run, if it has ended, and lets its lane take up the next.
     fn finish(&mut self, index: usize) {
         let Some(lane) = &self.lanes[index] else { return };
         let robot = self.team.robots.lane(index);
         let n = (self.now - lane.since) as u32;
-        let outcome = self.setting.outcome(&robot.error, n);
-        if outcome.is_some() {
-            self.costs[lane.run] = self.setting.cost_at(&robot, &lane.gains, n, outcome);
+        let (run, gains) = (lane.run, lane.gains);
+        if self.note_end(run, &robot, &gains, n) {
             self.take_next(index);
         }
     }
 
     fn take_next(&mut self, index: usize) {
         self.lanes[index] = None;
-        let starts = self.setting.starts();
-        while self.taken < self.costs.len() {
-            let run = self.taken;
+        self.team.busy.set(index, 0.0);
+        while self.taken < self.ends.len() {
+            let number = self.taken;
             self.taken += 1;
-            let (gains, start) = (self.gains[run / starts], run % starts);
+            let Run { gains, start, stream } = (self.run)(number);
             let robot = self.setting.robot_at(start);
-            let outcome = self.setting.outcome(&robot.error, 0);
-            if outcome.is_some() {
-                self.costs[run] = self.setting.cost_at(&robot, &gains, 0, outcome);
+            if self.note_end(number, &robot, &gains, 0) {
                 continue;
             }
-            let disturbances = self.setting.experiment().disturbance.sequence(start as u32);
+            let disturbances = self.setting.experiment().disturbance.sequence(stream);
             self.team.seat(index, &robot, &gains);
             self.team.busy.set(index, f64::from_bits(u64::MAX));
-            self.lanes[index] = Some(Lane { run, gains, since: self.now, disturbances });
+            self.lanes[index] = Some(Lane { run: number, gains, since: self.now, disturbances });
             return;
         }
-        self.team.busy.set(index, 0.0);
+    }
+
+    /// Whether the run ends with sample `n`; if so, how and at what cost is noted.
+    fn note_end(&mut self, run: usize, robot: &Robot<f64>, gains: &Gains, n: u32) -> bool {
+        let Some(outcome) = self.setting.outcome(&robot.error, n) else { return false };
+        let cost = self.setting.cost_at(robot, gains, n, Some(outcome));
+        self.ends[run] = RunEnd { cost, outcome };
+        true
     }
 }
 

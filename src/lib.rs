@@ -12,9 +12,10 @@
 //! - [`cost`]: the cost J (9) in its parts
 //! - [`experiment`]: everything that defines a run, the presets, the allowed ranges
 //! - [`episode`]: one run of one robot
-//! - `lanes`: many runs at once, with the same law and the same bits
+//! - [`lanes`]: many runs at once, with the same law and the same bits
 //! - [`evolution`]: mutation, tournament, one generation, the whole run
-//! - [`survey`]: many gains in one call
+//! - [`starts`]: start postures on a circle and on a grid
+//! - [`survey`]: many gains, many starts, many seeds in one call
 //! - `wasm`: the same for JavaScript
 //!
 //! ```
@@ -61,10 +62,11 @@ pub mod experiment;
 
 pub mod episode;
 
-mod lanes;
+pub mod lanes;
 
 pub mod evolution;
 
+pub mod starts;
 pub mod survey;
 
 mod random;

@@ -1,11 +1,15 @@
-//! Many gains in one call: costs of a list, and the landscape of J over two gains.
+//! Many gains, many starts, many seeds in one call. Every job can be split by index without changing a bit.
 
 use serde::{Deserialize, Serialize};
 
 use crate::control::Gains;
 use crate::cost::Cost;
 use crate::episode::Setting;
-use crate::experiment::{InvalidInput, shown};
+use crate::evolution::{Evolution, GenerationRecord, Individual};
+use crate::experiment::{Experiment, InvalidInput, shown};
+use crate::lanes::{Run, RunEnd};
+use crate::random::LARGEST_INDEX;
+use crate::starts::{Range, StartGrid};
 
 /// J of each of these gains, the mean over the start postures.
 ///
@@ -59,41 +63,30 @@ pub struct Axis {
     pub log: bool,
 }
 
-/// Most values on one axis of a landscape.
-pub const MAX_AXIS_COUNT: u32 = 1024;
-
 impl Axis {
     /// The value with this index; with a count of 1 it is `from`.
     pub fn value(&self, index: u32) -> f64 {
-        let last = f64::from(self.count.saturating_sub(1).max(1));
-        let t = f64::from(index) / last;
+        let Self { from, to, count, .. } = *self;
         if self.log {
-            libm::exp(libm::log(self.from) * (1.0 - t) + libm::log(self.to) * t)
+            libm::exp(Range { from: libm::log(from), to: libm::log(to), count }.value(index))
         } else {
-            self.from * (1.0 - t) + self.to * t
+            Range { from, to, count }.value(index)
         }
     }
 
     fn validate(&self, name: &str) -> Result<(), InvalidInput> {
-        for (end, value) in [("from", self.from), ("to", self.to)] {
-            let (allowed, expected) = if self.log {
-                (value > 0.0 && value.is_finite(), "a number over 0 on a log axis")
-            } else {
-                (value.is_finite(), "a finite number")
-            };
-            if !allowed {
-                return Err(InvalidInput::new(format!("{name}.{end}"), expected, shown(value)));
+        let Self { from, to, count, .. } = *self;
+        for (end, value) in [("from", from), ("to", to)] {
+            if self.log && value.is_finite() && value <= 0.0 {
+                let field = format!("{name}.{end}");
+                return Err(InvalidInput::new(
+                    field,
+                    "a number over 0 on a log axis",
+                    shown(value),
+                ));
             }
         }
-        if !(1..=MAX_AXIS_COUNT).contains(&self.count) {
-            let expected = format!("a whole number from 1 to {MAX_AXIS_COUNT}");
-            return Err(InvalidInput::new(
-                format!("{name}.count"),
-                expected,
-                self.count.to_string(),
-            ));
-        }
-        Ok(())
+        Range { from, to, count }.validate(name)
     }
 }
 
@@ -109,9 +102,7 @@ pub struct Landscape {
 }
 
 impl Landscape {
-    /// J of the cells in rows [first, end), row by row.
-    ///
-    /// Any split into rows gives the same numbers. The error names the field that is wrong.
+    /// J of the cells in rows [first, end), row by row. The error names the field that is wrong.
     pub fn costs(&self, setting: &Setting, rows: [u32; 2]) -> Result<Vec<f64>, InvalidInput> {
         self.x.validate("x")?;
         self.y.validate("y")?;
@@ -119,11 +110,7 @@ impl Landscape {
             let found = format!("{:?} on both", self.y.gain).to_lowercase();
             return Err(InvalidInput::new("y.gain", "another gain than x.gain", found));
         }
-        let [first, end] = rows;
-        if first > end || end > self.y.count {
-            let expected = format!("[first, end] with 0 ≤ first ≤ end ≤ {}", self.y.count);
-            return Err(InvalidInput::new("rows", expected, format!("[{first}, {end}]")));
-        }
+        let [first, end] = validate_part("rows", rows, self.y.count)?;
         let cells = (end - first) as usize * self.x.count as usize;
         setting.experiment().validate_work("the number of cells", cells)?;
         let gains_at = |row, column| {
@@ -137,4 +124,82 @@ impl Landscape {
             .collect::<Vec<_>>();
         Ok(totals(setting, &cells))
     }
+}
+
+/// Checks a part [first, end) of a job that has `count` parts.
+fn validate_part(field: &str, part: [u32; 2], count: u32) -> Result<[u32; 2], InvalidInput> {
+    let [first, end] = part;
+    if first <= end && end <= count {
+        return Ok(part);
+    }
+    let expected = format!("[first, end] with 0 ≤ first ≤ end ≤ {count}");
+    Err(InvalidInput::new(field, expected, format!("[{first}, {end}]")))
+}
+
+/// How the robot with these gains fares from each posture of the grid with index in [first, end).
+///
+/// The start postures of the experiment do not matter. The error names the field that is wrong.
+pub fn robustness(
+    setting: &Setting,
+    gains: Gains,
+    grid: &StartGrid,
+    part: [u32; 2],
+) -> Result<Vec<RunEnd>, InvalidInput> {
+    grid.validate()?;
+    let count = u32::try_from(grid.count()).unwrap_or(u32::MAX);
+    let [first, end] = validate_part("part", part, count)?;
+    let runs = (end - first) as usize;
+    // One run each, however many starts the experiment has.
+    let single = Experiment { starts: Vec::new(), ..setting.experiment().clone() };
+    single.validate_work("the number of starts", runs)?;
+    Ok(setting.drive(runs, |i| {
+        let index = first as usize + i;
+        // A start beyond the streams shares one with another; their disturbances stay in the bounds.
+        Run { gains, start: grid.posture(index), stream: index as u32 % (LARGEST_INDEX + 1) }
+    }))
+}
+
+/// What one seed's run found, and what random search found with the same number of evaluations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeedRun {
+    /// The best J of each generation, from 0.
+    pub best: Vec<f64>,
+    /// The individual with the best J in the end.
+    pub champion: Individual,
+    /// The best J that random search has found by the time of each generation.
+    ///
+    /// It draws a new population from the initial range for each generation, the first being evolution's own.
+    pub random: Vec<f64>,
+}
+
+/// Runs evolution for `generations` with each seed in [first, end), beside random search.
+///
+/// The seed of the experiment does not matter. The error names the field that is wrong.
+pub fn seed_runs(
+    experiment: &Experiment,
+    seeds: [u32; 2],
+    generations: u32,
+) -> Result<Vec<SeedRun>, InvalidInput> {
+    let [first, end] = validate_part("seeds", seeds, u32::MAX)?;
+    let drives = f64::from(experiment.evolution.population)
+        * (f64::from(generations) + 1.0)
+        * f64::from(end - first);
+    // Evolution and random search.
+    experiment.validate_work("the number of drives", (2.0 * drives) as usize)?;
+    (first..end).map(|seed| seed_run(experiment, seed, generations)).collect()
+}
+
+fn seed_run(experiment: &Experiment, seed: u32, generations: u32) -> Result<SeedRun, InvalidInput> {
+    let mut experiment = experiment.clone();
+    experiment.evolution.seed = seed;
+    let mut evolution = Evolution::new(experiment)?;
+    let mut best = vec![evolution.newest().best.cost];
+    let mut random = best.clone();
+    for generation in 1..=generations {
+        best.push(evolution.step().best.cost);
+        let drawn = GenerationRecord::drawn(evolution.setting(), generation);
+        let lowest = drawn.parents.iter().map(|individual| individual.cost);
+        random.push(lowest.fold(random[random.len() - 1], f64::min));
+    }
+    Ok(SeedRun { best, champion: evolution.newest().best, random })
 }

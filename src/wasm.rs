@@ -1,16 +1,19 @@
 //! The boundary to JavaScript: the only module that knows it. Types are in `interface.d.ts`.
 
-use js_sys::{Array, ArrayBuffer, Float64Array, Object, Reflect};
+use js_sys::{Array, ArrayBuffer, Float64Array, Object, Reflect, Uint8Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::control::Gains;
 use crate::episode::{EpisodeState, Outcome, Sample, Setting};
-use crate::evolution;
+use crate::evolution::{self, LAST_GENERATION};
 use crate::experiment::{
     CHOICES, Experiment, FIELDS, InvalidInput, MAX_STARTS, PAPER_RESULTS, Preset, field_at, shown,
 };
-use crate::survey::{self, Axis, Gain, MAX_AXIS_COUNT};
+use crate::lanes::RunEnd;
+use crate::posture::Posture;
+use crate::starts::{self, MAX_AXIS_COUNT, Range, StartGrid};
+use crate::survey::{self, Axis, Gain};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("interface.d.ts");
@@ -81,8 +84,6 @@ pub fn simulate(
 fn run(setting: &Setting, gains: Gains, start: u32) -> Result<JsValue> {
     let mut episode = setting.episode(gains, start);
     let samples: Vec<Sample> = episode.samples().collect();
-    let run = Object::new();
-    let set = |key: &str, value: &JsValue| Reflect::set(&run, &key.into(), value);
     type Column = fn(&Sample) -> f64;
     let columns: [(&str, Column); 8] = [
         ("time", |s| s.time),
@@ -94,15 +95,19 @@ fn run(setting: &Setting, gains: Gains, start: u32) -> Result<JsValue> {
         ("commandLinear", |s| s.command.linear),
         ("commandAngular", |s| s.command.angular),
     ];
-    for (name, column) in columns {
-        let values: Vec<f64> = samples.iter().map(column).collect();
-        set(name, &Float64Array::from(values.as_slice()).into())?;
-    }
-    set("cost", &plain(&episode.cost())?)?;
-    set("outcome", &plain(&episode.outcome())?)?;
-    set("arrived", &(episode.outcome() == Some(Outcome::Arrived)).into())?;
-    set("finalTime", &episode.time().into())?;
-    Ok(run.into())
+    let mut fields: Vec<(&str, JsValue)> = columns
+        .map(|(name, column)| {
+            let values: Vec<f64> = samples.iter().map(column).collect();
+            (name, Float64Array::from(values.as_slice()).into())
+        })
+        .into();
+    fields.extend([
+        ("cost", plain(&episode.cost())?),
+        ("outcome", plain(&episode.outcome())?),
+        ("arrived", (episode.outcome() == Some(Outcome::Arrived)).into()),
+        ("finalTime", episode.time().into()),
+    ]);
+    object(&fields)
 }
 
 /// J of each gain triple, the mean over the start postures: n triples in, n costs out.
@@ -127,21 +132,75 @@ pub fn landscape(
     given.keys(&["x", "y", "gains", "rows"])?;
     let (x, y) = (axis(given.get("x")?)?, axis(given.get("y")?)?);
     let gains = one_triple(given.get("gains")?.value)?;
-    let rows = match given.get("rows")? {
-        all if all.value.is_undefined() => [0, y.count],
-        rows => {
-            let [first, end] = rows
-                .array(Some(2))?
-                .map(|row| row.whole_number(y.count))
-                .collect::<Result<Vec<_>>>()?[..]
-            else {
-                unreachable!("the length was checked")
-            };
-            [first, end]
-        }
-    };
+    let rows = given.get("rows")?.part(y.count)?;
     let costs = survey::Landscape { x, y, gains }.costs(&setting, rows)?;
     Ok(Float64Array::from(costs.as_slice()).into())
+}
+
+/// How a robot with these gains fares from many starts: positions on a grid, each with several headings.
+#[wasm_bindgen(unchecked_return_type = "Robustness")]
+pub fn robustness(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(js_name = "grid", unchecked_param_type = "StartGrid")] given: JsValue,
+) -> Result<JsValue> {
+    let setting = setting(experiment)?;
+    let given = Input { value: given, path: "grid".into() };
+    given.keys(&["gains", "x", "y", "headings", "part"])?;
+    let gains = one_triple(given.get("gains")?.value)?;
+    let grid = StartGrid {
+        x: range(given.get("x")?)?,
+        y: range(given.get("y")?)?,
+        headings: given.get("headings")?.whole_number(MAX_AXIS_COUNT)?,
+    };
+    let part = given.get("part")?.part(u32::try_from(grid.count()).unwrap_or(u32::MAX))?;
+    let ends = survey::robustness(&setting, gains, &grid, part)?;
+    let column = |value: fn(&RunEnd) -> f64| {
+        let values: Vec<f64> = ends.iter().map(value).collect();
+        Float64Array::from(values.as_slice())
+    };
+    let arrived: Vec<u8> =
+        ends.iter().map(|end| u8::from(end.outcome == Outcome::Arrived)).collect();
+    object(&[
+        ("cost", column(|end| end.cost.total()).into()),
+        ("finalTime", column(|end| end.cost.time).into()),
+        ("arrived", Uint8Array::from(arrived.as_slice()).into()),
+    ])
+}
+
+/// Evolution with many seeds, beside random search with the same number of drives.
+#[wasm_bindgen(js_name = "seedRuns", unchecked_return_type = "SeedRun[]")]
+pub fn seed_runs(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(js_name = "seeds", unchecked_param_type = "SeedRuns")] given: JsValue,
+) -> Result<Array> {
+    let setting = setting(experiment)?;
+    let given = Input { value: given, path: "seeds".into() };
+    given.keys(&["seeds", "generations"])?;
+    let seeds = given.get("seeds")?.part(u32::MAX)?;
+    let generations = given.get("generations")?.whole_number(LAST_GENERATION)?;
+    survey::seed_runs(setting.experiment(), seeds, generations)?
+        .into_iter()
+        .map(|run| {
+            object(&[
+                ("best", Float64Array::from(run.best.as_slice()).into()),
+                ("champion", plain(&run.champion)?),
+                ("random", Float64Array::from(run.random.as_slice()).into()),
+            ])
+        })
+        .collect()
+}
+
+/// Start postures evenly on a circle, each with a random heading.
+#[wasm_bindgen(js_name = "startsOnCircle", unchecked_return_type = "Posture[]")]
+pub fn starts_on_circle(
+    #[wasm_bindgen(unchecked_param_type = "Circle")] circle: JsValue,
+) -> Result<JsValue> {
+    let given = Input { value: circle, path: "circle".into() };
+    given.keys(&["x", "y", "radius", "count", "seed"])?;
+    let centre = Posture { x: given.get("x")?.number()?, y: given.get("y")?.number()?, theta: 0.0 };
+    let count = given.get("count")?.whole_number(MAX_STARTS as u32)?;
+    let seed = given.get("seed")?.whole_number(u32::MAX)?;
+    plain(&starts::on_circle(centre, given.get("radius")?.number()?, count, seed)?)
 }
 
 /// Every number of an experiment with its unit and range.
@@ -271,6 +330,14 @@ fn plain(value: &(impl Serialize + ?Sized)) -> Result<JsValue> {
     Ok(value.serialize(&serializer)?)
 }
 
+fn object(fields: &[(&str, JsValue)]) -> Result<JsValue> {
+    let object = Object::new();
+    for (name, value) in fields {
+        Reflect::set(&object, &JsValue::from(*name), value)?;
+    }
+    Ok(object.into())
+}
+
 thread_local! {
     /// The default experiment as a plain object, which nobody changes.
     static TEMPLATE: Result<JsValue> = plain(&Preset::default().experiment());
@@ -321,6 +388,15 @@ fn triples(given: JsValue) -> Result<Vec<Gains>> {
 fn gain_name(index: usize) -> String {
     let name = ["kx", "ky", "kθ"][index % 3];
     if index < 3 { name.into() } else { format!("{name} (gains[{index}])") }
+}
+
+fn range(given: Input) -> Result<Range> {
+    given.keys(&["from", "to", "count"])?;
+    Ok(Range {
+        from: given.get("from")?.number()?,
+        to: given.get("to")?.number()?,
+        count: given.get("count")?.whole_number(MAX_AXIS_COUNT)?,
+    })
 }
 
 fn axis(given: Input) -> Result<Axis> {
@@ -411,6 +487,18 @@ impl Input {
         }
         let elements = Array::from(&self.value).into_iter().enumerate();
         elements.map(|(i, value)| number(value, &gain_name(i))).collect()
+    }
+
+    /// A part [first, end) of `count`; all if it is left out.
+    fn part(&self, count: u32) -> Result<[u32; 2]> {
+        if self.value.is_undefined() {
+            return Ok([0, count]);
+        }
+        let ends = self.array(Some(2))?.map(|end| end.whole_number(count));
+        match ends.collect::<Result<Vec<_>>>()?[..] {
+            [first, end] => Ok([first, end]),
+            _ => Err(self.refused("an array of 2").into()),
+        }
     }
 
     fn number(&self) -> Result<f64> {

@@ -2,8 +2,8 @@
 #![cfg(target_arch = "wasm32")]
 
 use ep_locomotion::wasm::{
-    Evolution, Simulation, evaluate, experiment, fields, landscape, paper, random_seed, simulate,
-    simulate_all,
+    Evolution, Simulation, evaluate, experiment, fields, landscape, paper, random_seed, robustness,
+    seed_runs, simulate, simulate_all, starts_on_circle,
 };
 use js_sys::{Array, Float64Array, Function, JSON, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -277,6 +277,45 @@ fn a_landscape_is_the_same_in_one_piece_or_in_rows() {
     assert_eq!(
         message(landscape(js("{}"), js("{}"))),
         "landscape.x must be an object, but was undefined"
+    );
+}
+
+#[wasm_bindgen_test]
+fn surveys_give_arrays_and_refuse_by_name() {
+    let map = robustness(
+        js("{}"),
+        js(
+            "{gains: [3, 2, 5], x: {from: 0, to: 1, count: 3}, y: {from: 0, to: 1, count: 2}, headings: 4}",
+        ),
+    );
+    let map = map.expect("a map");
+    for name in ["cost", "finalTime", "arrived"] {
+        assert_eq!(number(&get(&map, name), "length"), 24.0, "{name}");
+    }
+    let circle = starts_on_circle(js("{x: 2, y: 2, radius: 2.83, count: 32, seed: 1}"));
+    let starts = Array::from(&circle.expect("starts"));
+    assert_eq!(starts.length(), 32);
+    let many = Object::new();
+    Reflect::set(&many, &"starts".into(), &starts).expect("set");
+    assert_eq!(Array::from(&get(&experiment(many.into()).expect("valid"), "starts")).length(), 32);
+    let runs = seed_runs(js("{}"), js("{seeds: [1, 3], generations: 5}")).expect("runs");
+    assert_eq!(runs.length(), 2);
+    assert_eq!(number(&get(&runs.get(1), "random"), "length"), 6.0);
+    assert_eq!(
+        number(&runs.get(0), "champion.cost"),
+        Float64Array::from(get(&runs.get(0), "best")).to_vec()[5]
+    );
+    assert_eq!(
+        message(seed_runs(js("{}"), js("{seeds: [1, 3], generations: -1}"))),
+        "seeds.generations must be a whole number from 0 to 536870911, but was -1"
+    );
+    assert_eq!(
+        message(starts_on_circle(js("{x: 2, y: 2, radius: NaN, count: 32, seed: 1}"))),
+        "radius must be a number from -1000 to 1000 m, but was NaN"
+    );
+    assert_eq!(
+        message(robustness(js("{}"), js("{gains: [1, 2, 3], x: 5}"))),
+        "grid.x must be an object, but was 5"
     );
 }
 

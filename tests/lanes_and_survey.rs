@@ -5,9 +5,12 @@ mod common;
 use common::{Random, wild};
 use ep_locomotion::control::Gains;
 use ep_locomotion::cost::Cost;
-use ep_locomotion::episode::Setting;
+use ep_locomotion::episode::{Outcome, Setting};
+use ep_locomotion::evolution::Evolution;
 use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::survey::{Axis, Gain, Landscape, evaluate};
+use ep_locomotion::posture::Posture;
+use ep_locomotion::starts::{Range, StartGrid, on_circle};
+use ep_locomotion::survey::{Axis, Gain, Landscape, evaluate, robustness, seed_runs};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn bits(cost: &Cost) -> [u64; 6] {
@@ -141,4 +144,152 @@ fn a_wrong_landscape_is_refused_by_name() {
         "the number of gain triples must be at most 400 with 10 starts and 100000 samples a run, \
          but was 401"
     );
+}
+
+const GRID: StartGrid = StartGrid {
+    x: Range { from: -1.0, to: 3.0, count: 5 },
+    y: Range { from: 0.0, to: 4.0, count: 3 },
+    headings: 4,
+};
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_grid_of_starts_goes_through_headings_then_x_then_y() {
+    assert_eq!(GRID.count(), 60);
+    let quarter = core::f64::consts::FRAC_PI_2;
+    for (index, x, y, theta) in [
+        (0, -1.0, 0.0, 0.0),
+        (1, -1.0, 0.0, quarter),
+        (2, -1.0, 0.0, 2.0 * quarter),
+        (3, -1.0, 0.0, -quarter),
+        (4, 0.0, 0.0, 0.0),
+        (20, -1.0, 2.0, 0.0),
+        (59, 3.0, 4.0, -quarter),
+    ] {
+        assert_eq!(GRID.posture(index), Posture { x, y, theta }, "{index}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn robustness_is_each_run_by_itself_in_any_parts() {
+    let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
+    let gains = Gains::new(3.0, 2.0, 5.0);
+    let part = |part| robustness(&setting, gains, &GRID, part).expect("valid");
+    let whole = part([0, 60]);
+    assert_eq!([part([0, 7]), part([7, 60])].concat(), whole);
+    for (index, end) in whole.iter().enumerate() {
+        let alone =
+            Experiment { starts: vec![GRID.posture(index)], ..setting.experiment().clone() };
+        let alone = Setting::new(alone).expect("valid");
+        let episode = alone.episode(gains, 0).finished();
+        assert_eq!(bits(&episode.cost()), bits(&end.cost));
+        assert_eq!(episode.outcome(), Some(end.outcome));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn starts_on_a_circle_are_as_far_from_its_centre_and_head_anywhere() {
+    let centre = Posture { x: 2.0, y: -1.0, theta: 0.5 };
+    let starts = on_circle(centre, 2.5, 500, 3).expect("valid");
+    let mut quadrants = [0; 4];
+    for start in &starts {
+        let distance = (start.x - centre.x).hypot(start.y - centre.y);
+        assert!((distance - 2.5).abs() < 1e-12);
+        quadrants
+            [((start.theta + core::f64::consts::PI) / core::f64::consts::FRAC_PI_2) as usize] += 1;
+    }
+    assert!(quadrants.iter().all(|count| (90..160).contains(count)), "{quadrants:?}");
+    assert_eq!(starts, on_circle(centre, 2.5, 500, 3).expect("valid"));
+    assert_ne!(starts, on_circle(centre, 2.5, 500, 4).expect("valid"));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_run_of_a_seed_is_that_of_its_evolution_beside_random_search() {
+    let experiment = Preset::VelocityLimits.experiment();
+    let runs = seed_runs(&experiment, [3, 6], 12).expect("valid");
+    assert_eq!(runs.len(), 3);
+    for (seed, run) in (3..).zip(&runs) {
+        let mut own = experiment.clone();
+        own.evolution.seed = seed;
+        let mut evolution = Evolution::new(own).expect("valid");
+        let mut best = vec![evolution.newest().best.cost];
+        (0..12).for_each(|_| best.push(evolution.step().best.cost));
+        assert_eq!(run.best, best);
+        assert_eq!(run.champion, evolution.newest().best);
+        assert_eq!((run.random.len(), run.random[0]), (13, best[0]));
+        assert!(run.random.is_sorted_by(|a, b| a >= b), "random search keeps its best");
+    }
+    assert_ne!(runs[0].random, runs[1].random);
+    assert_eq!(seed_runs(&experiment, [4, 5], 12).expect("valid")[0], runs[1]);
+}
+
+/// The share of a thousand starts that were never trained on from which these gains arrive.
+fn success(gains: Gains) -> f64 {
+    let mut test = Preset::VelocityLimits.experiment();
+    test.starts = on_circle(test.goal, 2.83, 1000, 99).expect("valid");
+    let setting = Setting::new(test).expect("valid");
+    let arrived = (0..1000)
+        .filter(|start| {
+            setting.episode(gains, *start).finished().outcome() == Some(Outcome::Arrived)
+        })
+        .count();
+    arrived as f64 / 1000.0
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn gains_evolved_on_many_starts_arrive_from_many_more_than_the_papers() {
+    let mut training = Preset::VelocityLimits.experiment();
+    training.starts = on_circle(training.goal, 2.83, 32, 1).expect("valid");
+    let mut evolution = Evolution::new(training).expect("valid");
+    (0..40).for_each(|_| {
+        evolution.step();
+    });
+    let trained = evolution.newest().best.gains;
+    let (papers, ours) = (success(Gains::new(3.23673, 0.09678, 5.17891)), success(trained.into()));
+    assert!((0.15..0.40).contains(&papers), "the paper's gains: {papers}");
+    assert!(ours > papers + 0.25, "evolved on 32 starts, {trained:?}: {ours}, not {papers}");
+    assert!(trained.y > 1.0, "ky matters now: {trained:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn wrong_surveys_are_refused_by_name() {
+    let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
+    let k = Gains::new(1.0, 1.0, 1.0);
+    let grid = |change: fn(&mut StartGrid)| {
+        let mut grid = GRID;
+        change(&mut grid);
+        robustness(&setting, k, &grid, [0, 1]).expect_err("refused").to_string()
+    };
+    assert_eq!(
+        grid(|grid| grid.x.to = 1e9),
+        "x.to must be a number from -1000 to 1000 m, but was 1000000000"
+    );
+    assert_eq!(grid(|grid| grid.y.from = f64::NAN), "y.from must be a finite number, but was NaN");
+    assert_eq!(
+        grid(|grid| grid.headings = 0),
+        "headings must be a whole number from 1 to 1024, but was 0"
+    );
+    assert_eq!(
+        robustness(&setting, k, &GRID, [3, 61]).expect_err("refused").to_string(),
+        "part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [3, 61]"
+    );
+    let large = StartGrid {
+        x: Range { count: 1000, ..GRID.x },
+        y: Range { count: 1000, ..GRID.y },
+        ..GRID
+    };
+    assert_eq!(
+        robustness(&setting, k, &large, [0, 400_001]).expect_err("refused").to_string(),
+        "the number of starts must be at most 400000 with 1 starts and 1000 samples a run, \
+         but was 400001"
+    );
+    assert_eq!(
+        seed_runs(setting.experiment(), [0, 1000], 200).expect_err("refused").to_string(),
+        "the number of drives must be at most 400000 with 1 starts and 1000 samples a run, \
+         but was 8040000"
+    );
+    assert_eq!(
+        on_circle(Posture::default(), -1e4, 3, 1).expect_err("refused").to_string(),
+        "radius must be a number from -1000 to 1000 m, but was -10000"
+    );
+    assert!(on_circle(Posture::default(), 1.0, 0, 1).is_err());
 }

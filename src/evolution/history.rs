@@ -3,6 +3,7 @@
 use super::{GenerationRecord, Individual, Statistics};
 use crate::episode::Setting;
 use crate::experiment::{Experiment, InvalidInput, shown};
+use crate::random::LARGEST_INDEX;
 
 /// A run of evolutionary programming that remembers itself.
 ///
@@ -23,7 +24,7 @@ pub struct Evolution {
 const SNAPSHOT_BYTES: usize = 8 << 20;
 
 /// The last generation that a run can reach; the number of streams sets it.
-pub const LAST_GENERATION: u32 = (1 << 30) - 1;
+pub const LAST_GENERATION: u32 = LARGEST_INDEX;
 
 impl Evolution {
     /// Generation 0: the random initial population, driven.

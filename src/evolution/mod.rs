@@ -5,7 +5,7 @@ mod individual;
 mod mutation;
 mod tournament;
 
-pub use history::Evolution;
+pub use history::{Evolution, LAST_GENERATION};
 pub use individual::Individual;
 pub use mutation::{COMMON_LEARNING_RATE, LEARNING_RATE, Mutation};
 pub use tournament::{Tournament, wins_bout};
@@ -38,8 +38,13 @@ pub struct GenerationRecord {
 impl GenerationRecord {
     /// Generation 0: N individuals with k_j uniform in the initial range and σ_j the initial σ (steps 1 and 2).
     pub fn initial(setting: &Setting) -> Self {
+        Self::drawn(setting, 0)
+    }
+
+    /// A population drawn from the initial range, one of as many as there are numbers. Evolution begins with number 0.
+    pub(crate) fn drawn(setting: &Setting, number: u32) -> Self {
         let e = &setting.experiment().evolution;
-        let mut rng = stream(e.seed, Purpose::Initialisation, 0);
+        let mut rng = stream(e.seed, Purpose::Initialisation, number);
         let parents = (0..e.population).map(|_| Individual::random(e, &mut rng)).collect();
         let parents = evaluated(setting, parents);
         let mut survivors: Vec<u32> = (0..e.population).collect();
