@@ -3,7 +3,8 @@
 use ep_locomotion::control::Gains;
 use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
-use ep_locomotion::experiment::{Experiment, InvalidInput, PAPER_RESULTS, PaperMethod, Preset};
+use ep_locomotion::experiment::{Experiment, PAPER_RESULTS, PaperMethod, Preset};
+use ep_locomotion::fields::InvalidInput;
 
 const SEEDS: u32 = 10;
 const GENERATIONS: u32 = 200;

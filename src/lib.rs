@@ -10,7 +10,7 @@
 //! - [`control`]: gains, the control law (5), the rule it improves on, Lyapunov function, Theorem 2 (6)–(8)
 //! - [`limits`], [`disturbance`]: what becomes of a command on its way to the wheels
 //! - [`cost`]: the cost J (9) in its parts
-//! - [`experiment`]: everything that defines a run, the presets, the allowed ranges
+//! - [`experiment`], [`fields`]: everything that defines a run, the presets; the allowed range of every number
 //! - [`episode`]: one run of one robot
 //! - [`lanes`]: many runs at once, with the same law and the same bits
 //! - [`evolution`]: mutation, tournament, one generation, the whole run
@@ -33,7 +33,7 @@
 //!     evolution.step();
 //! }
 //! assert!(evolution.newest().best.cost < by_hand);
-//! # Ok::<(), ep_locomotion::experiment::InvalidInput>(())
+//! # Ok::<(), ep_locomotion::fields::InvalidInput>(())
 //! ```
 //!
 //! What holds everywhere:
@@ -59,6 +59,7 @@ pub mod limits;
 pub mod cost;
 
 pub mod experiment;
+pub mod fields;
 
 pub mod episode;
 

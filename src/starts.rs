@@ -5,7 +5,8 @@ use core::f64::consts::TAU;
 use rand::RngExt;
 use serde::{Deserialize, Serialize};
 
-use crate::experiment::{InvalidInput, MAX_STARTS, field_at, shown};
+use crate::experiment::MAX_STARTS;
+use crate::fields::{InvalidInput, field_at, shown};
 use crate::posture::{Posture, wrap};
 use crate::random::{Purpose, stream};
 

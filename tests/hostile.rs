@@ -7,7 +7,8 @@ use ep_locomotion::control::Gains;
 use ep_locomotion::disturbance::DisturbanceKind;
 use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
-use ep_locomotion::experiment::{Experiment, FIELDS, Preset};
+use ep_locomotion::experiment::{Experiment, Preset};
+use ep_locomotion::fields::FIELDS;
 use ep_locomotion::posture::Posture;
 use wasm_bindgen_test::wasm_bindgen_test;
 

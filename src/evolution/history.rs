@@ -2,7 +2,8 @@
 
 use super::{GenerationRecord, Individual, Statistics};
 use crate::episode::Setting;
-use crate::experiment::{Experiment, InvalidInput, shown};
+use crate::experiment::Experiment;
+use crate::fields::{InvalidInput, shown};
 use crate::random::LARGEST_INDEX;
 
 /// A run of evolutionary programming that remembers itself.

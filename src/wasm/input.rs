@@ -1,0 +1,180 @@
+//! Reads what came from JavaScript, and refuses what is wrong by its name.
+
+use js_sys::{Array, ArrayBuffer, Float64Array, Object, Reflect};
+use wasm_bindgen::prelude::*;
+
+use super::Result;
+use crate::experiment::MAX_STARTS;
+use crate::fields::{CHOICES, InvalidInput, field_at, shown};
+
+/// kx, ky or kθ, and of which robot if it is not the first.
+pub(super) fn gain_name(index: usize) -> String {
+    let name = ["kx", "ky", "kθ"][index % 3];
+    if index < 3 { name.into() } else { format!("{name} (gains[{index}])") }
+}
+
+/// A value that came from JavaScript, and where it stood.
+pub(super) struct Input {
+    pub(super) value: JsValue,
+    pub(super) path: String,
+}
+
+impl Input {
+    pub(super) fn refused(&self, expected: impl Into<String>) -> InvalidInput {
+        let path = if self.path.is_empty() { "experiment" } else { &self.path };
+        InvalidInput::new(path, expected, description(&self.value))
+    }
+
+    /// The object's own field; what it inherits does not count.
+    pub(super) fn get(&self, key: &str) -> Result<Input> {
+        let path =
+            if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) };
+        let own = Object::has_own(self.value.unchecked_ref::<Object>(), &key.into());
+        let value = if own { Reflect::get(&self.value, &key.into())? } else { JsValue::UNDEFINED };
+        Ok(Input { value, path })
+    }
+
+    /// Refuses anything but an object that has no other keys than these.
+    pub(super) fn keys(&self, known: &[&str]) -> Result<()> {
+        if !self.value.is_object() || Array::is_array(&self.value) {
+            return Err(self.refused("an object").into());
+        }
+        for key in Reflect::own_keys(self.value.unchecked_ref())? {
+            let key = key.as_string().unwrap_or_else(|| "a symbol".into());
+            if !known.contains(&key.as_str()) {
+                let path = if self.path.is_empty() { "experiment" } else { &self.path };
+                let expected = format!("an object with no fields but {}", known.join(", "));
+                return Err(InvalidInput::new(path, expected, format!("one with '{key}'")).into());
+            }
+        }
+        Ok(())
+    }
+
+    /// The elements of an array, which must have this length if one is given.
+    pub(super) fn array(&self, length: Option<u32>) -> Result<impl Iterator<Item = Input>> {
+        let expected = || match length {
+            Some(length) => format!("an array of {length}"),
+            None => format!("an array of 1 to {MAX_STARTS}"),
+        };
+        let array: &Array = self.value.unchecked_ref();
+        if !Array::is_array(&self.value)
+            || length.is_some_and(|length| length != array.length())
+            || array.length() as usize > MAX_STARTS
+        {
+            return Err(self.refused(expected()).into());
+        }
+        let elements: Vec<Input> = (0..array.length())
+            .map(|i| Input { value: array.get(i), path: format!("{}[{i}]", self.path) })
+            .collect();
+        Ok(elements.into_iter())
+    }
+
+    /// The numbers of an array of gains.
+    pub(super) fn numbers(&self) -> Result<Vec<f64>> {
+        if let Some(array) = self.value.dyn_ref::<Float64Array>() {
+            return Ok(array.to_vec());
+        }
+        if !Array::is_array(&self.value) && !ArrayBuffer::is_view(&self.value) {
+            return Err(self.refused("a Float64Array or an array of numbers").into());
+        }
+        let elements = Array::from(&self.value).into_iter().enumerate();
+        elements.map(|(i, value)| Input { value, path: gain_name(i) }.number()).collect()
+    }
+
+    /// A part [first, end) of `count`; all if it is left out.
+    pub(super) fn part(&self, count: u32) -> Result<[u32; 2]> {
+        if self.value.is_undefined() {
+            return Ok([0, count]);
+        }
+        let ends = self.array(Some(2))?.map(|end| end.whole_number(count));
+        match ends.collect::<Result<Vec<_>>>()?[..] {
+            [first, end] => Ok([first, end]),
+            _ => Err(self.refused("an array of 2").into()),
+        }
+    }
+
+    pub(super) fn number(&self) -> Result<f64> {
+        self.value.as_f64().ok_or_else(|| self.refused("a number").into())
+    }
+
+    pub(super) fn whole_number(&self, largest: u32) -> Result<u32> {
+        let refused = || self.refused(format!("a whole number from 0 to {largest}"));
+        let number = self.value.as_f64().ok_or_else(refused)?;
+        if number.fract() == 0.0 && (0.0..=f64::from(largest)).contains(&number) {
+            Ok(number as u32)
+        } else {
+            Err(refused().into())
+        }
+    }
+
+    /// This value where it is given and allowed, the template's where it is left out.
+    pub(super) fn completed(&self, template: &JsValue) -> Result<JsValue> {
+        if self.value.is_undefined() && !self.path.is_empty() {
+            return Ok(template.clone());
+        }
+        if let Some(field) = field_at(&self.path) {
+            let allowed = match self.value.as_f64() {
+                Some(number) => field.allows(number),
+                None => self.value.is_null() && field.nullable,
+            };
+            if !allowed {
+                return Err(self.refused(field.expected()).into());
+            }
+            return Ok(self.value.clone());
+        }
+        if let Some((_, words)) = CHOICES.iter().find(|(path, _)| *path == self.path) {
+            let word = self.value.as_string();
+            if !word.is_some_and(|word| words.contains(&word.as_str())) {
+                let expected: Vec<String> = words.iter().map(|word| format!("'{word}'")).collect();
+                return Err(self.refused(expected.join(" or ")).into());
+            }
+            return Ok(self.value.clone());
+        }
+        if Array::is_array(template) {
+            let template: &Array = template.unchecked_ref();
+            let any_length = self.path == "starts";
+            let array = Array::new();
+            for (i, element) in self.array((!any_length).then(|| template.length()))?.enumerate() {
+                let template = template.get(if any_length { 0 } else { i as u32 });
+                array.push(&element.completed(&template)?);
+            }
+            return Ok(array.into());
+        }
+        let names: Vec<String> = Object::keys(template.unchecked_ref::<Object>())
+            .into_iter()
+            .filter_map(|key| key.as_string())
+            .collect();
+        self.keys(&names.iter().map(String::as_str).collect::<Vec<_>>())?;
+        let object = Object::new();
+        for name in &names {
+            let template = Reflect::get(template, &name.into())?;
+            let value = self.get(name)?.completed(&template)?;
+            Reflect::set(&object, &name.into(), &value)?;
+        }
+        Ok(object.into())
+    }
+}
+
+/// A value in words for a message.
+fn description(value: &JsValue) -> String {
+    if let Some(number) = value.as_f64() {
+        return shown(number);
+    }
+    if let Some(text) = value.as_string() {
+        let shown: String = text.chars().take(40).collect();
+        return if shown.len() < text.len() {
+            format!("'{shown}…'")
+        } else {
+            format!("'{shown}'")
+        };
+    }
+    if Array::is_array(value) {
+        return format!("an array of {}", value.unchecked_ref::<Array>().length());
+    }
+    match value.as_bool() {
+        Some(truth) => truth.to_string(),
+        None if value.is_null() => "null".into(),
+        None if value.is_undefined() => "undefined".into(),
+        None => format!("of type {}", value.js_typeof().as_string().unwrap_or_default()),
+    }
+}
