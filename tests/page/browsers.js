@@ -208,13 +208,20 @@ export class Page {
   async resize(width, height) {
     const window = this.driver.manage().window();
     // The frame's size is not known beforehand: the second attempt corrects what the first one missed.
-    for (let attempt = 0; attempt < 2; attempt++) {
+    for (let attempt = 0; attempt < 5; attempt++) {
       const inner = await this.evaluate(() => ({ width: innerWidth, height: innerHeight }));
+      if (inner.width === width && inner.height === height) return;
       const outer = await window.getRect();
       await window.setRect({
         width: outer.width + width - inner.width,
         height: outer.height + height - inner.height,
       });
+      // The page learns its new size later than the window.
+      await this.evaluate(async (old) => {
+        for (let frame = 0; frame < 30 && innerWidth === old.width && innerHeight === old.height; frame++) {
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+        }
+      }, inner);
     }
   }
 

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { Key, pageTest } from './browsers.js';
 import { evolve, experiment, glue, shown, simulate, wasm } from './core.js';
-import { read, readEvolution } from './reading.js';
+import { arrival, read, readEvolution } from './reading.js';
 import { serve } from './server.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
@@ -48,10 +48,13 @@ pageTest('1 generation makes one generation, and the best J never rises', async 
   assert.ok(costs[6] < costs[0], `best J did not fall in six generations: ${costs}`);
 });
 
-pageTest('Run goes on by itself until Pause', async (page) => {
+pageTest('Run goes on by itself until Pause, however long that is pressed', async (page) => {
   await page.click('#run');
-  await reaches(page, 3);
-  await page.click('#run');
+  await reaches(page, 2);
+  const run = await page.element('#run');
+  await page.driver.actions().move({ origin: run }).press().perform();
+  await reaches(page, Number((await read(page)).generation) + 2);
+  await page.driver.actions().release().perform();
   const paused = await readEvolution(page);
   await framesOfHalfASecond(page);
   assert.deepEqual(await readEvolution(page), paused);
@@ -132,7 +135,9 @@ pageTest('the fitness curve grows, and its text tells best and median', async (p
     });
   const before = await curve();
   await step(page, 20);
-  await page.until('the robots rest', () => !document.querySelector('#play.playing'));
+  // The words wait until nothing moves.
+  await page.focus('#scrub');
+  await page.press(Key.END);
   await read(page);
   const after = await curve();
   assert.notEqual(after.picture, before.picture);
@@ -155,7 +160,7 @@ pageTest("the robot's clock never touches evolution, nor evolution a robot that 
   await page.click('#speed option[value="2"]');
   await untouched('faster');
   await page.click('#play');
-  await page.until('the robot arrives', () => !document.querySelector('#play.playing'));
+  await arrival(page);
   await untouched('arrived');
   await page.click('#speed option[value="0.25"]');
   await page.click('#play');

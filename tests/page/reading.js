@@ -50,6 +50,13 @@ export async function readEvolution(page) {
   return { generation, seed, cost, gains };
 }
 
+/** Waits until the robots' clock shows their final time. @param {Page} page */
+export const arrival = (page) =>
+  page.until('the robots arrive', () => {
+    const [time, finalTime] = document.getElementById('clock')?.innerText.match(/\d+\.\d+/g) ?? [];
+    return time !== undefined && time === finalTime;
+  });
+
 /** The middle of an element, in pixels from the top left corner of another one. @param {Page} page @param {string} id @param {string} [within] */
 export function middleOf(page, id, within = 'plane-robots') {
   return page.evaluate(
