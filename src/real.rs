@@ -39,7 +39,7 @@ pub trait Real:
 }
 
 /// Up to this half turn, in radians, four terms of the series give sin h and cos h to the last bit.
-pub(crate) const SMALL_ANGLE: f64 = 1.0 / 24.0;
+pub const SMALL_ANGLE: f64 = 1.0 / 24.0;
 
 /// (sin h / h, cos h) for |h| < [`SMALL_ANGLE`].
 #[inline]
