@@ -131,9 +131,10 @@ impl Setting {
         Robot::at_rest(start.error_to(self.experiment.goal))
     }
 
-    /// The reference posture after a time `t` (s).
-    pub fn reference(&self, t: f64) -> Posture {
-        self.experiment.goal.advance(self.experiment.reference_velocity, t)
+    /// The reference posture at sample `n`.
+    fn reference_at(&self, n: u32) -> Posture {
+        let Experiment { goal, reference_velocity, sample_time, .. } = self.experiment;
+        goal.advance(reference_velocity, f64::from(n) * sample_time)
     }
 
     /// How a run has ended at sample `n`, if it has.
@@ -162,10 +163,9 @@ impl Setting {
         let e = &self.experiment;
         let half_dt = 0.5 * e.sample_time;
         let [rv, rw] = e.weights.velocity;
-        let time = self.final_time(outcome, n);
         let cost = Cost {
-            time,
-            final_error: e.weights.final_error(&robot.error, self.reference(time).theta),
+            time: self.final_time(outcome, n),
+            final_error: e.weights.final_error(&robot.error, self.reference_at(n).theta),
             path: half_dt * robot.path,
             energy: half_dt * (rv * robot.energy.linear + rw * robot.energy.angular),
             penalty: e.weights.penalty(gains),
@@ -305,7 +305,7 @@ impl EpisodeState {
         self.advance(setting);
         let Experiment { reference_velocity, .. } = setting.experiment;
         let time = setting.final_time(before.outcome, before.n);
-        let reference = setting.reference(time);
+        let reference = setting.reference_at(before.n);
         let error = before.robot.error;
         Sample {
             time,
@@ -330,8 +330,8 @@ impl EpisodeState {
             self.outcome = setting.outcome(&self.robot.error, self.n);
             self.heading += step.arc.turn();
             if self.heading.abs() > MOST_HEADING {
-                let time = setting.final_time(self.outcome, self.n);
-                self.heading = wrap(setting.reference(time).theta - self.robot.error.theta);
+                let reference = setting.reference_at(self.n);
+                self.heading = wrap(reference.theta - self.robot.error.theta);
             }
         }
     }
