@@ -56,7 +56,18 @@ function createRow(gain, index, events) {
 
   slider.addEventListener('input', () => events.onSlide(index, slider.valueAsNumber));
   slider.addEventListener('change', events.onSlid);
-  number.addEventListener('change', () => events.onType(index, number.value));
+  // What somebody is typing is not overwritten by what evolution finds meanwhile.
+  let typing = false;
+  number.addEventListener('input', () => {
+    typing = true;
+  });
+  number.addEventListener('blur', () => {
+    typing = false;
+  });
+  number.addEventListener('change', () => {
+    typing = false;
+    events.onType(index, number.value);
+  });
   number.addEventListener('focus', () => number.select());
 
   return {
@@ -69,9 +80,11 @@ function createRow(gain, index, events) {
         `${(100 * (Math.min(Math.max(at, low), high) - low)) / (high - low)}%`;
       slider.style.setProperty('--from', percent(Math.min(0, value)));
       slider.style.setProperty('--to', percent(Math.max(0, value)));
-      if (!message) number.value = strings.typed(value, 3);
+      const text = strings.typed(value, 3);
+      const isStale = !message && !typing && number.value !== text;
+      if (isStale) number.value = text;
       number.setAttribute('aria-invalid', String(message !== ''));
-      if (message && document.activeElement === number) number.select();
+      if ((message || isStale) && document.activeElement === number) number.select();
       error.textContent = message;
       error.hidden = message === '';
     },

@@ -154,3 +154,18 @@ pageTest('a decimal comma and a minus sign are understood', async (page) => {
   const { gains } = await read(page);
   assert.deepEqual(gains.slice(0, 2), ['4.250', '-0.500']);
 });
+
+pageTest('what is being typed is not overwritten by what evolution finds', async (page) => {
+  await page.click('#run');
+  await page.focus('#gain-kx');
+  await page.press('4');
+  const before = Number((await read(page)).generation);
+  await page.until(
+    'two generations have passed',
+    (from) => Number(document.getElementById('generation')?.innerText) >= from + 2,
+    before,
+  );
+  await page.press('2', Key.ENTER);
+  const { driver, gains } = await read(page);
+  assert.deepEqual([driver, gains[0]], ['hand', '42.000']);
+});
