@@ -1,7 +1,13 @@
 // What the controls do: each takes the page from one good state to the next, or leaves it and says why.
-import { atEnd, fromStart, gainsOf, generationsPerRun } from './state.js';
+import { firstDisturbance } from './disturbance/page.js';
+import { firstLandscape } from './landscape/request.js';
+import { firstLuck } from './luck/page.js';
+import { messageOf } from './messages.js';
+import { atEnd, endsOf, fromStart, gainsOf, generationsPerRun, noTrial } from './state.js';
+import { firstRobustness } from './robustness/page.js';
+import { firstTraining } from './training/page.js';
 import { boxAround, refit } from './view.js';
-import * as strings from './strings.js';
+import * as strings from './words/en/lab.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Experiment} Experiment */
@@ -9,6 +15,7 @@ import * as strings from './strings.js';
 /** @typedef {import('./engine.js').Posture} Posture */
 /** @typedef {import('./engine.js').Preset} Preset */
 /** @typedef {import('./state.js').Driver} Driver */
+/** @typedef {import('./state.js').PageName} PageName */
 /** @typedef {import('./state.js').Restart} Restart */
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./state.js').Store} Store */
@@ -22,11 +29,8 @@ const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
 /** The robots drive from the start, or stand at the end for who wants no motion. */
 const shown = () => (stillPlease.matches ? atEnd : fromStart);
 
-/** @param {unknown} error */
-export const messageOf = (error) => (error instanceof Error ? error.message : String(error));
-
-/** @param {Experiment} experiment */
-export const endsOf = (experiment) => ({ start: experiment.starts[0], goal: experiment.goal });
+/** Whether a start is tried there, and not given to evolution. @param {PageName} page */
+const triesStarts = (page) => ['robustness', 'training', 'disturbance'].includes(page);
 
 /** @param {Posture} a @param {Posture} b */
 const isSame = (a, b) => a.x === b.x && a.y === b.y && a.theta === b.theta;
@@ -36,6 +40,7 @@ export function firstState(engine, preset) {
   const experiment = engine.experiment(preset);
   const { statistics, population } = engine.begin(experiment);
   return {
+    page: 'lab',
     preset,
     experiment,
     history: [statistics],
@@ -44,10 +49,16 @@ export function firstState(engine, preset) {
     restart: 'begin',
     driver: 'evolved',
     handGains: null,
+    trial: noTrial,
+    landscape: firstLandscape,
+    robustness: firstRobustness,
+    training: firstTraining,
+    disturbance: firstDisturbance,
+    luck: firstLuck,
     robot: shown(),
     speed: 1,
     dragging: false,
-    box: boxAround(Object.values(endsOf(experiment))),
+    box: boxAround([experiment.starts[0], experiment.goal]),
     size: { width: 0, height: 0 },
     theme: 0,
     message: '',
@@ -79,8 +90,8 @@ export function createActions(engine, store, paper, finalTime) {
   };
 
   const refitBox = () => {
-    const { box, size, experiment } = store.get();
-    store.update({ box: refit(box, size, Object.values(endsOf(experiment))) });
+    const { box, size } = store.get();
+    store.update({ box: refit(box, size, Object.values(endsOf(store.get()))) });
   };
 
   /** @param {readonly number[]} gains */
@@ -175,12 +186,16 @@ export function createActions(engine, store, paper, finalTime) {
       attempt(() => driveByHand(withGain(index, value)));
     },
 
+    /** Drives by hand with all three gains. @param {Triple} gains */
+    driveGains(gains) {
+      attempt(() => driveByHand(gains));
+    },
+
     driveAgain,
 
     /** @param {number} index @param {string} text */
     typeGain(index, text) {
-      const value =
-        text.trim() === '' ? Number.NaN : Number(text.trim().replaceAll('−', '-').replace(',', '.'));
+      const value = strings.numberOf(text);
       const { name } = strings.gains[index];
       if (!Number.isFinite(value)) return refuseGain(index, strings.notANumber(name, text));
       try {
@@ -192,12 +207,17 @@ export function createActions(engine, store, paper, finalTime) {
     },
 
     /** @param {End} end */
-    postureOf: (end) => endsOf(store.get().experiment)[end],
+    postureOf: (end) => endsOf(store.get())[end],
 
     /** @param {End} end @param {Posture} posture @param {boolean} dragging */
     movePosture(end, posture, dragging) {
-      const { experiment } = store.get();
-      if (isSame(endsOf(experiment)[end], posture)) return;
+      const { experiment, trial, page } = store.get();
+      if (isSame(endsOf(store.get())[end], posture)) return;
+      if (end === 'start' && triesStarts(page)) {
+        store.update({ trial: { ...trial, start: posture }, dragging });
+        if (!dragging) refitBox();
+        return;
+      }
       const next =
         end === 'goal'
           ? { ...experiment, goal: posture }
@@ -214,10 +234,29 @@ export function createActions(engine, store, paper, finalTime) {
 
     /** Start and goal of the paper. */
     restorePostures() {
-      const { experiment, preset } = store.get();
+      const { experiment, preset, trial } = store.get();
+      if (trial.start) return this.tryStart(null);
       const { starts, goal } = engine.experiment(preset);
       begin({ ...experiment, starts, goal }, 'moved');
       store.update({ box: boxAround([starts[0], goal]), robot: shown() });
+    },
+
+    /** Drives from a start that evolution does not see, or again from its own. @param {Posture | null} start */
+    tryStart(start) {
+      const { trial } = store.get();
+      store.update({
+        trial: start || trial.disturbance ? { ...trial, start } : noTrial,
+        robot: shown(),
+      });
+      refitBox();
+    },
+
+    /** @param {PageName} page */
+    openPage(page) {
+      if (page === store.get().page) return;
+      const tried = store.get().trial !== noTrial;
+      store.update({ page, trial: noTrial });
+      if (tried) refitBox();
     },
 
     togglePlay() {

@@ -1,6 +1,6 @@
 // Two clocks that never meet: the robot's bar, evolution's bar, and the loop that turns real time into both.
 import { watch } from './state.js';
-import * as strings from './strings.js';
+import * as strings from './words/en/lab.js';
 
 /** @typedef {import('./engine.js').Statistics} Statistics */
 

@@ -1,6 +1,6 @@
 // J and its parts.
 import { watch } from './state.js';
-import * as strings from './strings.js';
+import * as strings from './words/en/lab.js';
 
 /** @typedef {import('./engine.js').Run} Run */
 /** @typedef {{ title: string, run: Run, note: string }} CostModel */

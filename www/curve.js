@@ -1,7 +1,7 @@
 // The fitness curve: the best and the median J of each generation.
 import uPlot from 'uplot';
 import { watch } from './state.js';
-import * as strings from './strings.js';
+import * as strings from './words/en/lab.js';
 
 /** @typedef {import('./engine.js').Statistics} Statistics */
 /** @typedef {{ history: Statistics[], paper: number, theme: number }} CurveModel */

@@ -1,5 +1,8 @@
-// The only module that knows the core: everything else receives plain numbers from here.
-import init, { Evolution, experiment, paper, randomSeed, simulateAll } from '../pkg/ep_locomotion.js';
+// The only module, with its workers, that knows the core: everything else receives plain numbers from here.
+import { Evolution, experiment, initSync, paper, randomSeed, simulateAll } from '../pkg/ep_locomotion.js';
+import { createPool } from './pool.js';
+import { createSurveys } from './surveys.js';
+import SurveyWorker from './worker.js?worker';
 
 /** @typedef {import('../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
@@ -17,9 +20,20 @@ import init, { Evolution, experiment, paper, randomSeed, simulateAll } from '../
 
 /** Loads the core. */
 export async function createEngine() {
-  await init();
+  const module = await compileCore();
+  initSync({ module });
   /** @type {Evolution | null} */
   let evolution = null;
+
+  /** @type {import('./surveys.js').Surveys | null} */
+  let surveys = null;
+
+  /** A worker makes no request of its own: it gets the core from here. */
+  function spawn() {
+    const worker = new SurveyWorker();
+    worker.postMessage({ core: module });
+    return worker;
+  }
 
   /** @param {Evolution} from @returns {Generation} */
   const newest = (from) => ({
@@ -51,5 +65,18 @@ export async function createEngine() {
 
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) => simulateAll(from, gains.flat()),
+
+    /** Long jobs, which workers do; they are started at the first one. */
+    get surveys() {
+      surveys ??= createSurveys(createPool({ spawn }));
+      return surveys;
+    },
   };
+}
+
+/** Compiled once, for the page and its workers. */
+async function compileCore() {
+  const response = await fetch(new URL('../pkg/ep_locomotion_bg.wasm', import.meta.url));
+  if (!response.ok) throw new Error(`the core is missing: ${response.status} ${response.statusText}`);
+  return WebAssembly.compile(await response.arrayBuffer());
 }

@@ -1,20 +1,30 @@
 // Wires the page: experiment → engine → views. The views get numbers and draw them.
-import { createActions, endsOf, firstState, messageOf } from './actions.js';
+import { createActions, firstState } from './actions.js';
 import { createAccumulator, createFrameLoop } from './clocks.js';
 import { createEngine } from './engine.js';
+import { createDisturbancePage } from './disturbance/page.js';
+import { createLandscapePage } from './landscape/page.js';
+import { createLuckPage } from './luck/page.js';
+import { messageOf } from './messages.js';
+import { createRobustnessPage } from './robustness/page.js';
 import {
   advanceRobot,
   createScene,
   createStore,
+  endsOf,
   gainsOf,
   generationsPerRun,
   generationsPerSecond,
+  pageNames,
   remember,
 } from './state.js';
-import * as strings from './strings.js';
+import * as strings from './words/en/lab.js';
+import { createTrainingPage } from './training/page.js';
 import { createView } from './view.js';
-import { byId, createViews, fillTexts, showMessage } from './views.js';
+import { byId } from './elements.js';
+import { createViews, fillTexts, showMessage } from './views.js';
 
+/** @typedef {import('./actions.js').Actions} Actions */
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Experiment} Experiment */
 /** @typedef {import('./engine.js').PaperResult} PaperResult */
@@ -39,6 +49,21 @@ function start(engine) {
   const finalTime = () => sceneOf(store.get()).driving.finalTime;
   const actions = createActions(engine, store, paper, finalTime);
   const draw = createDraw(createViews(actions), engine, paper);
+  const pages = [
+    createLandscapePage,
+    createRobustnessPage,
+    createTrainingPage,
+    createDisturbancePage,
+    createLuckPage,
+  ].map((create) => create({ engine, store, actions, paper }));
+
+  /** Draws what the state says, then asks the workers for what the open page still lacks. */
+  const show = () => {
+    const state = store.get();
+    const scene = sceneOf(state);
+    draw(state, scene);
+    for (const page of pages) if (page.name === state.page) page.draw(state, scene);
+  };
 
   /** @param {number} seconds */
   function frame(seconds) {
@@ -46,14 +71,14 @@ function start(engine) {
     if (before.evolving && !before.dragging) actions.evolve(generations.take(seconds));
     const { robot, speed, evolving } = store.get();
     if (robot.playing) store.update({ robot: advanceRobot(robot, seconds, speed, finalTime(), evolving) });
-    draw(store.get(), sceneOf(store.get()));
+    show();
     return store.get().evolving || store.get().robot.playing;
   }
 
-  byId('tagline').textContent = strings.tagline(store.get().experiment.evolution.population);
   byId('plane-robots').setAttribute('aria-label', strings.planeLabel);
   byId('instrument').hidden = false;
-  followSurroundings(store, () => draw(store.get(), sceneOf(store.get())));
+  followSurroundings(store, show);
+  followLink(store, actions);
   loop.request();
   // After the first picture, which was asked for before this.
   requestAnimationFrame(() => {
@@ -77,19 +102,31 @@ function followSurroundings(store, draw) {
     matchMedia(media).addEventListener('change', repaint);
 }
 
+/** The part of the page that the address names. @param {Store} store @param {Actions} actions */
+function followLink(store, actions) {
+  const follow = () => {
+    const name = location.hash.slice(1) || 'lab';
+    const page = pageNames.find((known) => known === name);
+    if (page) actions.openPage(page);
+    else store.update({ message: strings.unknownPage(name, pageNames) });
+  };
+  addEventListener('hashchange', follow);
+  follow();
+}
+
 /** @param {Views} views @param {Engine} engine @param {PaperResult[]} paper */
 function createDraw(views, engine, paper) {
   const viewOf = remember(createView);
-  const isMoved = remember(
-    (/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) =>
-      JSON.stringify(endsOf(experiment)) !== JSON.stringify(endsOf(engine.experiment(preset))),
-  );
+  const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
+    const { starts, goal } = engine.experiment(preset);
+    return JSON.stringify([experiment.starts, experiment.goal]) !== JSON.stringify([starts, goal]);
+  });
 
   /** @param {State} state @param {Scene} scene @param {number} time */
   const drawPlane = (state, scene, time) => {
     if (state.size.width === 0) return;
     const view = viewOf(state.box, state.size);
-    const ends = endsOf(state.experiment);
+    const ends = endsOf(state);
     views.plane.draw({ view, scene, ...ends, time, theme: state.theme });
     views.handles.draw({ view, ...ends });
   };
@@ -102,6 +139,7 @@ function createDraw(views, engine, paper) {
     const time = Math.min(robot.time, driving.finalTime);
 
     showMessage(state.message);
+    views.pages.draw(state.page, experiment.evolution.population);
     views.preset.draw(preset);
     views.drivers.draw(driver);
     drawPlane(state, scene, time);
@@ -121,13 +159,14 @@ function createDraw(views, engine, paper) {
       note: strings.gainsNote(driver, best.cost),
     });
     views.notes.draw({
-      ...endsOf(experiment),
+      ...endsOf(state),
       scene,
       driver,
       history,
       time,
       atRest: !robot.playing && !evolving && !state.dragging,
       moved: isMoved(experiment, preset),
+      tried: state.trial.start !== null,
     });
   };
 }

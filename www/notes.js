@@ -1,6 +1,6 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
 import { watch } from './state.js';
-import * as strings from './strings.js';
+import * as strings from './words/en/lab.js';
 
 /** @typedef {import('./engine.js').Posture} Posture */
 /** @typedef {import('./engine.js').Run} Run */
@@ -18,6 +18,7 @@ import * as strings from './strings.js';
  * @property {number} time
  * @property {boolean} atRest
  * @property {boolean} moved Start or goal is not the paper's.
+ * @property {boolean} tried The start is one that evolution does not see.
  */
 
 /** @param {NotesElements} elements @param {{ onRestore: () => void }} events */
@@ -34,7 +35,6 @@ export function createNotes({ legend, postures, planeText, curve, announcer }, {
     id: 'restore-postures',
     type: 'button',
     className: 'link',
-    textContent: strings.restorePostures,
   });
   restore.addEventListener('click', onRestore);
   const hint = item(postures, 'hint');
@@ -63,7 +63,7 @@ export function createNotes({ legend, postures, planeText, curve, announcer }, {
   return {
     /** @param {NotesModel} model */
     draw(model) {
-      const { scene, driver, history, moved } = model;
+      const { scene, driver, history, moved, tried } = model;
       const newest = history[history.length - 1];
       if (sceneChanged(scene.driving, scene.others, scene.comparison, driver, newest)) {
         driving.textContent = strings.driverName(driver, newest.generation);
@@ -74,11 +74,12 @@ export function createNotes({ legend, postures, planeText, curve, announcer }, {
           scene.comparison,
         );
       }
-      if (posturesChanged(model.start, model.goal, moved)) {
+      if (posturesChanged(model.start, model.goal, moved, tried)) {
         start.textContent = `${strings.startName} ${strings.postureText(model.start)}`;
         goal.textContent = `${strings.goalName} ${strings.postureText(model.goal)}`;
-        hint.hidden = moved;
-        restore.hidden = !moved;
+        hint.hidden = moved || tried;
+        restore.hidden = !moved && !tried;
+        restore.textContent = tried ? strings.endTrial : strings.restorePostures;
       }
       const silent = !planeText.textContent;
       if (

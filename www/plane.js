@@ -1,8 +1,10 @@
 // The plane in metres: paths on one canvas, redrawn when they change; robots on another, redrawn as they move.
+import { createLayer } from './canvas.js';
 import { keepInside, knobOf } from './view.js';
 import { watch } from './state.js';
-import * as strings from './strings.js';
+import * as strings from './words/en/lab.js';
 
+/** @typedef {import('./canvas.js').Layer} Layer */
 /** @typedef {import('./engine.js').Posture} Posture */
 /** @typedef {import('./engine.js').Run} Run */
 /** @typedef {import('./state.js').Scene} Scene */
@@ -51,31 +53,6 @@ function readColours() {
     muted: colour('--muted'),
   };
 }
-
-/** @param {HTMLCanvasElement} canvas */
-function createLayer(canvas) {
-  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-  const pixels = () => globalThis.devicePixelRatio || 1;
-  return {
-    context,
-    /** @param {View} view */
-    clear(view) {
-      const [width, height] = [Math.round(view.width * pixels()), Math.round(view.height * pixels())];
-      if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-      this.inPixels();
-      context.clearRect(0, 0, view.width, view.height);
-      context.setLineDash([]);
-    },
-    inPixels: () => context.setTransform(pixels(), 0, 0, pixels(), 0, 0),
-    /** @param {View} view */
-    inMetres(view) {
-      const scale = pixels() * view.scale;
-      context.setTransform(scale, 0, 0, -scale, pixels() * view.originX, pixels() * view.originY);
-    },
-  };
-}
-
-/** @typedef {ReturnType<typeof createLayer>} Layer */
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Colours} colours */
 function drawGrid(context, view, colours) {

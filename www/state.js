@@ -3,18 +3,23 @@
 /** @typedef {import('./engine.js').Experiment} Experiment */
 /** @typedef {import('./engine.js').Individual} Individual */
 /** @typedef {import('./engine.js').PaperResult} PaperResult */
+/** @typedef {import('./engine.js').Posture} Posture */
 /** @typedef {import('./engine.js').Preset} Preset */
 /** @typedef {import('./engine.js').Run} Run */
 /** @typedef {import('./engine.js').Statistics} Statistics */
 /** @typedef {import('./view.js').Box} Box */
+/** @typedef {import('./landscape/request.js').LandscapeState} LandscapeState */
 
 /** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver Whose gains drive the robot in ink. */
 /** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'reset'} Restart Why evolution is at generation 0. */
 /** @typedef {import('./engine.js').Triple} Triple */
+/** @typedef {typeof pageNames[number]} PageName */
+/** @typedef {{ start: Posture | null, disturbance: Experiment['disturbance'] | null }} Trial What a drive meets that evolution did not. */
 /** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */
 
 /**
  * @typedef {object} State
+ * @property {PageName} page Which part of the page is open.
  * @property {Preset} preset
  * @property {Experiment} experiment
  * @property {Statistics[]} history One entry a generation, the newest last.
@@ -23,6 +28,12 @@
  * @property {Restart} restart
  * @property {Driver} driver
  * @property {Triple | null} handGains
+ * @property {Trial} trial
+ * @property {LandscapeState} landscape
+ * @property {import('./robustness/page.js').RobustnessState} robustness
+ * @property {import('./training/page.js').TrainingState} training
+ * @property {import('./disturbance/page.js').DisturbanceState} disturbance
+ * @property {import('./luck/page.js').LuckState} luck
  * @property {RobotClock} robot
  * @property {number} speed
  * @property {boolean} dragging A posture is held by the pointer.
@@ -43,6 +54,18 @@
  * @property {Driver} comparisonDriver
  * @property {Run} paperEp The gains that evolution found in the paper.
  */
+
+export const pageNames = /** @type {const} */ ([
+  'lab',
+  'landscape',
+  'robustness',
+  'training',
+  'disturbance',
+  'luck',
+]);
+
+/** @type {Trial} */
+export const noTrial = Object.freeze({ start: null, disturbance: null });
 
 /** Evolution pauses by itself at the multiples of this, so that a forgotten page comes to rest. */
 export const generationsPerRun = 100;
@@ -134,6 +157,22 @@ function createOthers(drive) {
   });
 }
 
+/** Start and goal of what drives. @param {State} state */
+export const endsOf = ({ experiment, trial }) => ({
+  start: trial.start ?? experiment.starts[0],
+  goal: experiment.goal,
+});
+
+/** @param {Experiment} experiment @param {Trial} trial @returns {Experiment} */
+const tried = (experiment, trial) =>
+  trial === noTrial
+    ? experiment
+    : {
+        ...experiment,
+        starts: trial.start ? [trial.start] : experiment.starts,
+        disturbance: trial.disturbance ?? experiment.disturbance,
+      };
+
 /**
  * Everything that drives, as a pure function of the state.
  * @param {Drive} drive @param {PaperResult[]} paper
@@ -146,14 +185,16 @@ export function createScene(drive, paper) {
   const comparison = driveOne();
   const paperEp = driveOne();
   const others = createOthers(drive);
+  const triedOf = remember(tried);
   /** @type {Run[]} */
   const none = [];
   return (state) => {
-    const { experiment, population, driver } = state;
+    const { population, driver, trial } = state;
+    const experiment = triedOf(state.experiment, trial);
     const comparisonDriver = rivalOf(driver);
     return {
       driving: driving(experiment, gainsOf(state, driver, paper)),
-      others: driver === 'evolved' ? others(experiment, population) : none,
+      others: driver === 'evolved' && trial === noTrial ? others(experiment, population) : none,
       comparison: comparison(experiment, gainsOf(state, comparisonDriver, paper)),
       comparisonDriver,
       paperEp: paperEp(experiment, gainsOf(state, 'paper-ep', paper)),

@@ -2,18 +2,18 @@
 import { createEvolutionBar, createRobotBar } from './clocks.js';
 import { createCost } from './cost.js';
 import { createCurve } from './curve.js';
+import { byId } from './elements.js';
 import { createGains } from './gains.js';
 import { createHandles } from './handles.js';
 import { createNotes } from './notes.js';
 import { createPlane } from './plane.js';
 import { createSegmented } from './segmented.js';
-import * as strings from './strings.js';
+import { createPages } from './pages.js';
+import * as strings from './words/en/lab.js';
+import { texts } from './words/en/index.js';
 
 /** @typedef {import('./actions.js').Actions} Actions */
 /** @typedef {ReturnType<typeof createViews>} Views */
-
-/** @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
-export const byId = (id) => /** @type {T} */ (document.getElementById(id));
 
 /** @param {string} text */
 export function showMessage(text) {
@@ -23,16 +23,16 @@ export function showMessage(text) {
 }
 
 export function fillTexts() {
-  const words = /** @type {Record<string, string>} */ (strings.texts);
   for (const element of document.querySelectorAll('[data-text]'))
-    element.textContent = words[element.getAttribute('data-text') ?? ''];
+    element.textContent = texts[element.getAttribute('data-text') ?? ''];
   for (const element of document.querySelectorAll('[data-label]'))
-    element.setAttribute('aria-label', words[element.getAttribute('data-label') ?? '']);
+    element.setAttribute('aria-label', texts[element.getAttribute('data-label') ?? '']);
 }
 
 /** @param {Actions} actions */
 export function createViews(actions) {
   return {
+    pages: createPages(byId('pages'), byId('tagline'), document.querySelectorAll('[data-page]')),
     preset: createSegmented(byId('preset'), strings.presetLegend, strings.presets, actions.choosePreset),
     drivers: createSegmented(byId('drives'), strings.driverLegend, strings.drivers, actions.chooseDriver),
     plane: createPlane(byId('plane-paths'), byId('plane-robots')),

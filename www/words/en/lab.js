@@ -1,32 +1,19 @@
-// Every word on the screen.
+// Every word of the lab and of what all pages share.
+import { costText, degrees, fixed, postureText } from './numbers.js';
 
-/** @typedef {import('./engine.js').Posture} Posture */
-/** @typedef {import('./engine.js').Run} Run */
-/** @typedef {import('./engine.js').Statistics} Statistics */
-/** @typedef {import('./state.js').Driver} Driver */
-/** @typedef {import('./state.js').Restart} Restart */
+export * from './numbers.js';
 
-/** Fixed digits and no −0, as it is typed. @param {number} value @param {number} digits */
-export const typed = (value, digits) => (Math.abs(value) < 0.5 / 10 ** digits ? 0 : value).toFixed(digits);
-
-/** The same as it is printed, with a minus sign. @param {number} value @param {number} digits */
-export const fixed = (value, digits) => typed(value, digits).replace('-', '−');
-
-/** @param {number} value */
-export function costText(value) {
-  if (!Number.isFinite(value)) return '∞';
-  if (value < 100) return fixed(value, 3);
-  return value < 1e6 ? fixed(value, 1) : value.toExponential(2);
-}
-
-/** @param {number} radians */
-export const degrees = (radians) => `${fixed((radians * 180) / Math.PI, 0)}°`;
-
-/** @param {Posture} posture */
-export const postureText = ({ x, y, theta }) => `${fixed(x, 2)} m, ${fixed(y, 2)} m, ${degrees(theta)}`;
+/** @typedef {import('../../engine.js').Posture} Posture */
+/** @typedef {import('../../engine.js').Run} Run */
+/** @typedef {import('../../engine.js').Statistics} Statistics */
+/** @typedef {import('../../state.js').Driver} Driver */
+/** @typedef {import('../../state.js').PageName} PageName */
+/** @typedef {import('../../state.js').Restart} Restart */
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
+  pages: 'Parts of this page',
+  evolutionSection: 'Evolution',
   planeSection: 'The robots',
   robotClock: 'Clock of the robots',
   speed: 'Speed of the robots',
@@ -71,9 +58,34 @@ export const speeds = /** @type {const} */ ([
   [2, '2×'],
 ]);
 
-/** @param {number} population */
-export const tagline = (population) =>
-  `${population} robots, each with three random gains, drive to the goal. Evolution keeps the gains that drive well.`;
+export const pages = /** @type {const} */ ({
+  lab: 'Lab',
+  landscape: 'Landscape',
+  robustness: 'Robustness',
+  training: 'Training',
+  disturbance: 'Disturbance',
+  luck: 'Luck',
+});
+
+/** What each part is for. @param {number} population @returns {Record<PageName, string>} */
+export const taglines = (population) => ({
+  lab: `${population} robots, each with three random gains, drive to the goal. Evolution keeps the gains that drive well.`,
+  landscape:
+    'Every point is a robot with gains of its own, its colour the cost of its drive. Drag the goal: the valley moves.',
+  robustness:
+    'The same gains from everywhere: where does the robot arrive, and where not? Click a place and watch it drive from there.',
+  training:
+    'Gains that were evolved on one start have learned that start. Evolve on many, and test on starts that evolution never saw.',
+  disturbance:
+    'The ground pushes, the wheels slip: how far from the goal does the robot stay? Theorem 2 of the paper says how far at most.',
+  luck: 'The same evolution with a hundred seeds: how much of a good result is luck, and is it better than trying at random?',
+});
+
+/** @param {string} found @param {readonly string[]} expected */
+export const unknownPage = (found, expected) =>
+  `The link asks for “${found}”, which is no part of this page: ${expected.join(', ')}.`;
+
+export const endTrial = 'Back to its own start';
 
 /** @param {Driver} driver @param {number} generation */
 export const driverName = (driver, generation) =>

@@ -1,0 +1,248 @@
+// The part of the page that shows J over two gains, and what its controls do.
+import { gainsOf, remember, watch } from '../state.js';
+import { byId } from '../elements.js';
+import * as lab from '../words/en/lab.js';
+import * as words from '../words/en/landscape.js';
+import { createLandscapeRequests, createSpec, gainNames, gainsAt, thirdOf } from './request.js';
+import { axesOf, countOutside, createMap } from './view.js';
+
+/** @typedef {import('../actions.js').Actions} Actions */
+/** @typedef {import('../engine.js').Engine} Engine */
+/** @typedef {import('../engine.js').PaperResult} PaperResult */
+/** @typedef {import('../engine.js').Statistics} Statistics */
+/** @typedef {import('../state.js').Scene} Scene */
+/** @typedef {import('../state.js').State} State */
+/** @typedef {import('../state.js').Store} Store */
+/** @typedef {import('../state.js').Triple} Triple */
+/** @typedef {import('./request.js').GainName} GainName */
+/** @typedef {import('./request.js').LandscapeState} LandscapeState */
+/** @typedef {import('./view.js').Point} Point */
+/** @typedef {import('./view.js').MapModel} MapModel */
+
+/** @param {import('../pages.js').PageParts} parts @returns {import('../pages.js').Page} */
+export function createLandscapePage({ engine, store, actions, paper }) {
+  const specOf = createSpec(paper);
+  const requests = createLandscapeRequests(engine, store);
+  const map = createMap({
+    picture: byId('landscape-picture'),
+    marks: byId('landscape-marks'),
+    legend: byId('landscape-legend'),
+  });
+  const controls = createControls(store);
+  const pathOf = remember((/** @type {Statistics[]} */ history) => history.map(({ best }) => best.gains));
+  const read = remember(
+    (/** @type {State['experiment']} */ experiment, /** @type {Triple} */ gains) =>
+      engine.drive(experiment, [gains])[0],
+  );
+  const gainsUnder = remember(gainsAt);
+  const textsChanged = watch();
+  const size = followSize(store);
+
+  /** @returns {MapModel} */
+  const modelOf = () => {
+    const state = store.get();
+    return {
+      spec: specOf(state),
+      result: state.landscape.result,
+      population: state.population,
+      path: pathOf(state.history),
+      points: pointsOf(state, paper),
+      cursor: state.landscape.cursor,
+      size: size(),
+      theme: state.theme,
+    };
+  };
+  followPointer(store, actions, modelOf);
+  followKeys(store, actions, modelOf);
+
+  return {
+    name: 'landscape',
+    /** @param {State} state @param {Scene} scene */
+    draw(state, scene) {
+      const model = modelOf();
+      const { spec } = model;
+      requests.follow(spec, state.dragging);
+      controls.draw(state.landscape, spec.third);
+      map.draw(model);
+      const { result, message, cursor } = state.landscape;
+      const fresh = result?.spec === spec;
+      const gains = cursor ? gainsUnder(spec, cursor) : gainsOf(state, state.driver, paper);
+      const run = cursor ? read(state.experiment, gains) : scene.driving;
+      if (!textsChanged(run, message, fresh, result, model.population, spec.x, spec.y)) return;
+      byId('landscape-note').textContent = message
+        ? words.failed(message)
+        : result && fresh
+          ? words.drivesText(result.costs.length, result.milliseconds)
+          : words.computing;
+      const names = lab.gains.map(({ name }, i) => words.gainText(name, gains[i]));
+      const outside = model.size.width > 0 ? countOutside(axesOf(model), spec, model.population) : 0;
+      byId('landscape-readout').textContent = [
+        words.readout(names.join(', '), run, lab.outcomeText(run)),
+        ...(outside > 0 ? [words.outside(outside)] : []),
+      ].join('. ');
+    },
+  };
+}
+
+/** The points that have a name. @param {State} state @param {PaperResult[]} paper @returns {Point[]} */
+function pointsOf(state, paper) {
+  const { handGains } = state;
+  return [
+    { gains: gainsOf(state, 'paper-arbitrary', paper), name: words.paperArbitrary, mark: 'cross' },
+    { gains: gainsOf(state, 'paper-ep', paper), name: words.paperEp, mark: 'diamond' },
+    ...(handGains ? [/** @type {Point} */ ({ gains: handGains, name: words.hand, mark: 'ring' })] : []),
+  ];
+}
+
+/** The map's own size, kept up to date. @param {Store} store */
+function followSize(store) {
+  const element = byId('landscape-map');
+  let size = { width: 0, height: 0 };
+  new ResizeObserver(() => {
+    size = { width: element.clientWidth, height: element.clientHeight };
+    store.update({});
+  }).observe(element);
+  return () => size;
+}
+
+/** @param {Store} store @param {Partial<LandscapeState>} patch */
+const update = (store, patch) => store.update({ landscape: { ...store.get().landscape, ...patch } });
+
+/** @param {Store} store @param {Actions} actions @param {() => MapModel} modelOf */
+function followPointer(store, actions, modelOf) {
+  const element = byId('landscape-map');
+  let held = false;
+  /** @param {PointerEvent} event @returns {[number, number]} */
+  const pointAt = (event) => {
+    const { left, top } = element.getBoundingClientRect();
+    const { x, y } = axesOf(modelOf());
+    return [x.value(event.clientX - left), y.value(event.clientY - top)];
+  };
+  const drive = (/** @type {PointerEvent} */ event) => {
+    const cursor = pointAt(event);
+    update(store, { cursor });
+    actions.driveGains(gainsAt(modelOf().spec, cursor));
+  };
+  element.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    held = true;
+    element.setPointerCapture(event.pointerId);
+    drive(event);
+  });
+  element.addEventListener('pointermove', (event) => {
+    if (held) drive(event);
+    else if (event.pointerType !== 'touch') update(store, { cursor: pointAt(event) });
+  });
+  const release = () => {
+    if (held) actions.driveAgain();
+    held = false;
+  };
+  element.addEventListener('pointerup', release);
+  element.addEventListener('pointercancel', release);
+  element.addEventListener('pointerleave', () => {
+    if (!held) update(store, { cursor: null });
+  });
+}
+
+/** @param {Store} store @param {Actions} actions @param {() => MapModel} modelOf */
+function followKeys(store, actions, modelOf) {
+  const element = byId('landscape-map');
+  element.setAttribute('aria-label', words.mapLabel);
+  const steps = /** @type {Record<string, readonly [number, number]>} */ ({
+    ArrowRight: [1, 0],
+    ArrowLeft: [-1, 0],
+    ArrowUp: [0, -1],
+    ArrowDown: [0, 1],
+  });
+  element.addEventListener('keydown', (event) => {
+    const model = modelOf();
+    const { spec } = model;
+    const axes = axesOf(model);
+    const gains = model.population[0].gains;
+    const from = model.cursor ?? [
+      gains[gainNames.indexOf(spec.x.gain)],
+      gains[gainNames.indexOf(spec.y.gain)],
+    ];
+    if (event.key === 'Enter' || event.key === ' ') {
+      event.preventDefault();
+      actions.driveGains(gainsAt(spec, /** @type {[number, number]} */ (from)));
+      actions.driveAgain();
+    } else if (event.key === 'Escape') update(store, { cursor: null });
+    const step = steps[event.key];
+    if (!step || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    const pixels = event.shiftKey ? 40 : 4;
+    update(store, {
+      cursor: [
+        axes.x.value(axes.x.at(from[0]) + step[0] * pixels),
+        axes.y.value(axes.y.at(from[1]) + step[1] * pixels),
+      ],
+    });
+  });
+  element.addEventListener('blur', () => update(store, { cursor: null }));
+}
+
+/** Which gains the axes show. @param {Store} store */
+function createControls(store) {
+  const axes = /** @type {const} */ (['x', 'y']).map((axis) => {
+    /** @type {HTMLSelectElement} */
+    const select = byId(`landscape-${axis}`);
+    /** @type {HTMLInputElement} */
+    const log = byId(`landscape-${axis}-log`);
+    select.replaceChildren(...lab.gains.map(({ id, name }) => new Option(name, id)));
+    select.addEventListener('change', () => {
+      const { x, y } = store.get().landscape;
+      const [own, other] = axis === 'x' ? [x, y] : [y, x];
+      const gain = /** @type {GainName} */ (select.value);
+      // The gain of the other axis: the two change places.
+      const swapped = gain === other.gain ? { ...other, gain: own.gain } : other;
+      const chosen = { ...own, gain };
+      update(store, {
+        third: null,
+        thirdError: '',
+        cursor: null,
+        ...(axis === 'x' ? { x: chosen, y: swapped } : { x: swapped, y: chosen }),
+      });
+    });
+    log.addEventListener('change', () => {
+      update(store, { cursor: null, [axis]: { ...store.get().landscape[axis], log: log.checked } });
+    });
+    return { axis, select, log };
+  });
+
+  /** @type {HTMLInputElement} */
+  const third = byId('landscape-third');
+  /** @type {HTMLInputElement} */
+  const follows = byId('landscape-follows');
+  const error = byId('landscape-third-error');
+  third.addEventListener('change', () => {
+    const value = lab.numberOf(third.value);
+    const { name } = lab.gains[thirdOf(store.get().landscape)];
+    if (Number.isFinite(value)) update(store, { third: value, thirdError: '' });
+    else update(store, { thirdError: lab.notANumber(name, third.value) });
+  });
+  follows.addEventListener('change', () => {
+    const value = lab.numberOf(third.value);
+    update(store, { third: follows.checked || !Number.isFinite(value) ? null : value, thirdError: '' });
+  });
+
+  return {
+    /** @param {LandscapeState} landscape @param {number} value Of the gain that is on no axis. */
+    draw(landscape, value) {
+      for (const { axis, select, log } of axes) {
+        select.value = landscape[axis].gain;
+        log.checked = landscape[axis].log;
+      }
+      const { name } = lab.gains[thirdOf(landscape)];
+      byId('landscape-third-name').textContent = name;
+      third.setAttribute('aria-label', words.thirdLabel(name));
+      const text = lab.typed(value, 3);
+      if (document.activeElement !== third && !landscape.thirdError && third.value !== text)
+        third.value = text;
+      third.setAttribute('aria-invalid', String(landscape.thirdError !== ''));
+      follows.checked = landscape.third === null;
+      error.textContent = landscape.thirdError;
+      error.hidden = landscape.thirdError === '';
+    },
+  };
+}

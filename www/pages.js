@@ -1,0 +1,38 @@
+// The parts of the page: links to all, and only what belongs to the open one in sight.
+import { pageNames, watch } from './state.js';
+import * as strings from './words/en/lab.js';
+
+/** @typedef {import('./actions.js').Actions} Actions */
+/** @typedef {import('./engine.js').Engine} Engine */
+/** @typedef {import('./engine.js').PaperResult} PaperResult */
+/** @typedef {import('./state.js').PageName} PageName */
+/** @typedef {import('./state.js').Scene} Scene */
+/** @typedef {import('./state.js').State} State */
+/** @typedef {import('./state.js').Store} Store */
+
+/** @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[] }} PageParts */
+/** Drawn while it is open, at every change of the state. @typedef {{ name: PageName, draw: (state: State, scene: Scene) => void }} Page */
+
+/** @param {HTMLElement} nav @param {HTMLElement} tagline @param {NodeListOf<HTMLElement>} parts Each names the pages it belongs to. */
+export function createPages(nav, tagline, parts) {
+  const links = pageNames.map((name) => {
+    const link = document.createElement('a');
+    Object.assign(link, { id: `page-${name}`, href: `#${name}`, textContent: strings.pages[name] });
+    return { name, link };
+  });
+  nav.replaceChildren(...links.map(({ link }) => link));
+  const changed = watch();
+  return {
+    /** @param {PageName} open @param {number} population */
+    draw(open, population) {
+      if (!changed(open, population)) return;
+      document.body.dataset.open = open;
+      tagline.textContent = strings.taglines(population)[open];
+      for (const { name, link } of links) {
+        if (name === open) link.setAttribute('aria-current', 'page');
+        else link.removeAttribute('aria-current');
+      }
+      for (const part of parts) part.hidden = !part.dataset.page?.split(' ').includes(open);
+    },
+  };
+}

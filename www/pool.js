@@ -1,0 +1,211 @@
+// Runs long jobs part by part in plain Web Workers. Which worker does a part, and when, never shows in the result.
+
+/** @typedef {import('./worker.js').Answer} Answer */
+/** @typedef {import('./worker.js').Calls} Calls */
+
+/**
+ * One call for each part, which is the list of its arguments.
+ * @template {keyof Calls} K
+ * @typedef {{ call: K, parts: Parameters<Calls[K]>[] }} Job
+ */
+
+/**
+ * @typedef {object} RunOptions
+ * @property {(done: number) => void} [onProgress] Gets the part that is done, from 0 to 1, which never falls.
+ * @property {AbortSignal} [signal]
+ */
+
+/**
+ * Resolves to the results in the order of the parts. Rejects with the core's own error, with an AbortError once the job
+ * is aborted or superseded, or with an error that says what became of the worker.
+ * @typedef {<K extends keyof Calls>(job: Job<K>, options?: RunOptions) => Promise<ReturnType<Calls[K]>[]>} Run
+ */
+
+/** @typedef {{ run: Run }} Channel */
+/** @typedef {ReturnType<typeof createPool>} Pool */
+
+/** What the pool needs of a Worker. @typedef {Pick<Worker, 'addEventListener' | 'postMessage' | 'terminate'>} WorkerLike */
+
+/**
+ * A job under way.
+ * @typedef {object} Task
+ * @property {keyof Calls} call
+ * @property {unknown[][]} parts
+ * @property {boolean} urgent Goes before all that is not, and has parts so short that none is worth a termination.
+ * @property {number} next The first part that no worker has taken.
+ * @property {number} finished
+ * @property {unknown[]} results
+ * @property {((done: number) => void) | undefined} onProgress
+ * @property {(results: any[]) => void} resolve
+ * @property {(error: unknown) => void} reject
+ * @property {() => void} forget Stops to listen for an abort.
+ */
+
+/** A worker and the part that it is busy with. @typedef {{ worker: WorkerLike, task: Task | null, index: number, progress: number }} Hand */
+
+/** A worker whose job was aborted has so many milliseconds to answer before it is terminated. */
+const grace = 100;
+
+/** @param {string} reason */
+const abortError = (reason) => new DOMException(reason, 'AbortError');
+
+/** @param {{ spawn: () => WorkerLike, size?: number }} options `spawn` starts a worker that has the core already. */
+export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrency || 2, 8) }) {
+  /** @type {Set<Hand>} */
+  const hands = new Set();
+  /** The tasks with parts that no worker has taken, oldest first. @type {Set<Task>} */
+  const waiting = new Set();
+
+  /** Gives parts to idle workers while there are both. */
+  function assign() {
+    for (;;) {
+      const tasks = [...waiting];
+      const task = tasks.find(({ urgent }) => urgent) ?? tasks[0];
+      if (!task) return;
+      try {
+        const hand = [...hands].find((one) => one.task === null) ?? (hands.size < size ? hire() : null);
+        if (!hand) return;
+        give(hand, task);
+      } catch (error) {
+        fail(task, error);
+      }
+    }
+  }
+
+  function hire() {
+    const worker = spawn();
+    /** @type {Hand} */
+    const hand = { worker, task: null, index: 0, progress: 0 };
+    worker.addEventListener('message', ({ data }) => hear(hand, data));
+    worker.addEventListener('error', (event) => {
+      event.preventDefault();
+      lose(hand, event.message || 'it cannot be started');
+    });
+    worker.addEventListener('messageerror', () => lose(hand, 'its answer cannot be read'));
+    hands.add(hand);
+    return hand;
+  }
+
+  /** @param {Hand} hand @param {Task} task */
+  function give(hand, task) {
+    // Throws when an argument is nothing that can be sent.
+    hand.worker.postMessage({ call: task.call, args: task.parts[task.next] });
+    Object.assign(hand, { task, index: task.next, progress: 0 });
+    task.next += 1;
+    if (task.next === task.parts.length) waiting.delete(task);
+  }
+
+  /** @param {Hand} hand @param {Answer} answer */
+  function hear(hand, answer) {
+    const { task } = hand;
+    // What a terminated worker had sent before its end.
+    if (!task) return;
+    if ('progress' in answer) {
+      hand.progress = answer.progress;
+      report(task);
+      return;
+    }
+    if ('error' in answer) {
+      if (answer.lost) dismiss(hand);
+      hand.task = null;
+      fail(task, new Error(answer.error));
+    } else {
+      hand.task = null;
+      task.results[hand.index] = answer.result;
+      task.finished += 1;
+      if (task.finished === task.parts.length) {
+        task.forget();
+        task.resolve(task.results);
+      }
+    }
+    assign();
+    report(task);
+  }
+
+  /** @param {Task} task */
+  function report(task) {
+    let done = task.finished;
+    for (const hand of hands) if (hand.task === task) done += hand.progress;
+    task.onProgress?.(done / task.parts.length);
+  }
+
+  /** Ends a task before its time. @param {Task} task @param {unknown} error */
+  function fail(task, error) {
+    waiting.delete(task);
+    task.forget();
+    task.onProgress = undefined;
+    task.reject(error);
+    const busy = [...hands].filter((hand) => hand.task === task);
+    if (task.urgent || busy.length === 0) return;
+    setTimeout(() => {
+      for (const hand of busy) if (hand.task === task) dismiss(hand);
+      assign();
+    }, grace);
+  }
+
+  /** A worker that has failed takes its task with it, and only that. @param {Hand} hand @param {string} reason */
+  function lose(hand, reason) {
+    const { task } = hand;
+    dismiss(hand);
+    if (task) fail(task, new Error(`A worker was lost: ${reason}`));
+    assign();
+  }
+
+  /** Another is hired in its place when there is work. @param {Hand} hand */
+  function dismiss(hand) {
+    hand.worker.terminate();
+    hand.task = null;
+    hands.delete(hand);
+  }
+
+  /**
+   * @template {keyof Calls} K
+   * @param {Job<K>} job @param {RunOptions} options @param {boolean} urgent
+   */
+  function begin({ call, parts }, { onProgress, signal }, urgent) {
+    const abort = () => fail(task, abortError('The job was aborted'));
+    /** @type {Task} */
+    const task = {
+      call,
+      parts,
+      urgent,
+      next: 0,
+      finished: 0,
+      results: [],
+      onProgress,
+      resolve() {},
+      reject() {},
+      forget: () => signal?.removeEventListener('abort', abort),
+    };
+    /** @type {Promise<ReturnType<Calls[K]>[]>} */
+    const results = new Promise((resolve, reject) => Object.assign(task, { resolve, reject }));
+    if (signal?.aborted) abort();
+    else if (parts.length === 0) task.resolve([]);
+    else {
+      signal?.addEventListener('abort', abort);
+      waiting.add(task);
+      assign();
+    }
+    return { results, supersede: () => fail(task, abortError('A newer request took its place')) };
+  }
+
+  return {
+    size,
+
+    /** @type {Run} */
+    run: (job, options = {}) => begin(job, options, false).results,
+
+    /** Runs only the newest of its jobs, before all others of the pool. @returns {Channel} */
+    channel() {
+      let supersede = () => {};
+      return {
+        run(job, options = {}) {
+          supersede();
+          const begun = begin(job, options, true);
+          supersede = begun.supersede;
+          return begun.results;
+        },
+      };
+    },
+  };
+}

@@ -1,0 +1,5 @@
+// Every word of the disturbance part.
+
+export const texts = {
+  disturbanceTitle: 'Disturbance',
+};

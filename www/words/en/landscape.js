@@ -1,0 +1,42 @@
+// Every word of the landscape.
+import { costText, fixed } from './numbers.js';
+
+/** @typedef {import('../../engine.js').Run} Run */
+
+export const texts = {
+  landscapeTitle: 'Landscape of J',
+  landscapeAcross: 'across',
+  landscapeUp: 'up',
+  landscapeLog: 'log',
+  landscapeFollows: 'as driven',
+};
+
+export const mapLabel =
+  'Landscape of J over two gains. Arrow keys move a cursor, with Shift by larger steps; Enter drives the gains under it.';
+
+/** @param {string} name */
+export const thirdLabel = (name) => `${name}, the same at every point`;
+
+/** @param {number} drives @param {number} milliseconds */
+export const drivesText = (drives, milliseconds) =>
+  `${drives.toLocaleString('en').replaceAll(',', ' ')} drives in ${fixed(milliseconds, 0)} ms`;
+
+export const computing = 'the robots are driving…';
+
+/** @param {string} message */
+export const failed = (message) => `The landscape is the last that could be computed: ${message}`;
+
+/** @param {string} gains @param {Run} run @param {string} outcome */
+export const readout = (gains, run, outcome) => `${gains}: J ${costText(run.cost.total)}, ${outcome}`;
+
+/** @param {string} name @param {number} value */
+export const gainText = (name, value) => `${name} ${fixed(value, 2)}`;
+
+/** @param {number} count */
+export const outside = (count) =>
+  count === 1 ? '1 robot of the population lies outside' : `${count} of the population lie outside`;
+
+export const legendLow = 'J';
+export const paperEp = 'paper’s EP';
+export const paperArbitrary = 'paper’s arbitrary';
+export const hand = 'by hand';

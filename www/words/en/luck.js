@@ -1,0 +1,5 @@
+// Every word of the luck part.
+
+export const texts = {
+  luckTitle: 'Luck',
+};

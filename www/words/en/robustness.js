@@ -1,0 +1,5 @@
+// Every word of the robustness part.
+
+export const texts = {
+  robustnessTitle: 'Robustness',
+};

@@ -1,0 +1,5 @@
+// Every word of the training part.
+
+export const texts = {
+  trainingTitle: 'Training',
+};

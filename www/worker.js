@@ -1,0 +1,67 @@
+// A worker of the pool: an instance of the core of its own, which does one part of a job after another.
+import { Evolution, evaluate, initSync, landscape, robustness, seedRuns } from '../pkg/ep_locomotion.js';
+
+/** @typedef {import('../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
+
+/** @typedef {typeof calls} Calls */
+/** The first message. @typedef {{ core: WebAssembly.Module | ArrayBuffer }} Outfit */
+/** Every other message. @typedef {{ call: keyof Calls, args: unknown[] }} Part */
+/** To each part one answer, after any number of progresses. @typedef {{ progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */
+
+const calls = { evaluate, evolve, landscape, robustness, seedRuns };
+
+/** Milliseconds from one progress to the next. */
+const progressPeriod = 100;
+
+addEventListener('message', (/** @type {MessageEvent<Outfit | Part>} */ { data }) => {
+  if ('core' in data) initSync({ module: data.core });
+  else answer(data);
+});
+
+addEventListener('messageerror', () => {
+  throw new Error('a message to it cannot be read');
+});
+
+/** @param {Part} part */
+function answer({ call, args }) {
+  try {
+    const result = /** @type {(...args: any[]) => unknown} */ (calls[call])(...args);
+    send({ result }, buffersOf(result));
+  } catch (error) {
+    const { name, message } = error instanceof Error ? error : new Error(String(error));
+    // Only bad input, which the core refuses by a plain Error, leaves the instance as it was.
+    send({ error: message, lost: name !== 'Error' || message.includes('internal error') });
+  }
+}
+
+/** @param {Answer} message @param {ArrayBuffer[]} [transfer] */
+const send = (message, transfer) => postMessage(message, { transfer });
+
+/** The memory of all typed arrays in a result, so that it goes over without a copy. @param {unknown} value @returns {ArrayBuffer[]} */
+function buffersOf(value) {
+  if (ArrayBuffer.isView(value)) return [/** @type {ArrayBuffer} */ (value.buffer)];
+  return value !== null && typeof value === 'object' ? Object.values(value).flatMap(buffersOf) : [];
+}
+
+/** A whole evolution: its champion, and best and median J of each generation from 0. @param {PartialExperiment} experiment @param {number} generations */
+function evolve(experiment, generations) {
+  if (!Number.isSafeInteger(generations) || generations < 0)
+    throw new Error(`generations must be a whole number from 0, but was ${generations}`);
+  const evolution = new Evolution(experiment);
+  const history = { best: new Float64Array(generations + 1), median: new Float64Array(generations + 1) };
+  let newest = evolution.statistics();
+  let told = performance.now();
+  for (;;) {
+    history.best[newest.generation] = newest.best.cost;
+    history.median[newest.generation] = newest.median;
+    if (newest.generation === generations) break;
+    if (performance.now() - told >= progressPeriod) {
+      told = performance.now();
+      send({ progress: newest.generation / generations });
+    }
+    newest = evolution.step();
+  }
+  const hash = evolution.hash();
+  evolution.free();
+  return { ...newest.best, history, evaluations: newest.evaluations, hash };
+}
