@@ -1,4 +1,4 @@
-// npm run build: the core as pkg/ and the static site as dist/.
+// npm run build: the core as pkg/, the static site as dist/, and the whole page in dist/ep-locomotion.html.
 import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { lastChange, run, runPackage, step, task } from './run.mjs';
@@ -37,11 +37,13 @@ const features = [
   '--enable-multivalue',
 ];
 
-/** The static site, which works from any folder of any host. */
+/** The static site, which works from any folder of any host; with it the page as one file, which needs no host. */
 export const buildSite = () =>
-  step('building the site', () =>
-    runPackage('vite/bin/vite.js', ['build', '--config', 'www/vite.config.js', '--logLevel', 'warn']),
-  );
+  step('building the site', async () => {
+    const build = ['build', '--config', 'www/vite.config.js', '--logLevel', 'warn'];
+    await runPackage('vite/bin/vite.js', build);
+    await runPackage('vite/bin/vite.js', [...build, '--mode', 'offline']);
+  });
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   await task(async () => {
@@ -49,5 +51,8 @@ if (import.meta.url === pathToFileURL(process.argv[1]).href) {
     await buildCore();
     await buildSite();
     console.log('\nThe site is in dist/: copy that folder to any static host.');
+    console.log(
+      'The whole page is in dist/ep-locomotion.html: open it from anywhere, without a network too.',
+    );
   });
 }

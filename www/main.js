@@ -145,7 +145,8 @@ function createDraw(views, engine, paper) {
     drawPlane(state, scene, time);
     views.robotBar.draw({ time, finalTime: driving.finalTime, playing: robot.playing, speed: state.speed });
     views.cost.draw({ title: strings.costTitle(driver), run: driving, note: costNote(scene, driver) });
-    views.curve.draw({ history, paper: scene.paperEp.cost.total, theme: state.theme });
+    if (state.page === 'lab')
+      views.curve.draw({ history, paper: scene.paperEp.cost.total, theme: state.theme });
     views.evolutionBar.draw({
       evolving,
       generation,

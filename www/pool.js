@@ -1,4 +1,5 @@
 // Runs long jobs part by part in plain Web Workers. Which worker does a part, and when, never shows in the result.
+import { messageOf } from './messages.js';
 
 /** @typedef {import('./worker.js').Answer} Answer */
 /** @typedef {import('./worker.js').Calls} Calls */
@@ -73,17 +74,25 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   }
 
   function hire() {
-    const worker = spawn();
+    const worker = start();
     /** @type {Hand} */
     const hand = { worker, task: null, index: 0, progress: 0 };
     worker.addEventListener('message', ({ data }) => hear(hand, data));
     worker.addEventListener('error', (event) => {
       event.preventDefault();
-      lose(hand, event.message || 'it cannot be started');
+      lose(hand, event.message || 'it could not be started');
     });
     worker.addEventListener('messageerror', () => lose(hand, 'its answer cannot be read'));
     hands.add(hand);
     return hand;
+  }
+
+  function start() {
+    try {
+      return spawn();
+    } catch (cause) {
+      throw new Error(`No worker can be started: ${messageOf(cause)}`, { cause });
+    }
   }
 
   /** @param {Hand} hand @param {Task} task */

@@ -15,7 +15,7 @@
 /** @typedef {ReturnType<typeof createSurveys>} Surveys */
 
 /** As many samples as a worker drives in 4 to 8 ms: so short that a newer request need not wait. */
-const samplesOfPart = 1.5e6;
+const samplesOfPart = 8e5;
 /** More would be a burden to the page. So a job without measure has parts without measure, which the core refuses. */
 const mostParts = 1024;
 
@@ -31,11 +31,11 @@ export function createSurveys(pool) {
   function split(count, samples) {
     const quick = Math.floor(samplesOfPart / samples);
     const shared = Math.floor(count / (2 * pool.size));
-    const each = Math.max(1, Math.min(quick, shared), Math.ceil(count / mostParts));
+    // What cannot be counted stays in one part, because the core knows best what is wrong with it.
+    const each = Math.max(Math.min(quick, shared), Math.ceil(count / mostParts), 1) || count;
     /** @type {[number, number][]} */
     const parts = [];
     let first = 0;
-    // Also nonsense is one part at least, because the core knows best what is wrong with it.
     do {
       parts.push([first, Math.min(first + each, count)]);
       first += each;

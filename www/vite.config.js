@@ -1,7 +1,8 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { oneFile } from '../.tasks/offline.mjs';
 
-export default defineConfig({
+export default defineConfig(({ mode }) => ({
   root: fileURLToPath(new URL('..', import.meta.url)),
   base: './',
   publicDir: false,
@@ -12,5 +13,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
   },
-  worker: { format: 'es' },
-});
+  // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.
+  worker: { format: 'iife' },
+  plugins: mode === 'offline' ? [oneFile()] : [],
+}));

@@ -4,7 +4,7 @@ import { Evolution, evaluate, initSync, landscape, robustness, seedRuns } from '
 /** @typedef {import('../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 
 /** @typedef {typeof calls} Calls */
-/** The first message. @typedef {{ core: WebAssembly.Module | ArrayBuffer }} Outfit */
+/** The first message. @typedef {{ core: WebAssembly.Module }} Outfit */
 /** Every other message. @typedef {{ call: keyof Calls, args: unknown[] }} Part */
 /** To each part one answer, after any number of progresses. @typedef {{ progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */
 

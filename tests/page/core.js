@@ -1,6 +1,15 @@
 // The core under Node: what the page has to show is computed by the very module that the page was built with.
 import { readFile } from 'node:fs/promises';
-import init, { Evolution, experiment, paper, simulate } from '../../pkg/ep_locomotion.js';
+import init, {
+  Evolution,
+  evaluate,
+  experiment,
+  landscape,
+  paper,
+  robustness,
+  seedRuns,
+  simulate,
+} from '../../pkg/ep_locomotion.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').Gains} Gains */
@@ -10,7 +19,7 @@ export const wasm = new URL('../../pkg/ep_locomotion_bg.wasm', import.meta.url);
 export const glue = new URL('../../pkg/ep_locomotion.js', import.meta.url);
 await init({ module_or_path: await readFile(wasm) });
 
-export { experiment, simulate };
+export { Evolution, evaluate, experiment, landscape, robustness, seedRuns, simulate };
 
 /** A cost as it is shown. @param {number} cost */
 export const shown = (cost) => cost.toFixed(3);

@@ -14,7 +14,7 @@ import { axesOf, countOutside, createMap } from './view.js';
 /** @typedef {import('../state.js').State} State */
 /** @typedef {import('../state.js').Store} Store */
 /** @typedef {import('../state.js').Triple} Triple */
-/** @typedef {import('./request.js').GainName} GainName */
+/** @typedef {import('./request.js').AxisChoice} AxisChoice */
 /** @typedef {import('./request.js').LandscapeState} LandscapeState */
 /** @typedef {import('./view.js').Point} Point */
 /** @typedef {import('./view.js').MapModel} MapModel */
@@ -187,27 +187,32 @@ function createControls(store) {
   const axes = /** @type {const} */ (['x', 'y']).map((axis) => {
     /** @type {HTMLSelectElement} */
     const select = byId(`landscape-${axis}`);
-    /** @type {HTMLInputElement} */
-    const log = byId(`landscape-${axis}-log`);
-    select.replaceChildren(...lab.gains.map(({ id, name }) => new Option(name, id)));
+    const options = [false, true].flatMap((log) =>
+      lab.gains.map(({ id, name }) => ({
+        choice: { gain: id, log },
+        text: log ? words.onLogAxis(name) : name,
+      })),
+    );
+    select.replaceChildren(...options.map(({ text }, i) => new Option(text, String(i))));
     select.addEventListener('change', () => {
-      const { x, y } = store.get().landscape;
-      const [own, other] = axis === 'x' ? [x, y] : [y, x];
-      const gain = /** @type {GainName} */ (select.value);
+      const { [axis]: own, [axis === 'x' ? 'y' : 'x']: other } = store.get().landscape;
+      const chosen = options[Number(select.value)].choice;
       // The gain of the other axis: the two change places.
-      const swapped = gain === other.gain ? { ...other, gain: own.gain } : other;
-      const chosen = { ...own, gain };
+      const left = chosen.gain === other.gain ? { ...other, gain: own.gain } : other;
       update(store, {
         third: null,
         thirdError: '',
         cursor: null,
-        ...(axis === 'x' ? { x: chosen, y: swapped } : { x: swapped, y: chosen }),
+        ...(axis === 'x' ? { x: chosen, y: left } : { x: left, y: chosen }),
       });
     });
-    log.addEventListener('change', () => {
-      update(store, { cursor: null, [axis]: { ...store.get().landscape[axis], log: log.checked } });
-    });
-    return { axis, select, log };
+    /** @param {AxisChoice} shown */
+    const draw = (shown) => {
+      select.value = String(
+        options.findIndex(({ choice }) => choice.gain === shown.gain && choice.log === shown.log),
+      );
+    };
+    return { axis, draw };
   });
 
   /** @type {HTMLInputElement} */
@@ -215,6 +220,7 @@ function createControls(store) {
   /** @type {HTMLInputElement} */
   const follows = byId('landscape-follows');
   const error = byId('landscape-third-error');
+  const thirdName = byId('landscape-third-name');
   third.addEventListener('change', () => {
     const value = lab.numberOf(third.value);
     const { name } = lab.gains[thirdOf(store.get().landscape)];
@@ -229,12 +235,10 @@ function createControls(store) {
   return {
     /** @param {LandscapeState} landscape @param {number} value Of the gain that is on no axis. */
     draw(landscape, value) {
-      for (const { axis, select, log } of axes) {
-        select.value = landscape[axis].gain;
-        log.checked = landscape[axis].log;
-      }
-      const { name } = lab.gains[thirdOf(landscape)];
-      byId('landscape-third-name').textContent = name;
+      for (const { axis, draw } of axes) draw(landscape[axis]);
+      const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
+      if (thirdName.textContent !== name) thirdName.replaceChildren(letter, subscript(index));
+      thirdName.className = `symbol ${id}`;
       third.setAttribute('aria-label', words.thirdLabel(name));
       const text = lab.typed(value, 3);
       if (document.activeElement !== third && !landscape.thirdError && third.value !== text)
@@ -245,4 +249,11 @@ function createControls(store) {
       error.hidden = landscape.thirdError === '';
     },
   };
+}
+
+/** @param {string} text */
+function subscript(text) {
+  const element = document.createElement('sub');
+  element.textContent = text;
+  return element;
 }

@@ -22,34 +22,30 @@ export function createCostScale(costs) {
   const sorted = costs.filter(Number.isFinite).sort();
   const low = sorted[0] ?? 0;
   const high = Math.max(sorted[Math.floor(0.98 * (sorted.length - 1))] ?? 1, low + 1e-9);
-  const bend = Math.max(0.1 * (high - low) * 0.2, 1e-12);
+  const bend = 0.02 * (high - low);
   const whole = Math.log1p((high - low) / bend);
   /** 0 at the lowest cost, 1 at the highest and beyond. @param {number} cost */
   const part = (cost) => (cost < high ? Math.log1p(Math.max(0, cost - low) / bend) / whole : 1);
   return { low, high, part, levels: levelsBetween(low, high, part) };
 }
 
+/** Round numbers from 0.1 to 99 000, the roundest first. */
+const roundCosts = [[1], [2], [5], Array.from({ length: 99 }, (_, i) => i + 1)].flatMap((digits) =>
+  [0.1, 1, 10, 100, 1000].flatMap((step) => digits.map((digit) => Number((digit * step).toPrecision(4)))),
+);
+
 /** Round costs that lie about evenly over the shades. @param {number} low @param {number} high @param {(cost: number) => number} part */
 function levelsBetween(low, high, part) {
-  const least = 0.085;
-  const round = [0.1, 1, 10, 100, 1000].flatMap((step) =>
-    Array.from({ length: 99 }, (_, i) => (i + 1) * step).filter((cost) => cost > low && cost < high),
-  );
+  const apart = 0.1;
   /** @type {number[]} */
   const levels = [];
-  const isFree = (/** @type {number} */ cost) =>
-    part(cost) >= least &&
-    part(cost) <= 1 - least &&
-    levels.every((level) => Math.abs(part(level) - part(cost)) >= least);
-  // The roundest first.
-  for (const digits of [roundness(1), roundness(2), roundness(5), () => true])
-    for (const cost of round) if (digits(cost) && isFree(cost)) levels.push(Number(cost.toPrecision(4)));
+  for (const cost of roundCosts) {
+    if (cost <= low || cost >= high) continue;
+    const own = part(cost);
+    if ([0, 1, ...levels.map(part)].every((other) => Math.abs(own - other) >= apart)) levels.push(cost);
+  }
   return levels.sort((a, b) => a - b);
 }
-
-/** @param {number} digit */
-const roundness = (digit) => (/** @type {number} */ cost) =>
-  Number(cost.toExponential(6).split('e')[0]) === digit;
 
 /** The picture of a landscape, one pixel a cell, the first row at the bottom. @param {Float64Array} costs @param {number} count @param {CostScale} scale */
 export function paint(costs, count, scale) {

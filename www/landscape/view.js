@@ -26,6 +26,8 @@ import { createAxis, createCostScale, paint, shadeAt } from './scale.js';
  * @property {number} theme
  */
 
+/** Contours of fewer points are single cells: a speckle, where a robot arrives or not by a hair. */
+const smallestRing = 12;
 const margin = { left: 44, right: 14, top: 10, bottom: 30 };
 const font = '13px system-ui, sans-serif';
 // The same in both themes, as the shades are.
@@ -111,7 +113,6 @@ function drawLandscape({ context, cells, legend, width }, { costs, count }, { fr
   context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top);
   context.clip();
   context.imageSmoothingEnabled = true;
-  context.imageSmoothingQuality = 'high';
   context.drawImage(cells, frame.left - wide / 2, frame.top - high / 2, count * wide, count * high);
   const flat = Array.from(costs, (cost) => Math.min(cost, scale.high));
   context.strokeStyle = light;
@@ -119,7 +120,7 @@ function drawLandscape({ context, cells, legend, width }, { costs, count }, { fr
   for (const line of contours().size([count, count]).thresholds(scale.levels)(flat)) {
     context.globalAlpha = 0.55;
     context.beginPath();
-    for (const ring of line.coordinates.flat()) {
+    for (const ring of line.coordinates.flat().filter(({ length }) => length >= smallestRing)) {
       for (const [i, [column, row]] of ring.entries()) {
         const [px, py] = [frame.left + (column - 0.5) * wide, frame.bottom - (row - 0.5) * high];
         if (i === 0) context.moveTo(px, py);

@@ -5,9 +5,8 @@ import { costText, fixed } from './numbers.js';
 
 export const texts = {
   landscapeTitle: 'Landscape of J',
-  landscapeAcross: 'across',
-  landscapeUp: 'up',
-  landscapeLog: 'log',
+  landscapeAcross: 'Gain on the horizontal axis',
+  landscapeUp: 'Gain on the vertical axis',
   landscapeFollows: 'as driven',
 };
 
@@ -16,6 +15,9 @@ export const mapLabel =
 
 /** @param {string} name */
 export const thirdLabel = (name) => `${name}, the same at every point`;
+
+/** @param {string} gain */
+export const onLogAxis = (gain) => `${gain}, log`;
 
 /** @param {number} drives @param {number} milliseconds */
 export const drivesText = (drives, milliseconds) =>
