@@ -108,6 +108,9 @@ function followSize(store) {
 /** @param {Store} store @param {Partial<LandscapeState>} patch */
 const update = (store, patch) => store.update({ landscape: { ...store.get().landscape, ...patch } });
 
+/** As many digits as are shown, so that the gains in the text are the gains that drive. @param {number} value */
+const tidy = (value) => Number(value.toPrecision(3));
+
 /** @param {Store} store @param {Actions} actions @param {() => MapModel} modelOf */
 function followPointer(store, actions, modelOf) {
   const element = byId('landscape-map');
@@ -116,7 +119,7 @@ function followPointer(store, actions, modelOf) {
   const pointAt = (event) => {
     const { left, top } = element.getBoundingClientRect();
     const { x, y } = axesOf(modelOf());
-    return [x.value(event.clientX - left), y.value(event.clientY - top)];
+    return [tidy(x.value(event.clientX - left)), tidy(y.value(event.clientY - top))];
   };
   const drive = (/** @type {PointerEvent} */ event) => {
     const cursor = pointAt(event);
@@ -174,8 +177,8 @@ function followKeys(store, actions, modelOf) {
     const pixels = event.shiftKey ? 40 : 4;
     update(store, {
       cursor: [
-        axes.x.value(axes.x.at(from[0]) + step[0] * pixels),
-        axes.y.value(axes.y.at(from[1]) + step[1] * pixels),
+        tidy(axes.x.value(axes.x.at(from[0]) + step[0] * pixels)),
+        tidy(axes.y.value(axes.y.at(from[1]) + step[1] * pixels)),
       ],
     });
   });
@@ -221,6 +224,7 @@ function createControls(store) {
   const follows = byId('landscape-follows');
   const error = byId('landscape-third-error');
   const thirdName = byId('landscape-third-name');
+  third.addEventListener('focus', () => third.select());
   third.addEventListener('change', () => {
     const value = lab.numberOf(third.value);
     const { name } = lab.gains[thirdOf(store.get().landscape)];

@@ -1,6 +1,6 @@
 // What the landscape shows, and asking the workers for it: coarse while something moves, fine when it rests.
+import { createRefining } from '../refine.js';
 import { gainsOf, remember } from '../state.js';
-import { messageOf } from '../messages.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
 /** @typedef {import('../engine.js').Experiment} Experiment */
@@ -38,8 +38,6 @@ export const firstLandscape = {
   message: '',
 };
 
-const coarse = 64;
-const fine = 128;
 const linearRange = {
   'velocity-limits': /** @type {const} */ ([0, 12]),
   'acceleration-limits': /** @type {const} */ ([0, 32]),
@@ -81,45 +79,24 @@ export function createSpec(paper) {
 export function createLandscapeRequests(engine, store) {
   /** @type {ReturnType<Engine['surveys']['channel']> | null} */
   let channel = null;
-  /** @type {{ spec: Spec, count: number } | null} */
-  let running = null;
-  /** @type {{ spec: Spec, count: number } | null} */
-  let done = null;
+  const update = (/** @type {Partial<LandscapeState>} */ patch) =>
+    store.update({ landscape: { ...store.get().landscape, ...patch } });
 
-  /** @param {Spec} spec @param {number} count */
-  const ask = async (spec, count) => {
-    const own = { spec, count };
-    running = own;
-    const began = performance.now();
-    const axis = (/** @type {AxisChoice} */ choice) => {
-      const [from, to] = endsOfAxis(choice, spec.range);
-      return { ...choice, from, to, count };
-    };
-    try {
+  return createRefining({
+    counts: [64, 128],
+    /** @param {Spec} spec @param {number} count @returns {Promise<Landscape>} */
+    async compute(spec, count) {
+      const began = performance.now();
+      const axis = (/** @type {AxisChoice} */ choice) => {
+        const [from, to] = endsOfAxis(choice, spec.range);
+        return { ...choice, from, to, count };
+      };
       channel ??= engine.surveys.channel();
       const asked = { x: axis(spec.x), y: axis(spec.y), gains: gainsAt(spec, [1, 1]) };
       const costs = await engine.surveys.landscape(spec.experiment, asked, { channel });
-      const result = { spec, count, costs, milliseconds: performance.now() - began };
-      store.update({ landscape: { ...store.get().landscape, result, message: '' } });
-      done = own;
-    } catch (error) {
-      if (running !== own) return;
-      // Asked for no more: the picture stays, and the page says why.
-      done = { spec, count: fine };
-      store.update({ landscape: { ...store.get().landscape, message: messageOf(error) } });
-    } finally {
-      if (running === own) running = null;
-    }
-  };
-
-  return {
-    /** @param {Spec} spec @param {boolean} moving */
-    follow(spec, moving) {
-      const count = done?.spec === spec ? fine : coarse;
-      if (done?.spec === spec && (done.count === fine || moving)) return;
-      // A coarse one is short and is let end, so that pictures keep coming while the goal is dragged.
-      if (running && (running.spec === spec || running.count === coarse)) return;
-      ask(spec, count);
+      return { spec, count, costs, milliseconds: performance.now() - began };
     },
-  };
+    onResult: (result) => update({ result, message: '' }),
+    onFailure: (message) => update({ message }),
+  });
 }

@@ -1,18 +1,10 @@
 // From J to a colour, and from gains to pixels.
 import { scaleLinear, scaleLog } from 'd3-scale';
-import { interpolateCividis } from 'd3-scale-chromatic';
+import { palette, shades } from '../shades.js';
 
 /** @typedef {import('./request.js').AxisChoice} AxisChoice */
 /** @typedef {ReturnType<typeof createCostScale>} CostScale */
 /** @typedef {ReturnType<typeof createAxis>} Axis */
-
-const shades = 256;
-/** Red, green and blue of each shade. */
-const palette = Uint8Array.from({ length: 3 * shades }, (_, i) => {
-  const [, ...rgb] =
-    /rgb\((\d+), (\d+), (\d+)\)/.exec(interpolateCividis(Math.floor(i / 3) / (shades - 1))) ?? [];
-  return Number(rgb[i % 3]);
-});
 
 /**
  * Shades for costs from the lowest to the highest of a landscape, most of them for the low ones: there lies the valley.
@@ -60,9 +52,6 @@ export function paint(costs, count, scale) {
   }
   return image;
 }
-
-/** The colour of a part of the scale. @param {number} part */
-export const shadeAt = (part) => interpolateCividis(part);
 
 /**
  * One axis of gains in pixels.

@@ -1,11 +1,12 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
 import { contours } from 'd3-contour';
 import { createLayer } from '../canvas.js';
+import { shadeAt } from '../shades.js';
 import { watch } from '../state.js';
 import { fixed } from '../words/en/numbers.js';
 import * as words from '../words/en/landscape.js';
 import { endsOfAxis, gainNames } from './request.js';
-import { createAxis, createCostScale, paint, shadeAt } from './scale.js';
+import { createAxis, createCostScale, paint } from './scale.js';
 
 /** @typedef {import('../engine.js').Individual} Individual */
 /** @typedef {import('../state.js').Triple} Triple */

@@ -1,5 +1,5 @@
 // Every word of the landscape.
-import { costText, fixed } from './numbers.js';
+import { costText, fixed, threeDigits } from './numbers.js';
 
 /** @typedef {import('../../engine.js').Run} Run */
 
@@ -32,7 +32,7 @@ export const failed = (message) => `The landscape is the last that could be comp
 export const readout = (gains, run, outcome) => `${gains}: J ${costText(run.cost.total)}, ${outcome}`;
 
 /** @param {string} name @param {number} value */
-export const gainText = (name, value) => `${name} ${fixed(value, 2)}`;
+export const gainText = (name, value) => `${name} ${threeDigits(value)}`;
 
 /** @param {number} count */
 export const outside = (count) =>

@@ -8,6 +8,9 @@ export const typed = (value, digits) => (Math.abs(value) < 0.5 / 10 ** digits ? 
 /** The same as it is printed, with a minus sign. @param {number} value @param {number} digits */
 export const fixed = (value, digits) => typed(value, digits).replace('-', '−');
 
+/** Three digits that count, as printed. @param {number} value */
+export const threeDigits = (value) => String(Number(value.toPrecision(3))).replace('-', '−');
+
 /** @param {number} value */
 export function costText(value) {
   if (!Number.isFinite(value)) return '∞';
