@@ -34,6 +34,16 @@ pub struct Disturbance {
 }
 
 impl Disturbance {
+    /// (ε1, ε2), the bounds of |δ1| and |δ2|.
+    pub fn bound(&self) -> Velocity {
+        match self.kind {
+            DisturbanceKind::None => Velocity::ZERO,
+            DisturbanceKind::Random | DisturbanceKind::Slip => {
+                Velocity { linear: self.linear.abs(), angular: self.angular.abs() }
+            }
+        }
+    }
+
     /// The disturbances of a run from the start posture with this index, sample by sample.
     ///
     /// They do not depend on the gains, so that all gains are tried on the same bad luck.

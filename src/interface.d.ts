@@ -58,6 +58,16 @@ export interface Run {
   commandLinear: Float64Array;
   /** The same for the turn rate, rad/s. */
   commandAngular: Float64Array;
+  /** The reference posture, which moves when the reference velocity is not zero: metres. */
+  referenceX: Float64Array;
+  /** Metres. */
+  referenceY: Float64Array;
+  /** Radians. */
+  referenceTheta: Float64Array;
+  /** The path's part of J that is paid until the sample: ½ ∫ (p − p_r)ᵀ(p − p_r) dt from 0. */
+  pathCost: Float64Array;
+  /** The energy's part of J that is paid until the sample: ½ ∫ qᵀ R q dt from 0. */
+  energyCost: Float64Array;
   cost: Cost;
   outcome: Outcome;
   arrived: boolean;
@@ -99,6 +109,8 @@ export interface Statistics {
 }
 /** The standard normal draws that made one offspring. */
 export interface Mutation { gains: [number, number, number]; common: number; sigmas: [number, number, number] }
+/** How much a σ changes by itself, τ, and how much all three change together, τ'. */
+export interface LearningRates { own: number; common: number }
 /**
  * One generation in full. Solutions are numbered 0 to N − 1 for the parents and N to 2N − 1 for the offspring.
  * Generation 0 has only parents: the initial population in the order of its draws, all of which survive.
@@ -140,7 +152,7 @@ export interface StartGrid {
   /** The starts [first, end) to drive from; all when left out. All headings of a position stand together, then x varies, then y. */
   part?: [number, number];
 }
-/** One value for each start of a grid. */
+/** One value for each start of a grid, or of an experiment. */
 export interface Robustness {
   /** J. */
   cost: Float64Array;
@@ -159,6 +171,28 @@ export interface SeedRun {
   champion: Individual;
   /** The best J that random search had found by then; it begins with the same population. */
   random: Float64Array;
+}
+/** The sizes of the error of one run over time that Theorem 2 bounds one by one: one value a sample. */
+export interface ErrorParts {
+  /** Seconds. */
+  time: Float64Array;
+  /** |x_e cos θ_e| in metres. */
+  x: Float64Array;
+  /** |y_e| in metres. */
+  y: Float64Array;
+  /** |sin θ_e|. */
+  theta: Float64Array;
+  /** How far the set of |y_e| reaches at this heading, (ε1 |sin θ_e| / ky)^⅓ in metres (7). */
+  ySet: Float64Array;
+}
+/** |x_e cos θ_e| and |y_e| in metres, |sin θ_e|: one value for each start. */
+export interface PartsOfStarts { x: Float64Array; y: Float64Array; theta: Float64Array }
+/** What remains of the error at the end of each run, beside the sets of Theorem 2. */
+export interface RemainingErrors {
+  /** The largest in the last seconds; Infinity for a robot that left the finite numbers. */
+  error: PartsOfStarts;
+  /** How far the sets reach, ε1/kx (6), (ε1 |sin θ_e| / ky)^⅓ (7) and ε2/kθ (8); of (7) the farthest in the last seconds. */
+  sets: PartsOfStarts;
 }
 /** Where start postures stand on a circle: its centre and radius in metres. */
 export interface Circle { x: number; y: number; radius: number; count: number; seed: number }

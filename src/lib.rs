@@ -12,6 +12,7 @@
 //! - [`cost`]: the cost J (9) in its parts
 //! - [`experiment`], [`fields`]: everything that defines a run, the presets; the allowed range of every number
 //! - [`episode`]: one run of one robot
+//! - [`remaining`]: the error that remains under a disturbance, and the sets of Theorem 2
 //! - [`lanes`]: many runs at once, with the same law and the same bits
 //! - [`evolution`]: mutation, tournament, one generation, the whole run
 //! - [`starts`]: start postures on a circle and on a grid
@@ -62,6 +63,8 @@ pub mod experiment;
 pub mod fields;
 
 pub mod episode;
+
+pub mod remaining;
 
 pub mod lanes;
 

@@ -160,6 +160,14 @@ pub fn robustness(
     }))
 }
 
+/// How the robot with these gains fares from each start posture of the experiment, in their order.
+///
+/// Their costs' mean is what [`evaluate`] gives for these gains.
+pub fn fares(setting: &Setting, gains: Gains) -> Vec<RunEnd> {
+    let starts = &setting.experiment().starts;
+    setting.drive(starts.len(), |i| Run { gains, start: starts[i], stream: i as u32 })
+}
+
 /// What one seed's run found, and what random search found with the same number of evaluations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeedRun {

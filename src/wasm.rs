@@ -9,12 +9,14 @@ use wasm_bindgen::prelude::*;
 use self::input::{Input, gain_name};
 
 use crate::control::Gains;
+use crate::cost::Cost;
 use crate::episode::{EpisodeState, Outcome, Sample, Setting};
 use crate::evolution::{self, LAST_GENERATION};
 use crate::experiment::{Experiment, MAX_STARTS, PAPER_RESULTS, Preset};
 use crate::fields::{FIELDS, InvalidInput, shown};
 use crate::lanes::RunEnd;
 use crate::posture::Posture;
+use crate::remaining::{self, ErrorParts};
 use crate::starts::{self, MAX_AXIS_COUNT, Range, StartGrid};
 use crate::survey::{self, Axis, Gain};
 
@@ -86,9 +88,14 @@ pub fn simulate(
 
 fn run(setting: &Setting, gains: Gains, start: u32) -> Result<JsValue> {
     let mut episode = setting.episode(gains, start);
-    let samples: Vec<Sample> = episode.samples().collect();
+    let mut paid: Vec<Cost> = Vec::new();
+    let mut samples: Vec<Sample> = Vec::new();
+    while samples.last().is_none_or(|sample| sample.outcome.is_none()) {
+        paid.push(episode.cost());
+        samples.extend(episode.samples().next());
+    }
     type Column = fn(&Sample) -> f64;
-    let columns: [(&str, Column); 8] = [
+    let columns: [(&str, Column); 11] = [
         ("time", |s| s.time),
         ("x", |s| s.posture.x),
         ("y", |s| s.posture.y),
@@ -97,14 +104,15 @@ fn run(setting: &Setting, gains: Gains, start: u32) -> Result<JsValue> {
         ("angular", |s| s.velocity.angular),
         ("commandLinear", |s| s.command.linear),
         ("commandAngular", |s| s.command.angular),
+        ("referenceX", |s| s.reference.x),
+        ("referenceY", |s| s.reference.y),
+        ("referenceTheta", |s| s.reference.theta),
     ];
-    let mut fields: Vec<(&str, JsValue)> = columns
-        .map(|(name, column)| {
-            let values: Vec<f64> = samples.iter().map(column).collect();
-            (name, Float64Array::from(values.as_slice()).into())
-        })
-        .into();
+    let mut fields: Vec<(&str, JsValue)> =
+        columns.map(|(name, value)| (name, column(&samples, value))).into();
     fields.extend([
+        ("pathCost", column(&paid, |cost| cost.path)),
+        ("energyCost", column(&paid, |cost| cost.energy)),
         ("cost", plain(&episode.cost())?),
         ("outcome", plain(&episode.outcome())?),
         ("arrived", (episode.outcome() == Some(Outcome::Arrived)).into()),
@@ -156,17 +164,75 @@ pub fn robustness(
         headings: given.get("headings")?.whole_number(MAX_AXIS_COUNT)?,
     };
     let part = given.get("part")?.part(u32::try_from(grid.count()).unwrap_or(u32::MAX))?;
-    let ends = survey::robustness(&setting, gains, &grid, part)?;
-    let column = |value: fn(&RunEnd) -> f64| {
-        let values: Vec<f64> = ends.iter().map(value).collect();
-        Float64Array::from(values.as_slice())
-    };
+    run_ends(&survey::robustness(&setting, gains, &grid, part)?)
+}
+
+/// How one robot fares from each of the experiment's starts: J, t_f and whether it arrives.
+#[wasm_bindgen(unchecked_return_type = "Robustness")]
+pub fn fares(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+) -> Result<JsValue> {
+    run_ends(&survey::fares(&setting(experiment)?, one_triple(gains)?))
+}
+
+fn run_ends(ends: &[RunEnd]) -> Result<JsValue> {
     let arrived: Vec<u8> =
         ends.iter().map(|end| u8::from(end.outcome == Outcome::Arrived)).collect();
     object(&[
-        ("cost", column(|end| end.cost.total()).into()),
-        ("finalTime", column(|end| end.cost.time).into()),
+        ("cost", column(ends, |end| end.cost.total())),
+        ("finalTime", column(ends, |end| end.cost.time)),
         ("arrived", Uint8Array::from(arrived.as_slice()).into()),
+    ])
+}
+
+/// The parts of the error over time that Theorem 2 bounds, of one run from each start posture.
+///
+/// A robot that arrives stops there; with tolerances of 0 it goes on to the horizon.
+#[wasm_bindgen(js_name = "errorParts", unchecked_return_type = "ErrorParts[]")]
+pub fn error_parts(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+) -> Result<Array> {
+    let setting = setting(experiment)?;
+    let gains = one_triple(gains)?;
+    setting.experiment().validate_work("the number of starts", 1)?;
+    (0..setting.experiment().starts.len() as u32)
+        .map(|start| {
+            let samples = remaining::error_parts(&setting, &gains, start);
+            object(&[
+                ("time", column(&samples, |sample| sample.time)),
+                ("x", column(&samples, |sample| sample.error.x)),
+                ("y", column(&samples, |sample| sample.error.y)),
+                ("theta", column(&samples, |sample| sample.error.theta)),
+                ("ySet", column(&samples, |sample| sample.sets.y)),
+            ])
+        })
+        .collect()
+}
+
+/// What remains of the error in the last `seconds` of a run from each start posture, beside the sets of Theorem 2.
+///
+/// A robot that arrives stops there; with tolerances of 0 it goes on to the horizon.
+#[wasm_bindgen(js_name = "remainingErrors", unchecked_return_type = "RemainingErrors")]
+pub fn remaining_errors(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "number")] seconds: JsValue,
+) -> Result<JsValue> {
+    let setting = setting(experiment)?;
+    let seconds = number(seconds, "seconds")?;
+    let all = remaining::remaining_errors(&setting, &one_triple(gains)?, seconds)?;
+    let errors: Vec<ErrorParts> = all.iter().map(|one| one.error).collect();
+    let sets: Vec<ErrorParts> = all.iter().map(|one| one.sets).collect();
+    object(&[("error", parts_of_starts(&errors)?), ("sets", parts_of_starts(&sets)?)])
+}
+
+fn parts_of_starts(parts: &[ErrorParts]) -> Result<JsValue> {
+    object(&[
+        ("x", column(parts, |part| part.x)),
+        ("y", column(parts, |part| part.y)),
+        ("theta", column(parts, |part| part.theta)),
     ])
 }
 
@@ -216,6 +282,21 @@ pub fn fields() -> Result<JsValue> {
 #[wasm_bindgen(unchecked_return_type = "PaperResult[]")]
 pub fn paper() -> Result<JsValue> {
     plain(&PAPER_RESULTS)
+}
+
+/// τ and τ' of the mutation, and with them how much the σ change.
+#[wasm_bindgen(js_name = "learningRates", unchecked_return_type = "LearningRates")]
+pub fn learning_rates() -> Result<JsValue> {
+    object(&[
+        ("own", evolution::LEARNING_RATE.into()),
+        ("common", evolution::COMMON_LEARNING_RATE.into()),
+    ])
+}
+
+/// The version of this program.
+#[wasm_bindgen]
+pub fn version() -> String {
+    env!("CARGO_PKG_VERSION").into()
 }
 
 /// A seed from the machine's own source of chance.
@@ -331,6 +412,12 @@ fn plain(value: &(impl Serialize + ?Sized)) -> Result<JsValue> {
         .serialize_maps_as_objects(true)
         .serialize_missing_as_null(true);
     Ok(value.serialize(&serializer)?)
+}
+
+/// One number of each of many things.
+fn column<T>(all: &[T], value: fn(&T) -> f64) -> JsValue {
+    let values: Vec<f64> = all.iter().map(value).collect();
+    Float64Array::from(values.as_slice()).into()
 }
 
 fn object(fields: &[(&str, JsValue)]) -> Result<JsValue> {

@@ -2,8 +2,8 @@
 #![cfg(target_arch = "wasm32")]
 
 use ep_locomotion::wasm::{
-    Evolution, Simulation, evaluate, experiment, fields, landscape, paper, random_seed, robustness,
-    seed_runs, simulate, simulate_all, starts_on_circle,
+    Evolution, Simulation, error_parts, evaluate, experiment, fares, fields, landscape, paper,
+    random_seed, remaining_errors, robustness, seed_runs, simulate, simulate_all, starts_on_circle,
 };
 use js_sys::{Array, Float64Array, Function, JSON, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -172,6 +172,48 @@ fn simulate_gives_one_value_a_sample_and_the_cost_in_parts() {
 }
 
 #[wasm_bindgen_test]
+fn a_run_carries_the_reference_that_it_follows() {
+    let column = |run: &JsValue, name: &str| {
+        get(run, name).dyn_into::<Float64Array>().expect("a Float64Array").to_vec()
+    };
+    let parked = simulate(js("({})"), gains(EP), JsValue::UNDEFINED).expect("a run");
+    assert!(column(&parked, "referenceX").iter().all(|x| *x == 2.0));
+    let e = js(
+        "({ referenceVelocity: { linear: 0.5, angular: 0 }, goal: { x: 1, y: 3, theta: 0 }, horizon: 2 })",
+    );
+    let run = simulate(e, gains(EP), JsValue::UNDEFINED).expect("a run");
+    let [time, x, y, theta] =
+        ["time", "referenceX", "referenceY", "referenceTheta"].map(|name| column(&run, name));
+    assert_eq!(time.len(), 201);
+    for (i, t) in time.iter().enumerate() {
+        assert!((x[i] - (1.0 + 0.5 * t)).abs() < 1e-9 && (y[i] - 3.0).abs() < 1e-9, "at {t} s");
+        assert_eq!(theta[i], 0.0);
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_run_carries_its_cost_as_it_is_paid() {
+    let column = |run: &JsValue, name: &str| {
+        get(run, name).dyn_into::<Float64Array>().expect("a Float64Array").to_vec()
+    };
+    let e = js("({ weights: { velocity: [2, 0.5] } })");
+    let run = simulate(e, gains(EP), JsValue::UNDEFINED).expect("a run");
+    let [x, y, theta, v, w, path, energy] =
+        ["x", "y", "theta", "linear", "angular", "pathCost", "energyCost"]
+            .map(|name| column(&run, name));
+    let dt = 0.01;
+    let (mut paid, mut spent) = (0.0, 0.0);
+    for i in 0..x.len() {
+        assert!((path[i] - paid).abs() < 1e-9 && (energy[i] - spent).abs() < 1e-9, "sample {i}");
+        let heading = theta[i] - core::f64::consts::FRAC_PI_4;
+        paid += 0.5 * dt * ((x[i] - 2.0).powi(2) + (y[i] - 2.0).powi(2) + heading * heading);
+        spent += 0.5 * dt * (2.0 * v[i] * v[i] + 0.5 * w[i] * w[i]);
+    }
+    assert_eq!(path.last(), Some(&number(&run, "cost.path")));
+    assert_eq!(energy.last(), Some(&number(&run, "cost.energy")));
+}
+
+#[wasm_bindgen_test]
 fn a_simulation_steps_through_the_same_run() {
     let e = experiment("acceleration-limits".into()).expect("a preset");
     let run = simulate(e.clone(), gains(EP), JsValue::UNDEFINED).expect("a run");
@@ -297,7 +339,16 @@ fn surveys_give_arrays_and_refuse_by_name() {
     assert_eq!(starts.length(), 32);
     let many = Object::new();
     Reflect::set(&many, &"starts".into(), &starts).expect("set");
-    assert_eq!(Array::from(&get(&experiment(many.into()).expect("valid"), "starts")).length(), 32);
+    let completed = experiment(many.clone().into()).expect("valid");
+    assert_eq!(Array::from(&get(&completed, "starts")).length(), 32);
+    let each = fares(many.into(), gains(EP)).expect("32 runs");
+    for name in ["cost", "finalTime", "arrived"] {
+        assert_eq!(number(&get(&each, name), "length"), 32.0, "{name}");
+    }
+    assert_eq!(
+        message(fares(js("{}"), js("[1, 2]"))),
+        "gains must be three numbers for each robot, but was 2 numbers"
+    );
     let runs = seed_runs(js("{}"), js("{seeds: [1, 3], generations: 5}")).expect("runs");
     assert_eq!(runs.length(), 2);
     assert_eq!(number(&get(&runs.get(1), "random"), "length"), 6.0);
@@ -317,6 +368,45 @@ fn surveys_give_arrays_and_refuse_by_name() {
         message(robustness(js("{}"), js("{gains: [1, 2, 3], x: 5}"))),
         "grid.x must be an object, but was 5"
     );
+}
+
+#[wasm_bindgen_test]
+fn errors_that_remain_are_told_beside_the_sets_of_theorem_2() {
+    let given = js("{starts: [{}, {x: 4}], tolerance: {position: 0}, horizon: 5, \
+                     disturbance: {kind: 'slip', linear: -0.1, angular: 0.2}}");
+    let runs = error_parts(given.clone(), gains(EP)).expect("two runs");
+    assert_eq!(runs.length(), 2);
+    for name in ["time", "x", "y", "theta", "ySet"] {
+        assert_eq!(number(&runs.get(1), &format!("{name}.length")), 501.0, "{name}");
+    }
+    let remaining = remaining_errors(given, gains(EP), 2.into()).expect("errors");
+    for name in ["error.x", "error.y", "error.theta", "sets.x", "sets.y", "sets.theta"] {
+        assert_eq!(number(&remaining, &format!("{name}.length")), 2.0, "{name}");
+    }
+    assert_eq!(number(&remaining, "sets.x.0"), 0.1 / EP[0]);
+    assert_eq!(number(&remaining, "sets.theta.1"), 0.2 / EP[2]);
+    for (result, expected) in [
+        (remaining_errors(js("{}"), gains(EP), js("'2'")), "seconds must be a number, but was '2'"),
+        (
+            remaining_errors(js("{}"), gains(EP), 11.into()),
+            "seconds must be a number from 0 to the horizon of 10 s, but was 11",
+        ),
+        (
+            remaining_errors(js("{}"), js("[1, 2]"), 1.into()),
+            "gains must be three numbers for each robot, but was 2 numbers",
+        ),
+        (
+            remaining_errors(js("{disturbance: {angular: 101}}"), gains(EP), 1.into()),
+            "disturbance.angular must be a number from -100 to 100 rad/s, but was 101",
+        ),
+        (
+            error_parts(js("{disturbance: {kind: 'random', linear: -1}}"), gains(EP))
+                .map(Into::into),
+            "disturbance.linear must be 0 or more for a random disturbance, but was -1",
+        ),
+    ] {
+        assert_eq!(message(result), expected);
+    }
 }
 
 #[wasm_bindgen_test]

@@ -5,12 +5,13 @@ mod common;
 use common::{Random, wild};
 use ep_locomotion::control::Gains;
 use ep_locomotion::cost::Cost;
+use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
 use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
 use ep_locomotion::experiment::{Experiment, Preset};
 use ep_locomotion::posture::Posture;
 use ep_locomotion::starts::{Range, StartGrid, on_circle};
-use ep_locomotion::survey::{Axis, Gain, Landscape, evaluate, robustness, seed_runs};
+use ep_locomotion::survey::{Axis, Gain, Landscape, evaluate, fares, robustness, seed_runs};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn bits(cost: &Cost) -> [u64; 6] {
@@ -183,6 +184,31 @@ fn robustness_is_each_run_by_itself_in_any_parts() {
         let episode = alone.episode(gains, 0).finished();
         assert_eq!(bits(&episode.cost()), bits(&end.cost));
         assert_eq!(episode.outcome(), Some(end.outcome));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_robot_fares_from_each_start_as_in_a_run_of_its_own() {
+    let mut random = Random::new(7);
+    for preset in [Preset::VelocityLimits, Preset::AccelerationLimits] {
+        let mut experiment = preset.experiment();
+        experiment.starts = (0..21).map(|_| random.posture(3.0)).collect();
+        experiment.starts[3] = experiment.goal;
+        experiment.disturbance =
+            Disturbance { kind: DisturbanceKind::Random, linear: 0.2, angular: 0.3, seed: 4 };
+        let setting = Setting::new(experiment).expect("valid");
+        let gains = Gains::new(3.0, 2.0, 5.0);
+        let ends = fares(&setting, gains);
+        assert_eq!(ends.len(), 21);
+        for (start, end) in (0..).zip(&ends) {
+            let episode = setting.episode(gains, start).finished();
+            assert_eq!(bits(&episode.cost()), bits(&end.cost), "start {start}");
+            assert_eq!(episode.outcome(), Some(end.outcome), "start {start}");
+        }
+        assert!(ends.iter().any(|end| end.outcome == Outcome::Arrived));
+        assert!(ends.iter().any(|end| end.outcome == Outcome::Horizon));
+        let mean = Cost::mean(ends.iter().map(|end| end.cost)).total();
+        assert_eq!(evaluate(&setting, &[gains]).expect("valid"), [mean]);
     }
 }
 

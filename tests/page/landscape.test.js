@@ -171,15 +171,3 @@ pageTest('the axes can be changed, also to logarithms, and the third gain set', 
   await finished(page);
   await assertPicture(page, velocityLimits, across, logarithmic, [0, 0, 2]);
 });
-
-pageTest('the link opens the part that it names, back goes back, and a wrong one is named', async (page) => {
-  await page.click('#page-landscape');
-  await page.until(
-    'the landscape is open',
-    () => document.getElementById('landscape-section')?.hidden === false,
-  );
-  await page.evaluate(() => history.back());
-  await page.until('the lab is open', () => document.getElementById('landscape-section')?.hidden === true);
-  await page.open('#nowhere');
-  assert.match(await page.text('#message'), /“nowhere”.*landscape/);
-});
