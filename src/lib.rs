@@ -12,7 +12,7 @@
 //! - [`cost`]: the cost J (9) in its parts
 //! - [`experiment`], [`fields`]: everything that defines a run, the presets; the allowed range of every number
 //! - [`episode`]: one run of one robot
-//! - [`lanes`]: many runs at once, with the same law and the same bits
+//! - `lanes`, [`convoy`]: the numbers of two robots in one SIMD register; many runs at once, with the same law and bits
 //! - [`evolution`]: mutation, tournament, one generation, the whole run
 //! - [`starts`]: start postures on a circle and on a grid
 //! - [`survey`]: many gains, many starts, many seeds in one call
@@ -63,7 +63,8 @@ pub mod fields;
 
 pub mod episode;
 
-pub mod lanes;
+pub mod convoy;
+mod lanes;
 
 pub mod evolution;
 

@@ -3,12 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use crate::control::Gains;
+use crate::convoy::{Run, RunEnd};
 use crate::cost::Cost;
 use crate::episode::Setting;
 use crate::evolution::{Evolution, GenerationRecord, Individual};
 use crate::experiment::Experiment;
 use crate::fields::{InvalidInput, shown};
-use crate::lanes::{Run, RunEnd};
 use crate::random::LARGEST_INDEX;
 use crate::starts::{Range, StartGrid};
 
