@@ -18,12 +18,15 @@ export async function buildCore() {
   rmSync(stamp, { force: true });
   const compile = () => run('wasm-pack', ['build', '--target', 'web', '--no-opt']);
   await step('compiling the core to WebAssembly', compile, '1 minute at first, then 10 s');
-  await step('optimising the WebAssembly', async () => {
-    const optimised = `${wasm}.optimised`;
-    await runPackage('binaryen/bin/wasm-opt', ['-O3', ...features, wasm, '-o', optimised]);
-    renameSync(optimised, wasm);
-  });
+  await step('optimising the WebAssembly', () => optimise(wasm));
   writeFileSync(stamp, sourceTime);
+}
+
+/** Puts an optimised module in the place of this one. @param {string} wasm */
+export async function optimise(wasm) {
+  const optimised = `${wasm}.optimised`;
+  await runPackage('binaryen/bin/wasm-opt', ['-O3', ...features, wasm, '-o', optimised]);
+  renameSync(optimised, wasm);
 }
 
 /** What every browser of the last years has, and what the compiler was told to use. */

@@ -2,10 +2,11 @@
 //
 // What counts are the ratios within one run: absolute times depend on the machine and on what else it does.
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { copyFileSync, readFileSync } from 'node:fs';
 import os from 'node:os';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { optimise } from '../.tasks/build.mjs';
 import { drive } from './episode.js';
 
 const rounds = 9;
@@ -16,7 +17,10 @@ const cargo = (/** @type {string[]} */ ...args) =>
   execFileSync('cargo', args, { cwd: top, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });
 
 cargo('build', '--release', '--target', 'wasm32-unknown-unknown', '--example', 'bench_wasm');
-const wasm = await instance('target/wasm32-unknown-unknown/release/examples/bench_wasm.wasm');
+const built = 'target/wasm32-unknown-unknown/release/examples/bench_wasm.wasm';
+copyFileSync(`${top}/${built}`, `${top}/target/bench.wasm`);
+await optimise('target/bench.wasm');
+const wasm = await instance('target/bench.wasm');
 const native = JSON.parse(cargo('bench', '--bench', 'native', '--', String(rounds), String(robots)));
 
 const cases = [
@@ -50,6 +54,7 @@ const whole = {
   population80: median(measure(() => wasm.evolution(80, 20, 1))),
   horizon1: median(measure(() => wasm.evolution(80, 20, 1))),
   horizon05: median(measure(() => wasm.evolution(80, 20, 0.5))),
+  seeds100: median(measure(() => wasm.seeds())),
 };
 
 const machine = { processor: os.cpus()[0].model, cores: os.cpus().length, node: process.version };
@@ -68,7 +73,7 @@ async function instance(path) {
     };
   }
   const { exports } = await WebAssembly.instantiate(module, imports);
-  return /** @type {Record<'lanes' | 'scalar' | 'samples' | 'evolution' | 'landscape', (...args: number[]) => number>} */ (
+  return /** @type {Record<'lanes' | 'scalar' | 'samples' | 'evolution' | 'landscape' | 'seeds', (...args: number[]) => number>} */ (
     /** @type {unknown} */ (exports)
   );
 }

@@ -31,3 +31,9 @@ pub extern "C" fn evolution(population: u32, generations: u32, horizon: f64) -> 
 pub extern "C" fn landscape(count: u32) -> f64 {
     work::landscape(count)
 }
+
+/// See [`work::seeds`].
+#[unsafe(no_mangle)]
+pub extern "C" fn seeds() -> f64 {
+    work::seeds()
+}

@@ -58,7 +58,9 @@ pub const SMALLEST_DIVISOR: f64 = 1e-6;
 /// 1/s, with |s| never under [`SMALLEST_DIVISOR`].
 #[inline]
 fn guarded_reciprocal<S: Real>(s: S) -> S {
-    S::splat(1.0) / s.away_from_zero(SMALLEST_DIVISOR)
+    // Clamping the quotient is clamping the divisor, and keeps its sign: 1/−0 is −∞.
+    let largest = 1.0 / SMALLEST_DIVISOR;
+    (S::splat(1.0) / s).at_most(S::splat(largest)).at_least(S::splat(-largest))
 }
 
 impl Law {

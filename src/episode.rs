@@ -9,7 +9,7 @@ use crate::experiment::{Experiment, Tolerance};
 use crate::fields::{InvalidInput, shown};
 use crate::limits::Limits;
 use crate::posture::{Arc, ErrorPosture, Posture, Velocity, wrap};
-use crate::real::{Real, SMALL_ANGLE};
+use crate::real::{Real, SMALL_TURN};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -39,7 +39,7 @@ pub(crate) struct Rules {
     /// How the reference moves in one sample, if it does.
     reference_arc: Option<Arc<f64>>,
     limits: Limits,
-    sample_time: f64,
+    pub(crate) sample_time: f64,
     /// The largest (x_e² + y_e², |θ_e|) that counts as arrived; none if the reference moves.
     pub(crate) arrival: Option<[f64; 2]>,
 }
@@ -48,8 +48,6 @@ pub(crate) struct Rules {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Robot<S> {
     pub(crate) error: ErrorPosture<S>,
-    /// (p − p_r)ᵀ(p − p_r)
-    pub(crate) deviation: S,
     /// The velocity applied during the sample before.
     pub(crate) velocity: Velocity<S>,
     /// Σ (p − p_r)ᵀ(p − p_r), still without ½ dt.
@@ -68,15 +66,13 @@ pub(crate) struct Step<S> {
 
 impl Robot<f64> {
     pub(crate) fn at_rest(error: ErrorPosture) -> Self {
-        let deviation = error.squared_deviation();
-        Self { error, deviation, velocity: Velocity::ZERO, path: 0.0, energy: Velocity::ZERO }
+        Self { error, velocity: Velocity::ZERO, path: 0.0, energy: Velocity::ZERO }
     }
 
     /// The same robot in every lane.
     pub(crate) fn splat<S: Real>(&self) -> Robot<S> {
         Robot {
             error: self.error.splat(),
-            deviation: S::splat(self.deviation),
             velocity: self.velocity.splat(),
             path: S::splat(self.path),
             energy: self.energy.splat(),
@@ -191,9 +187,45 @@ impl Rules {
         }
     }
 
+    /// The same rules where they are those of parking by the law (5) with limits of both velocities, which allow small
+    /// turns only, and of both accelerations or none. All that is then known is a constant, so that the compiler leaves
+    /// out the rest.
+    #[inline(always)]
+    pub(crate) fn parking<const ACCELERATION: bool>(&self) -> Option<Self> {
+        let limits = match self.limits {
+            Limits {
+                speed: Some(speed),
+                turn_rate: Some(turn_rate),
+                acceleration,
+                turn_acceleration,
+            } if turn_rate * self.sample_time < SMALL_TURN => {
+                let (speed, turn_rate) = (Some(speed), Some(turn_rate));
+                match (acceleration, turn_acceleration) {
+                    (None, None) if !ACCELERATION => Limits { speed, turn_rate, ..Limits::NONE },
+                    (Some(linear), Some(angular)) if ACCELERATION => Limits {
+                        speed,
+                        turn_rate,
+                        acceleration: Some(linear),
+                        turn_acceleration: Some(angular),
+                    },
+                    _ => return None,
+                }
+            }
+            _ => return None,
+        };
+        let parking = self.law == Law::ShimKim && self.reference_velocity == Velocity::ZERO;
+        parking.then_some(Self {
+            law: Law::ShimKim,
+            reference_velocity: Velocity::ZERO,
+            reference_arc: None,
+            limits,
+            ..*self
+        })
+    }
+
     /// Whether the reference turns so far in a sample that only single robots can follow.
     pub(crate) fn reference_turns_far(&self) -> bool {
-        self.reference_arc.is_some_and(|arc| arc.half_turn().abs() >= SMALL_ANGLE)
+        self.reference_arc.is_some_and(|arc| arc.turn().abs() >= SMALL_TURN)
     }
 
     /// How a run ends here, at whatever time.
@@ -207,7 +239,7 @@ impl Rules {
         arrived.then_some(Outcome::Arrived)
     }
 
-    /// One sample: law, limits, cost, motion. This is the one place where a robot moves.
+    /// One sample: law, limits, cost, motion.
     #[inline(always)]
     pub(crate) fn step<S: Real>(
         &self,
@@ -215,8 +247,33 @@ impl Rules {
         gains: &Gains<S>,
         disturbance: Option<Velocity<S>>,
     ) -> Step<S> {
+        let (decided, command) = self.decided(robot, gains);
+        let (next, arc) = self.moved(&decided, disturbance);
+        Step { command, arc, next }
+    }
+
+    /// The first half of a sample: the law, the limits, the cost of being here. The robot has its new velocity, and the
+    /// command is beside it.
+    #[inline(always)]
+    pub(crate) fn decided<S: Real>(
+        &self,
+        robot: &Robot<S>,
+        gains: &Gains<S>,
+    ) -> (Robot<S>, Velocity<S>) {
         let command = self.law.command(&robot.error, gains, self.reference_velocity);
-        let q = self.limits.applied(command, robot.velocity, self.sample_time);
+        let velocity = self.limits.applied(command, robot.velocity, self.sample_time);
+        let path = robot.path + robot.error.squared_deviation();
+        (Robot { velocity, path, ..*robot }, command)
+    }
+
+    /// The second half: the cost of the velocity, the motion. This is the one place where a robot moves.
+    #[inline(always)]
+    pub(crate) fn moved<S: Real>(
+        &self,
+        robot: &Robot<S>,
+        disturbance: Option<Velocity<S>>,
+    ) -> (Robot<S>, Arc<S>) {
+        let q = robot.velocity;
         let squares = Velocity { linear: q.linear * q.linear, angular: q.angular * q.angular };
         let arc = Arc::new(disturbance.map_or(q, |delta| q + delta), self.sample_time);
         let moved = robot.error.robot_moved(&arc);
@@ -224,14 +281,7 @@ impl Rules {
             Some(reference) => moved.reference_moved(&reference.splat()),
             None => moved,
         };
-        let next = Robot {
-            error,
-            deviation: error.squared_deviation(),
-            velocity: q,
-            path: robot.path + robot.deviation,
-            energy: robot.energy + squares,
-        };
-        Step { command, arc, next }
+        (Robot { error, energy: robot.energy + squares, ..*robot }, arc)
     }
 }
 

@@ -13,7 +13,7 @@
 //! - [`experiment`], [`fields`]: everything that defines a run, the presets; the allowed range of every number
 //! - [`episode`]: one run of one robot
 //! - [`remaining`]: the error that remains under a disturbance, and the sets of Theorem 2
-//! - [`lanes`]: many runs at once, with the same law and the same bits
+//! - `lanes`, [`convoy`]: the numbers of two robots in one SIMD register; many runs at once, with the same law and bits
 //! - [`evolution`]: mutation, tournament, one generation, the whole run
 //! - [`starts`]: start postures on a circle and on a grid
 //! - [`survey`]: many gains, many starts, many seeds in one call
@@ -66,7 +66,8 @@ pub mod episode;
 
 pub mod remaining;
 
-pub mod lanes;
+pub mod convoy;
+mod lanes;
 
 pub mod evolution;
 

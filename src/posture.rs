@@ -56,37 +56,39 @@ pub fn wrap(angle: f64) -> f64 {
 
 /// The circular arc that a robot with a constant velocity (v, ω) describes in a time dt.
 ///
-/// With h = ω dt / 2 the robot moves by a chord v dt · sin h / h in the direction θ + h, and turns by 2h.
-/// That is the exact solution of the kinematics (2), ẋ = v cos θ, ẏ = v sin θ, θ̇ = ω.
+/// It turns by ω dt and leads v sin(ω dt) / ω ahead, v (1 − cos(ω dt)) / ω aside: the exact solution of the
+/// kinematics (2), ẋ = v cos θ, ẏ = v sin θ, θ̇ = ω.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arc<S> {
-    half_turn: S,
-    cos: S,
-    sin: S,
-    chord: S,
+    velocity: Velocity<S>,
+    turn: S,
+    /// How far ahead a unit speed leads.
+    ahead: S,
+    /// How far to the left a unit speed leads.
+    aside: S,
 }
 
 impl<S: Copy> Arc<S> {
-    /// h, half of the angle by which the heading turns, in radians.
-    pub(crate) fn half_turn(&self) -> S {
-        self.half_turn
+    /// ω in rad/s.
+    pub(crate) fn turn_rate(&self) -> S {
+        self.velocity.angular
+    }
+
+    /// By how much the heading turns, in radians.
+    pub(crate) fn turn(&self) -> S {
+        self.turn
     }
 }
 
 impl Arc<f64> {
-    /// By how much the heading turns, in radians.
-    pub(crate) fn turn(&self) -> f64 {
-        2.0 * self.half_turn
-    }
-
     /// The same arc for every robot.
     #[inline]
     pub(crate) fn splat<S: Real>(&self) -> Arc<S> {
         Arc {
-            half_turn: S::splat(self.half_turn),
-            cos: S::splat(self.cos),
-            sin: S::splat(self.sin),
-            chord: S::splat(self.chord),
+            velocity: self.velocity.splat(),
+            turn: S::splat(self.turn),
+            ahead: S::splat(self.ahead),
+            aside: S::splat(self.aside),
         }
     }
 }
@@ -94,28 +96,29 @@ impl Arc<f64> {
 impl<S: Real> Arc<S> {
     #[inline]
     pub(crate) fn new(velocity: Velocity<S>, dt: f64) -> Self {
-        let h = velocity.angular * S::splat(0.5 * dt);
-        let (sinc, cos) = h.sinc_cos();
-        Self { half_turn: h, cos, sin: h * sinc, chord: velocity.linear * S::splat(dt) * sinc }
+        let (ahead, aside) = velocity.angular.along_arc(dt);
+        Self { velocity, turn: velocity.angular * S::splat(dt), ahead, aside }
     }
 
-    /// The vector (x, y) turned by −h.
+    /// The integral over the time of the vector (x, y) while it turns back.
     #[inline]
-    fn turned_back(&self, (x, y): (S, S)) -> (S, S) {
-        (x * self.cos + y * self.sin, y * self.cos - x * self.sin)
+    fn swept(&self, (x, y): (S, S)) -> (S, S) {
+        (self.ahead * x + self.aside * y, self.ahead * y - self.aside * x)
     }
 
-    /// A vector turned twice, from itself and the vector turned once: R² = 2 cos h R − 1.
+    /// The vector (x, y) turned back by the arc's turn, from what it sweeps: R' = −ω R for a turn by 90°.
     #[inline]
-    fn turned_twice(&self, vector: (S, S), once: (S, S)) -> (S, S) {
-        let twice_cos = self.cos + self.cos;
-        (twice_cos * once.0 - vector.0, twice_cos * once.1 - vector.1)
+    fn turned_back(&self, (x, y): (S, S), swept: (S, S)) -> (S, S) {
+        let omega = self.velocity.angular;
+        (x + omega * swept.1, y - omega * swept.0)
     }
 
     /// The same arc driven the other way round.
     #[inline]
     fn reversed(&self) -> Self {
-        Self { half_turn: -self.half_turn, sin: -self.sin, ..*self }
+        let Velocity { linear, angular } = self.velocity;
+        let velocity = Velocity { linear, angular: -angular };
+        Self { velocity, turn: -self.turn, aside: -self.aside, ..*self }
     }
 }
 
@@ -125,11 +128,11 @@ impl Posture {
     /// θ is not wrapped.
     pub fn advance(self, velocity: Velocity, dt: f64) -> Self {
         let arc = Arc::new(velocity, dt);
-        let (sin, cos) = libm::sincos(self.theta + arc.half_turn);
+        let (sin, cos) = libm::sincos(self.theta);
         Self {
-            x: self.x + arc.chord * cos,
-            y: self.y + arc.chord * sin,
-            theta: self.theta + arc.turn(),
+            x: self.x + velocity.linear * (arc.ahead * cos - arc.aside * sin),
+            y: self.y + velocity.linear * (arc.ahead * sin + arc.aside * cos),
+            theta: self.theta + arc.turn,
         }
     }
 
@@ -218,25 +221,26 @@ impl<S: Real> ErrorPosture<S> {
     #[inline]
     pub(crate) fn robot_moved(&self, arc: &Arc<S>) -> Self {
         let (turned, (cos, sin)) = self.turned_back(arc);
-        Self { x: self.x - arc.chord * cos, y: self.y + arc.chord * sin, ..turned }
+        let v = arc.velocity.linear;
+        Self { x: self.x - v * cos, y: self.y + v * sin, ..turned }
     }
 
     /// The error after the reference has moved along the arc, and its frame with it.
     #[inline]
     pub(crate) fn reference_moved(&self, arc: &Arc<S>) -> Self {
-        let (x, y) = arc.turned_back((self.x, self.y));
-        let (x, y) = arc.turned_back((x + arc.chord, y));
+        let v = arc.velocity.linear;
+        let ahead = (self.x + v * arc.ahead, self.y + v * arc.aside);
+        let (x, y) = arc.turned_back(ahead, arc.swept(ahead));
         let (turned, _) = self.turned_back(&arc.reversed());
         Self { x, y, ..turned }
     }
 
-    /// The same place with the heading error reduced by the arc's turn 2h, and the direction half way.
+    /// The same place with the heading error reduced by the arc's turn, and what the direction sweeps meanwhile.
     #[inline]
     fn turned_back(&self, arc: &Arc<S>) -> (Self, (S, S)) {
-        let half_way = arc.turned_back((self.cos, self.sin));
-        let (cos, sin) = arc.turned_twice((self.cos, self.sin), half_way);
-        let theta = self.theta - (arc.half_turn + arc.half_turn);
-        let theta = theta.kept_in_range(arc.half_turn, cos, sin);
-        (Self { theta, cos, sin, ..*self }, half_way)
+        let swept = arc.swept((self.cos, self.sin));
+        let (cos, sin) = arc.turned_back((self.cos, self.sin), swept);
+        let theta = (self.theta - arc.turn).kept_in_range(arc.turn, cos, sin);
+        (Self { theta, cos, sin, ..*self }, swept)
     }
 }

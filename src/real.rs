@@ -19,54 +19,55 @@ pub trait Real:
 {
     /// The same value for every robot.
     fn splat(value: f64) -> Self;
-    /// |self|
-    fn abs(self) -> Self;
-    /// `self` with its magnitude raised to `least` where it is smaller. Zeros keep their sign: −0 gives −`least`.
-    fn away_from_zero(self, least: f64) -> Self;
     /// `bound` where it is smaller than `self`, else `self`; so NaN stays NaN.
     fn at_most(self, bound: Self) -> Self;
     /// `bound` where it is larger than `self`, else `self`; so NaN stays NaN.
     fn at_least(self, bound: Self) -> Self;
-    /// (sin h / h, cos h) for a half turn h = `self` in radians.
+    /// (sin ωt / ω, (1 − cos ωt) / ω) for a turn rate ω = `self` in rad/s and a time t = `dt` in seconds: how far ahead
+    /// and how far aside a unit speed leads on the way.
     ///
-    /// Side by side it holds only while |h| < [`SMALL_ANGLE`]; whoever drives many robots must see to that.
-    fn sinc_cos(self) -> (Self, Self);
-    /// The angle of the direction (cos, sin), in (−π, π], where `self` is the same angle but for full turns, after a half
-    /// turn `h`.
+    /// Side by side it holds only while |ωt| < [`SMALL_TURN`]; whoever drives many robots must see to that.
+    fn along_arc(self, dt: f64) -> (Self, Self);
+    /// The angle of the direction (cos, sin), in (−π, π], where `self` is the same angle but for full turns, after a turn
+    /// by `turn`.
     ///
-    /// Side by side it gives back `self`: whoever drives many robots must see to it that |self| < π and |h| is small.
-    fn kept_in_range(self, h: Self, cos: Self, sin: Self) -> Self;
+    /// Side by side it gives back `self`: whoever drives many robots must see to it that |self| < π and |turn| is small.
+    fn kept_in_range(self, turn: Self, cos: Self, sin: Self) -> Self;
 }
 
-/// Up to this half turn, in radians, four terms of the series give sin h and cos h to the last bit.
-pub const SMALL_ANGLE: f64 = 1.0 / 24.0;
+/// Up to this turn, in radians, polynomials give an arc to the last bit.
+pub const SMALL_TURN: f64 = 1.0 / 14.0;
 
-/// (sin h / h, cos h) for |h| < [`SMALL_ANGLE`].
-#[inline]
-pub(crate) fn sinc_cos_series<S: Real>(h: S) -> (S, S) {
-    let z = h * h;
-    let one = S::splat(1.0);
-    let [a, b, c] = [1.0 / 6.0, 1.0 / 120.0, 1.0 / 5040.0].map(S::splat);
-    let sinc = one - z * (a - z * (b - z * c));
-    let [a, b, c] = [1.0 / 2.0, 1.0 / 24.0, 1.0 / 720.0].map(S::splat);
-    let cos = one - z * (a - z * (b - z * c));
-    (sinc, cos)
+/// [`Real::along_arc`] for |ω dt| < [`SMALL_TURN`]: four terms of each series, as polynomials in ω².
+#[inline(always)]
+pub(crate) fn along_small_arc<S: Real>(omega: S, dt: f64) -> (S, S) {
+    // The sine has a fifth term, z⁴/9! with z = (ω dt)². In its place is the cubic that is nearest to it for z ≤ m.
+    const M: f64 = SMALL_TURN * SMALL_TURN;
+    const FIFTH: f64 = 1.0 / 362_880.0;
+    let sine = [
+        1.0,
+        1.0 / 6.0 - 0.25 * M * M * M * FIFTH,
+        1.0 / 120.0 - 1.25 * M * M * FIFTH,
+        1.0 / 5040.0 - 2.0 * M * FIFTH,
+    ];
+    let cosine = [1.0 / 2.0, 1.0 / 24.0, 1.0 / 720.0, 1.0 / 40320.0];
+    let square = omega * omega;
+    let fourth = square * square;
+    let polynomial = |coefficients: [f64; 4], mut unit: f64| {
+        let [a, b, c, d] = coefficients.map(|coefficient| {
+            let term = S::splat(coefficient * unit);
+            unit *= dt * dt;
+            term
+        });
+        (a - square * b) + fourth * (c - square * d)
+    };
+    (polynomial(sine, dt), omega * polynomial(cosine, dt * dt))
 }
 
 impl Real for f64 {
     #[inline]
     fn splat(value: f64) -> Self {
         value
-    }
-
-    #[inline]
-    fn abs(self) -> Self {
-        f64::abs(self)
-    }
-
-    #[inline]
-    fn away_from_zero(self, least: f64) -> Self {
-        f64::abs(self).at_least(least).copysign(self)
     }
 
     #[inline]
@@ -80,20 +81,23 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn sinc_cos(self) -> (Self, Self) {
-        if f64::abs(self) < SMALL_ANGLE {
-            sinc_cos_series(self)
+    fn along_arc(self, dt: f64) -> (Self, Self) {
+        if (self * dt).abs() < SMALL_TURN {
+            along_small_arc(self, dt)
         } else {
-            (libm::sin(self) / self, libm::cos(self))
+            let h = 0.5 * self * dt;
+            let (sin, cos) = libm::sincos(h);
+            let chord = dt * (sin / h);
+            (chord * cos, chord * sin)
         }
     }
 
     #[inline]
-    fn kept_in_range(self, h: Self, cos: Self, sin: Self) -> Self {
-        if f64::abs(h) >= SMALL_ANGLE {
+    fn kept_in_range(self, turn: Self, cos: Self, sin: Self) -> Self {
+        if turn.abs() >= SMALL_TURN {
             // After a large turn the direction knows the angle better.
             wrap(libm::atan2(sin, cos))
-        } else if f64::abs(self) >= PI {
+        } else if self.abs() >= PI {
             wrap(self)
         } else {
             self

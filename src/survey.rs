@@ -3,12 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use crate::control::Gains;
+use crate::convoy::{Run, RunEnd};
 use crate::cost::Cost;
 use crate::episode::Setting;
-use crate::evolution::{Evolution, GenerationRecord, Individual};
-use crate::experiment::Experiment;
+use crate::evolution::{Brood, GenerationRecord, Individual, drawn, drive_all};
+use crate::experiment::{EvolutionSettings, Experiment};
 use crate::fields::{InvalidInput, shown};
-use crate::lanes::{Run, RunEnd};
 use crate::random::LARGEST_INDEX;
 use crate::starts::{Range, StartGrid};
 
@@ -195,20 +195,69 @@ pub fn seed_runs(
         * f64::from(end - first);
     // Evolution and random search.
     experiment.validate_work("the number of drives", (2.0 * drives) as usize)?;
-    (first..end).map(|seed| seed_run(experiment, seed, generations)).collect()
+    let setting = Setting::new(experiment.clone())?;
+    let mut searches: Vec<_> = (first..end).map(|seed| Search::new(experiment, seed)).collect();
+    drive_all(&setting, searches.iter_mut().flat_map(|search| &mut search.population));
+    searches.iter_mut().for_each(Search::begin);
+    for generation in 1..=generations {
+        let (mut broods, mut draws): (Vec<_>, Vec<_>) =
+            searches.iter().map(|search| search.candidates(generation)).unzip();
+        let offspring = broods.iter_mut().flat_map(|brood| &mut brood.offspring);
+        drive_all(&setting, offspring.chain(draws.iter_mut().flatten()));
+        for ((search, brood), draw) in searches.iter_mut().zip(broods).zip(draws) {
+            search.choose(brood, &draw, generation);
+        }
+    }
+    Ok(searches.into_iter().map(|search| search.found).collect())
 }
 
-fn seed_run(experiment: &Experiment, seed: u32, generations: u32) -> Result<SeedRun, InvalidInput> {
-    let mut experiment = experiment.clone();
-    experiment.evolution.seed = seed;
-    let mut evolution = Evolution::new(experiment)?;
-    let mut best = vec![evolution.newest().best.cost];
-    let mut random = best.clone();
-    for generation in 1..=generations {
-        best.push(evolution.step().best.cost);
-        let drawn = GenerationRecord::drawn(evolution.setting(), generation);
-        let lowest = drawn.parents.iter().map(|individual| individual.cost);
-        random.push(lowest.fold(random[random.len() - 1], f64::min));
+/// Evolution and random search with one seed. All seeds take a step together, so that there are many runs to drive.
+struct Search {
+    settings: EvolutionSettings,
+    population: Vec<Individual>,
+    found: SeedRun,
+}
+
+impl Search {
+    fn new(experiment: &Experiment, seed: u32) -> Self {
+        let settings = EvolutionSettings { seed, ..experiment.evolution };
+        let population = drawn(&settings, 0);
+        let found = SeedRun { best: Vec::new(), champion: population[0], random: Vec::new() };
+        Self { settings, population, found }
     }
-    Ok(SeedRun { best, champion: evolution.newest().best, random })
+
+    /// Ranks generation 0, which both begin with; it was driven.
+    fn begin(&mut self) {
+        let population = core::mem::take(&mut self.population);
+        self.note(GenerationRecord::founded(population), f64::INFINITY);
+    }
+
+    /// Whom evolution and whom random search tries next; all are still to be driven.
+    fn candidates(&self, generation: u32) -> (Brood, Vec<Individual>) {
+        (Brood::of(&self.settings, &self.population, generation), drawn(&self.settings, generation))
+    }
+
+    /// Lets those that were tried, and driven, take part.
+    fn choose(&mut self, brood: Brood, draw: &[Individual], generation: u32) {
+        let parents = core::mem::take(&mut self.population);
+        let record = GenerationRecord::selected(&self.settings, parents, brood, generation);
+        self.note(record, best(draw).cost);
+    }
+
+    /// Goes on with the survivors of a generation, beside which random search has found this cost.
+    fn note(&mut self, record: GenerationRecord, drawn: f64) {
+        self.population = record.population();
+        let SeedRun { best: costs, champion, random } = &mut self.found;
+        *champion = best(&self.population);
+        costs.push(champion.cost);
+        let lowest = random.last().unwrap_or(&champion.cost);
+        random.push(lowest.min(drawn));
+    }
+}
+
+/// The first of those with the lowest cost.
+fn best(population: &[Individual]) -> Individual {
+    let lower =
+        |a: Individual, b: &Individual| if b.cost.total_cmp(&a.cost).is_lt() { *b } else { a };
+    population[1..].iter().fold(population[0], lower)
 }

@@ -9,12 +9,12 @@ use wasm_bindgen::prelude::*;
 use self::input::{Input, gain_name};
 
 use crate::control::Gains;
+use crate::convoy::RunEnd;
 use crate::cost::Cost;
 use crate::episode::{EpisodeState, Outcome, Sample, Setting};
 use crate::evolution::{self, LAST_GENERATION};
 use crate::experiment::{Experiment, MAX_STARTS, PAPER_RESULTS, Preset};
 use crate::fields::{FIELDS, InvalidInput, shown};
-use crate::lanes::RunEnd;
 use crate::posture::Posture;
 use crate::remaining::{self, ErrorParts};
 use crate::starts::{self, MAX_AXIS_COUNT, Range, StartGrid};

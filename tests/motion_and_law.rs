@@ -8,6 +8,7 @@ use ep_locomotion::control::{
 };
 use ep_locomotion::limits::Limits;
 use ep_locomotion::posture::{ErrorPosture, Posture, Velocity, wrap};
+use ep_locomotion::real::{Real, SMALL_TURN};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -37,6 +38,22 @@ fn two_half_steps_of_an_arc_are_one_whole_step() {
         assert_close(halves.x, whole.x, 1e-12);
         assert_close(halves.y, whole.y, 1e-12);
         assert_close(halves.theta, whole.theta, 1e-12);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_small_arc_is_as_exact_as_a_large_one() {
+    let mut random = Random::new(11);
+    for _ in 0..100_000 {
+        let (turn, dt) = (random.within(-SMALL_TURN, SMALL_TURN), random.within(1e-3, 1.0));
+        let (ahead, aside) = (turn / dt).along_arc(dt);
+        // 1 − cos t = 2 sin² (t / 2)
+        let half = libm::sin(0.5 * turn);
+        assert_close(ahead / (dt * libm::sin(turn) / turn), 1.0, 6e-16);
+        assert_close(aside / (dt * 2.0 * half * half / turn), 1.0, 1.5e-15);
+    }
+    for omega in [0.0, -0.0] {
+        assert_eq!(omega.along_arc(0.5), (0.5, 0.0));
     }
 }
 

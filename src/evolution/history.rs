@@ -145,9 +145,13 @@ impl Hash {
     const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
 
     fn word(&mut self, word: u64) {
-        for byte in word.to_le_bytes() {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        const PRIME: u64 = 0x0000_0100_0000_01b3;
+        // A byte of zero only multiplies, so that the zeros at the end of a small number are one multiplication.
+        let zeros = word.leading_zeros() / 8;
+        for byte in &word.to_le_bytes()[..8 - zeros as usize] {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(PRIME);
         }
+        self.0 = self.0.wrapping_mul(PRIME.wrapping_pow(zeros));
     }
 
     fn number(&mut self, number: f64) {

@@ -13,6 +13,7 @@ pub use tournament::{Tournament, wins_bout};
 use serde::Serialize;
 
 use crate::episode::Setting;
+use crate::experiment::EvolutionSettings;
 use crate::random::{Purpose, stream};
 
 /// One generation in full. Solutions are numbered 0 to N − 1 for the parents and N to 2N − 1 for the offspring.
@@ -35,19 +36,54 @@ pub struct GenerationRecord {
     pub survivors: Vec<u32>,
 }
 
+/// What a generation breeds, still to be driven: one offspring of each parent.
+pub(crate) struct Brood {
+    mutations: Vec<Mutation>,
+    pub(crate) offspring: Vec<Individual>,
+}
+
+impl Brood {
+    /// Step 3 of the paper's procedure.
+    pub(crate) fn of(e: &EvolutionSettings, parents: &[Individual], generation: u32) -> Self {
+        let mut rng = stream(e.seed, Purpose::Mutation, generation);
+        let mutations: Vec<_> = parents.iter().map(|_| Mutation::draw(&mut rng)).collect();
+        let pairs = mutations.iter().zip(parents);
+        let offspring = pairs.map(|(mutation, parent)| mutation.offspring(parent)).collect();
+        Self { mutations, offspring }
+    }
+}
+
+/// A population drawn from the initial range, still to be driven: k_j uniform in it and σ_j the initial σ (step 1).
+///
+/// There is one of each number. Evolution begins with number 0.
+pub(crate) fn drawn(e: &EvolutionSettings, number: u32) -> Vec<Individual> {
+    let mut rng = stream(e.seed, Purpose::Initialisation, number);
+    (0..e.population).map(|_| Individual::random(e, &mut rng)).collect()
+}
+
+/// Drives all these individuals from every start (steps 2 and 4). In one call many are faster than few.
+pub(crate) fn drive_all<'a>(
+    setting: &Setting,
+    individuals: impl IntoIterator<Item = &'a mut Individual>,
+) {
+    let individuals: Vec<_> = individuals.into_iter().collect();
+    let gains: Vec<_> = individuals.iter().map(|individual| individual.gains.into()).collect();
+    for (individual, cost) in individuals.into_iter().zip(setting.costs(&gains)) {
+        individual.cost = cost.total();
+    }
+}
+
 impl GenerationRecord {
     /// Generation 0: N individuals with k_j uniform in the initial range and σ_j the initial σ (steps 1 and 2).
     pub fn initial(setting: &Setting) -> Self {
-        Self::drawn(setting, 0)
+        let mut parents = drawn(&setting.experiment().evolution, 0);
+        drive_all(setting, &mut parents);
+        Self::founded(parents)
     }
 
-    /// A population drawn from the initial range, one of as many as there are numbers. Evolution begins with number 0.
-    pub(crate) fn drawn(setting: &Setting, number: u32) -> Self {
-        let e = &setting.experiment().evolution;
-        let mut rng = stream(e.seed, Purpose::Initialisation, number);
-        let parents = (0..e.population).map(|_| Individual::random(e, &mut rng)).collect();
-        let parents = evaluated(setting, parents);
-        let mut survivors: Vec<u32> = (0..e.population).collect();
+    /// Generation 0 with these parents, which were driven.
+    pub(crate) fn founded(parents: Vec<Individual>) -> Self {
+        let mut survivors: Vec<u32> = (0..parents.len() as u32).collect();
         survivors.sort_by(|a, b| parents[*a as usize].cost.total_cmp(&parents[*b as usize].cost));
         Self {
             generation: 0,
@@ -64,11 +100,18 @@ impl GenerationRecord {
     /// It depends on the setting, the parents and the generation's number alone.
     pub fn next(setting: &Setting, parents: Vec<Individual>, generation: u32) -> Self {
         let e = &setting.experiment().evolution;
-        let mut rng = stream(e.seed, Purpose::Mutation, generation);
-        let mutations: Vec<_> = parents.iter().map(|_| Mutation::draw(&mut rng)).collect();
-        let pairs = mutations.iter().zip(&parents);
-        let offspring = pairs.map(|(mutation, parent)| mutation.offspring(parent)).collect();
-        let offspring = evaluated(setting, offspring);
+        let mut brood = Brood::of(e, &parents, generation);
+        drive_all(setting, &mut brood.offspring);
+        Self::selected(e, parents, brood, generation)
+    }
+
+    /// Steps 5 and 6: the tournament of the parents and their offspring, all driven.
+    pub(crate) fn selected(
+        e: &EvolutionSettings,
+        parents: Vec<Individual>,
+        Brood { mutations, offspring }: Brood,
+        generation: u32,
+    ) -> Self {
         let costs: Vec<f64> = parents.iter().chain(&offspring).map(|i| i.cost).collect();
         let mut rng = stream(e.seed, Purpose::Tournament, generation);
         let tournament = Tournament::hold(&costs, e.opponents, &mut rng);
@@ -88,15 +131,6 @@ impl GenerationRecord {
     pub fn population(&self) -> Vec<Individual> {
         self.survivors.iter().map(|number| *self.solution(*number)).collect()
     }
-}
-
-/// The same individuals with their costs: all are driven from every start.
-fn evaluated(setting: &Setting, mut individuals: Vec<Individual>) -> Vec<Individual> {
-    let gains: Vec<_> = individuals.iter().map(|individual| individual.gains.into()).collect();
-    for (individual, cost) in individuals.iter_mut().zip(setting.costs(&gains)) {
-        individual.cost = cost.total();
-    }
-    individuals
 }
 
 /// One generation in short.
