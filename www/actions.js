@@ -1,13 +1,21 @@
 // What the controls do: each takes the page from one good state to the next, or leaves it and says why.
-import { firstDisturbance } from './disturbance/page.js';
+import { firstCurves } from './curves/page.js';
+import { firstDisturbance } from './disturbance/request.js';
+import { firstGeneration } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
-import { firstLuck } from './luck/page.js';
+import { firstLuck } from './luck/request.js';
 import { messageOf } from './messages.js';
-import { atEnd, endsOf, fromStart, gainsOf, generationsPerRun, noTrial } from './state.js';
+import { atEnd, endsOf, fromStart, gainsOf, noTrial, pausesAt } from './state.js';
+import { noPins } from './pins/pins.js';
 import { firstRobustness } from './robustness/page.js';
-import { firstTraining } from './training/page.js';
+import { isTracking, stationsOf } from './reference.js';
+import { firstSettings } from './settings/panel.js';
+import { valueAt, withValue } from './settings/paths.js';
+import { firstTraining } from './training/request.js';
+import { afterChange, afterDrag, noVersions, redone, undone } from './undo.js';
 import { boxAround, refit } from './view.js';
 import * as strings from './words/en/lab.js';
+import * as settingWords from './words/en/settings.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Experiment} Experiment */
@@ -20,7 +28,9 @@ import * as strings from './words/en/lab.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./state.js').Store} Store */
 /** @typedef {import('./state.js').Triple} Triple */
+/** @typedef {import('./state.js').Until} Until */
 /** @typedef {import('./handles.js').End} End */
+/** @typedef {import('./link.js').Opened} Opened */
 /** @typedef {ReturnType<typeof createActions>} Actions */
 
 const noErrors = /** @type {const} */ (['', '', '']);
@@ -44,17 +54,26 @@ export function firstState(engine, preset) {
     preset,
     experiment,
     history: [statistics],
+    generation: 0,
     population,
     evolving: false,
+    pace: 8,
+    until: { kind: 'every', value: 100 },
+    untilError: '',
     restart: 'begin',
     driver: 'evolved',
     handGains: null,
     trial: noTrial,
     landscape: firstLandscape,
+    anatomy: firstGeneration,
+    curves: firstCurves,
+    pins: noPins,
     robustness: firstRobustness,
     training: firstTraining,
     disturbance: firstDisturbance,
     luck: firstLuck,
+    settings: firstSettings,
+    versions: noVersions,
     robot: shown(),
     speed: 1,
     dragging: false,
@@ -77,22 +96,74 @@ export function createActions(engine, store, paper, finalTime) {
     }
   };
 
-  /** @param {Experiment} experiment @param {Restart} restart @param {Partial<State>} [patch] */
-  const begin = (experiment, restart, patch = {}) =>
-    attempt(() => {
-      const { statistics, population } = engine.begin(experiment);
-      store.update({ experiment, history: [statistics], population, restart, message: '', ...patch });
+  /** Throws when the core refuses the experiment. @param {Experiment} experiment @param {Restart} restart @param {Partial<State>} patch */
+  const tryToBegin = (experiment, restart, patch) => {
+    const { statistics, population } = engine.begin(experiment);
+    const before = store.get();
+    store.update({
+      experiment,
+      history: [statistics],
+      generation: 0,
+      population,
+      restart,
+      message: '',
+      settings: { ...before.settings, error: null },
+      versions: afterChange(before, { experiment, preset: patch.preset ?? before.preset }),
+      ...patch,
     });
+  };
+
+  /** @param {Experiment} experiment @param {Restart} restart @param {Partial<State>} [patch] */
+  const begin = (experiment, restart, patch = {}) => attempt(() => tryToBegin(experiment, restart, patch));
 
   /** A robot at rest at its end shows what is new by driving again; one that was paused on the way stays there. */
   const driveAgain = () => {
     if (store.get().robot.time === atEnd.time) store.update({ robot: shown() });
   };
 
+  /** @param {number} seed */
+  const useSeed = (seed) =>
+    attempt(() => {
+      const { experiment } = store.get();
+      const next = engine.experiment({ ...experiment, evolution: { ...experiment.evolution, seed } });
+      begin(next, 'seed', { evolving: false, robot: shown() });
+    });
+
   const refitBox = () => {
     const { box, size } = store.get();
-    store.update({ box: refit(box, size, Object.values(endsOf(store.get()))) });
+    store.update({ box: refit(box, size, inSight()) });
   };
+
+  /** What must be seen: start and goal, and where the reference comes by. */
+  const inSight = () => {
+    const state = store.get();
+    const ends = Object.values(endsOf(state));
+    const [run] = engine.drive(state.experiment, [gainsOf(state, state.driver, paper)]);
+    return isTracking(run) ? [...ends, ...stationsOf(run)] : ends;
+  };
+
+  const settle = () => {
+    refitBox();
+    driveAgain();
+  };
+
+  /** A posture or a setting is let go. */
+  const release = () => {
+    store.update({ dragging: false, versions: afterDrag(store.get()) });
+    settle();
+  };
+
+  /** @param {Restart} restart @param {ReturnType<typeof undone>} step */
+  const goTo = (restart, step) => {
+    if (!step || store.get().dragging) return;
+    const { preset, experiment } = step.version;
+    begin(experiment, restart, { preset, versions: step.versions });
+    settle();
+  };
+
+  /** @param {string} path @param {string} text */
+  const refuseSetting = (path, text) =>
+    store.update({ settings: { ...store.get().settings, error: { path, text } } });
 
   /** @param {readonly number[]} gains */
   const driveByHand = (gains) => {
@@ -113,19 +184,70 @@ export function createActions(engine, store, paper, finalTime) {
   const withGain = (index, value) =>
     gainsOf(store.get(), store.get().driver, paper).map((gain, i) => (i === index ? value : gain));
 
-  const step = () =>
+  /** One generation on: the next that is recorded, or a new one. */
+  const forward = () =>
     attempt(() => {
-      const { statistics, population } = engine.step();
-      store.update({ history: [...store.get().history, statistics], population, message: '' });
+      const { history } = store.get();
+      const generation = store.get().generation + 1;
+      const known = generation < history.length ? history : [...history, engine.step()];
+      store.update({ history: known, generation, population: engine.population(generation), message: '' });
     });
 
+  /** Evolves to a generation: at once if that is soon done, else while the page looks on. @param {number} generation */
+  const catchUp = (generation) => {
+    const end = performance.now() + 300;
+    while (store.get().generation < generation && performance.now() < end) forward();
+    if (store.get().generation < generation)
+      store.update({
+        evolving: true,
+        pace: Number.POSITIVE_INFINITY,
+        until: { kind: 'generation', value: generation },
+      });
+  };
+
+  /** Another generation that is recorded. @param {number} generation */
+  const showGeneration = (generation) =>
+    attempt(() =>
+      store.update({ evolving: false, generation, population: engine.population(generation), message: '' }),
+    );
+
+  /** Drives from a start that evolution does not see, or again from its own. @param {Posture | null} start */
+  const tryStart = (start) => {
+    const { trial } = store.get();
+    store.update({
+      trial: start || trial.disturbance ? { ...trial, start } : noTrial,
+      robot: shown(),
+    });
+    refitBox();
+  };
+
   return {
-    /** Some generations more; the run pauses by itself at a round number. @param {number} generations */
-    evolve(generations) {
-      for (let i = 0; i < generations && store.get().evolving; i += 1) {
-        step();
-        if ((store.get().history.length - 1) % generationsPerRun === 0) store.update({ evolving: false });
+    /** Goes on while `more` says so, or until the run has to pause. @param {() => boolean} more */
+    evolve(more) {
+      while (store.get().evolving && more()) {
+        forward();
+        const { until, history, generation } = store.get();
+        if (pausesAt(until, history[generation])) store.update({ evolving: false });
       }
+    },
+
+    showGeneration,
+
+    oneBack() {
+      const { generation } = store.get();
+      if (generation > 0) showGeneration(generation - 1);
+    },
+
+    /** @param {number} pace */
+    setPace(pace) {
+      store.update({ pace });
+    },
+
+    /** @param {Until['kind']} kind @param {string} text */
+    setUntil(kind, text) {
+      const value = strings.numberOf(text);
+      const wrong = kind === 'every' ? '' : strings.untilRefused(kind, value, text);
+      store.update(wrong ? { untilError: wrong } : { until: { kind, value }, untilError: '' });
     },
 
     toggleEvolution() {
@@ -139,7 +261,7 @@ export function createActions(engine, store, paper, finalTime) {
 
     oneGeneration() {
       store.update({ evolving: false });
-      step();
+      forward();
       driveAgain();
     },
 
@@ -147,16 +269,9 @@ export function createActions(engine, store, paper, finalTime) {
       begin(store.get().experiment, 'reset', { evolving: false, robot: shown() });
     },
 
-    newSeed() {
-      attempt(() => {
-        const { experiment } = store.get();
-        const next = engine.experiment({
-          ...experiment,
-          evolution: { ...experiment.evolution, seed: engine.randomSeed() },
-        });
-        begin(next, 'seed', { evolving: false, robot: shown() });
-      });
-    },
+    newSeed: () => useSeed(engine.randomSeed()),
+
+    useSeed,
 
     /** Other limits; start, goal and seed stay, so that only the limits differ. @param {Preset} preset */
     choosePreset(preset) {
@@ -193,6 +308,11 @@ export function createActions(engine, store, paper, finalTime) {
 
     driveAgain,
 
+    /** What the lab shows over the generations. @param {State['curves']['lab']} lab */
+    chooseCurve(lab) {
+      store.update({ curves: { ...store.get().curves, lab } });
+    },
+
     /** @param {number} index @param {string} text */
     typeGain(index, text) {
       const value = strings.numberOf(text);
@@ -226,37 +346,97 @@ export function createActions(engine, store, paper, finalTime) {
       if (!dragging) refitBox();
     },
 
-    releasePosture() {
-      store.update({ dragging: false });
-      refitBox();
-      driveAgain();
+    releasePosture: release,
+
+    /** @param {string} path @param {import('./settings/paths.js').Value} value @param {boolean} dragging */
+    changeSetting(path, value, dragging) {
+      const { experiment, settings } = store.get();
+      if (valueAt(experiment, path) === value) {
+        if (settings.error) store.update({ settings: { ...settings, error: null } });
+        return;
+      }
+      try {
+        tryToBegin(withValue(experiment, path, value), 'setting', { dragging });
+        if (!dragging) settle();
+      } catch (error) {
+        refuseSetting(path, settingWords.named(messageOf(error)));
+      }
+    },
+
+    releaseSetting: release,
+
+    refuseSetting,
+
+    backToPreset() {
+      begin(engine.experiment(store.get().preset), 'setting');
+      settle();
+    },
+
+    undo() {
+      goTo('undone', undone(store.get()));
+    },
+
+    redo() {
+      goTo('redone', redone(store.get()));
+    },
+
+    /** @param {boolean} open */
+    openSettings(open) {
+      store.update({ settings: { open, error: null } });
     },
 
     /** Start and goal of the paper. */
     restorePostures() {
       const { experiment, preset, trial } = store.get();
-      if (trial.start) return this.tryStart(null);
+      if (trial.start) return tryStart(null);
       const { starts, goal } = engine.experiment(preset);
       begin({ ...experiment, starts, goal }, 'moved');
-      store.update({ box: boxAround([starts[0], goal]), robot: shown() });
+      store.update({ box: boxAround(inSight()), robot: shown() });
     },
 
-    /** Drives from a start that evolution does not see, or again from its own. @param {Posture | null} start */
-    tryStart(start) {
-      const { trial } = store.get();
+    tryStart,
+
+    /** Drives under a disturbance that evolution does not see. The core throws if it is out of range. @param {Experiment['disturbance']} tried */
+    tryDisturbance(tried) {
+      const { experiment, trial, disturbance } = store.get();
+      engine.experiment({ ...experiment, disturbance: tried });
       store.update({
-        trial: start || trial.disturbance ? { ...trial, start } : noTrial,
-        robot: shown(),
+        trial: { ...trial, disturbance: tried },
+        disturbance: { ...disturbance, tried, error: null },
       });
-      refitBox();
+    },
+
+    /**
+     * Begins what a link holds, and evolves to its generation or further.
+     * @param {Opened} opened @param {readonly string[]} problems @param {number} [newest]
+     */
+    openLinked({ experiment, generation, landscape, ...rest }, problems, newest = generation) {
+      attempt(() => {
+        const { disturbance } = store.get();
+        const tried = rest.trial.disturbance ?? disturbance.tried;
+        tryToBegin(experiment, 'begin', {
+          ...rest,
+          trial: rest.page === 'disturbance' ? { ...rest.trial, disturbance: tried } : rest.trial,
+          disturbance: { ...disturbance, tried, error: null },
+          landscape: { ...store.get().landscape, ...landscape, cursor: null, thirdError: '' },
+          evolving: false,
+          robot: shown(),
+        });
+        store.update({ box: boxAround(inSight()) });
+        catchUp(newest);
+        if (!store.get().evolving) showGeneration(generation);
+        if (problems.length > 0) store.update({ message: problems.join(' ') });
+      });
     },
 
     /** @param {PageName} page */
     openPage(page) {
-      if (page === store.get().page) return;
-      const tried = store.get().trial !== noTrial;
-      store.update({ page, trial: noTrial });
-      if (tried) refitBox();
+      const { page: before, trial, disturbance } = store.get();
+      if (page === before) return;
+      if (page === 'disturbance')
+        store.update({ page, trial: { start: null, disturbance: disturbance.tried }, robot: shown() });
+      else store.update({ page, trial: noTrial });
+      if (trial !== noTrial) refitBox();
     },
 
     togglePlay() {

@@ -1,8 +1,8 @@
 // Two clocks that never meet: the robot's bar, evolution's bar, and the loop that turns real time into both.
-import { watch } from './state.js';
+import { paces, watch } from './state.js';
 import * as strings from './words/en/lab.js';
 
-/** @typedef {import('./engine.js').Statistics} Statistics */
+/** @typedef {import('./state.js').Until} Until */
 
 /** After a hidden tab or a long frame, no more than this much time is made up for. */
 const longestFrame = 0.25;
@@ -29,12 +29,12 @@ export function createFrameLoop(frame) {
   return { request };
 }
 
-/** Whole generations out of real time. @param {number} perSecond */
-export function createAccumulator(perSecond) {
+/** Whole generations out of real time. */
+export function createAccumulator() {
   let owed = 0;
   return {
-    /** @param {number} seconds */
-    take(seconds) {
+    /** @param {number} seconds @param {number} perSecond */
+    take(seconds, perSecond) {
       owed += seconds * perSecond;
       const whole = Math.floor(owed);
       owed -= whole;
@@ -73,14 +73,31 @@ export function createRobotBar({ play, speed, clock, scrub }, events) {
 /**
  * @typedef {object} EvolutionBarElements
  * @property {HTMLButtonElement} run
+ * @property {HTMLButtonElement} back
  * @property {HTMLButtonElement} one
+ * @property {HTMLInputElement} timeline
+ * @property {HTMLSelectElement} pace
+ * @property {HTMLSelectElement} until
+ * @property {HTMLInputElement} untilValue
+ * @property {HTMLElement} untilError
  * @property {HTMLButtonElement} reset
  * @property {HTMLButtonElement} seedButton
  * @property {HTMLElement} seed
  * @property {HTMLElement} generation
  * @property {HTMLElement} note
  */
-/** @typedef {{ onRun: () => void, onOne: () => void, onReset: () => void, onNewSeed: () => void }} EvolutionBarEvents */
+/**
+ * @typedef {object} EvolutionBarEvents
+ * @property {() => void} onRun
+ * @property {() => void} onOne
+ * @property {() => void} onReset
+ * @property {() => void} onNewSeed
+ * @property {() => void} onBack
+ * @property {(generation: number) => void} onShow
+ * @property {(pace: number) => void} onPace
+ * @property {(kind: Until['kind'], text: string) => void} onUntil
+ */
+/** @typedef {{ evolving: boolean, generation: number, newest: number, seed: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
 
 /** @param {EvolutionBarElements} elements @param {EvolutionBarEvents} events */
 export function createEvolutionBar(elements, events) {
@@ -88,9 +105,24 @@ export function createEvolutionBar(elements, events) {
   elements.one.addEventListener('click', events.onOne);
   elements.reset.addEventListener('click', events.onReset);
   elements.seedButton.addEventListener('click', events.onNewSeed);
+  elements.back.addEventListener('click', events.onBack);
+  elements.timeline.addEventListener('input', () => events.onShow(elements.timeline.valueAsNumber));
+  elements.pace.replaceChildren(...paces.map((pace) => new Option(strings.paceText(pace), String(pace))));
+  elements.pace.addEventListener('change', () => events.onPace(Number(elements.pace.value)));
+  elements.until.replaceChildren(...strings.untils.map(([kind, text]) => new Option(text, kind)));
+  const { until, untilValue } = elements;
+  const kind = () => /** @type {Until['kind']} */ (until.value);
+  until.addEventListener('change', () => {
+    // A start that fits the kind, to be changed.
+    if (kind() === 'generation') untilValue.value = '100';
+    if (kind() === 'cost') untilValue.value = '8';
+    events.onUntil(kind(), untilValue.value);
+  });
+  untilValue.addEventListener('focus', () => untilValue.select());
+  untilValue.addEventListener('change', () => events.onUntil(kind(), untilValue.value));
   const changed = watch();
   return {
-    /** @param {{ evolving: boolean, generation: number, seed: number, note: string }} model */
+    /** @param {EvolutionBarModel} model */
     draw(model) {
       if (!changed(...Object.values(model))) return;
       const verb = model.evolving ? strings.pauseEvolution : strings.run;
@@ -99,6 +131,20 @@ export function createEvolutionBar(elements, events) {
       elements.generation.textContent = String(model.generation);
       elements.seed.textContent = String(model.seed);
       elements.note.textContent = model.note;
+      elements.back.disabled = model.generation === 0;
+      elements.timeline.max = String(Math.max(1, model.newest));
+      elements.timeline.value = String(model.generation);
+      elements.timeline.setAttribute(
+        'aria-valuetext',
+        strings.generationText(model.generation, model.newest),
+      );
+      elements.timeline.style.setProperty('--to', `${(100 * model.generation) / Math.max(1, model.newest)}%`);
+      elements.pace.value = String(model.pace);
+      if (!model.untilError) until.value = model.until.kind;
+      untilValue.hidden = until.value === 'every';
+      untilValue.setAttribute('aria-invalid', String(model.untilError !== ''));
+      elements.untilError.textContent = model.untilError;
+      elements.untilError.hidden = model.untilError === '';
     },
   };
 }

@@ -33,9 +33,11 @@ export function createCost({ title, total, outcome, note, bar, parts }) {
       total.textContent = strings.costText(cost.total);
       outcome.textContent = strings.outcomeText(model.run);
       note.textContent = model.note;
-      for (const { part, segment, value } of rows) {
+      for (const { part, segment, item, value } of rows) {
         value.textContent = strings.partText(cost[part]);
         segment.style.flexGrow = finite ? String(cost[part] / cost.total) : '0';
+        // What only gains below zero pay is left out while nobody pays it.
+        item.hidden = part === 'penalty' && cost.penalty === 0;
         segment.hidden = !finite || cost[part] < 0.004 * cost.total;
       }
     },

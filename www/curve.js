@@ -1,19 +1,18 @@
 // The fitness curve: the best and the median J of each generation.
 import uPlot from 'uplot';
+import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from './plot.js';
 import { watch } from './state.js';
 import * as strings from './words/en/lab.js';
 
 /** @typedef {import('./engine.js').Statistics} Statistics */
-/** @typedef {{ history: Statistics[], paper: number, theme: number }} CurveModel */
+/** @typedef {{ history: Statistics[], generation: number, paper: number, theme: number }} CurveModel */
 
 const gutter = 100;
-const wholeSteps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
-const labelHeight = 17;
 
 /** @param {HTMLElement} root */
 export function createCurve(root) {
   /** @type {CurveModel} */
-  let model = { history: [], paper: Number.NaN, theme: 0 };
+  let model = { history: [], generation: 0, paper: Number.NaN, theme: 0 };
   const changed = watch();
   const labels = createLabels();
   const only = () => model.history.length === 1;
@@ -39,7 +38,14 @@ export function createCurve(root) {
         { stroke: () => colour('--muted'), width: 1.5, dash: [2, 5], points: { show: false } },
         { stroke: () => colour('--ink'), width: 2.5, points: { ...points, fill: () => colour('--ink') } },
       ],
-      hooks: { draw: [(drawn) => labels.draw(drawn, model)] },
+      hooks: {
+        draw: [
+          (drawn) => {
+            labels.draw(drawn, model);
+            drawShown(drawn, model);
+          },
+        ],
+      },
     },
     [[], [], [], []],
     root,
@@ -51,39 +57,27 @@ export function createCurve(root) {
   return {
     /** @param {CurveModel} next */
     draw(next) {
-      if (!changed(next.history, next.paper, next.theme)) return;
+      if (!changed(next.history, next.generation, next.paper, next.theme)) return;
       model = next;
       plot.setData(columns(next));
     },
   };
 }
 
-/** @param {HTMLElement} root */
-const sizeOf = (root) => ({
-  width: Math.max(200, root.clientWidth),
-  height: Math.max(100, root.clientHeight),
-});
-
-/** @param {string} name */
-const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-
-/** @returns {uPlot.Axis} */
-const axis = () => ({
-  stroke: () => colour('--muted'),
-  font: '13px system-ui, sans-serif',
-  grid: { stroke: () => colour('--hairline'), width: 1 },
-  ticks: { show: false },
-  gap: 6,
-});
-
-/** As many digits as the step needs, at every tick. @param {uPlot} _ @param {number[]} ticks */
-function sameDigits(_, ticks) {
-  const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
-  const digits =
-    [0, 1, 2, 3, 4, 5].find(
-      (count) => Math.abs(step * 10 ** count - Math.round(step * 10 ** count)) < 1e-6,
-    ) ?? 6;
-  return ticks.map((tick) => tick.toFixed(digits));
+/** Where the shown generation is, when it is not the newest. @param {uPlot} plot @param {Pick<CurveModel, 'history' | 'generation'>} model */
+export function drawShown(plot, { history, generation }) {
+  if (generation === history.length - 1) return;
+  const { ctx, bbox } = plot;
+  const x = plot.valToPos(generation, 'x', true);
+  ctx.save();
+  ctx.strokeStyle = colour('--ink');
+  ctx.lineWidth = uPlot.pxRatio;
+  ctx.setLineDash([3 * uPlot.pxRatio, 3 * uPlot.pxRatio]);
+  ctx.beginPath();
+  ctx.moveTo(x, bbox.top);
+  ctx.lineTo(x, bbox.top + bbox.height);
+  ctx.stroke();
+  ctx.restore();
 }
 
 /** @param {CurveModel} model @returns {uPlot.AlignedData} */
@@ -100,7 +94,7 @@ function columns({ history, paper }) {
 }
 
 /** The end of the generation axis: it grows in steps, so that the curve does not shrink at each generation. @param {number} generation */
-function lastTick(generation) {
+export function lastTick(generation) {
   return [20, 50, 100, 200, 300, 500].find((end) => generation <= end) ?? Math.ceil(generation / 500) * 500;
 }
 
@@ -118,17 +112,11 @@ function costRange({ history, paper }) {
 
 /** Names at the ends of the lines. */
 function createLabels() {
-  const make = (/** @type {string} */ name, /** @type {string} */ text) => {
-    const element = document.createElement('span');
-    element.className = `line-label ${name}`;
-    element.textContent = text;
-    return element;
-  };
-  const best = make('best', strings.bestLine);
-  const median = make('median', strings.medianLine);
-  const paper = make('paper', strings.paperLine);
-  const axisName = make('axis', strings.generationAxis);
-  const costName = make('axis', strings.costSymbol);
+  const best = lineLabel('best', strings.bestLine);
+  const median = lineLabel('median', strings.medianLine);
+  const paper = lineLabel('paper', strings.paperLine);
+  const axisName = lineLabel('axis', strings.generationAxis);
+  const costName = lineLabel('axis', strings.costSymbol);
 
   /** @param {uPlot} plot @param {CurveModel} model */
   const draw = (plot, model) => {
@@ -156,18 +144,4 @@ function createLabels() {
     axisName.style.transform = `translate(${right + 6}px, ${plot.over.clientHeight + 6}px)`;
   };
   return { elements: [best, median, paper, axisName, costName], draw };
-}
-
-/**
- * Moves labels apart that would lie on each other, as little up as down, and keeps them inside.
- * @param {{ y: number }[]} places @param {number} height
- */
-function spread(places, height) {
-  const sorted = [...places].sort((a, b) => a.y - b.y);
-  const wanted = sorted.map(({ y }) => y);
-  for (let i = 1; i < sorted.length; i += 1) sorted[i].y = Math.max(wanted[i], sorted[i - 1].y + labelHeight);
-  const pushed = sorted.reduce((sum, { y }, i) => sum + y - wanted[i], 0) / sorted.length;
-  const up = Math.min(pushed, sorted[0].y);
-  const over = Math.max(0, sorted[sorted.length - 1].y - up - height);
-  for (const place of sorted) place.y -= up + over;
 }

@@ -1,2 +1,10 @@
 /** @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
 export const byId = (id) => /** @type {T} */ (document.getElementById(id));
+
+/** A new element with what it holds. @param {string} tag @param {string} className @param {(Node | string)[]} children */
+export function create(tag, className, ...children) {
+  const element = document.createElement(tag);
+  if (className) element.className = className;
+  element.append(...children);
+  return element;
+}

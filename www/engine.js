@@ -1,17 +1,30 @@
 // The only module, with its workers, that knows the core: everything else receives plain numbers from here.
-import { Evolution, experiment, initSync, paper, randomSeed, simulateAll } from '../pkg/ep_locomotion.js';
+import {
+  Evolution,
+  experiment,
+  fields,
+  initSync,
+  learningRates,
+  paper,
+  randomSeed,
+  simulateAll,
+  version,
+  startsOnCircle,
+} from '../pkg/ep_locomotion.js';
 import { createPool } from './pool.js';
 import { createSurveys } from './surveys.js';
 import SurveyWorker from './worker.js?worker';
 
 /** @typedef {import('../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
+/** @typedef {import('../pkg/ep_locomotion.js').Field} Field */
 /** @typedef {import('../pkg/ep_locomotion.js').Individual} Individual */
 /** @typedef {import('../pkg/ep_locomotion.js').PaperResult} PaperResult */
 /** @typedef {import('../pkg/ep_locomotion.js').Posture} Posture */
 /** @typedef {import('../pkg/ep_locomotion.js').Preset} Preset */
 /** @typedef {import('../pkg/ep_locomotion.js').Run} Run */
 /** @typedef {import('../pkg/ep_locomotion.js').Cost} Cost */
+/** @typedef {import('../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
 /** @typedef {import('../pkg/ep_locomotion.js').Statistics} Statistics */
 /** @typedef {readonly [number, number, number]} Triple kx, ky, kθ */
 
@@ -35,6 +48,11 @@ export async function createEngine() {
     return worker;
   }
 
+  const current = () => {
+    if (!evolution) throw new Error('engine: begin an evolution first');
+    return evolution;
+  };
+
   /** @param {Evolution} from @returns {Generation} */
   const newest = (from) => ({
     statistics: from.statistics(),
@@ -42,8 +60,12 @@ export async function createEngine() {
   });
 
   return {
+    fields,
     paper,
     randomSeed,
+    version,
+    learningRates,
+    startsOnCircle,
 
     /** @param {Preset | PartialExperiment} from */
     experiment: (from) => experiment(from),
@@ -57,11 +79,16 @@ export async function createEngine() {
     },
 
     /** One generation more. */
-    step() {
-      if (!evolution) throw new Error('engine: begin an evolution before its first step');
-      evolution.step();
-      return newest(evolution);
-    },
+    step: () => current().step(),
+
+    /** The population that a generation left, best first. @param {number} generation */
+    population: (generation) => current().population(generation),
+
+    /** All that happened in a generation. @param {number} generation */
+    record: (generation) => current().record(generation),
+
+    /** Digits over every number of the history, the same wherever it ran. */
+    hash: () => current().hash(),
 
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) => simulateAll(from, gains.flat()),

@@ -27,7 +27,7 @@ export function createGains(root, note, events) {
 }
 
 /** @param {{ id: string, name: string, letter: string, index: string }} gain @param {number} index @param {GainEvents} events */
-function createRow(gain, index, events) {
+export function createRow(gain, index, events) {
   const { id } = gain;
   const row = document.createElement('div');
   const label = document.createElement('label');

@@ -48,17 +48,25 @@ function createHandle(end, part, current, events) {
   const name = end === 'start' ? strings.startName : strings.goalName;
   drag(button, end, part, current, events);
 
+  // A key that is held is one gesture, like a drag.
+  let isKeyHeld = false;
+  const letGo = () => {
+    if (isKeyHeld) events.onRelease();
+    isKeyHeld = false;
+  };
   button.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey) return;
     const posture = events.postureOf(end);
     const moved = part === 'heading' ? turnedByKey(posture, event) : movedByKey(posture, event);
     if (!moved) return;
     event.preventDefault();
-    events.onMove(end, tidy(moved), false);
+    isKeyHeld = true;
+    events.onMove(end, tidy(moved), true);
   });
   button.addEventListener('keyup', (event) => {
-    if (event.key.startsWith('Arrow')) events.onRelease();
+    if (event.key.startsWith('Arrow')) letGo();
   });
+  button.addEventListener('blur', letGo);
 
   return {
     button,

@@ -1,23 +1,22 @@
 // Wires the page: experiment → engine → views. The views get numbers and draw them.
 import { createActions, firstState } from './actions.js';
+import { createAddress } from './address.js';
 import { createAccumulator, createFrameLoop } from './clocks.js';
 import { createEngine } from './engine.js';
+import { createCurvesPage } from './curves/page.js';
 import { createDisturbancePage } from './disturbance/page.js';
+import { createGenerationPage } from './generation/page.js';
+import { createAnatomy, createChosenDrives } from './generation/record.js';
+import { createKeep } from './keep/dialog.js';
+import { createKeys } from './keys.js';
 import { createLandscapePage } from './landscape/page.js';
 import { createLuckPage } from './luck/page.js';
 import { messageOf } from './messages.js';
 import { createRobustnessPage } from './robustness/page.js';
-import {
-  advanceRobot,
-  createScene,
-  createStore,
-  endsOf,
-  gainsOf,
-  generationsPerRun,
-  generationsPerSecond,
-  pageNames,
-  remember,
-} from './state.js';
+import { advanceRobot, createScene, createStore, endsOf, gainsOf, pausesAt, remember } from './state.js';
+import { createPinButton } from './pins/button.js';
+import { createSettingsPanel } from './settings/panel.js';
+import { sigmaTitle } from './words/en/curves.js';
 import * as strings from './words/en/lab.js';
 import { createTrainingPage } from './training/page.js';
 import { createView } from './view.js';
@@ -42,20 +41,28 @@ const sliderRange = {
 /** @param {Engine} engine */
 function start(engine) {
   const paper = engine.paper();
-  const sceneOf = createScene(engine.drive, paper);
-  const generations = createAccumulator(generationsPerSecond);
+  const anatomyOf = createAnatomy(engine.record);
+  const sceneOf = createScene(engine.drive, paper, createChosenDrives(anatomyOf));
+  const generations = createAccumulator();
   const loop = createFrameLoop(frame);
   const store = createStore(firstState(engine, 'velocity-limits'), loop.request);
   const finalTime = () => sceneOf(store.get()).driving.finalTime;
   const actions = createActions(engine, store, paper, finalTime);
   const draw = createDraw(createViews(actions), engine, paper);
   const pages = [
+    createGenerationPage,
+    createCurvesPage,
     createLandscapePage,
     createRobustnessPage,
     createTrainingPage,
     createDisturbancePage,
     createLuckPage,
-  ].map((create) => create({ engine, store, actions, paper }));
+  ].map((create) => create({ engine, store, actions, paper, anatomyOf }));
+  const settings = createSettingsPanel({ engine, store, actions });
+  const pinButton = createPinButton({ store, paper }, sceneOf);
+
+  /** @type {ReturnType<typeof createAddress> | null} */
+  let address = null;
 
   /** Draws what the state says, then asks the workers for what the open page still lacks. */
   const show = () => {
@@ -63,22 +70,41 @@ function start(engine) {
     const scene = sceneOf(state);
     draw(state, scene);
     for (const page of pages) if (page.name === state.page) page.draw(state, scene);
+    address?.follow(state);
+    settings.draw(state);
+    pinButton.draw(state, scene);
   };
 
   /** @param {number} seconds */
   function frame(seconds) {
     const before = store.get();
-    if (before.evolving && !before.dragging) actions.evolve(generations.take(seconds));
+    if (before.evolving && !before.dragging) actions.evolve(moreOf(before.pace, seconds));
     const { robot, speed, evolving } = store.get();
     if (robot.playing) store.update({ robot: advanceRobot(robot, seconds, speed, finalTime(), evolving) });
     show();
     return store.get().evolving || store.get().robot.playing;
   }
 
+  /** As many generations as are due, or as fit into half a frame. @param {number} pace @param {number} seconds */
+  function moreOf(pace, seconds) {
+    if (Number.isFinite(pace)) {
+      let due = generations.take(seconds, pace);
+      return () => due-- > 0;
+    }
+    const end = performance.now() + 8;
+    return () => performance.now() < end;
+  }
+
   byId('plane-robots').setAttribute('aria-label', strings.planeLabel);
   byId('instrument').hidden = false;
-  followSurroundings(store, show);
-  followLink(store, actions);
+  const redraw = () => {
+    store.update({ theme: store.get().theme + 1 });
+    show();
+  };
+  followSurroundings(store, redraw);
+  createKeys();
+  createKeep({ engine, store, actions, sceneOf, redraw });
+  address = createAddress(engine, store, actions);
   loop.request();
   // After the first picture, which was asked for before this.
   requestAnimationFrame(() => {
@@ -86,32 +112,16 @@ function start(engine) {
   });
 }
 
-/** @param {Store} store @param {() => void} draw */
-function followSurroundings(store, draw) {
+/** @param {Store} store @param {() => void} redraw */
+function followSurroundings(store, redraw) {
   const plane = byId('plane');
   const measure = () => store.update({ size: { width: plane.clientWidth, height: plane.clientHeight } });
   new ResizeObserver(measure).observe(plane);
   // Another pixel density comes without another size.
   addEventListener('resize', measure);
   // At once, because a printer does not wait for the next frame.
-  const repaint = () => {
-    store.update({ theme: store.get().theme + 1 });
-    draw();
-  };
   for (const media of ['(prefers-color-scheme: dark)', 'print'])
-    matchMedia(media).addEventListener('change', repaint);
-}
-
-/** The part of the page that the address names. @param {Store} store @param {Actions} actions */
-function followLink(store, actions) {
-  const follow = () => {
-    const name = location.hash.slice(1) || 'lab';
-    const page = pageNames.find((known) => known === name);
-    if (page) actions.openPage(page);
-    else store.update({ message: strings.unknownPage(name, pageNames) });
-  };
-  addEventListener('hashchange', follow);
-  follow();
+    matchMedia(media).addEventListener('change', redraw);
 }
 
 /** @param {Views} views @param {Engine} engine @param {PaperResult[]} paper */
@@ -127,15 +137,27 @@ function createDraw(views, engine, paper) {
     if (state.size.width === 0) return;
     const view = viewOf(state.box, state.size);
     const ends = endsOf(state);
-    views.plane.draw({ view, scene, ...ends, time, theme: state.theme });
+    const { pins, theme } = state;
+    views.plane.draw({ view, scene, ...ends, pins, pays: state.page === 'curves', time, theme });
     views.handles.draw({ view, ...ends });
+  };
+
+  /** What evolution has done: J, or σ. @param {State} state @param {Scene} scene */
+  const drawCurve = ({ history, generation, theme, curves }, scene) => {
+    const isCost = curves.lab === 'cost';
+    byId('curve').hidden = !isCost;
+    byId('sigmas').hidden = isCost;
+    byId('curve-title').textContent = isCost ? strings.texts.curveTitle : sigmaTitle;
+    views.curveChoice.draw(curves.lab);
+    if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
+    else views.sigmas.draw({ history, generation, theme });
   };
 
   /** @param {State} state @param {Scene} scene */
   return (state, scene) => {
-    const { driver, experiment, history, preset, robot, evolving } = state;
+    const { driver, experiment, history, generation, preset, robot, evolving } = state;
     const { driving } = scene;
-    const { generation, best } = history[history.length - 1];
+    const { best } = history[generation];
     const time = Math.min(robot.time, driving.finalTime);
 
     showMessage(state.message);
@@ -145,12 +167,15 @@ function createDraw(views, engine, paper) {
     drawPlane(state, scene, time);
     views.robotBar.draw({ time, finalTime: driving.finalTime, playing: robot.playing, speed: state.speed });
     views.cost.draw({ title: strings.costTitle(driver), run: driving, note: costNote(scene, driver) });
-    if (state.page === 'lab')
-      views.curve.draw({ history, paper: scene.paperEp.cost.total, theme: state.theme });
+    if (state.page === 'lab') drawCurve(state, scene);
     views.evolutionBar.draw({
       evolving,
       generation,
+      newest: history.length - 1,
       seed: experiment.evolution.seed,
+      pace: state.pace,
+      until: state.until,
+      untilError: state.untilError,
       note: evolutionNote(state),
     });
     views.gains.draw({
@@ -164,7 +189,10 @@ function createDraw(views, engine, paper) {
       scene,
       driver,
       history,
+      generation,
+      population: state.population.length,
       time,
+      pins: state.pins,
       atRest: !robot.playing && !evolving && !state.dragging,
       moved: isMoved(experiment, preset),
       tried: state.trial.start !== null,
@@ -180,11 +208,13 @@ function costNote({ comparison, paperEp }, driver) {
 }
 
 /** @param {State} state */
-function evolutionNote({ history, evolving, restart, experiment }) {
-  const newest = history[history.length - 1];
-  if (newest.generation === 0) return strings.restartText(restart, experiment.evolution.population);
-  if (!evolving && newest.generation % generationsPerRun === 0) return strings.restText(newest.generation);
-  return strings.progressText(history[0], newest);
+function evolutionNote({ history, generation, evolving, until, restart, experiment }) {
+  const shown = history[generation];
+  if (history.length === 1) return strings.restartText(restart, experiment.evolution.population);
+  if (generation < history.length - 1 && !evolving)
+    return strings.recordedText(generation, history.length - 1);
+  if (!evolving && pausesAt(until, shown)) return strings.restText(generation);
+  return strings.progressText(history[0], shown);
 }
 
 byId('unbuilt').remove();

@@ -1,4 +1,6 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
+import { createSwatch } from './pins/swatch.js';
+import { isTracking } from './reference.js';
 import { watch } from './state.js';
 import * as strings from './words/en/lab.js';
 
@@ -15,7 +17,10 @@ import * as strings from './words/en/lab.js';
  * @property {Scene} scene
  * @property {Driver} driver
  * @property {Statistics[]} history
+ * @property {number} generation The one that is shown.
+ * @property {number} population
  * @property {number} time
+ * @property {import('./pins/pins.js').Pins} pins
  * @property {boolean} atRest
  * @property {boolean} moved Start or goal is not the paper's.
  * @property {boolean} tried The start is one that evolution does not see.
@@ -41,38 +46,59 @@ export function createNotes({ legend, postures, planeText, curve, announcer }, {
   hint.textContent = strings.dragHint;
   item(postures, 'hint').append(restore);
 
+  /** @type {HTMLElement[]} */
+  let pinItems = [];
+  const pinsChanged = watch();
   const sceneChanged = watch();
   const posturesChanged = watch();
   const restChanged = watch();
   const say = createAnnouncer(announcer);
 
   /** @param {NotesModel} model */
-  const describe = ({ scene, driver, history, time, start: from, goal: to }) => {
-    const newest = history[history.length - 1];
+  const describe = ({
+    scene,
+    driver,
+    history,
+    generation,
+    population,
+    time,
+    start: from,
+    goal: to,
+    pins,
+  }) => {
     planeText.textContent = strings.planeText(
-      strings.driverName(driver, newest.generation),
+      scene.chosen?.name ?? strings.driverName(driver, generation),
       scene.driving,
       from,
       to,
       strings.clockText(time, scene.driving.finalTime),
-      scene.others.length ? othersText(scene.others) : '',
+      scene.others.length ? othersText(scene, population) : '',
+      pins.map(({ name }, i) => strings.comparisonText(name, scene.pins[i])),
     );
-    curve.setAttribute('aria-label', strings.curveLabel(history[0], newest));
+    curve.setAttribute('aria-label', strings.curveLabel(history[0], history[history.length - 1]));
   };
 
   return {
     /** @param {NotesModel} model */
     draw(model) {
-      const { scene, driver, history, moved, tried } = model;
-      const newest = history[history.length - 1];
-      if (sceneChanged(scene.driving, scene.others, scene.comparison, driver, newest)) {
-        driving.textContent = strings.driverName(driver, newest.generation);
-        others.textContent = othersText(scene.others);
+      const { scene, driver, history, generation, moved, tried } = model;
+      const { chosen } = scene;
+      if (sceneChanged(scene.driving, scene.others, scene.comparison, chosen, driver, history, generation)) {
+        const rival = chosen?.partner?.name ?? strings.driverName(scene.comparisonDriver, generation);
+        driving.textContent = chosen?.name ?? strings.driverName(driver, generation);
+        others.textContent = othersText(scene, model.population);
         others.hidden = scene.others.length === 0;
-        comparison.textContent = strings.comparisonText(
-          strings.driverName(scene.comparisonDriver, newest.generation),
-          scene.comparison,
-        );
+        comparison.textContent = scene.withoutDisturbance
+          ? strings.withoutDisturbance
+          : strings.comparisonText(rival, scene.comparison);
+      }
+      if (pinsChanged(scene.pins)) {
+        for (const one of pinItems) one.remove();
+        pinItems = model.pins.map(({ slot, name }, i) => {
+          const one = item(legend, 'pin');
+          one.append(createSwatch(slot), strings.comparisonText(name, scene.pins[i]));
+          return one;
+        });
       }
       if (posturesChanged(model.start, model.goal, moved, tried)) {
         start.textContent = `${strings.startName} ${strings.postureText(model.start)}`;
@@ -84,16 +110,30 @@ export function createNotes({ legend, postures, planeText, curve, announcer }, {
       const silent = !planeText.textContent;
       if (
         (model.atRest || silent) &&
-        restChanged(scene.driving, scene.others, history, model.time, model.start, model.goal)
+        restChanged(
+          scene.driving,
+          scene.others,
+          scene.pins,
+          history,
+          generation,
+          model.time,
+          model.start,
+          model.goal,
+        )
       )
         describe(model);
-      say(strings.announcement(newest));
+      say(strings.announcement(history[generation]));
     },
   };
 }
 
-/** @param {Run[]} others */
-const othersText = (others) => strings.othersText(others.length, others.filter((run) => run.arrived).length);
+/** @param {Scene} scene @param {number} population */
+function othersText({ others, chosen }, population) {
+  const arrived = others.some(isTracking) ? null : others.filter((run) => run.arrived).length;
+  return chosen
+    ? chosen.othersText(others.length, arrived)
+    : strings.othersText({ others: others.length, population, arrived });
+}
 
 /** @param {HTMLElement} list @param {string} className */
 function item(list, className) {

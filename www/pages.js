@@ -10,14 +10,24 @@ import * as strings from './words/en/lab.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./state.js').Store} Store */
 
-/** @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[] }} PageParts */
+/** @typedef {import('./generation/record.js').Anatomy} Anatomy */
+/** @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], anatomyOf: (state: State) => Anatomy }} PageParts */
 /** Drawn while it is open, at every change of the state. @typedef {{ name: PageName, draw: (state: State, scene: Scene) => void }} Page */
 
-/** @param {HTMLElement} nav @param {HTMLElement} tagline @param {NodeListOf<HTMLElement>} parts Each names the pages it belongs to. */
-export function createPages(nav, tagline, parts) {
+/**
+ * @param {HTMLElement} nav @param {HTMLElement} tagline @param {NodeListOf<HTMLElement>} parts Each names the pages it belongs to.
+ * @param {(page: PageName) => void} onOpen
+ */
+export function createPages(nav, tagline, parts, onOpen) {
   const links = pageNames.map((name) => {
     const link = document.createElement('a');
     Object.assign(link, { id: `page-${name}`, href: `#${name}`, textContent: strings.pages[name] });
+    link.addEventListener('click', (event) => {
+      // With these keys a link opens elsewhere.
+      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+      event.preventDefault();
+      onOpen(name);
+    });
     return { name, link };
   });
   nav.replaceChildren(...links.map(({ link }) => link));

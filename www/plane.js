@@ -1,6 +1,11 @@
 // The plane in metres: paths on one canvas, redrawn when they change; robots on another, redrawn as they move.
+import { scaleLinear } from 'd3-scale';
 import { createLayer } from './canvas.js';
+import { paidAt } from './curves/paid.js';
+import { styles } from './pins/pins.js';
+import { drawMark } from './pins/swatch.js';
 import { keepInside, knobOf } from './view.js';
+import { isTracking } from './reference.js';
 import { watch } from './state.js';
 import * as strings from './words/en/lab.js';
 
@@ -9,8 +14,10 @@ import * as strings from './words/en/lab.js';
 /** @typedef {import('./engine.js').Run} Run */
 /** @typedef {import('./state.js').Scene} Scene */
 /** @typedef {import('./view.js').View} View */
-/** @typedef {{ paper: string, hairline: string, ink: string, muted: string }} Colours */
-/** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, time: number, theme: number }} PlaneModel */
+/** @typedef {Pick<Run, 'time' | 'x' | 'y' | 'theta'>} Track */
+/** @typedef {import('./pins/pins.js').Pins} Pins */
+/** @typedef {{ paper: string, hairline: string, ink: string, muted: string, pins: string[] }} Colours */
+/** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, pins: Pins, pays: boolean, time: number, theme: number }} PlaneModel With `pays`, where along the path J was paid. */
 
 const arrow = { robot: 17, posture: 17, ghost: 9 };
 const font = '13px system-ui, sans-serif';
@@ -25,18 +32,21 @@ export function createPlane(pathsCanvas, robotsCanvas) {
   const themeChanged = watch();
 
   /** @param {PlaneModel} model */
-  const draw = ({ view, scene, start, goal, time, theme }) => {
+  const draw = ({ view, scene, start, goal, pins, pays, time, theme }) => {
     if (themeChanged(theme)) colours = readColours();
-    if (pathsChanged(view, scene.driving, scene.others, scene.comparison, start, goal, theme)) {
+    const { driving, others, comparison } = scene;
+    if (pathsChanged(view, driving, others, comparison, scene.pins, start, goal, pays, theme)) {
       paths.clear(view);
       drawGrid(paths.context, view, colours);
-      drawPaths(paths, view, scene, colours);
+      drawPinnedGoals(paths.context, view, pins, goal, colours);
+      drawPaths(paths, view, scene, pins, colours);
+      if (pays) drawPayments(paths.context, view, driving, colours);
       drawTarget(paths.context, view, start, colours.muted, colours);
       drawTarget(paths.context, view, goal, colours.ink, colours);
     }
-    if (robotsChanged(view, scene.driving, scene.others, scene.comparison, time, theme)) {
+    if (robotsChanged(view, driving, others, comparison, scene.pins, time, theme)) {
       robots.clear(view);
-      drawRobots(robots, view, scene, time, colours);
+      drawRobots(robots, view, scene, pins, time, colours);
     }
   };
   return { draw };
@@ -51,6 +61,7 @@ function readColours() {
     hairline: colour('--hairline'),
     ink: colour('--ink'),
     muted: colour('--muted'),
+    pins: styles.map(({ token }) => colour(token)),
   };
 }
 
@@ -99,9 +110,9 @@ function multiples(from, to, step) {
   return Array.from({ length: Math.max(0, Math.floor(to / step) - first + 1) }, (_, i) => (first + i) * step);
 }
 
-/** @param {Layer} layer @param {View} view @param {Scene} scene @param {Colours} colours */
-function drawPaths({ context, inPixels, inMetres }, view, scene, colours) {
-  /** @param {Run} run @param {string} colour @param {number} alpha @param {number} width @param {number[]} [dash] */
+/** @param {Layer} layer @param {View} view @param {Scene} scene @param {Pins} pins @param {Colours} colours */
+function drawPaths({ context, inPixels, inMetres }, view, scene, pins, colours) {
+  /** @param {Track} run @param {string} colour @param {number} alpha @param {number} width @param {number[]} [dash] */
   const path = (run, colour, alpha, width, dash = []) => {
     inMetres(view);
     context.strokeStyle = colour;
@@ -116,13 +127,26 @@ function drawPaths({ context, inPixels, inMetres }, view, scene, colours) {
   context.lineCap = 'round';
   for (const run of scene.others) path(run, colours.ink, 0.2, 1);
   path(scene.comparison, colours.muted, 1, 2, [2, 6]);
+  context.lineCap = 'butt';
+  for (const [i, { slot }] of pins.entries())
+    path(scene.pins[i], colours.pins[slot], 1, 2, [...styles[slot].dash]);
+  context.lineCap = 'round';
   path(scene.driving, colours.ink, 0.4, 1.5);
+  if (isTracking(scene.driving)) path(referenceOf(scene.driving), colours.ink, 1, 1, [8, 6]);
   context.globalAlpha = 1;
   context.setLineDash([]);
   inPixels();
 }
 
-/** A run up to a sample, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} last */
+/** The reference as if it were a robot. @param {Run} run @returns {Track} */
+const referenceOf = ({ time, referenceX, referenceY, referenceTheta }) => ({
+  time,
+  x: referenceX,
+  y: referenceY,
+  theta: referenceTheta,
+});
+
+/** A run up to a sample, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {View} view @param {Track} run @param {number} last */
 function trace(context, { scale }, { x, y }, last) {
   const least = 0.6 / scale;
   let drawn = 0;
@@ -131,6 +155,49 @@ function trace(context, { scale }, { x, y }, last) {
     if (i < last && Math.abs(x[i] - x[drawn]) + Math.abs(y[i] - y[drawn]) < least) continue;
     context.lineTo(x[i], y[i]);
     drawn = i;
+  }
+}
+
+/** Where pinned runs had another goal. @param {CanvasRenderingContext2D} context @param {View} view @param {Pins} pins @param {Posture} goal @param {Colours} colours */
+function drawPinnedGoals(context, view, pins, goal, colours) {
+  for (const { slot, experiment } of pins) {
+    const { x, y, theta } = experiment.goal;
+    if (x === goal.x && y === goal.y && theta === goal.theta) continue;
+    kite(context, view.screenX(x), view.screenY(y), theta, arrow.posture);
+    context.strokeStyle = colours.pins[slot];
+    context.globalAlpha = 0.6;
+    context.lineWidth = 1.5;
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+}
+
+/** Along the path, a stroke wherever so much of J is paid. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {Colours} colours */
+function drawPayments(context, view, run, colours) {
+  const costs = run.time.map((_, i) => paidAt(run, i));
+  const half = 5;
+  context.font = font;
+  context.textBaseline = 'middle';
+  context.textAlign = 'center';
+  const total = costs[costs.length - 1];
+  if (!Number.isFinite(total)) return;
+  for (const cost of scaleLinear([0, total], [0, 1]).ticks(6).slice(1)) {
+    const i = costs.findIndex((one) => one >= cost);
+    const { x, y, theta } = { x: run.x[i], y: run.y[i], theta: run.theta[i] };
+    const [px, py] = [view.screenX(x), view.screenY(y)];
+    const [across, up] = [Math.sin(theta), Math.cos(theta)];
+    context.lineWidth = 1.5;
+    context.strokeStyle = colours.ink;
+    context.beginPath();
+    context.moveTo(px - half * across, py - half * up);
+    context.lineTo(px + half * across, py + half * up);
+    context.stroke();
+    const [tx, ty] = [px + 24 * across, py + 18 * up];
+    context.lineWidth = 5;
+    context.strokeStyle = colours.paper;
+    context.fillStyle = colours.muted;
+    context.strokeText(strings.paidText(cost), tx, ty);
+    context.fillText(strings.paidText(cost), tx, ty);
   }
 }
 
@@ -156,7 +223,7 @@ function drawTarget(context, view, posture, colour, colours) {
 }
 
 /** @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {number} theta @param {number} size */
-function kite(context, px, py, theta, size) {
+export function kite(context, px, py, theta, size) {
   const [c, s] = [Math.cos(theta) * size, -Math.sin(theta) * size];
   context.beginPath();
   context.moveTo(px + c, py + s);
@@ -166,8 +233,8 @@ function kite(context, px, py, theta, size) {
   context.closePath();
 }
 
-/** @param {Layer} layer @param {View} view @param {Scene} scene @param {number} time @param {Colours} colours */
-function drawRobots(layer, view, scene, time, colours) {
+/** @param {Layer} layer @param {View} view @param {Scene} scene @param {Pins} pins @param {number} time @param {Colours} colours */
+function drawRobots(layer, view, scene, pins, time, colours) {
   const { context } = layer;
   /** @param {Run} run @param {number} size */
   const robot = (run, size) => {
@@ -187,11 +254,42 @@ function drawRobots(layer, view, scene, time, colours) {
   robot(scene.comparison, 12);
   context.fill();
   context.stroke();
+  for (const [i, { slot }] of pins.entries()) {
+    const { x, y } = postureAt(scene.pins[i], time);
+    context.fillStyle = colours.pins[slot];
+    robot(scene.pins[i], 12);
+    context.fill();
+    drawMark(context, slot, view.screenX(x), view.screenY(y) - 20, {
+      fill: colours.pins[slot],
+      edge: colours.paper,
+    });
+  }
+  if (isTracking(scene.driving)) drawReference(context, view, scene.driving, time, colours);
   drawTrail(layer, view, scene.driving, time, colours);
   context.fillStyle = colours.ink;
   robot(scene.driving, arrow.robot);
   context.fill();
   drawStray(context, view, postureAt(scene.driving, time), colours);
+}
+
+/** The posture to follow: empty like the goal, from which it has come. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} time @param {Colours} colours */
+function drawReference(context, view, run, time, colours) {
+  const { x, y, theta } = postureAt(referenceOf(run), time);
+  const [px, py] = [view.screenX(x), view.screenY(y)];
+  kite(context, px, py, theta, arrow.posture);
+  context.strokeStyle = colours.ink;
+  context.fillStyle = colours.paper;
+  context.lineWidth = 2;
+  context.fill();
+  context.stroke();
+  context.font = font;
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  context.lineWidth = 5;
+  context.strokeStyle = colours.paper;
+  context.fillStyle = colours.ink;
+  context.strokeText(strings.referenceName, px + 22, py + 22);
+  context.fillText(strings.referenceName, px + 22, py + 22);
 }
 
 /** @param {Layer} layer @param {View} view @param {Run} run @param {number} time @param {Colours} colours */
@@ -229,14 +327,14 @@ function drawStray(context, view, { x, y }, colours) {
   context.fillText(text, edge.px + 18 * inward, edge.py);
 }
 
-/** @param {Run} run @param {number} time */
-function sampleBefore(run, time) {
+/** @param {Pick<Track, 'time'>} run @param {number} time */
+export function sampleBefore(run, time) {
   const last = run.time.length - 1;
   if (last < 1 || time >= run.time[last]) return last;
   return Math.min(last, Math.floor(time / run.time[1] + 1e-9));
 }
 
-/** Where the robot is, between two samples on the straight line. @param {Run} run @param {number} time @returns {Posture} */
+/** Where the robot is, between two samples on the straight line. @param {Track} run @param {number} time @returns {Posture} */
 function postureAt(run, time) {
   const i = sampleBefore(run, time);
   const j = Math.min(i + 1, run.time.length - 1);

@@ -11,7 +11,7 @@
 /** @typedef {import('./landscape/request.js').LandscapeState} LandscapeState */
 
 /** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver Whose gains drive the robot in ink. */
-/** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'reset'} Restart Why evolution is at generation 0. */
+/** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'setting' | 'undone' | 'redone' | 'reset'} Restart Why evolution is at generation 0. */
 /** @typedef {import('./engine.js').Triple} Triple */
 /** @typedef {typeof pageNames[number]} PageName */
 /** @typedef {{ start: Posture | null, disturbance: Experiment['disturbance'] | null }} Trial What a drive meets that evolution did not. */
@@ -23,20 +23,29 @@
  * @property {Preset} preset
  * @property {Experiment} experiment
  * @property {Statistics[]} history One entry a generation, the newest last.
- * @property {Individual[]} population The newest generation, best first.
+ * @property {number} generation The one that is shown.
+ * @property {Individual[]} population What that generation left, best first.
  * @property {boolean} evolving
+ * @property {number} pace Generations a second; Infinity: as fast as the machine goes.
+ * @property {Until} until
+ * @property {string} untilError
  * @property {Restart} restart
  * @property {Driver} driver
  * @property {Triple | null} handGains
  * @property {Trial} trial
  * @property {LandscapeState} landscape
+ * @property {import('./generation/record.js').GenerationState} anatomy
+ * @property {import('./curves/page.js').CurvesState} curves
+ * @property {import('./pins/pins.js').Pins} pins
  * @property {import('./robustness/page.js').RobustnessState} robustness
- * @property {import('./training/page.js').TrainingState} training
- * @property {import('./disturbance/page.js').DisturbanceState} disturbance
- * @property {import('./luck/page.js').LuckState} luck
+ * @property {import('./training/request.js').TrainingState} training
+ * @property {import('./disturbance/request.js').DisturbanceState} disturbance
+ * @property {import('./luck/request.js').LuckState} luck
+ * @property {import('./settings/panel.js').SettingsState} settings
+ * @property {import('./undo.js').Versions} versions What the experiment was, and what was undone.
  * @property {RobotClock} robot
  * @property {number} speed
- * @property {boolean} dragging A posture is held by the pointer.
+ * @property {boolean} dragging A posture or a setting is held.
  * @property {Box} box The part of the plane that must be seen.
  * @property {{ width: number, height: number }} size Of the plane, in pixels.
  * @property {number} theme Counts the changes of theme.
@@ -48,15 +57,21 @@
 
 /**
  * @typedef {object} Scene
+ * @property {Experiment} experiment In which it drives: with what is tried.
  * @property {Run} driving
- * @property {Run[]} others The rest of the population, when the evolved best drives.
+ * @property {Run[]} others The rest of the population or the best of it, when the evolved best drives.
  * @property {Run} comparison
  * @property {Driver} comparisonDriver
+ * @property {boolean} withoutDisturbance The comparison is the driver itself, without the disturbance that is tried.
  * @property {Run} paperEp The gains that evolution found in the paper.
+ * @property {Run[]} pins One for each pin.
+ * @property {import('./generation/record.js').ChosenDrives | null} chosen Whose drive it is, if it is an individual of the shown generation.
  */
 
 export const pageNames = /** @type {const} */ ([
   'lab',
+  'generation',
+  'curves',
   'landscape',
   'robustness',
   'training',
@@ -67,10 +82,23 @@ export const pageNames = /** @type {const} */ ([
 /** @type {Trial} */
 export const noTrial = Object.freeze({ start: null, disturbance: null });
 
-/** Evolution pauses by itself at the multiples of this, so that a forgotten page comes to rest. */
+/** Where evolution pauses by itself. By default at every so many generations, so that a forgotten page comes to rest. @typedef {{ kind: 'every' | 'generation' | 'cost', value: number }} Until */
+
 export const generationsPerRun = 100;
-export const generationsPerSecond = 8;
+export const paces = [1, 8, 60, Number.POSITIVE_INFINITY];
+
+/** Whether evolution is to pause at this generation. @param {Until} until @param {Statistics} statistics */
+export const pausesAt = ({ kind, value }, { generation, best }) =>
+  kind === 'cost'
+    ? best.cost < value
+    : kind === 'generation'
+      ? generation === value
+      : generation % generationsPerRun === 0;
+
 const holdSeconds = 0.8;
+/** Most samples of all others together: more would be slow to draw and fill the memory. */
+const mostSamples = 400_000;
+const mostOthers = 100;
 
 /** @param {State} initial @param {() => void} onChange */
 export function createStore(initial, onChange) {
@@ -146,7 +174,9 @@ function createOthers(drive) {
   return remember((/** @type {Experiment} */ experiment, /** @type {Individual[]} */ population) => {
     /** @type {Map<string, Run>} */
     const before = experiment === knownExperiment ? known : new Map();
-    const gains = population.map((individual) => individual.gains);
+    const drawn =
+      1 + Math.min(mostOthers, Math.floor((mostSamples * experiment.sampleTime) / experiment.horizon));
+    const gains = population.slice(0, drawn).map((individual) => individual.gains);
     const newborn = gains.filter((triple) => !before.has(String(triple)));
     const driven = drive(experiment, newborn);
     for (const [i, triple] of newborn.entries()) before.set(String(triple), driven[i]);
@@ -170,34 +200,56 @@ const tried = (experiment, trial) =>
     : {
         ...experiment,
         starts: trial.start ? [trial.start] : experiment.starts,
-        disturbance: trial.disturbance ?? experiment.disturbance,
+        ...(trial.disturbance && withDisturbance(trial.disturbance)),
       };
+
+/** A disturbed robot drives on at the goal, so that one sees how near it stays. @param {Experiment['disturbance']} disturbance */
+export const withDisturbance = (disturbance) => ({ disturbance, tolerance: { position: 0, heading: 0 } });
+
+/** @param {Experiment} experiment @returns {Experiment} */
+export const undisturbed = (experiment) => ({
+  ...experiment,
+  disturbance: { ...experiment.disturbance, kind: 'none' },
+});
 
 /**
  * Everything that drives, as a pure function of the state.
- * @param {Drive} drive @param {PaperResult[]} paper
+ * @param {Drive} drive @param {PaperResult[]} paper @param {(state: State) => Scene['chosen']} chosenDrives
  * @returns {(state: State) => Scene}
  */
-export function createScene(drive, paper) {
+export function createScene(drive, paper, chosenDrives) {
   const driveOne = () =>
     remember((/** @type {Experiment} */ e, /** @type {Triple} */ gains) => drive(e, [gains])[0]);
   const driving = driveOne();
   const comparison = driveOne();
   const paperEp = driveOne();
   const others = createOthers(drive);
+  const pinned = remember((/** @type {State['pins']} */ pins) =>
+    pins.map(({ experiment, gains }) => drive(experiment, [gains])[0]),
+  );
   const triedOf = remember(tried);
+  const undisturbedOf = remember(undisturbed);
   /** @type {Run[]} */
   const none = [];
   return (state) => {
     const { population, driver, trial } = state;
     const experiment = triedOf(state.experiment, trial);
-    const comparisonDriver = rivalOf(driver);
+    const withoutDisturbance = trial.disturbance !== null && trial.disturbance.kind !== 'none';
+    const comparisonDriver = withoutDisturbance ? driver : rivalOf(driver);
+    const comparisonExperiment = withoutDisturbance ? undisturbedOf(experiment) : experiment;
+    const chosen = chosenDrives(state);
+    const company = chosen?.population ?? (driver === 'evolved' && trial === noTrial ? population : null);
+    const rival = chosen?.partner?.gains ?? gainsOf(state, comparisonDriver, paper);
     return {
-      driving: driving(experiment, gainsOf(state, driver, paper)),
-      others: driver === 'evolved' && trial === noTrial ? others(experiment, population) : none,
-      comparison: comparison(experiment, gainsOf(state, comparisonDriver, paper)),
+      experiment,
+      driving: driving(experiment, chosen?.population[0].gains ?? gainsOf(state, driver, paper)),
+      others: company ? others(experiment, company) : none,
+      comparison: comparison(comparisonExperiment, rival),
       comparisonDriver,
+      chosen,
+      withoutDisturbance,
       paperEp: paperEp(experiment, gainsOf(state, 'paper-ep', paper)),
+      pins: pinned(state.pins),
     };
   };
 }

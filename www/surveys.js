@@ -90,6 +90,27 @@ export function createSurveys(pool) {
     evolveAll: (experiments, generations, options) =>
       runOf(options)({ call: 'evolve', parts: experiments.map((one) => [one, generations]) }, options),
 
+    /** The sizes of the error over time that Theorem 2 bounds, from every start. @param {Experiment} experiment @param {Gains} gains @param {SurveyOptions} [options] */
+    async errorParts(experiment, gains, options) {
+      // Not split, because the draws of a disturbance go by the number of the start.
+      const [runs] = await runOf(options)({ call: 'errorParts', parts: [[experiment, gains]] }, options);
+      return runs;
+    },
+
+    /** What remains of them in the last seconds, in each of these experiments. @param {readonly Experiment[]} experiments @param {Gains} gains @param {number} seconds @param {SurveyOptions} [options] */
+    remainingErrors: (experiments, gains, seconds, options) =>
+      runOf(options)(
+        { call: 'remainingErrors', parts: experiments.map((one) => [one, gains, seconds]) },
+        options,
+      ),
+
+    /** How each robot fares from every start of its experiment. @param {readonly (readonly [Experiment, Gains])[]} robots @param {SurveyOptions} [options] */
+    fares: (robots, options) =>
+      runOf(options)(
+        { call: 'fares', parts: robots.map(([experiment, gains]) => [experiment, gains]) },
+        options,
+      ),
+
     /** J of each triple of gains. @param {Experiment} experiment @param {Gains} gains @param {SurveyOptions} [options] */
     async evaluate(experiment, gains, options) {
       // Not split, so that an error counts the gains as they were given.

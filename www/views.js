@@ -8,6 +8,8 @@ import { createHandles } from './handles.js';
 import { createNotes } from './notes.js';
 import { createPlane } from './plane.js';
 import { createSegmented } from './segmented.js';
+import { createSigmas } from './sigmas.js';
+import * as curveWords from './words/en/curves.js';
 import { createPages } from './pages.js';
 import * as strings from './words/en/lab.js';
 import { texts } from './words/en/index.js';
@@ -32,7 +34,12 @@ export function fillTexts() {
 /** @param {Actions} actions */
 export function createViews(actions) {
   return {
-    pages: createPages(byId('pages'), byId('tagline'), document.querySelectorAll('[data-page]')),
+    pages: createPages(
+      byId('pages'),
+      byId('tagline'),
+      document.querySelectorAll('[data-page]'),
+      actions.openPage,
+    ),
     preset: createSegmented(byId('preset'), strings.presetLegend, strings.presets, actions.choosePreset),
     drivers: createSegmented(byId('drives'), strings.driverLegend, strings.drivers, actions.chooseDriver),
     plane: createPlane(byId('plane-paths'), byId('plane-robots')),
@@ -64,10 +71,23 @@ export function createViews(actions) {
       parts: byId('cost-parts'),
     }),
     curve: createCurve(byId('curve')),
+    sigmas: createSigmas(byId('sigmas')),
+    curveChoice: createSegmented(
+      byId('curve-choice'),
+      curveWords.curveLegend,
+      curveWords.curveChoices,
+      actions.chooseCurve,
+    ),
     evolutionBar: createEvolutionBar(
       {
         run: byId('run'),
+        back: byId('one-back'),
         one: byId('one-generation'),
+        timeline: byId('timeline'),
+        pace: byId('pace'),
+        until: byId('until'),
+        untilValue: byId('until-value'),
+        untilError: byId('until-error'),
         reset: byId('reset'),
         seedButton: byId('new-seed'),
         seed: byId('seed'),
@@ -79,6 +99,10 @@ export function createViews(actions) {
         onOne: actions.oneGeneration,
         onReset: actions.reset,
         onNewSeed: actions.newSeed,
+        onBack: actions.oneBack,
+        onShow: actions.showGeneration,
+        onPace: actions.setPace,
+        onUntil: actions.setUntil,
       },
     ),
     gains: createGains(byId('gains'), byId('gains-note'), {

@@ -1,5 +1,15 @@
 // A worker of the pool: an instance of the core of its own, which does one part of a job after another.
-import { Evolution, evaluate, initSync, landscape, robustness, seedRuns } from '../pkg/ep_locomotion.js';
+import {
+  Evolution,
+  errorParts,
+  evaluate,
+  fares,
+  initSync,
+  landscape,
+  remainingErrors,
+  robustness,
+  seedRuns,
+} from '../pkg/ep_locomotion.js';
 
 /** @typedef {import('../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 
@@ -8,7 +18,7 @@ import { Evolution, evaluate, initSync, landscape, robustness, seedRuns } from '
 /** Every other message. @typedef {{ call: keyof Calls, args: unknown[] }} Part */
 /** To each part one answer, after any number of progresses. @typedef {{ progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */
 
-const calls = { evaluate, evolve, landscape, robustness, seedRuns };
+const calls = { errorParts, evaluate, evolve, fares, landscape, remainingErrors, robustness, seedRuns };
 
 /** Milliseconds from one progress to the next. */
 const progressPeriod = 100;

@@ -4,11 +4,16 @@ import init, {
   Evolution,
   evaluate,
   experiment,
+  fares,
+  fields,
   landscape,
   paper,
+  remainingErrors,
   robustness,
   seedRuns,
   simulate,
+  simulateAll,
+  startsOnCircle,
 } from '../../pkg/ep_locomotion.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
@@ -19,7 +24,20 @@ export const wasm = new URL('../../pkg/ep_locomotion_bg.wasm', import.meta.url);
 export const glue = new URL('../../pkg/ep_locomotion.js', import.meta.url);
 await init({ module_or_path: await readFile(wasm) });
 
-export { Evolution, evaluate, experiment, landscape, robustness, seedRuns, simulate };
+export {
+  Evolution,
+  evaluate,
+  experiment,
+  fares,
+  fields,
+  landscape,
+  remainingErrors,
+  robustness,
+  seedRuns,
+  simulate,
+  simulateAll,
+  startsOnCircle,
+};
 
 /** A cost as it is shown. @param {number} cost */
 export const shown = (cost) => cost.toFixed(3);

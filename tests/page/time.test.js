@@ -20,9 +20,12 @@ async function press(page, id, times) {
   await page.press(...Array(times).fill(Key.ENTER));
 }
 
-/** @param {Page} page */
+/** Waits until evolution has gone on and stopped by itself. @param {Page} page */
 const rests = (page) =>
-  page.until('evolution rests', () => document.getElementById('run')?.textContent === 'Run');
+  page.until('evolution rests', () => {
+    const text = (/** @type {string} */ id) => document.getElementById(id)?.textContent;
+    return text('generation') !== '0' && text('run') === 'Run';
+  });
 
 /** Chooses an option as a person would by the keyboard. @param {Page} page @param {string} id @param {string} text */
 const choose = (page, id, text) =>

@@ -86,11 +86,12 @@ export function createLandscapePage({ engine, store, actions, paper }) {
 
 /** The points that have a name. @param {State} state @param {PaperResult[]} paper @returns {Point[]} */
 function pointsOf(state, paper) {
-  const { handGains } = state;
+  const { handGains, pins } = state;
   return [
     { gains: gainsOf(state, 'paper-arbitrary', paper), name: words.paperArbitrary, mark: 'cross' },
     { gains: gainsOf(state, 'paper-ep', paper), name: words.paperEp, mark: 'diamond' },
     ...(handGains ? [/** @type {Point} */ ({ gains: handGains, name: words.hand, mark: 'ring' })] : []),
+    ...pins.map(({ gains, name, slot }) => ({ gains, name, mark: slot })),
   ];
 }
 

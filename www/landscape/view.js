@@ -1,6 +1,7 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
 import { contours } from 'd3-contour';
 import { createLayer } from '../canvas.js';
+import { drawMark } from '../pins/swatch.js';
 import { shadeAt } from '../shades.js';
 import { watch } from '../state.js';
 import { fixed } from '../words/en/numbers.js';
@@ -14,7 +15,7 @@ import { createAxis, createCostScale, paint } from './scale.js';
 /** @typedef {import('./request.js').Spec} Spec */
 /** @typedef {import('./scale.js').Axis} Axis */
 /** @typedef {import('./scale.js').CostScale} CostScale */
-/** @typedef {{ gains: Triple, name: string, mark: 'diamond' | 'cross' | 'ring' }} Point */
+/** @typedef {{ gains: Triple, name: string, mark: 'diamond' | 'cross' | 'ring' | number }} Point A number is the slot of a pin. */
 /**
  * @typedef {object} MapModel
  * @property {Spec} spec
@@ -85,7 +86,7 @@ export function createMap({ picture, marks, legend }) {
           spec.range,
           population,
           path,
-          ...points.flatMap(({ gains }) => gains),
+          ...points.flatMap(({ gains, mark }) => [...gains, mark]),
           cursor,
           size,
           theme,
@@ -278,6 +279,8 @@ function disc(context, [px, py], radius) {
 
 /** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {string} name @param {Point['mark']} mark @param {number} right */
 function drawPoint(context, [px, py], name, mark, right) {
+  // The names of the pins are in the legend, beside the same marks.
+  if (typeof mark === 'number') return drawMark(context, mark, px, py, { fill: light, edge: dark });
   context.beginPath();
   if (mark === 'diamond')
     for (const [dx, dy] of [

@@ -1,4 +1,5 @@
 // Every word of the lab and of what all pages share.
+import { isTracking } from '../../reference.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
 export * from './numbers.js';
@@ -9,6 +10,7 @@ export * from './numbers.js';
 /** @typedef {import('../../state.js').Driver} Driver */
 /** @typedef {import('../../state.js').PageName} PageName */
 /** @typedef {import('../../state.js').Restart} Restart */
+/** @typedef {import('../../state.js').Until} Until */
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
@@ -22,6 +24,11 @@ export const texts = {
   generationWord: 'generation',
   evolutionClock: 'Clock of evolution',
   oneGeneration: '1 generation',
+  oneBack: '1 generation back',
+  timeline: 'Generation',
+  pace: 'Generations a second',
+  until: 'When evolution pauses',
+  untilValue: 'Generation or J at which evolution pauses',
   reset: 'Reset',
   newSeed: 'New seed',
   seedWord: 'seed',
@@ -60,6 +67,8 @@ export const speeds = /** @type {const} */ ([
 
 export const pages = /** @type {const} */ ({
   lab: 'Lab',
+  generation: 'Generation',
+  curves: 'Curves',
   landscape: 'Landscape',
   robustness: 'Robustness',
   training: 'Training',
@@ -69,7 +78,10 @@ export const pages = /** @type {const} */ ({
 
 /** What each part is for. @param {number} population @returns {Record<PageName, string>} */
 export const taglines = (population) => ({
-  lab: `${population} robots, each with three random gains, drive to the goal. Evolution keeps the gains that drive well.`,
+  lab: `${population} robots, each with three random gains, drive to the goal. Evolution keeps what drives well.`,
+  generation:
+    'One generation, step by step: who had whom as a child, how each drove, whom each met in the tournament, who stays.',
+  curves: 'The drive against time, as in the paper’s Figures 5 and 7, and J as it is paid.',
   landscape:
     'Every point is a robot with gains of its own, its colour the cost of its drive. Drag the goal: the valley moves.',
   robustness:
@@ -77,13 +89,9 @@ export const taglines = (population) => ({
   training:
     'Gains that were evolved on one start have learned that start. Evolve on many, and test on starts that evolution never saw.',
   disturbance:
-    'The ground pushes, the wheels slip: how far from the goal does the robot stay? Theorem 2 of the paper says how far at most.',
+    'The ground pushes, the wheels slip: how far from the goal does the robot stay, and what does Theorem 2 promise?',
   luck: 'The same evolution with a hundred seeds: how much of a good result is luck, and is it better than trying at random?',
 });
-
-/** @param {string} found @param {readonly string[]} expected */
-export const unknownPage = (found, expected) =>
-  `The link asks for “${found}”, which is no part of this page: ${expected.join(', ')}.`;
 
 export const endTrial = 'Back to its own start';
 
@@ -109,7 +117,9 @@ export const costTitle = (driver) =>
 export const outcomeText = (run) =>
   ({
     arrived: `arrives after ${fixed(run.finalTime, 2)} s`,
-    horizon: `has not arrived after ${fixed(run.finalTime, 0)} s`,
+    horizon: isTracking(run)
+      ? `follows the reference for ${fixed(run.finalTime, 0)} s`
+      : `has not arrived after ${fixed(run.finalTime, 0)} s`,
     diverged: 'leaves the finite numbers',
   })[run.outcome];
 
@@ -127,15 +137,21 @@ export const costParts = /** @type {const} */ ([
   ['penalty', 'penalty'],
 ]);
 
-/** @param {number} others @param {number} arrived */
-export const othersText = (others, arrived) => `the other ${others}, ${arrived} of them arrive`;
+/** @param {{ others: number, population: number, arrived: number | null }} drives Null where nobody can arrive. */
+export function othersText({ others, population, arrived }) {
+  const who = others === population - 1 ? `the other ${others}` : `the next ${others} of ${population}`;
+  return arrived === null ? who : `${who}, ${arrived} of them arrive`;
+}
 
 /** @param {string} name @param {Run} run */
 export const comparisonText = (name, run) => `${name}, J ${costText(run.cost.total)}`;
 
+export const withoutDisturbance = 'the same without the disturbance';
+
 export const dragHint = 'drag or turn them';
 export const startName = 'Start';
 export const goalName = 'Goal';
+export const referenceName = 'reference';
 export const restorePostures = 'Back to the paper’s';
 
 /** @param {string} name @param {Posture} posture */
@@ -148,9 +164,9 @@ export const headingLabel = (name, posture) =>
 
 export const planeLabel = 'The plane, with the robots driving from start to goal';
 
-/** @param {string} name @param {Run} run @param {Posture} start @param {Posture} goal @param {string} time @param {string} others */
-export const planeText = (name, run, start, goal, time, others) =>
-  `Driving: ${name}, from ${postureText(start)} to ${postureText(goal)}; it ${outcomeText(run)}. Shown at ${time}. ${others}`;
+/** @param {string} name @param {Run} run @param {Posture} start @param {Posture} goal @param {string} time @param {string} others @param {string[]} pins */
+export const planeText = (name, run, start, goal, time, others, pins) =>
+  `Driving: ${name}, from ${postureText(start)} to ${postureText(goal)}; it ${outcomeText(run)}. Shown at ${time}. ${others}${pins.length > 0 ? ` Pinned: ${pins.join('; ')}.` : ''}`;
 
 /** @param {number} time @param {number} finalTime */
 export const clockText = (time, finalTime) => `${fixed(time, 2)} of ${fixed(finalTime, 2)} s`;
@@ -160,6 +176,32 @@ export const pause = 'Hold the robots';
 export const run = 'Run';
 export const pauseEvolution = 'Pause';
 
+/** @param {number} pace */
+export const paceText = (pace) => (Number.isFinite(pace) ? `${pace}/s` : 'fastest');
+
+export const untils = /** @type {const} */ ([
+  ['every', 'pause every 100'],
+  ['generation', 'until generation'],
+  ['cost', 'until J is below'],
+]);
+
+/** What is wrong with it, if anything. @param {Until['kind']} kind @param {number} value @param {string} text */
+export const untilRefused = (kind, value, text) =>
+  kind === 'generation'
+    ? Number.isInteger(value) && value >= 1
+      ? ''
+      : `The generation to stop at must be a whole number from 1; it was “${text}”.`
+    : value > 0 && value < Number.POSITIVE_INFINITY
+      ? ''
+      : `The J to stop at must be a number over 0; it was “${text}”.`;
+
+/** @param {number} generation @param {number} newest */
+export const generationText = (generation, newest) => `generation ${generation} of ${newest}`;
+
+/** @param {number} generation @param {number} newest */
+export const recordedText = (generation, newest) =>
+  `Back in generation ${generation} of ${newest}: all of it is as it was.`;
+
 /** @param {Restart} restart @param {number} population */
 export const restartText = (restart, population) =>
   ({
@@ -167,6 +209,9 @@ export const restartText = (restart, population) =>
     moved: 'Start or goal has moved: evolution begins again at generation 0.',
     limits: 'Other limits: evolution begins again at generation 0.',
     seed: `New seed: ${population} other robots at generation 0.`,
+    setting: 'A setting has changed: evolution begins again at generation 0.',
+    undone: 'One step back: evolution begins again at generation 0.',
+    redone: 'One step forward again: evolution begins at generation 0.',
     reset: 'Generation 0 again. The same seed gives the same evolution.',
   })[restart];
 
@@ -191,6 +236,9 @@ export const medianLine = 'median';
 export const paperLine = 'paper’s EP';
 /** A line that runs above the picture. @param {string} line */
 export const above = (line) => `${line} ↑`;
+
+/** @param {number} cost */
+export const paidText = (cost) => `J ${String(Number(cost.toPrecision(6)))}`;
 
 /** @param {number} metres */
 export const outside = (metres) => `${fixed(metres, 1)} m outside`;

@@ -1,0 +1,194 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { openRunFile, runFile } from '../../www/keep/run-file.js';
+import { driveCsv, generationsCsv } from '../../www/keep/tables.js';
+import { noTrial } from '../../www/state.js';
+import { pageTest } from './browsers.js';
+import { Evolution, evolve, experiment, simulate, simulateAll } from './core.js';
+import { readEvolution } from './reading.js';
+
+/** @typedef {import('./browsers.js').Page} Page */
+/** @typedef {import('./core.js').Experiment} Experiment */
+/** @typedef {import('../../www/engine.js').Engine} Engine */
+/** @typedef {import('../../www/engine.js').Statistics} Statistics */
+/** @typedef {Parameters<typeof runFile>[0]} Kept */
+
+const velocityLimits = experiment('velocity-limits');
+
+/** An evolution, and what the page knows of it. @param {Experiment} from @param {number} generations */
+function evolved(from, generations) {
+  const evolution = new Evolution(from);
+  const history = [evolution.statistics()];
+  while (history.length <= generations) history.push(evolution.step());
+  const engine = /** @type {Engine} */ (
+    /** @type {unknown} */ ({
+      experiment,
+      version: () => '0.1.0',
+      hash: () => evolution.hash(),
+      drive: (/** @type {Experiment} */ e, /** @type {number[][]} */ gains) => simulateAll(e, gains.flat()),
+      surveys: {
+        evolve: async (/** @type {Experiment} */ e, /** @type {number} */ count) => evolve(e, count),
+      },
+    })
+  );
+  /** @type {Kept} */
+  const state = {
+    page: 'lab',
+    preset: 'velocity-limits',
+    experiment: from,
+    generation: 3,
+    driver: 'evolved',
+    handGains: null,
+    trial: noTrial,
+    landscape: /** @type {Kept['landscape']} */ (
+      /** @type {unknown} */ ({
+        x: { gain: 'kx', log: false },
+        y: { gain: 'ktheta', log: false },
+        third: null,
+      })
+    ),
+    history,
+  };
+  return { engine, state };
+}
+
+test('a file holds the run: opened again it is the same', async () => {
+  const { engine, state } = evolved(experiment({ evolution: { seed: 9 } }), 5);
+  const { opened, generations } = await openRunFile(runFile(state, engine), engine);
+  assert.equal(generations, 5);
+  assert.equal(opened.generation, 3);
+  assert.deepEqual(opened.experiment, state.experiment);
+});
+
+test('a file that is damaged or foreign is refused with the reason', async () => {
+  const { engine, state } = evolved(velocityLimits, 4);
+  const good = JSON.parse(runFile(state, engine));
+  const rows = /** @type {const} */ ([
+    ['', /no run/],
+    ['{', /no run/],
+    ['null', /no run/],
+    ['[1, 2]', /no run/],
+    [JSON.stringify({ ...good, format: 'other' }), /no run/],
+    [JSON.stringify({ ...good, version: 2 }), /version 2.*version 1/],
+    [JSON.stringify({ ...good, link: 5 }), /link, hash/],
+    [JSON.stringify({ ...good, link: 'lab&goal.x=1e9' }), /goal\.x/],
+    [JSON.stringify({ ...good, generations: -1 }), /generations/],
+    [JSON.stringify({ ...good, generations: 1e9 }), /generations/],
+    [JSON.stringify({ ...good, generations: 2 }), /generations/],
+    [JSON.stringify({ ...good, link: good.link.replace('lab', 'lab&seed=2') }), /was changed/],
+    [runFile(state, engine).slice(0, 300), /no run/],
+  ]);
+  for (const [text, reason] of rows)
+    await assert.rejects(openRunFile(text, engine), { message: reason }, text.slice(0, 60));
+});
+
+test('the tables have units in their headers and every digit of the numbers', () => {
+  const { state } = evolved(velocityLimits, 4);
+  const origin = ['ep-locomotion 0.1.0', 'http://host/#lab'];
+  const [first, second, header, ...rows] = generationsCsv(state.history, origin).trim().split('\r\n');
+  assert.deepEqual([first, second], ['# ep-locomotion 0.1.0', '# http://host/#lab']);
+  assert.match(header, /^generation,drives,J best,.*kx \(1\/s\)/);
+  assert.equal(rows.length, 5);
+  const { generation, evaluations, best, median, worst, meanSigmas } = state.history[4];
+  assert.deepEqual(rows[4].split(',').map(Number), [
+    generation,
+    evaluations,
+    best.cost,
+    median,
+    worst,
+    ...best.gains,
+    ...meanSigmas,
+  ]);
+
+  const run = simulate(velocityLimits, [3, 0.1, 5]);
+  const drive = driveCsv(run, origin).trim().split('\r\n').slice(2);
+  assert.equal(drive[0].split(',')[1], 'x (m)');
+  assert.equal(drive.length, run.time.length + 1);
+  const last = run.time.length - 1;
+  assert.deepEqual(
+    drive[last + 1].split(',').map(Number),
+    [run.time, run.x, run.y, run.theta, run.linear, run.angular, run.commandLinear, run.commandAngular].map(
+      (column) => column[last],
+    ),
+  );
+});
+
+/** Presses a button of the dialog and returns the text of the file that is saved. @param {Page} page @param {string} button */
+function saved(page, button) {
+  return page.evaluate(async (selector) => {
+    const create = URL.createObjectURL;
+    /** @type {Promise<string>} */
+    const text = new Promise((resolve) => {
+      URL.createObjectURL = (blob) => {
+        /** @type {Blob} */ (blob).text().then(resolve);
+        return create(blob);
+      };
+    });
+    /** @type {HTMLElement} */ (document.querySelector(selector)).click();
+    URL.createObjectURL = create;
+    return text;
+  }, button);
+}
+
+/** Opens a file as if it had been chosen. @param {Page} page @param {string} name @param {string} text */
+async function choose(page, name, text) {
+  await page.evaluate(
+    (fileName, content) => {
+      const input = /** @type {HTMLInputElement} */ (document.getElementById('keep-file'));
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([content], fileName));
+      input.files = transfer.files;
+      input.dispatchEvent(new Event('change'));
+    },
+    name,
+    text,
+  );
+  await page.until(
+    `${name} is dealt with`,
+    (fileName) => document.getElementById('keep-status')?.textContent?.includes(fileName),
+    name,
+  );
+  return page.text('#keep-status');
+}
+
+pageTest('a run is saved, and opened again as it was', async (page) => {
+  await page.open('#lab&seed=5&generation=6');
+  await page.focus('#one-back');
+  await page.click('#one-back');
+  const before = await readEvolution(page);
+  assert.equal(before.generation, '5');
+  await page.click('#keep-button');
+  assert.match(
+    await page.text('#keep-status'),
+    new RegExp(evolve(experiment({ evolution: { seed: 5 } }), 6).hash),
+  );
+  const link = await page.evaluate(
+    () => /** @type {HTMLInputElement} */ (document.getElementById('keep-link')).value,
+  );
+  assert.ok(link.endsWith('#lab&v=1&seed=5&generation=5'), link);
+  const text = await saved(page, '#keep-save');
+  const table = await saved(page, '#keep-generations');
+  assert.equal(table.trim().split('\r\n').length, 2 + 1 + 7);
+  assert.ok(table.includes(link));
+
+  await page.open();
+  await page.click('#keep-button');
+  assert.match(await choose(page, 'mine.json', text), /“mine.json” is open: all 6 generations/);
+  await page.click('#keep-close');
+  assert.deepEqual(await readEvolution(page), before);
+  assert.equal(
+    await page.evaluate(() => /** @type {HTMLInputElement} */ (document.getElementById('timeline')).max),
+    '6',
+  );
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('a file that is no run changes nothing and says why', async (page) => {
+  await page.click('#one-generation');
+  const before = await readEvolution(page);
+  await page.click('#keep-button');
+  assert.match(await choose(page, 'photo.json', '{"a": 1}'), /“photo.json” was not opened: it is no run/);
+  await page.click('#keep-close');
+  assert.deepEqual(await readEvolution(page), before);
+  assert.deepEqual(await page.obstacles(), []);
+});

@@ -1,0 +1,81 @@
+// Keeps the address and the state in step: the address always holds the link of what is on screen.
+import { byId } from './elements.js';
+import { linkOf, openLink } from './link.js';
+import { pageNames, watch } from './state.js';
+
+/** @typedef {import('./actions.js').Actions} Actions */
+/** @typedef {import('./engine.js').Engine} Engine */
+/** @typedef {import('./state.js').State} State */
+/** @typedef {import('./state.js').Store} Store */
+
+/** Browsers refuse an address that changes more often. */
+const pauseMilliseconds = 400;
+
+/** @param {Engine} engine @param {Store} store @param {Actions} actions */
+export function createAddress(engine, store, actions) {
+  const changed = watch();
+  let waiting = false;
+  let written = location.hash.slice(1);
+
+  const open = () => {
+    written = location.hash.slice(1);
+    const { opened, problems } = openLink(written, engine);
+    actions.openLinked(opened, problems);
+  };
+
+  const part = () => pageNames.find((name) => name === written.split('&')[0]) ?? 'lab';
+  const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
+
+  const write = () => {
+    waiting = false;
+    const state = store.get();
+    if (!rests(state)) return;
+    const link = linkFor(state);
+    if (link === written || (link === 'lab' && written === '')) return;
+    const before = part();
+    if (state.page === before) history.replaceState(null, '', `#${link}`);
+    else {
+      // A step that "back" takes back: to all that the part before has come to.
+      history.replaceState(null, '', `#${linkFor({ ...state, page: before })}`);
+      history.pushState(null, '', `#${link}`);
+    }
+    written = link;
+  };
+
+  addEventListener('popstate', () => {
+    if (location.hash.slice(1) !== written) open();
+  });
+  if (written !== '') open();
+
+  return {
+    /** Writes what has changed, once it rests. @param {State} state */
+    follow(state) {
+      if (!rests(state) || !changed(...partsOf(state))) return;
+      for (const name of pageNames)
+        byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name })}`);
+      // Another part at once, so that "back" is there when it is wanted.
+      if (state.page !== part()) write();
+      else if (!waiting) {
+        waiting = true;
+        setTimeout(write, pauseMilliseconds);
+      }
+    },
+  };
+}
+
+/** @param {State} state */
+const rests = (state) => !state.dragging && !state.evolving;
+
+/** All that a link carries. @param {State} state */
+const partsOf = ({ page, preset, experiment, generation, driver, handGains, trial, landscape }) => [
+  page,
+  preset,
+  experiment,
+  generation,
+  driver,
+  handGains,
+  trial,
+  landscape.x,
+  landscape.y,
+  landscape.third,
+];

@@ -1,0 +1,160 @@
+// The part of the page that shows runs against time and beside each other.
+import { byId } from '../elements.js';
+import { sampleBefore } from '../plane.js';
+import { createSegmented } from '../segmented.js';
+import { gainsOf, watch } from '../state.js';
+import * as words from '../words/en/curves.js';
+import * as lab from '../words/en/lab.js';
+import { createComparison } from './compare.js';
+import { createNumbers } from './numbers.js';
+import { paidUntil } from './paid.js';
+import { createPlots } from './plots.js';
+
+/** @typedef {import('../engine.js').Run} Run */
+/** @typedef {import('../pages.js').PageParts} PageParts */
+/** @typedef {import('../pages.js').Page} Page */
+/** @typedef {import('../pins/pins.js').Driven} Driven */
+/** @typedef {import('../state.js').Scene} Scene */
+/** @typedef {import('../state.js').State} State */
+/** @typedef {typeof words.views[number]['value']} CurvesView */
+/** @typedef {typeof words.curveChoices[number]['value']} LabCurve */
+/** @typedef {{ view: CurvesView, lab: LabCurve, refused: Driven | null, message: string }} CurvesState Refused: the run for which there was no room among the pins. */
+
+/** @type {CurvesState} */
+export const firstCurves = { view: 'time', lab: 'cost', refused: null, message: '' };
+
+/** @param {PageParts} parts @returns {Page} */
+export function createCurvesPage(parts) {
+  const { store, actions, paper } = parts;
+  const lines = /** @type {HTMLCanvasElement} */ (byId('curves-lines'));
+  const plots = createPlots({
+    lines,
+    cursor: /** @type {HTMLCanvasElement} */ (byId('curves-cursor')),
+  });
+  const readout = createReadout(byId('curves-readout'));
+  const numbers = createNumbers(/** @type {HTMLTableElement} */ (byId('numbers-table')));
+  const comparison = createComparison(parts);
+  const choice = createSegmented(byId('curves-view'), words.viewLegend, words.views, (view) =>
+    store.update({ curves: { ...store.get().curves, view } }),
+  );
+  const size = followSize(byId('curves-picture'), () => store.update({}));
+  /** @type {Run | null} */
+  let driving = null;
+  followPointer(byId('curves-picture'), (px) => {
+    if (driving) actions.scrub(sampleTime(driving, plots.timeAt(px)));
+  });
+
+  const textsChanged = watch();
+  /** @param {State} state @param {Scene} scene */
+  const drawTexts = (state, scene) => {
+    if (!textsChanged(scene.driving, scene.comparison, scene.pins, state.driver, state.generation)) return;
+    const described = (/** @type {string} */ name, /** @type {Run} */ run) =>
+      `${lab.comparisonText(name, run)}, ${lab.outcomeText(run)}`;
+    lines.setAttribute(
+      'aria-label',
+      words.pictureLabel(
+        lab.driverName(state.driver, state.generation),
+        scene.driving,
+        lab.outcomeText(scene.driving),
+        described(
+          scene.withoutDisturbance
+            ? lab.withoutDisturbance
+            : lab.driverName(scene.comparisonDriver, state.generation),
+          scene.comparison,
+        ),
+        state.pins.map(({ name }, i) => described(name, scene.pins[i])),
+      ),
+    );
+    const isPaper = state.driver === 'paper-ep' && scene.comparisonDriver === 'paper-arbitrary';
+    byId('curves-note').textContent = isPaper
+      ? words.figureNote(state.preset === 'velocity-limits' ? '5' : '7')
+      : '';
+  };
+
+  return {
+    name: 'curves',
+    draw(state, scene) {
+      driving = scene.driving;
+      const { view } = state.curves;
+      const time = Math.min(state.robot.time, driving.finalTime);
+      const name = lab.driverName(state.driver, state.generation);
+      choice.draw(view);
+      byId('curves-over-time').hidden = view !== 'time';
+      byId('curves-compare').hidden = view !== 'compare';
+      byId('curves-numbers').hidden = view !== 'numbers';
+      if (view === 'compare')
+        comparison.draw(state, { name, gains: gainsOf(state, state.driver, paper), scene });
+      if (view === 'numbers') numbers.draw({ name, run: driving, time });
+      if (view !== 'time') return;
+      drawTexts(state, scene);
+      readout.draw(driving, time);
+      plots.draw({
+        driving,
+        comparison: scene.comparison,
+        pins: state.pins,
+        pinned: scene.pins,
+        limits: scene.experiment.limits,
+        time,
+        size: size(),
+        theme: state.theme,
+      });
+    },
+  };
+}
+
+/** The time of the sample next to a time. @param {Run} run @param {number} time */
+function sampleTime({ time: samples }, time) {
+  const last = samples.length - 1;
+  if (last < 1) return 0;
+  return samples[Math.min(last, Math.max(0, Math.round(time / samples[1])))];
+}
+
+/** The values at the cursor, each in a place of its own. @param {HTMLElement} list */
+function createReadout(list) {
+  const items = words.readings.map(({ id, symbol, className, unit, text }) => {
+    const item = document.createElement('div');
+    const name = document.createElement('dt');
+    const description = document.createElement('dd');
+    const value = document.createElement('span');
+    name.textContent = symbol;
+    name.className = className;
+    Object.assign(value, { id: `reading-${id}`, className: 'value' });
+    description.append(value, unit);
+    item.append(name, description);
+    return { item, value, text };
+  });
+  list.replaceChildren(...items.map(({ item }) => item));
+  const changed = watch();
+  return {
+    /** @param {Run} run @param {number} time */
+    draw(run, time) {
+      const i = sampleBefore(run, time);
+      if (!changed(run, i)) return;
+      for (const { value, text } of items) value.textContent = text(run, i, paidUntil(run, i));
+    },
+  };
+}
+
+/** The size of an element, kept up to date. @param {HTMLElement} element @param {() => void} onResize */
+function followSize(element, onResize) {
+  let size = { width: 0, height: 0 };
+  new ResizeObserver(() => {
+    size = { width: element.clientWidth, height: element.clientHeight };
+    onResize();
+  }).observe(element);
+  return () => size;
+}
+
+/** The mouse over the picture, or a finger or the mouse that drags on it. @param {HTMLElement} element @param {(px: number) => void} onPoint */
+function followPointer(element, onPoint) {
+  const point = (/** @type {PointerEvent} */ event) =>
+    onPoint(event.clientX - element.getBoundingClientRect().left);
+  element.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    element.setPointerCapture(event.pointerId);
+    point(event);
+  });
+  element.addEventListener('pointermove', (event) => {
+    if (event.pointerType !== 'touch' || element.hasPointerCapture(event.pointerId)) point(event);
+  });
+}

@@ -1,0 +1,65 @@
+// The pictures that are on screen: elements of the page with the same data-picture are one picture.
+import * as words from '../words/en/keep.js';
+import { recorded } from './recording.js';
+import { marksOf } from './screen.js';
+
+/** @typedef {import('./marks.js').Drawing} Drawing */
+/** @typedef {{ key: string, name: string, elements: HTMLElement[] }} Picture */
+
+/** Pixels of paper around. */
+const margin = 12;
+
+/** @returns {Picture[]} */
+export function picturesOnScreen() {
+  /** @type {Map<string, HTMLElement[]>} */
+  const found = new Map();
+  for (const element of /** @type {NodeListOf<HTMLElement>} */ (
+    document.querySelectorAll('[data-picture]')
+  )) {
+    const key = element.dataset.picture ?? '';
+    if (isSeen(element)) found.set(key, [...(found.get(key) ?? []), element]);
+  }
+  return [...found].map(([key, elements]) => ({ key, name: words.pictures[key], elements }));
+}
+
+const isSeen = (/** @type {HTMLElement} */ element) => {
+  const { width, height } = element.getBoundingClientRect();
+  return width > 0 && height > 0;
+};
+
+/**
+ * What the picture shows now.
+ * @param {Picture} picture @param {() => void} redraw Draws all views anew.
+ * @returns {Promise<Drawing>}
+ */
+export async function drawingOf({ elements }, redraw) {
+  const canvases = elements.flatMap((element) =>
+    element instanceof HTMLCanvasElement ? [element] : [...element.querySelectorAll('canvas')],
+  );
+  const recordings = await recorded(canvases, redraw);
+  const boxes = elements.map((element) => element.getBoundingClientRect());
+  const x = Math.min(...boxes.map(({ left }) => left)) - margin;
+  const y = Math.min(...boxes.map(({ top }) => top)) - margin;
+  return {
+    width: Math.ceil(Math.max(...boxes.map(({ right }) => right)) + margin - x),
+    height: Math.ceil(Math.max(...boxes.map(({ bottom }) => bottom)) + margin - y),
+    paper: getComputedStyle(document.body).backgroundColor,
+    marks: elements.flatMap((element) => marksOf(element, { x, y, alpha: 1, recordings })),
+  };
+}
+
+/** What the page says of a picture to those who cannot see it. @param {Picture} picture */
+export function descriptionOf({ elements }) {
+  const described = elements.flatMap((element) => [
+    element,
+    ...element.querySelectorAll('[role], [aria-describedby]'),
+  ]);
+  const ids = described.flatMap((element) => element.getAttribute('aria-describedby')?.split(' ') ?? []);
+  return [
+    ...described.flatMap((element) => element.getAttribute('aria-label') ?? []),
+    ...ids.map((id) => document.getElementById(id)?.textContent ?? ''),
+  ]
+    .map((text) => text.trim())
+    .filter(Boolean)
+    .join(' ');
+}

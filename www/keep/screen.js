@@ -1,0 +1,257 @@
+// What a person sees in a part of the page, as marks: canvases, SVG, and the boxes and texts of HTML.
+import { copyOf } from './recording.js';
+import { Outline } from './marks.js';
+
+/** @typedef {import('./marks.js').Font} Font */
+/** @typedef {import('./marks.js').Look} Look */
+/** @typedef {import('./marks.js').Mark} Mark */
+/** @typedef {import('./marks.js').Stroke} Stroke */
+/** @typedef {{ left: number, top: number, width: number, height: number }} Box */
+/** @typedef {{ x: number, y: number, alpha: number, recordings: Map<HTMLCanvasElement, Mark[]> }} Place Pixels of the picture's corner, and how opaque what is around is. */
+
+/** Controls and hints are no part of a picture. */
+const left = 'button, input, select, fieldset, label, progress, .hint, .visually-hidden';
+const haloWidth = 5;
+
+/** @param {Element} element @param {Place} place @returns {Mark[]} */
+export function marksOf(element, place) {
+  const style = getComputedStyle(element);
+  if (element.matches(left) || style.display === 'none' || style.visibility === 'hidden') return [];
+  const here = { ...place, alpha: place.alpha * Number(style.opacity) };
+  if (here.alpha === 0) return [];
+  if (element instanceof HTMLCanvasElement) return canvasMarks(element, here);
+  const own =
+    element instanceof SVGElement ? vectorMarks(element, style, here) : boxMarks(element, style, here);
+  const children = [...element.childNodes].flatMap((node) =>
+    node instanceof Element
+      ? marksOf(node, here)
+      : node instanceof window.Text
+        ? textMarks(node, style, here)
+        : [],
+  );
+  return [...own, ...children];
+}
+
+/** @param {Place} place @returns {Look} */
+const lookAt = ({ alpha }) => ({ matrix: new DOMMatrix(), clips: [], alpha, fill: null, stroke: null });
+
+/** @param {HTMLCanvasElement} canvas @param {Place} place @returns {Mark[]} */
+function canvasMarks(canvas, { x, y, alpha, recordings }) {
+  const { left, top, width, height } = canvas.getBoundingClientRect();
+  if (width === 0 || canvas.width === 0) return [];
+  const matrix = new DOMMatrix()
+    .translate(left - x, top - y)
+    .scale(width / canvas.width, height / canvas.height);
+  const recording = recordings.get(canvas);
+  const inPicture = (/** @type {DOMMatrix} */ own) => matrix.multiply(own);
+  if (recording)
+    return recording.map((mark) => ({
+      ...mark,
+      matrix: inPicture(mark.matrix),
+      clips: mark.clips.map(({ d, matrix: own }) => ({ d, matrix: inPicture(own) })),
+      alpha: alpha * mark.alpha,
+    }));
+  const box = /** @type {const} */ ([0, 0, canvas.width, canvas.height]);
+  const look = { matrix, clips: [], alpha, fill: null, stroke: null };
+  return [{ kind: 'image', source: copyOf(canvas), box, smooth: true, ...look }];
+}
+
+/** @param {SVGElement} element @param {CSSStyleDeclaration} style @param {Place} place @returns {Mark[]} */
+function vectorMarks(element, style, place) {
+  const matrix = element instanceof SVGGraphicsElement && element.getScreenCTM();
+  if (!matrix) return [];
+  const inPicture = new DOMMatrix().translate(-place.x, -place.y).multiply(DOMMatrix.fromMatrix(matrix));
+  const look = { ...lookAt(place), matrix: inPicture, fill: paintOf(style.fill), stroke: strokeOf(style) };
+  if (element instanceof SVGPathElement)
+    return [{ kind: 'shape', d: element.getAttribute('d') ?? '', ...look }];
+  const outline = new Outline(2);
+  if (element instanceof SVGCircleElement) {
+    const [cx, cy, r] = [element.cx, element.cy, element.r].map(({ baseVal }) => baseVal.value);
+    outline.arc(cx, cy, r, 0, 2 * Math.PI);
+    return [{ kind: 'shape', d: outline.d, ...look }];
+  }
+  if (element instanceof SVGLineElement) {
+    // Lines are stretched by their matrix, but not in their width.
+    for (const [end, x, y] of /** @type {const} */ ([
+      ['moveTo', element.x1, element.y1],
+      ['lineTo', element.x2, element.y2],
+    ])) {
+      const point = inPicture.transformPoint({ x: x.baseVal.value, y: y.baseVal.value });
+      outline[end](point.x, point.y);
+    }
+    return [{ kind: 'shape', d: outline.d, ...look, matrix: new DOMMatrix(), fill: null }];
+  }
+  return [];
+}
+
+const paintOf = (/** @type {string} */ paint) => (paint === 'none' ? null : paint);
+
+/** @param {CSSStyleDeclaration} style @returns {Stroke | null} */
+function strokeOf({ stroke, strokeWidth, strokeDasharray, strokeLinecap, strokeLinejoin }) {
+  if (stroke === 'none') return null;
+  const dash = strokeDasharray === 'none' ? [] : strokeDasharray.split(/[ ,]+/).map(Number.parseFloat);
+  return {
+    paint: stroke,
+    width: Number.parseFloat(strokeWidth),
+    dash,
+    cap: strokeLinecap,
+    join: strokeLinejoin,
+  };
+}
+
+/** @param {Element} element @param {CSSStyleDeclaration} style @param {Place} place @returns {Mark[]} */
+function boxMarks(element, style, place) {
+  const { left, top, width, height } = element.getBoundingClientRect();
+  const box = { left: left - place.x, top: top - place.y, width, height };
+  return [...decorated(style, box, place), ...marksBefore(element, place)];
+}
+
+/** The background of a box and its edges. @param {CSSStyleDeclaration} style @param {Box} box @param {Place} place @returns {Mark[]} */
+function decorated(style, { left, top, width, height }, place) {
+  if (width === 0) return [];
+  const look = lookAt(place);
+  /** @type {Mark[]} */
+  const marks = [];
+  const outline = new Outline(2);
+  const isRound = style.borderTopLeftRadius === '50%';
+  if (isRound)
+    outline.arc(
+      left + width / 2,
+      top + height / 2,
+      (width - Number.parseFloat(style.borderTopWidth)) / 2,
+      0,
+      2 * Math.PI,
+    );
+  else outline.rect(left, top, width, height);
+  const fill = gradientOf(style.backgroundImage, left, width) ?? style.backgroundColor;
+  if (height > 0) marks.push({ kind: 'shape', d: outline.d, ...look, fill });
+  if (isRound)
+    return [
+      ...marks,
+      ...edge(outline, style.borderTopStyle, style.borderTopWidth, style.borderTopColor, look),
+    ];
+  const [right, bottom] = [left + width, top + height];
+  for (const [side, x0, y0, x1, y1] of /** @type {const} */ ([
+    ['Top', left, top, right, top],
+    ['Bottom', left, bottom, right, bottom],
+    ['Left', left, top, left, bottom],
+    ['Right', right, top, right, bottom],
+  ])) {
+    const edgeWidth = style[`border${side}Width`];
+    const inside = (Number.parseFloat(edgeWidth) / 2) * (side === 'Bottom' || side === 'Right' ? -1 : 1);
+    const [dx, dy] = side === 'Top' || side === 'Bottom' ? [0, inside] : [inside, 0];
+    const line = new Outline(2);
+    line.moveTo(x0 + dx, y0 + dy);
+    line.lineTo(x1 + dx, y1 + dy);
+    marks.push(...edge(line, style[`border${side}Style`], edgeWidth, style[`border${side}Color`], look));
+  }
+  return marks;
+}
+
+/** @param {Outline} outline @param {string} kind @param {string} edgeWidth @param {string} paint @param {Look} look @returns {Mark[]} */
+function edge({ d }, kind, edgeWidth, paint, look) {
+  const width = Number.parseFloat(edgeWidth);
+  if (width === 0 || kind === 'none' || kind === 'hidden') return [];
+  const dash = { dotted: [0, 2 * width], dashed: [2 * width, width] }[kind] ?? [];
+  const cap = kind === 'dotted' ? 'round' : 'butt';
+  return [{ kind: 'shape', d, ...look, stroke: { paint, width, dash, cap, join: 'miter' } }];
+}
+
+/** Even steps of colours from the left to the right. @param {string} image @param {number} left @param {number} width */
+function gradientOf(image, left, width) {
+  if (!image.startsWith('linear-gradient(to right')) return null;
+  const colours = image.match(/rgba?\([^)]*\)/g) ?? [];
+  return {
+    from: /** @type {const} */ ([left, 0]),
+    to: /** @type {const} */ ([left + width, 0]),
+    stops: colours.map(
+      (colour, i) => /** @type {[number, string]} */ ([i / Math.max(1, colours.length - 1), colour]),
+    ),
+  };
+}
+
+/** The little box that stands before a text in a legend. @param {Element} element @param {Place} place @returns {Mark[]} */
+function marksBefore(element, place) {
+  const style = getComputedStyle(element, '::before');
+  if (style.content !== '""' || style.display !== 'inline-block') return [];
+  const range = document.createRange();
+  range.selectNodeContents(element);
+  const [text] = range.getClientRects();
+  if (!text) return [];
+  const px = (/** @type {string} */ length) => Number.parseFloat(length) || 0;
+  const outer = getComputedStyle(element);
+  const width = px(style.width) + px(style.borderLeftWidth) + px(style.borderRightWidth);
+  const height = px(style.height) + px(style.borderTopWidth) + px(style.borderBottomWidth);
+  const bottom = text.top + measured(fontOf(outer)).fontBoundingBoxAscent - px(style.verticalAlign);
+  const box = {
+    left: text.left - px(style.marginRight) - width - place.x,
+    top: bottom - height - place.y,
+    width,
+    height,
+  };
+  return decorated(style, box, { ...place, alpha: place.alpha * Number(style.opacity) });
+}
+
+/** @param {Text} node @param {CSSStyleDeclaration} style @param {Place} place @returns {Mark[]} */
+function textMarks(node, style, place) {
+  const font = fontOf(style);
+  const ascent = measured(font).fontBoundingBoxAscent;
+  const isVector = node.parentElement instanceof SVGElement;
+  const anchor = isVector ? style.textAnchor : style.textAlign;
+  const side = /** @type {'start' | 'middle' | 'end'} */ (
+    { middle: 'middle', center: 'middle', right: 'end', end: 'end' }[anchor] ?? 'start'
+  );
+  return linesOf(node).map(({ text, left, right, top }) => ({
+    kind: 'text',
+    ...lookAt(place),
+    fill: isVector ? style.fill : style.color,
+    stroke: isVector ? strokeOf(style) : haloOf(style),
+    text,
+    x: { start: left, middle: (left + right) / 2, end: right }[side] - place.x,
+    y: top + ascent - place.y,
+    anchor: side,
+    font,
+  }));
+}
+
+/** The lines that a text is broken into. @param {Text} node */
+function linesOf(node) {
+  /** @type {{ text: string, left: number, right: number, top: number }[]} */
+  const lines = [];
+  const range = document.createRange();
+  for (const { 0: word, index } of node.data.matchAll(/\S+/g)) {
+    range.setStart(node, index);
+    range.setEnd(node, index + word.length);
+    const { left, right, top, width } = range.getBoundingClientRect();
+    if (width === 0) continue;
+    const last = lines[lines.length - 1];
+    if (last && Math.abs(last.top - top) < 2) Object.assign(last, { text: `${last.text} ${word}`, right });
+    else lines.push({ text: word, left, right, top });
+  }
+  return lines;
+}
+
+/** What keeps a text legible on what lies under it. @param {CSSStyleDeclaration} style @returns {Stroke | null} */
+function haloOf({ textShadow }) {
+  const [paint] = textShadow.match(/rgba?\([^)]*\)/) ?? [];
+  return paint ? { paint, width: haloWidth, dash: [], cap: 'round', join: 'round' } : null;
+}
+
+/** @param {CSSStyleDeclaration} style @returns {Font} */
+const fontOf = ({ fontStyle, fontWeight, fontSize, fontFamily }) => ({
+  style: fontStyle,
+  weight: fontWeight,
+  size: Number.parseFloat(fontSize),
+  family: fontFamily,
+});
+
+/** @param {Font} font */
+export const cssFont = ({ style, weight, size, family }) => `${style} ${weight} ${size}px ${family}`;
+
+const ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
+
+/** @param {Font} font */
+function measured(font) {
+  ruler.font = cssFont(font);
+  return ruler.measureText('x');
+}

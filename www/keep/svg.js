@@ -1,0 +1,171 @@
+// A drawing as an SVG file: shapes and texts as such, the cells of maps as images, and what made it.
+import { isGradient } from './marks.js';
+
+/** @typedef {import('./marks.js').About} About */
+/** @typedef {import('./marks.js').Drawing} Drawing */
+/** @typedef {import('./marks.js').Gradient} Gradient */
+/** @typedef {import('./marks.js').Mark} Mark */
+/** @typedef {import('./marks.js').Paint} Paint */
+/** @typedef {import('./marks.js').Pattern} Pattern */
+/** @typedef {ReturnType<typeof createDefinitions>} Definitions */
+
+/** @param {Drawing} drawing @param {About} about */
+export function svgOf({ width, height, paper, marks }, { title, description, link, version }) {
+  const definitions = createDefinitions();
+  const content = grouped(
+    marks,
+    (mark) => clipOf(mark, definitions),
+    (clipped) =>
+      grouped(
+        clipped,
+        ({ matrix }) => attributes({ transform: transformOf(matrix) }),
+        (placed) => placed.map((mark) => element(mark, definitions)).join('\n'),
+      ),
+  );
+  return `<svg xmlns="http://www.w3.org/2000/svg" ${attributes({ width, height, viewBox: `0 0 ${width} ${height}`, role: 'img', 'stroke-miterlimit': 10 })}>
+<title>${escaped(title)}</title>
+<desc>${escaped(description)}</desc>
+<metadata><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#" xmlns:dc="http://purl.org/dc/elements/1.1/"><rdf:Description><dc:title>${escaped(title)}</dc:title><dc:creator>${escaped(version)}</dc:creator><dc:source>${escaped(link)}</dc:source></rdf:Description></rdf:RDF></metadata>
+<defs>
+${definitions.list.join('\n')}
+</defs>
+<rect ${attributes({ width, height, ...paintAs('fill', paper) })}/>
+${content}
+</svg>
+`;
+}
+
+/** Neighbours that share their attributes share a group. @param {Mark[]} marks @param {(mark: Mark) => string} sharedOf @param {(marks: Mark[]) => string} write */
+function grouped(marks, sharedOf, write) {
+  /** @type {{ shared: string, marks: Mark[] }[]} */
+  const groups = [];
+  for (const mark of marks) {
+    const shared = sharedOf(mark);
+    const last = groups[groups.length - 1];
+    if (last?.shared === shared) last.marks.push(mark);
+    else groups.push({ shared, marks: [mark] });
+  }
+  return groups
+    .map(({ shared, marks: own }) => (shared ? `<g ${shared}>\n${write(own)}\n</g>` : write(own)))
+    .join('\n');
+}
+
+/** Each definition once, and under which name. */
+function createDefinitions() {
+  /** @type {Map<string, string>} */
+  const names = new Map();
+  /** @type {string[]} */
+  const list = [];
+  return {
+    list,
+    /** @param {string} tag @param {string} content With its attributes, up to the end tag. @returns {string} */
+    name(tag, content) {
+      const known = names.get(content);
+      if (known) return known;
+      const name = `${tag}-${names.size + 1}`;
+      names.set(content, name);
+      list.push(`<${tag} id="${name}"${content}</${tag}>`);
+      return name;
+    },
+  };
+}
+
+/** @param {Mark} mark @param {Definitions} definitions */
+function clipOf({ clips }, definitions) {
+  let clip = '';
+  for (const { d, matrix } of clips) {
+    const path = `<path ${attributes({ d, transform: transformOf(matrix) })}/>`;
+    clip = `clip-path="url(#${definitions.name('clipPath', ` ${clip}>${path}`)})"`;
+  }
+  return clip;
+}
+
+/** @param {Mark} mark @param {Definitions} definitions */
+function element(mark, definitions) {
+  const { fill, stroke, alpha } = mark;
+  const opacity = alpha === 1 ? null : rounded(alpha);
+  if (mark.kind === 'image') {
+    const [x, y, width, height] = mark.box;
+    const rendering = mark.smooth ? null : 'pixelated';
+    return `<image ${attributes({ x, y, width, height, opacity, 'image-rendering': rendering, preserveAspectRatio: 'none', href: mark.source.toDataURL() })}/>`;
+  }
+  const look = {
+    ...paintAs('fill', fill ?? 'none', definitions),
+    ...(stroke && {
+      ...paintAs('stroke', stroke.paint, definitions),
+      'stroke-width': rounded(stroke.width, 5),
+      'stroke-dasharray':
+        stroke.dash.length > 0 ? stroke.dash.map((length) => rounded(length, 5)).join(' ') : null,
+      'stroke-linecap': stroke.cap === 'butt' ? null : stroke.cap,
+      'stroke-linejoin': stroke.join === 'miter' ? null : stroke.join,
+    }),
+    opacity,
+  };
+  if (mark.kind === 'shape') return mark.d ? `<path ${attributes({ d: mark.d, ...look })}/>` : '';
+  const { text, x, y, anchor, font } = mark;
+  const letters = {
+    x: rounded(x),
+    y: rounded(y),
+    'text-anchor': anchor === 'start' ? null : anchor,
+    'font-family': font.family,
+    'font-size': font.size,
+    'font-weight': font.weight === '400' ? null : font.weight,
+    'font-style': font.style === 'normal' ? null : font.style,
+    'paint-order': stroke ? 'stroke' : null,
+  };
+  return `<text ${attributes({ ...letters, ...look })}>${escaped(text)}</text>`;
+}
+
+/** @param {'fill' | 'stroke'} property @param {Paint} paint @param {Definitions} [definitions] @returns {Record<string, string | null>} */
+function paintAs(property, paint, definitions) {
+  if (typeof paint !== 'string')
+    return { [property]: `url(#${definitions && paintServer(paint, definitions)})` };
+  // Not every program knows a colour with an alpha.
+  const [, rgb, alpha] = /^rgba\((.*), ([\d.]+)\)$/.exec(paint) ?? [];
+  return rgb ? { [property]: `rgb(${rgb})`, [`${property}-opacity`]: alpha } : { [property]: paint };
+}
+
+/** @param {Gradient | Pattern} paint @param {Definitions} definitions */
+function paintServer(paint, definitions) {
+  if (isGradient(paint)) {
+    const { from, to, stops } = /** @type {Gradient} */ (paint);
+    const line = attributes({
+      gradientUnits: 'userSpaceOnUse',
+      x1: from[0],
+      y1: from[1],
+      x2: to[0],
+      y2: to[1],
+    });
+    const colours = stops.map(
+      ([offset, colour]) => `<stop ${attributes({ offset: rounded(offset, 4), 'stop-color': colour })}/>`,
+    );
+    return definitions.name('linearGradient', ` ${line}>${colours.join('')}`);
+  }
+  const { tile, scale } = /** @type {Pattern} */ (paint);
+  const [width, height] = [tile.width * scale, tile.height * scale];
+  const image = `<image ${attributes({ width, height, href: tile.toDataURL() })}/>`;
+  return definitions.name(
+    'pattern',
+    ` ${attributes({ patternUnits: 'userSpaceOnUse', width, height })}>${image}`,
+  );
+}
+
+/** @param {DOMMatrix} matrix */
+function transformOf({ a, b, c, d, e, f }) {
+  if (a === 1 && b === 0 && c === 0 && d === 1)
+    return e === 0 && f === 0 ? null : `translate(${rounded(e)} ${rounded(f)})`;
+  return `matrix(${[a, b, c, d, e, f].map((n) => rounded(n, 6)).join(' ')})`;
+}
+
+const rounded = (/** @type {number} */ value, digits = 2) => String(+value.toFixed(digits));
+
+/** @param {Record<string, string | number | null>} values Null: not said. */
+const attributes = (values) =>
+  Object.entries(values)
+    .filter(([, value]) => value !== null)
+    .map(([name, value]) => `${name}="${escaped(String(value))}"`)
+    .join(' ');
+
+/** @param {string} text */
+const escaped = (text) =>
+  text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');

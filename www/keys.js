@@ -1,0 +1,34 @@
+// The sheet of keys, and the single keys that press buttons.
+import { byId } from './elements.js';
+import * as words from './words/en/keys.js';
+
+export function createKeys() {
+  /** @type {HTMLDialogElement} */
+  const dialog = byId('keys');
+  /** @type {HTMLInputElement} */
+  const allowed = byId('keys-single');
+  byId('keys-list').replaceChildren(
+    ...[...words.single, ...words.focused].flatMap(([key, meaning]) => {
+      const [term, description] = ['dt', 'dd'].map((tag) => document.createElement(tag));
+      term.textContent = key;
+      description.textContent = meaning;
+      return [term, description];
+    }),
+  );
+  byId('keys-button').hidden = false;
+  byId('keys-button').addEventListener('click', () => dialog.showModal());
+  byId('keys-close').addEventListener('click', () => dialog.close());
+
+  addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector('dialog[open]')) return;
+    if (event.target instanceof Element && event.target.matches('input[type="text"], textarea, select'))
+      return;
+    if (event.key === '?') dialog.showModal();
+    else if (allowed.checked) {
+      const found = words.single.find(([key]) => key === event.key);
+      const button = found && byId(found[2]);
+      // What is not in sight is not pressed.
+      if (button?.checkVisibility()) button.click();
+    }
+  });
+}

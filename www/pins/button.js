@@ -1,0 +1,52 @@
+// The button that pins the run on screen, beside the choice of who drives.
+import { byId } from '../elements.js';
+import { gainsOf, watch } from '../state.js';
+import * as words from '../words/en/curves.js';
+import { isFull, pinOf, withPin, withoutPin } from './pins.js';
+
+/** @typedef {import('./pins.js').Driven} Driven */
+/** @typedef {import('../state.js').Scene} Scene */
+/** @typedef {import('../state.js').State} State */
+
+/** @param {Pick<import('../pages.js').PageParts, 'store' | 'paper'>} parts @param {(state: State) => Scene} sceneOf */
+export function createPinButton({ store, paper }, sceneOf) {
+  const button = byId('pin');
+  const note = byId('pin-note');
+  /** The run on screen. @param {State} state @param {Scene} scene @returns {Driven} */
+  const drivenIn = (state, { experiment }) => ({ experiment, gains: gainsOf(state, state.driver, paper) });
+
+  const press = () => {
+    const state = store.get();
+    const driven = drivenIn(state, sceneOf(state));
+    const pin = pinOf(state.pins, driven);
+    const curves = { ...state.curves, refused: null };
+    if (pin) store.update({ pins: withoutPin(state.pins, pin.slot), curves });
+    else if (isFull(state.pins)) store.update({ curves: { ...curves, refused: driven } });
+    else store.update({ pins: withPin(state.pins, driven, nameOf(state, driven)), curves });
+  };
+  button.addEventListener('click', press);
+
+  const changed = watch();
+  return {
+    /** @param {State} state @param {Scene} scene */
+    draw(state, scene) {
+      const driven = drivenIn(state, scene);
+      const { experiment, gains } = driven;
+      if (!changed(state.pins, state.curves.refused, experiment, gains)) return;
+      const pin = pinOf(state.pins, driven);
+      const { refused } = state.curves;
+      const isRefused = refused !== null && refused.experiment === experiment && refused.gains === gains;
+      const text = pin ? words.unpinThis : words.pinThis;
+      // A press in which the text is written again is no click in WebKit.
+      if (button.textContent !== text) button.textContent = text;
+      const said = pin ? words.pinnedAs(pin.name) : isRefused && isFull(state.pins) ? words.noRoom : '';
+      if (note.textContent !== said) note.textContent = said;
+      note.classList.toggle('field-error', !pin && said !== '');
+    },
+  };
+}
+
+/** @param {State} state @param {Driven} driven */
+function nameOf({ driver, generation }, { experiment, gains }) {
+  return words.pinName(driver, { generation, seed: experiment.evolution.seed, gains });
+}

@@ -1,0 +1,171 @@
+// Every word of the curves, of the pinned runs, and of σ over the generations.
+import { isTracking } from '../../reference.js';
+import { costText, fixed, threeDigits } from './numbers.js';
+
+/** @typedef {import('../../engine.js').Run} Run */
+/** @typedef {import('../../engine.js').Statistics} Statistics */
+/** @typedef {import('../../state.js').Driver} Driver */
+/** @typedef {import('../../state.js').Triple} Triple */
+
+export const texts = {
+  curvesTitle: 'Curves',
+  comparisonTable: 'Table of the pinned runs',
+  numbersTable: 'Table of the run in numbers',
+};
+
+export const viewLegend = 'What is shown';
+export const views = /** @type {const} */ ([
+  { value: 'time', text: 'Against time' },
+  { value: 'compare', text: 'Compare' },
+  { value: 'numbers', text: 'Numbers' },
+]);
+
+export const symbols = /** @type {const} */ ({
+  position: ['x', 'y'],
+  theta: ['θ'],
+  linear: ['v'],
+  angular: ['ω'],
+});
+export const units = /** @type {const} */ ({ position: 'm', theta: '', linear: 'm/s', angular: 'rad/s' });
+
+export const limit = 'limit';
+
+/** @param {string} name @param {string} number */
+export const tickText = (name, number) => `${number.replace('-', '−')}${name === 'theta' ? '°' : ''}`;
+
+/** @param {string} number */
+export const seconds = (number) => `${number} s`;
+
+/** A number that keeps its width as long as it can. @param {number} value @param {number} digits */
+const steady = (value, digits) =>
+  Math.abs(value) < 1e5 ? fixed(value, digits) : value.toExponential(1).replace('-', '−');
+
+/** What is read at the cursor. @type {readonly { id: string, symbol: string, className: string, unit: string, text: (run: Run, i: number, paid: number) => string }[]} */
+export const readings = [
+  { id: 'x', symbol: 'x', className: 'x', unit: ' m', text: (run, i) => steady(run.x[i], 2) },
+  { id: 'y', symbol: 'y', className: 'y', unit: ' m', text: (run, i) => steady(run.y[i], 2) },
+  {
+    id: 'theta',
+    symbol: 'θ',
+    className: 'theta',
+    unit: '°',
+    text: (run, i) => steady((run.theta[i] * 180) / Math.PI, 1),
+  },
+  {
+    id: 'linear',
+    symbol: 'v',
+    className: 'linear',
+    unit: ' m/s',
+    text: (run, i) => steady(run.linear[i], 2),
+  },
+  {
+    id: 'angular',
+    symbol: 'ω',
+    className: 'angular',
+    unit: ' rad/s',
+    text: (run, i) => steady(run.angular[i], 2),
+  },
+  { id: 'cost', symbol: 'J', className: 'cost-symbol', unit: '', text: (_, __, paid) => costText(paid) },
+];
+
+/** @param {string} name @param {Run} run @param {string} outcome @param {string} comparison @param {readonly string[]} pins */
+export const pictureLabel = (name, run, outcome, comparison, pins) =>
+  `x and y, θ, v, ω and J against time: ${name}, J ${costText(run.cost.total)}, ${outcome}. Dotted: ${comparison}.${pins.map((pin) => ` Pinned: ${pin}.`).join('')} Under “Numbers” all of it is a table.`;
+
+/** @param {'5' | '7'} figure */
+export const figureNote = (figure) =>
+  figure === '5'
+    ? 'Figure 5 of the paper shows this pair: EP’s gains solid, the arbitrary ones dotted.'
+    : 'Figure 7 of the paper shows this pair; there θ stays below 60°. No reading of its limits that was tried gives that picture.';
+
+/** @param {string} name @param {number} step */
+export const numbersCaption = (name, step) =>
+  `${name}: one row for every ${threeDigits(step)} s, and the end. v and ω are what the robot does from then on.`;
+
+/** @type {readonly { id: string, head: string, text: (run: Run, i: number, paid: number) => string }[]} */
+export const numberColumns = [
+  { id: 'time', head: 't s', text: (run, i) => fixed(run.time[i], 2) },
+  { id: 'x', head: 'x m', text: (run, i) => steady(run.x[i], 3) },
+  { id: 'y', head: 'y m', text: (run, i) => steady(run.y[i], 3) },
+  { id: 'theta', head: 'θ °', text: (run, i) => steady((run.theta[i] * 180) / Math.PI, 1) },
+  { id: 'linear', head: 'v m/s', text: (run, i) => steady(run.linear[i], 2) },
+  { id: 'command-linear', head: 'v asked', text: (run, i) => steady(run.commandLinear[i], 2) },
+  { id: 'angular', head: 'ω rad/s', text: (run, i) => steady(run.angular[i], 2) },
+  { id: 'command-angular', head: 'ω asked', text: (run, i) => steady(run.commandAngular[i], 2) },
+  { id: 'paid', head: 'J paid', text: (_, __, paid) => costText(paid) },
+];
+
+export const pinThis = 'Pin this run';
+export const unpinThis = 'Unpin this run';
+/** @param {string} name */
+export const pinnedAs = (name) => `pinned as “${name}”`;
+export const noRoom = 'Four runs are pinned: unpin one first.';
+
+/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple }} of */
+export const pinName = (driver, { generation, seed, gains }) =>
+  ({
+    evolved: `best of generation ${generation}, seed ${seed}`,
+    hand: `your gains ${gains.map((gain) => fixed(gain, 1)).join(', ')}`,
+    'paper-ep': 'paper’s EP',
+    'paper-arbitrary': 'paper’s arbitrary',
+  })[driver];
+
+/** @param {string} name @param {number} count */
+export const again = (name, count) => `${name} (${count})`;
+
+export const noPinsText =
+  'Pin a run with “Pin this run”, then evolve on, take another seed or setting, or drive by hand: here you see what differs.';
+/** @param {number} count */
+export const pinsText = (count) => `${count} of 4 pinned; their names can be changed.`;
+/** @param {number} slot */
+export const nameLabel = (slot) => `Name of pinned run ${slot + 1}`;
+/** @param {string} name */
+export const unpin = (name) => `Unpin ${name}`;
+export const nameNeeded = 'A pinned run needs a name of at least one letter; it keeps its old one.';
+
+export const unpinShort = 'Unpin';
+
+/** @param {string} name */
+export const drivingColumn = (name) => `now: ${name}`;
+/** With a place to break in a narrow column. @param {string} name */
+export const breakable = (name) => name.replaceAll('generation', 'gener\u00adation');
+
+export const outcomeHead = 'goal';
+/** @param {Run} run */
+export const outcomeShort = (run) =>
+  isTracking(run) ? 'followed' : { arrived: 'reached', horizon: 'missed', diverged: 'missed' }[run.outcome];
+export const finalTimeHead = 'end';
+/** @param {Run} run */
+export const finalTimeText = ({ finalTime }) => `${fixed(finalTime, 2)} s`;
+export const settingsThatDiffer = 'Settings that differ';
+export const sameSettings = 'All settings are the same.';
+export const startsHead = 'Evolved from';
+/** @param {number} count */
+export const startsText = (count) => (count === 1 ? '1 start' : `${count} starts`);
+/** @param {number} value */
+export const gainText = (value) => threeDigits(value);
+export const curveLegend = 'Curve over the generations';
+export const curveChoices = /** @type {const} */ ([
+  { value: 'cost', text: 'J' },
+  { value: 'sigmas', text: 'σ', hint: 'Mean step size of each gain' },
+]);
+export const sigmaTitle = 'Step sizes';
+export const sigmaAxis = 'mean σ';
+
+/** @param {number} value */
+export const sigmaText = (value) =>
+  value >= 0.001 ? threeDigits(value) : value.toExponential(1).replace('-', '−');
+
+/** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */
+export const sigmaLabel = (first, shown, gains) =>
+  `Mean σ of each gain over ${shown.generation} generations, on a logarithmic axis: ${gains
+    .map(
+      ({ name }, i) => `${name} from ${sigmaText(first.meanSigmas[i])} to ${sigmaText(shown.meanSigmas[i])}`,
+    )
+    .join(', ')}.`;
+
+/** A power of ten as an axis shows it. @param {number} exponent */
+export const powerOfTen = (exponent) =>
+  exponent >= -2 && exponent <= 3
+    ? String(10 ** exponent)
+    : `10${[...String(exponent)].map((digit) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(digit)]).join('')}`;

@@ -1,0 +1,81 @@
+// Every word about keeping a run: links, files, tables, pictures.
+
+export const texts = {
+  keepButton: 'Share',
+  keepTitle: 'Keep this run',
+  keepLink: 'Link',
+  keepLinkHelp: 'Opens this very run anywhere: the same robots, the same evolution, the same view.',
+  keepCopy: 'Copy link',
+  keepFile: 'File',
+  keepSave: 'Save the run',
+  keepOpen: 'Open a run',
+  keepFileHelp: 'A file that this page opens again. It can also be dropped anywhere on the page.',
+  keepPictures: 'Pictures of what is on screen',
+  keepPicturesHelp: 'As it looks now, with this link inside. SVG stays sharp at any size.',
+  keepTables: 'Tables (CSV)',
+  keepGenerations: 'Generations',
+  keepDrive: 'The drive',
+  keepClose: 'Close',
+};
+
+/** @param {string} hash @param {number} generations */
+export const fingerprint = (hash, generations) =>
+  `Fingerprint of generations 0 to ${generations}: ${hash}. It is the same wherever this link is opened.`;
+
+export const copied = 'The link is copied.';
+export const notCopied = 'This browser lets no page copy: the link is selected, copy it by the keyboard.';
+
+export const foreignFile = 'it is no run that this page has saved.';
+
+/** @param {unknown} found @param {number} own */
+export const otherVersion = (found, own) =>
+  `it was written by version ${String(found)} of the format, this page reads version ${own}.`;
+
+/** @param {string} fields */
+export const damagedFile = (fields) => `it is damaged: ${fields} cannot be read.`;
+
+/** @param {readonly string[]} problems */
+export const damagedLink = (problems) => `it is damaged. ${problems.join(' ')}`;
+
+/** @param {string} said @param {string} found */
+export const otherHash = (said, found) =>
+  `it says that its evolution has the fingerprint ${said}, but it has ${found}: the file was changed.`;
+
+export const largeFile = 'it is too large for a run.';
+
+/** @param {string} name @param {string} reason */
+export const notOpened = (name, reason) => `“${name}” was not opened: ${reason}`;
+
+/** @param {string} name @param {number} generations */
+export const opened = (name, generations) =>
+  `“${name}” is open: all ${generations} generations came out as they were saved.`;
+
+/** @param {string} version @param {string} link */
+export const origin = (version, link) => [`ep-locomotion ${version}`, link];
+
+/** @param {number} seed @param {number} generation */
+export const fileName = (seed, generation) => `robot-seed-${seed}-generation-${generation}`;
+
+/** What is on screen, by its data-picture. @type {Readonly<Record<string, string>>} */
+export const pictures = {
+  plane: 'The plane',
+  fitness: 'The fitness curve',
+  sigmas: 'The step sizes σ',
+  generation: 'The generation',
+  curves: 'The run against time',
+  landscape: 'The landscape of J',
+  robustness: 'The map of starts',
+  training: 'The starts of training',
+  disturbance: 'What remains of the error',
+  'luck-curve': 'The fitness curve of all seeds',
+  'luck-gains': 'The gains of all seeds',
+};
+
+/** @param {string} kind */
+export const kindName = (kind) => kind.toUpperCase();
+
+/** @param {string} picture @param {string} kind */
+export const savePicture = (picture, kind) => `${picture}: save as ${kindName(kind)}`;
+
+/** @param {string} picture @param {string} reason */
+export const pictureNotSaved = (picture, reason) => `“${picture}” was not saved: ${reason}.`;

@@ -1,0 +1,29 @@
+// Every word about the keyboard.
+
+export const texts = {
+  keysButton: 'Keys',
+  keysTitle: 'The keyboard',
+  keysClose: 'Close',
+  keysSingle: 'The single keys work (not while you type)',
+  keysEverywhere: 'Every button, slider and picture is also reached by Tab.',
+};
+
+/** Single keys: what they press. */
+export const single = /** @type {const} */ ([
+  ['r', 'run evolution, or pause it', 'run'],
+  ['n', '1 generation', 'one-generation'],
+  ['b', '1 generation back', 'one-back'],
+  ['p', 'let the robots drive, or hold them', 'play'],
+  ['s', 'settings', 'settings-button'],
+]);
+
+/** Keys of what has the focus. */
+export const focused = /** @type {const} */ ([
+  ['← → ↑ ↓', 'move what has the focus: a slider, the start, the goal, the cursor of a map'],
+  ['Shift + arrows', 'turn start or goal by 5°, or move the cursor of a map by larger steps'],
+  ['Alt + arrows', 'move or turn start or goal by small steps'],
+  ['Enter', 'press a button; on a map: drive what is under the cursor'],
+  ['Esc', 'close what is open'],
+  ['Ctrl + Z, Ctrl + Shift + Z', 'undo and redo a change of the experiment'],
+  ['?', 'this sheet'],
+]);

@@ -1,0 +1,28 @@
+// Every word about links.
+
+/** @param {string} found @param {readonly string[]} parts */
+export const unknownPart = (found, parts) =>
+  `The link asks for “${found}”, which is no part of this page: ${parts.join(', ')}.`;
+
+/** @param {string} key @param {string} reason */
+export const ignored = (key, reason) => `In the link, ${key} was left out: ${reason}`;
+
+/** @param {string} expected @param {string} found */
+export const expected = (expected, found) => `it must be ${expected}, but was “${found}”.`;
+
+/** @param {string} found @param {number} own */
+export const otherVersion = (found, own) =>
+  `the link was written by version ${found}, this page reads version ${own}.`;
+
+export const unknownField = 'this page knows no such setting.';
+export const noGains = 'hand needs gains=kx,ky,kθ beside it.';
+export const aNumber = 'a number';
+export const aPosture = 'three values x,y,θ, such as 2,2,45deg';
+export const threeNumbers = 'three numbers kx,ky,kθ';
+export const otherGain = 'another gain than on x';
+
+/** @param {number} most */
+export const wholeNumber = (most) => `a whole number from 0 to ${most}`;
+
+/** @param {readonly string[]} choices */
+export const oneOf = (choices) => `one of ${choices.join(', ')}`;

@@ -1,0 +1,145 @@
+// Every word of the settings.
+
+/** @typedef {keyof typeof groups} GroupName */
+/** @typedef {{ name: string, help: string, choices?: Readonly<Record<string, string>> }} SettingWords */
+
+export const texts = {
+  settingsTitle: 'Settings',
+  closeSettings: 'Close the settings',
+  backToPreset: 'Back to the preset',
+  undo: 'Undo',
+  redo: 'Redo',
+};
+
+/** @param {number} changed */
+export const buttonText = (changed) => (changed === 0 ? 'Settings' : `Settings · ${changed}`);
+
+/** @param {number} changed */
+export const changedText = (changed) => (changed === 0 ? 'As in the preset' : `${changed} changed`);
+
+export const hint = 'Point at a setting to read what it does.';
+
+export const groups = /** @type {const} */ ({
+  limits: 'Limits',
+  weights: 'Cost J',
+  task: 'Start and goal',
+  arrival: 'Arrival and time',
+  law: 'Control law',
+  disturbance: 'Disturbance',
+  evolution: 'Evolution',
+});
+
+/** Names and help, by the path in the experiment. @type {Readonly<Record<string, SettingWords>>} */
+export const settings = {
+  'limits.speed': { name: 'Speed', help: 'The robot can drive no faster than this, forwards or backwards.' },
+  'limits.turnRate': { name: 'Turn rate', help: 'The robot can turn no faster than this.' },
+  'limits.acceleration': { name: 'Acceleration', help: 'The speed can change no faster than this.' },
+  'limits.turnAcceleration': {
+    name: 'Turn acceleration',
+    help: 'The turn rate can change no faster than this.',
+  },
+  'weights.final[0]': { name: 'Final x', help: 'How much it costs to end beside the goal in x.' },
+  'weights.final[1]': { name: 'Final y', help: 'How much it costs to end beside the goal in y.' },
+  'weights.final[2]': { name: 'Final heading', help: 'How much it costs to end with a wrong heading.' },
+  'weights.velocity[0]': {
+    name: 'Driving fast',
+    help: 'How much speed costs: more of it makes evolution prefer slow robots.',
+  },
+  'weights.velocity[1]': {
+    name: 'Turning fast',
+    help: 'How much turning costs: more of it makes evolution prefer gentle curves.',
+  },
+  'weights.penalty': { name: 'Negative gains', help: 'What one unit of a gain below zero costs.' },
+  'starts[0].x': { name: 'Start x', help: 'Where the robot starts; you can also drag it on the plane.' },
+  'starts[0].y': { name: 'Start y', help: 'Where the robot starts; you can also drag it on the plane.' },
+  'starts[0].theta': {
+    name: 'Start heading',
+    help: 'Where the robot looks when it starts; 90° looks up the plane.',
+  },
+  'goal.x': { name: 'Goal x', help: 'Where the robot should stop; you can also drag it on the plane.' },
+  'goal.y': { name: 'Goal y', help: 'Where the robot should stop; you can also drag it on the plane.' },
+  'goal.theta': { name: 'Goal heading', help: 'Where the robot should look in the end.' },
+  'referenceVelocity.linear': {
+    name: 'Reference speed',
+    help: '0 means parking. With a speed, the reference leaves the goal and the robot follows it until the horizon.',
+  },
+  'referenceVelocity.angular': {
+    name: 'Reference turn rate',
+    help: 'How fast the moving reference turns.',
+  },
+  'tolerance.position': {
+    name: 'Position tolerance',
+    help: 'So near to the goal counts as arrived, if the heading is right too.',
+  },
+  'tolerance.heading': {
+    name: 'Heading tolerance',
+    help: 'So near to the heading of the goal counts as arrived.',
+  },
+  horizon: { name: 'Horizon', help: 'A robot that has not arrived by then is stopped.' },
+  sampleTime: { name: 'Sample time', help: 'The controller gives one command in each of these steps.' },
+  law: {
+    name: 'Law',
+    help: 'What turns the error into a command. Kanayama’s rule cannot turn a robot that has to park.',
+    choices: { 'shim-kim': 'Kim and Shim 1995', kanayama: 'Kanayama et al. 1990' },
+  },
+  'disturbance.kind': {
+    name: 'Kind',
+    help: 'Added to the velocity of every robot, also of those that evolution drives.',
+    choices: { none: 'none', random: 'random', slip: 'constant slip' },
+  },
+  'disturbance.linear': {
+    name: 'On the speed',
+    help: 'The bound of a random disturbance, or the slip itself.',
+  },
+  'disturbance.angular': {
+    name: 'On the turn rate',
+    help: 'The bound of a random disturbance, or the slip itself.',
+  },
+  'disturbance.seed': { name: 'Seed of the noise', help: 'The same seed gives the same noise.' },
+  'evolution.population': { name: 'Population', help: 'How many robots survive each generation.' },
+  'evolution.opponents': {
+    name: 'Opponents',
+    help: 'How many others each robot meets in the tournament: more of them make it stricter.',
+  },
+  'evolution.seed': { name: 'Seed', help: 'The same seed gives the same evolution, on every machine.' },
+  'evolution.initialRange[0]': {
+    name: 'First gains from',
+    help: 'The first gains are drawn at random from here …',
+  },
+  'evolution.initialRange[1]': { name: 'First gains to', help: '… to here.' },
+  'evolution.initialSigma': {
+    name: 'First σ',
+    help: 'How far the first offspring jump from their parents; evolution adapts it.',
+  },
+};
+
+/** Paths that no row has, but the core's messages do. @type {readonly (readonly [string, string])[]} */
+const otherPaths = [['evolution.initialRange', 'First gains from … to']];
+
+/** What the core says, with the names on screen. @param {string} message */
+export const named = (message) =>
+  [...Object.entries(settings).map(([path, { name }]) => /** @type {const} */ ([path, name])), ...otherPaths]
+    .filter(([path]) => path !== 'law')
+    .sort(([a], [b]) => b.length - a.length)
+    .reduce((text, [path, name]) => text.replaceAll(path, name), message);
+
+export const noLimit = 'no limit';
+
+/** A number with its unit. @param {string} number @param {string} unit */
+export const quantity = (number, unit) =>
+  `${number.replace('-', '−')}${unit.startsWith('°') || unit === '' ? '' : ' '}${unit}`;
+
+/** @param {string} name */
+export const sliderLabel = (name) => `${name}, slider`;
+/** @param {string} name */
+export const limitLabel = (name) => `Limit: ${name.toLowerCase()}`;
+/** @param {string} name @param {string} value */
+export const backLabel = (name, value) => `${name}: back to ${value}`;
+
+/** @param {{ integer: boolean, from: string, to: string }} range */
+export const rangeText = ({ integer, from, to }) =>
+  `${integer ? 'a whole number' : 'a number'} from ${from} to ${to}`;
+/** @param {string} name @param {string} expected @param {string} was */
+export const refused = (name, expected, was) => `${name} must be ${expected}; it was “${was}”.`;
+/** @param {string} name @param {string} help @param {string} range */
+export const helpText = (name, help, range) => `${name}: ${help}${range ? ` Allowed: ${range}.` : ''}`;
