@@ -410,15 +410,18 @@ export function createActions(engine, store, paper, finalTime) {
      * Begins what a link holds, and evolves to its generation or further.
      * @param {Opened} opened @param {readonly string[]} problems @param {number} [newest]
      */
-    openLinked({ experiment, generation, landscape, ...rest }, problems, newest = generation) {
+    openLinked({ experiment, generation, view, ...rest }, problems, newest = generation) {
       attempt(() => {
-        const { disturbance } = store.get();
+        const { disturbance, landscape, anatomy, curves, robustness } = store.get();
         const tried = rest.trial.disturbance ?? disturbance.tried;
         tryToBegin(experiment, 'begin', {
           ...rest,
           trial: rest.page === 'disturbance' ? { ...rest.trial, disturbance: tried } : rest.trial,
           disturbance: { ...disturbance, tried, error: null },
-          landscape: { ...store.get().landscape, ...landscape, cursor: null, thirdError: '' },
+          landscape: { ...landscape, ...view.landscape, cursor: null, thirdError: '' },
+          anatomy: { ...anatomy, ...view.anatomy },
+          curves: { ...curves, ...view.curves },
+          robustness: { ...robustness, ...view.robustness, cursor: null },
           evolving: false,
           robot: shown(),
         });

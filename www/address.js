@@ -67,15 +67,23 @@ export function createAddress(engine, store, actions) {
 const rests = (state) => !state.dragging && !state.evolving;
 
 /** All that a link carries. @param {State} state */
-const partsOf = ({ page, preset, experiment, generation, driver, handGains, trial, landscape }) => [
-  page,
-  preset,
-  experiment,
-  generation,
-  driver,
-  handGains,
-  trial,
+const partsOf = ({ landscape, anatomy, curves, robustness, ...run }) => [
+  run.page,
+  run.preset,
+  run.experiment,
+  run.generation,
+  run.driver,
+  run.handGains,
+  run.trial,
+  run.pins,
+  anatomy.phase,
+  anatomy.chosen,
+  curves.view,
+  curves.lab,
   landscape.x,
   landscape.y,
   landscape.third,
+  robustness.quantity,
+  robustness.half,
+  robustness.heading,
 ];

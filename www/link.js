@@ -1,28 +1,97 @@
 // The link is the run: everything that defines what is on screen, as short readable text, and back again.
 //
 // #part&key=value&…: only what differs from the preset. Keys are the core's own names of the experiment's fields.
-import { gainNames } from './landscape/request.js';
+import { firstGeneration, phases } from './generation/record.js';
+import { firstLandscape } from './landscape/request.js';
+import {
+  angle,
+  angleText,
+  axisOf,
+  axisText,
+  decoded,
+  disturbanceOf,
+  disturbanceText,
+  encoded,
+  number,
+  numberText,
+  oneOf,
+  pairOf,
+  posture,
+  postureText,
+  triple,
+  wholeNumber,
+} from './link-values.js';
+import { noPins, styles } from './pins/pins.js';
+import { headings } from './robustness/grid.js';
+import { firstRobustness, halves } from './robustness/request.js';
 import { noTrial, pageNames } from './state.js';
-import { numberOf } from './words/en/numbers.js';
 import * as words from './words/en/link.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Experiment} Experiment */
-/** @typedef {import('./engine.js').Posture} Posture */
 /** @typedef {import('./engine.js').Preset} Preset */
-/** @typedef {import('./landscape/request.js').AxisChoice} AxisChoice */
+/** @typedef {import('./pins/pins.js').Pin} Pin */
 /** @typedef {import('./state.js').Driver} Driver */
 /** @typedef {import('./state.js').State} State */
-/** @typedef {import('./state.js').Triple} Triple */
-/** What a link can carry. @typedef {Pick<State, 'page' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'trial' | 'landscape'>} Linked */
-/** @typedef {Omit<Linked, 'landscape'> & { landscape: Pick<State['landscape'], 'x' | 'y' | 'third'> }} Opened */
+/** @typedef {(preset: Preset) => Experiment} ExperimentOf */
+
+/**
+ * What the parts show, beside the run itself.
+ * @typedef {object} View
+ * @property {Pick<State['anatomy'], 'phase' | 'chosen'>} anatomy
+ * @property {Pick<State['curves'], 'view' | 'lab'>} curves
+ * @property {Pick<State['landscape'], 'x' | 'y' | 'third'>} landscape
+ * @property {Pick<State['robustness'], 'quantity' | 'half' | 'heading'>} robustness
+ */
+/** @typedef {Pick<State, 'page' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'trial' | 'pins'>} Run */
+/** What a link carries. @typedef {Run & View} Linked */
+/** @typedef {Run & { view: View }} Opened */
 
 const version = 1;
+/** Links are short; what is longer was not written here. */
+const mostCharacters = 20_000;
 /** @type {readonly Preset[]} */
 const presets = ['velocity-limits', 'acceleration-limits'];
 /** @type {readonly Driver[]} */
 const drivers = ['evolved', 'hand', 'paper-ep', 'paper-arbitrary'];
-const plainAxes = { x: 'kx', y: 'ktheta' };
+
+/** @type {View} */
+const usualView = {
+  anatomy: { phase: firstGeneration.phase, chosen: null },
+  curves: { view: 'time', lab: 'cost' },
+  landscape: { x: firstLandscape.x, y: firstLandscape.y, third: null },
+  robustness: { quantity: firstRobustness.quantity, half: firstRobustness.half, heading: null },
+};
+
+/** @template T @typedef {{ key: string, of: (view: View) => T, with: (view: View, value: T) => View, text: (value: T) => string, read: (text: string) => T }} ViewKey */
+
+/**
+ * One thing that a part shows.
+ * @template {keyof View} P @template {keyof View[P]} F
+ * @param {string} key @param {P} part @param {F} field
+ * @param {(text: string) => View[P][F]} read @param {(value: View[P][F]) => string} [text]
+ * @returns {ViewKey<any>}
+ */
+const viewKey = (key, part, field, read, text = String) => ({
+  key,
+  of: (view) => view[part][field],
+  with: (view, value) => ({ ...view, [part]: { ...view[part], [field]: value } }),
+  text,
+  read,
+});
+
+const viewKeys = [
+  viewKey('phase', 'anatomy', 'phase', (text) => oneOf(phases, text)),
+  viewKey('individual', 'anatomy', 'chosen', (text) => wholeNumber(text, 3999)),
+  viewKey('view', 'curves', 'view', (text) => oneOf(['time', 'compare', 'numbers'], text)),
+  viewKey('curve', 'curves', 'lab', (text) => oneOf(['cost', 'sigmas'], text)),
+  viewKey('x', 'landscape', 'x', axisOf, axisText),
+  viewKey('y', 'landscape', 'y', axisOf, axisText),
+  viewKey('third', 'landscape', 'third', number, (value) => numberText(value ?? 0)),
+  viewKey('colour', 'robustness', 'quantity', (text) => oneOf(['share', 'time', 'cost'], text)),
+  viewKey('half', 'robustness', 'half', (text) => Number(oneOf(halves.map(String), text))),
+  viewKey('heading', 'robustness', 'heading', (text) => wholeNumber(text, headings - 1)),
+];
 
 /** Shorter names of what links carry most. @type {readonly (readonly [string, string])[]} */
 const shortNames = [
@@ -36,26 +105,20 @@ const nameOf = (path) => shortNames.find(([long]) => long === path)?.[1] ?? path
 /** @param {string} name */
 const pathOf = (name) => shortNames.find(([, short]) => short === name)?.[0] ?? name;
 
-/** The text after # for a state. @param {Linked} state @param {(preset: Preset) => Experiment} experimentOf */
+/** The text after # for a state. @param {Linked} state @param {ExperimentOf} experimentOf */
 export function linkOf(state, experimentOf) {
-  const { page, preset, experiment, generation, driver, handGains, trial, landscape } = state;
-  const usual = fieldsOf(experimentOf(preset));
-  const changed = [...fieldsOf(experiment)].filter(([path, value]) => value !== usual.get(path));
+  const { page, preset, generation, driver, handGains, trial, pins } = state;
   /** @type {[string, string][]} */
-  const pairs = [
-    ...(preset === presets[0] ? [] : [/** @type {[string, string]} */ (['preset', preset])]),
-    ...changed.map(([path, value]) => /** @type {[string, string]} */ ([nameOf(path), value])),
-  ];
+  const pairs = preset === presets[0] ? [] : [['preset', preset]];
+  pairs.push(...changesOf(state.experiment, experimentOf(preset)));
   if (generation > 0) pairs.push(['generation', String(generation)]);
   if (driver !== 'evolved') pairs.push(['drives', driver]);
   if (handGains) pairs.push(['gains', handGains.map(numberText).join(',')]);
   if (trial.start) pairs.push(['from', postureText(trial.start)]);
   if (trial.disturbance && page === 'disturbance') pairs.push(['under', disturbanceText(trial.disturbance)]);
-  for (const axis of /** @type {const} */ (['x', 'y'])) {
-    const text = axisText(landscape[axis]);
-    if (text !== plainAxes[axis]) pairs.push([axis, text]);
-  }
-  if (landscape.third !== null) pairs.push(['third', numberText(landscape.third)]);
+  for (const { key, of, text } of viewKeys)
+    if (of(state) !== null && text(of(state)) !== text(of(usualView))) pairs.push([key, text(of(state))]);
+  for (const pin of pins) pairs.push([`pin${pin.slot + 1}`, pinText(pin, experimentOf(preset))]);
   if (pairs.length > 0) pairs.unshift(['v', String(version)]);
   return [page, ...pairs.map(([key, value]) => `${key}=${encoded(value)}`)].join('&');
 }
@@ -66,14 +129,14 @@ export function linkOf(state, experimentOf) {
  * @returns {{ opened: Opened, problems: string[] }}
  */
 export function openLink(link, engine) {
-  const [name, ...rest] = link.split('&');
+  const [name, ...rest] = link.slice(0, mostCharacters).split('&');
   const page = pageNames.find((known) => known === (name || 'lab'));
   const problems = page ? [] : [words.unknownPart(decoded(name), pageNames)];
-  const pairs = rest.filter((text) => text !== '').map(pairOf);
-  const given = new Map(pairs);
+  if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
+  const given = new Map(rest.filter((text) => text !== '').map(pairOf));
   const preset = presets.find((known) => known === given.get('preset')) ?? presets[0];
   /** @type {Opened} */
-  const opened = {
+  let opened = {
     page: page ?? 'lab',
     preset,
     experiment: engine.experiment(preset),
@@ -81,67 +144,97 @@ export function openLink(link, engine) {
     driver: 'evolved',
     handGains: null,
     trial: noTrial,
-    landscape: { x: axisOf(plainAxes.x), y: axisOf(plainAxes.y), third: null },
+    pins: noPins,
+    view: usualView,
   };
   for (const [key, value] of given) {
     try {
-      read(opened, key, value, engine);
+      opened = read(opened, key, value, engine);
     } catch (error) {
       problems.push(words.ignored(key, error instanceof Error ? error.message : String(error)));
     }
   }
   if (opened.driver === 'hand' && opened.handGains === null) {
     problems.push(words.ignored('drives', words.noGains));
-    opened.driver = 'evolved';
+    opened = { ...opened, driver: 'evolved' };
   }
-  if (opened.landscape.x.gain === opened.landscape.y.gain) {
-    problems.push(words.ignored('y', words.expected(words.otherGain, opened.landscape.y.gain)));
-    opened.landscape.y = axisOf(plainAxes[opened.landscape.x.gain === 'ktheta' ? 'x' : 'y']);
+  const { x, y } = opened.view.landscape;
+  if (x.gain === y.gain) {
+    problems.push(words.ignored('y', words.expected(words.otherGain, y.gain)));
+    const other = axisOf(x.gain === 'ktheta' ? 'kx' : 'ktheta');
+    opened = { ...opened, view: { ...opened.view, landscape: { ...opened.view.landscape, y: other } } };
   }
   return { opened, problems };
 }
 
-/** Puts one value of a link where it belongs; throws if it cannot. @param {Opened} opened @param {string} key @param {string} value @param {Engine} engine */
+/** With one value of a link where it belongs; throws if it has no place. @param {Opened} opened @param {string} key @param {string} value @param {Engine} engine @returns {Opened} */
 function read(opened, key, value, engine) {
+  const viewed = viewKeys.find((one) => one.key === key);
+  if (viewed) return { ...opened, view: viewed.with(opened.view, viewed.read(value)) };
+  if (/^pin[1-4]$/.test(key))
+    return {
+      ...opened,
+      pins: [...opened.pins, pinOf(value, Number(key.slice(3)) - 1, opened.preset, engine)],
+    };
   switch (key) {
     case 'v':
       if (value !== String(version)) throw new Error(words.otherVersion(value, version));
-      return;
+      return opened;
     case 'preset':
       oneOf(presets, value);
-      return;
+      return opened;
     case 'generation':
-      opened.generation = wholeNumber(value, 100_000);
-      return;
+      return { ...opened, generation: wholeNumber(value, 100_000) };
     case 'drives':
-      opened.driver = oneOf(drivers, value);
-      return;
-    case 'gains':
-      opened.handGains = triple(value);
+      return { ...opened, driver: oneOf(drivers, value) };
+    case 'gains': {
+      const handGains = triple(value);
       // The core knows which gains cannot be driven.
-      engine.drive(opened.experiment, [opened.handGains]);
-      return;
+      engine.drive(opened.experiment, [handGains]);
+      return { ...opened, handGains };
+    }
     case 'from': {
       const start = posture(value);
       engine.experiment({ starts: [start] });
-      opened.trial = { ...opened.trial, start };
-      return;
+      return { ...opened, trial: { ...opened.trial, start } };
     }
     case 'under': {
-      const disturbance = disturbanceOf(value);
-      opened.trial = { ...opened.trial, disturbance: engine.experiment({ disturbance }).disturbance };
-      return;
+      const { disturbance } = engine.experiment({ disturbance: disturbanceOf(value) });
+      return { ...opened, trial: { ...opened.trial, disturbance } };
     }
-    case 'x':
-    case 'y':
-      opened.landscape = { ...opened.landscape, [key]: axisOf(value) };
-      return;
-    case 'third':
-      opened.landscape = { ...opened.landscape, third: number(value) };
-      return;
     default:
-      opened.experiment = engine.experiment(withField(opened.experiment, pathOf(key), value));
+      return { ...opened, experiment: engine.experiment(withField(opened.experiment, pathOf(key), value)) };
   }
+}
+
+/** A pinned run: its name, gains, and what its experiment has different. @param {Pin} pin @param {Experiment} usual */
+function pinText({ name, gains, experiment }, usual) {
+  const changes = changesOf(experiment, usual).map(([key, value]) => `${key}:${value}`);
+  return [name.replaceAll('~', '-'), gains.map(numberText).join(','), ...changes].join('~');
+}
+
+/** @param {string} text @param {number} slot @param {Preset} preset @param {Engine} engine @returns {Pin} */
+function pinOf(text, slot, preset, engine) {
+  const [name, gainsText, ...changes] = text.split('~');
+  if (gainsText === undefined || slot >= styles.length) throw new Error(words.expected(words.aPin, text));
+  const gains = triple(gainsText);
+  let experiment = engine.experiment(preset);
+  for (const change of changes) {
+    const at = change.indexOf(':');
+    experiment = engine.experiment(
+      withField(experiment, pathOf(change.slice(0, Math.max(at, 0))), change.slice(at + 1)),
+    );
+  }
+  engine.drive(experiment, [gains]);
+  return { slot, name: name.slice(0, 80), experiment, gains };
+}
+
+/** What an experiment has different, as names and texts. @param {Experiment} experiment @param {Experiment} usual @returns {[string, string][]} */
+function changesOf(experiment, usual) {
+  const fields = fieldsOf(usual);
+  return [...fieldsOf(experiment)]
+    .filter(([path, value]) => value !== fields.get(path))
+    .map(([path, value]) => [nameOf(path), value]);
 }
 
 /** Every number and word of an experiment by its path, as text. @param {Experiment} experiment @returns {Map<string, string>} */
@@ -153,11 +246,9 @@ function fieldsOf(experiment) {
     else if (Array.isArray(value)) fields.set(path, value.map(numberText).join(','));
     else if (value !== null && typeof value === 'object')
       for (const [key, inner] of Object.entries(value)) walk(inner, path ? `${path}.${key}` : key);
-    else
-      fields.set(
-        path,
-        value === null ? 'off' : typeof value === 'number' ? fieldText(path, value) : String(value),
-      );
+    else if (typeof value === 'number')
+      fields.set(path, path.endsWith('theta') ? angleText(value) : numberText(value));
+    else fields.set(path, value === null ? 'off' : String(value));
   };
   walk(experiment, '');
   return fields;
@@ -179,93 +270,4 @@ function withField(experiment, path, text) {
   else if (text === 'off') inner[last] = null;
   else inner[last] = path.endsWith('theta') ? angle(text) : number(text);
   return copy;
-}
-
-/** @param {number} value The shortest text that gives back the same bits. */
-const numberText = (value) => (Object.is(value, -0) ? '-0' : String(value));
-
-/** @param {string} path @param {number} value */
-const fieldText = (path, value) => (path.endsWith('theta') ? angleText(value) : numberText(value));
-
-/** An angle in degrees where that gives back the same bits, else in radians. @param {number} radians */
-function angleText(radians) {
-  const degrees = numberText(Number(((radians * 180) / Math.PI).toFixed(9)));
-  return angle(`${degrees}deg`) === radians ? `${degrees}deg` : numberText(radians);
-}
-
-/** @param {string} text */
-const angle = (text) => (text.endsWith('deg') ? (number(text.slice(0, -3)) * Math.PI) / 180 : number(text));
-
-/** @param {Posture} posture */
-const postureText = ({ x, y, theta }) => [numberText(x), numberText(y), angleText(theta)].join(',');
-
-/** @param {string} text @returns {Posture} */
-function posture(text) {
-  const parts = text.split(',');
-  if (parts.length !== 3) throw new Error(words.expected(words.aPosture, text));
-  return { x: number(parts[0]), y: number(parts[1]), theta: angle(parts[2]) };
-}
-
-/** @param {Experiment['disturbance']} disturbance */
-const disturbanceText = ({ kind, linear, angular, seed }) =>
-  [kind, numberText(linear), numberText(angular), String(seed)].join(',');
-
-/** @param {string} text @returns {Experiment['disturbance']} */
-function disturbanceOf(text) {
-  const [kind, ...numbers] = text.split(',');
-  const [linear, angular, seed] = numbers.map(number);
-  return { kind: /** @type {Experiment['disturbance']['kind']} */ (kind), linear, angular, seed };
-}
-
-/** @param {AxisChoice} axis */
-const axisText = ({ gain, log }) => (log ? `${gain}-log` : gain);
-
-/** @param {string} text @returns {AxisChoice} */
-const axisOf = (text) => ({ gain: oneOf(gainNames, text.replace(/-log$/, '')), log: text.endsWith('-log') });
-
-/** @param {string} text @returns {Triple} */
-function triple(text) {
-  const gains = text.split(',').map(number);
-  if (gains.length !== 3) throw new Error(words.expected(words.threeNumbers, text));
-  return /** @type {[number, number, number]} */ (gains);
-}
-
-/** @param {string} text */
-function number(text) {
-  const value = numberOf(text);
-  if (!Number.isFinite(value)) throw new Error(words.expected(words.aNumber, text));
-  return value;
-}
-
-/** @param {string} text @param {number} most */
-function wholeNumber(text, most) {
-  const value = numberOf(text);
-  if (!Number.isInteger(value) || value < 0 || value > most)
-    throw new Error(words.expected(words.wholeNumber(most), text));
-  return value;
-}
-
-/** @template {string} T @param {readonly T[]} choices @param {string} text */
-function oneOf(choices, text) {
-  const found = choices.find((choice) => choice === text);
-  if (found === undefined) throw new Error(words.expected(words.oneOf(choices), text));
-  return found;
-}
-
-/** @param {string} text @returns {[string, string]} */
-function pairOf(text) {
-  const at = text.indexOf('=');
-  return at < 0 ? [decoded(text), ''] : [decoded(text.slice(0, at)), decoded(text.slice(at + 1))];
-}
-
-/** Only what would end a value, or what browsers change, is written as %. @param {string} text */
-const encoded = (text) => encodeURIComponent(text).replaceAll('%2C', ',').replaceAll('%3B', ';');
-
-/** @param {string} text */
-function decoded(text) {
-  try {
-    return decodeURIComponent(text);
-  } catch {
-    return text;
-  }
 }

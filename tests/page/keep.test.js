@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openRunFile, runFile } from '../../www/keep/run-file.js';
+import { openLink } from '../../www/link.js';
 import { driveCsv, generationsCsv } from '../../www/keep/tables.js';
-import { noTrial } from '../../www/state.js';
 import { pageTest } from './browsers.js';
 import { Evolution, evolve, experiment, simulate, simulateAll } from './core.js';
 import { readEvolution } from './reading.js';
@@ -31,24 +31,9 @@ function evolved(from, generations) {
       },
     })
   );
+  const { view, ...run } = openLink('lab', engine).opened;
   /** @type {Kept} */
-  const state = {
-    page: 'lab',
-    preset: 'velocity-limits',
-    experiment: from,
-    generation: 3,
-    driver: 'evolved',
-    handGains: null,
-    trial: noTrial,
-    landscape: /** @type {Kept['landscape']} */ (
-      /** @type {unknown} */ ({
-        x: { gain: 'kx', log: false },
-        y: { gain: 'ktheta', log: false },
-        third: null,
-      })
-    ),
-    history,
-  };
+  const state = { ...run, ...view, experiment: from, generation: 3, history };
   return { engine, state };
 }
 

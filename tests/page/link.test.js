@@ -1,7 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { linkOf, openLink } from '../../www/link.js';
-import { noTrial } from '../../www/state.js';
 import { Key, pageTest } from './browsers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate, simulateAll } from './core.js';
 import { read, readEvolution } from './reading.js';
@@ -21,19 +20,9 @@ const engine = /** @type {Engine} */ (
 );
 const open = (/** @type {string} */ link) => openLink(link, engine);
 
-/** @type {Linked} */
-const plain = {
-  page: 'lab',
-  preset: 'velocity-limits',
-  experiment: velocityLimits,
-  generation: 0,
-  driver: 'evolved',
-  handGains: null,
-  trial: noTrial,
-  landscape: /** @type {Linked['landscape']} */ (
-    /** @type {unknown} */ ({ x: { gain: 'kx', log: false }, y: { gain: 'ktheta', log: false }, third: null })
-  ),
-};
+/** A link's content as the page holds it. @param {ReturnType<typeof open>['opened']} opened @returns {Linked} */
+const linked = ({ view, ...run }) => ({ ...run, ...view });
+const plain = linked(open('lab').opened);
 
 /** Numbers that look random, the same every time. @param {number} seed */
 function numbers(seed) {
@@ -96,7 +85,6 @@ test('every experiment comes back from its link to the bit', () => {
     ]);
     /** @type {Linked} */
     const state = {
-      ...plain,
       page: 'robustness',
       preset: next() < 0.5 ? 'velocity-limits' : 'acceleration-limits',
       experiment: wild,
@@ -104,18 +92,19 @@ test('every experiment comes back from its link to the bit', () => {
       driver: 'hand',
       handGains: gains,
       trial: { start: posture(), disturbance: null },
+      pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
+      anatomy: { phase: 'ranking', chosen: Math.floor(40 * next()) },
+      curves: { view: 'compare', lab: 'sigmas' },
+      landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
+      robustness: { quantity: 'time', half: 8, heading: 3 },
     };
     const link = linkOf(state, experiment);
-    assert.match(link, /^[\w.,;=&%-]+$/);
+    assert.match(link, /^[\w.,;=&%~-]+$/);
     const { opened, problems } = open(link);
     assert.deepEqual(problems, []);
     assert.deepEqual(opened.experiment, wild);
-    const { page, preset, generation, driver, handGains, trial } = state;
-    assert.deepEqual(
-      { ...opened, experiment: null, landscape: null },
-      { page, preset, generation, driver, handGains, trial, experiment: null, landscape: null },
-    );
-    assert.equal(linkOf({ ...state, ...opened, landscape: plain.landscape }, experiment), link);
+    assert.deepEqual(linked(opened), state);
+    assert.equal(linkOf(linked(opened), experiment), link);
   }
 });
 
@@ -139,6 +128,10 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
     ['lab&under=wind,1,1,1', /under.*disturbance\.kind/],
     ['lab&x=kz', /x was left out.*one of kx, ky, ktheta/],
     ['lab&x=ky&y=ky', /y was left out.*another gain/],
+    ['lab&pin1=mine', /pin1.*name~kx,ky,kθ/],
+    ['lab&pin2=mine~1,2,3~goal.x:far', /pin2.*must be a number/],
+    ['lab&phase=lunch', /phase.*one of parents/],
+    ['lab&heading=18', /heading.*whole number from 0 to 17/],
     ['lab&__proto__=1', /__proto__.*no such setting/],
     ['lab&constructor.name=1', /constructor\.name.*no such setting/],
     ['lab&preset=none', /preset.*one of velocity-limits/],
@@ -150,6 +143,9 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
     assert.match(problems[0], message);
     assert.equal(opened.experiment.evolution.initialSigma, 0.5, link);
   }
+  const long = open(`lab&seed=3&${'x'.repeat(30_000)}`);
+  assert.match(long.problems[0], /longer than/);
+  assert.equal(long.opened.experiment.evolution.seed, 3);
 });
 
 const link = 'lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=hand&gains=4,0.5,6';
@@ -157,8 +153,8 @@ const link = 'lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=ha
 pageTest('a link opens the same run, and the address goes on telling what is on screen', async (page) => {
   await page.open(`#${link}`);
   const goal = { x: 1.5, y: 2, theta: (30 * Math.PI) / 180 };
-  const linked = { ...velocityLimits, goal, evolution: { ...velocityLimits.evolution, seed: 7 } };
-  const byHand = simulate(linked, [4, 0.5, 6]);
+  const moved = { ...velocityLimits, goal, evolution: { ...velocityLimits.evolution, seed: 7 } };
+  const byHand = simulate(moved, [4, 0.5, 6]);
   assert.deepEqual(await readEvolution(page), {
     generation: '24',
     seed: '7',
@@ -166,7 +162,7 @@ pageTest('a link opens the same run, and the address goes on telling what is on 
     gains: shownGains([4, 0.5, 6]),
   });
   await page.click('#drives-evolved');
-  assert.deepEqual(await readEvolution(page), { generation: '24', seed: '7', ...evolve(linked, 24).shown });
+  assert.deepEqual(await readEvolution(page), { generation: '24', seed: '7', ...evolve(moved, 24).shown });
   await page.until('the address is new', () => !location.hash.includes('drives='));
   await page.focus('#one-generation');
   await page.press(Key.ENTER);
@@ -174,7 +170,7 @@ pageTest('a link opens the same run, and the address goes on telling what is on 
   const address = await page.evaluate(() => location.hash);
   assert.equal(address, '#lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=25&gains=4,0.5,6');
   await page.open(address);
-  assert.deepEqual(await readEvolution(page), { generation: '25', seed: '7', ...evolve(linked, 25).shown });
+  assert.deepEqual(await readEvolution(page), { generation: '25', seed: '7', ...evolve(moved, 25).shown });
   assert.deepEqual(await page.problems(), []);
 });
 

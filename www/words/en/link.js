@@ -16,6 +16,11 @@ export const otherVersion = (found, own) =>
 
 export const unknownField = 'this page knows no such setting.';
 export const noGains = 'hand needs gains=kx,ky,kθ beside it.';
+export const aPin = 'name~kx,ky,kθ, and after further ~ what its experiment has different';
+
+/** @param {number} most */
+export const longLink = (most) => `The link is longer than ${most} characters: the rest of it was left out.`;
+
 export const aNumber = 'a number';
 export const aPosture = 'three values x,y,θ, such as 2,2,45deg';
 export const threeNumbers = 'three numbers kx,ky,kθ';
