@@ -8,3 +8,13 @@ export function create(tag, className, ...children) {
   element.append(...children);
   return element;
 }
+
+/** The size of an element in pixels, kept up to date. @param {HTMLElement} element @param {() => void} onResize */
+export function followSize(element, onResize) {
+  let size = { width: 0, height: 0 };
+  new ResizeObserver(() => {
+    size = { width: element.clientWidth, height: element.clientHeight };
+    onResize();
+  }).observe(element);
+  return () => size;
+}

@@ -1,5 +1,5 @@
 // The part of the page that shows runs against time and beside each other.
-import { byId } from '../elements.js';
+import { byId, followSize } from '../elements.js';
 import { sampleBefore } from '../plane.js';
 import { createSegmented } from '../segmented.js';
 import { gainsOf, watch } from '../state.js';
@@ -133,16 +133,6 @@ function createReadout(list) {
       for (const { value, text } of items) value.textContent = text(run, i, paidUntil(run, i));
     },
   };
-}
-
-/** The size of an element, kept up to date. @param {HTMLElement} element @param {() => void} onResize */
-function followSize(element, onResize) {
-  let size = { width: 0, height: 0 };
-  new ResizeObserver(() => {
-    size = { width: element.clientWidth, height: element.clientHeight };
-    onResize();
-  }).observe(element);
-  return () => size;
 }
 
 /** The mouse over the picture, or a finger or the mouse that drags on it. @param {HTMLElement} element @param {(px: number) => void} onPoint */

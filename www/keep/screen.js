@@ -110,52 +110,68 @@ function boxMarks(element, style, place) {
 function decorated(style, { left, top, width, height }, place) {
   if (width === 0) return [];
   const look = lookAt(place);
-  /** @type {Mark[]} */
-  const marks = [];
-  const outline = new Outline(2);
-  const isRound = style.borderTopLeftRadius === '50%';
-  if (isRound)
-    outline.arc(
-      left + width / 2,
-      top + height / 2,
-      (width - Number.parseFloat(style.borderTopWidth)) / 2,
-      0,
-      2 * Math.PI,
-    );
-  else outline.rect(left, top, width, height);
-  const fill = gradientOf(style.backgroundImage, left, width) ?? style.backgroundColor;
-  if (height > 0) marks.push({ kind: 'shape', d: outline.d, ...look, fill });
-  if (isRound)
-    return [
-      ...marks,
-      ...edge(outline, style.borderTopStyle, style.borderTopWidth, style.borderTopColor, look),
-    ];
   const [right, bottom] = [left + width, top + height];
-  for (const [side, x0, y0, x1, y1] of /** @type {const} */ ([
+  const edges = /** @type {const} */ ([
     ['Top', left, top, right, top],
-    ['Bottom', left, bottom, right, bottom],
-    ['Left', left, top, left, bottom],
     ['Right', right, top, right, bottom],
-  ])) {
-    const edgeWidth = style[`border${side}Width`];
-    const inside = (Number.parseFloat(edgeWidth) / 2) * (side === 'Bottom' || side === 'Right' ? -1 : 1);
-    const [dx, dy] = side === 'Top' || side === 'Bottom' ? [0, inside] : [inside, 0];
+    ['Bottom', right, bottom, left, bottom],
+    ['Left', left, bottom, left, top],
+  ]);
+  const lines = edges.map(([side]) => lineOf(style, side));
+  const [{ paint, width: thick }] = lines;
+  const inside = thick / 2;
+  const frame = frameOf(
+    [left + inside, top + inside, right - inside, bottom - inside],
+    style.borderTopLeftRadius,
+  );
+  const background = gradientOf(style.backgroundImage, left, width) ?? style.backgroundColor;
+  const marks = height > 0 && isVisible(background) ? [shape(frame, look, { fill: background })] : [];
+  if (thick > 0 && height > 0 && lines.every((one) => one.paint === paint && one.width === thick))
+    return [...marks, shape(frame, look, { stroke: lines[0] })];
+  for (const [i, [, x0, y0, x1, y1]] of edges.entries()) {
+    const { width: own } = lines[i];
+    if (own === 0) continue;
+    // Clockwise: what is to the right of an edge is inside.
+    const [dx, dy] = [(-Math.sign(y1 - y0) * own) / 2, (Math.sign(x1 - x0) * own) / 2];
     const line = new Outline(2);
     line.moveTo(x0 + dx, y0 + dy);
     line.lineTo(x1 + dx, y1 + dy);
-    marks.push(...edge(line, style[`border${side}Style`], edgeWidth, style[`border${side}Color`], look));
+    marks.push(shape(line, look, { stroke: lines[i] }));
   }
   return marks;
 }
 
-/** @param {Outline} outline @param {string} kind @param {string} edgeWidth @param {string} paint @param {Look} look @returns {Mark[]} */
-function edge({ d }, kind, edgeWidth, paint, look) {
-  const width = Number.parseFloat(edgeWidth);
-  if (width === 0 || kind === 'none' || kind === 'hidden') return [];
+/** @param {Outline} outline @param {Look} look @param {Partial<Look>} paint @returns {Mark} */
+const shape = ({ d }, look, paint) => ({ kind: 'shape', d, ...look, ...paint });
+
+/** @param {CSSStyleDeclaration} style @param {'Top' | 'Right' | 'Bottom' | 'Left'} side @returns {Stroke} Of no width, if it is not seen. */
+function lineOf(style, side) {
+  const [kind, paint] = [style[`border${side}Style`], style[`border${side}Color`]];
+  const isSeen = kind !== 'none' && kind !== 'hidden' && isVisible(paint);
+  const width = isSeen ? Number.parseFloat(style[`border${side}Width`]) : 0;
   const dash = { dotted: [0, 2 * width], dashed: [2 * width, width] }[kind] ?? [];
-  const cap = kind === 'dotted' ? 'round' : 'butt';
-  return [{ kind: 'shape', d, ...look, stroke: { paint, width, dash, cap, join: 'miter' } }];
+  return { paint, width, dash, cap: kind === 'dotted' ? 'round' : 'butt', join: 'miter' };
 }
+
+/** A box with round corners. @param {readonly [number, number, number, number]} sides @param {string} radius */
+function frameOf([left, top, right, bottom], radius) {
+  const outline = new Outline(2);
+  const half = Math.min(right - left, bottom - top) / 2;
+  const r = Math.max(0, Math.min(half, radius.endsWith('%') ? half : Number.parseFloat(radius)));
+  for (const [x, y, turn] of /** @type {const} */ ([
+    [right - r, top + r, -0.5],
+    [right - r, bottom - r, 0],
+    [left + r, bottom - r, 0.5],
+    [left + r, top + r, 1],
+  ]))
+    if (r > 0) outline.arc(x, y, r, turn * Math.PI, (turn + 0.5) * Math.PI);
+    else outline.lineTo(x, y);
+  outline.closePath();
+  return outline;
+}
+
+const isVisible = (/** @type {import('./marks.js').Paint} */ paint) =>
+  typeof paint !== 'string' || !/^rgba\(.*, 0\)$|^transparent$/.test(paint);
 
 /** Even steps of colours from the left to the right. @param {string} image @param {number} left @param {number} width */
 function gradientOf(image, left, width) {

@@ -1,6 +1,6 @@
 // The part of the page that shows J over two gains, and what its controls do.
 import { gainsOf, remember, watch } from '../state.js';
-import { byId } from '../elements.js';
+import { byId, followSize } from '../elements.js';
 import * as lab from '../words/en/lab.js';
 import * as words from '../words/en/landscape.js';
 import { createLandscapeRequests, createSpec, gainNames, gainsAt, thirdOf } from './request.js';
@@ -36,7 +36,7 @@ export function createLandscapePage({ engine, store, actions, paper }) {
   );
   const gainsUnder = remember(gainsAt);
   const textsChanged = watch();
-  const size = followSize(store);
+  const size = followSize(byId('landscape-map'), () => store.update({}));
 
   /** @returns {MapModel} */
   const modelOf = () => {
@@ -93,17 +93,6 @@ function pointsOf(state, paper) {
     ...(handGains ? [/** @type {Point} */ ({ gains: handGains, name: words.hand, mark: 'ring' })] : []),
     ...pins.map(({ gains, name, slot }) => ({ gains, name, mark: slot })),
   ];
-}
-
-/** The map's own size, kept up to date. @param {Store} store */
-function followSize(store) {
-  const element = byId('landscape-map');
-  let size = { width: 0, height: 0 };
-  new ResizeObserver(() => {
-    size = { width: element.clientWidth, height: element.clientHeight };
-    store.update({});
-  }).observe(element);
-  return () => size;
 }
 
 /** @param {Store} store @param {Partial<LandscapeState>} patch */

@@ -1,5 +1,5 @@
 // The part of the page that shows from where one set of gains arrives, and what its controls do.
-import { byId } from '../elements.js';
+import { byId, followSize } from '../elements.js';
 import { createSegmented } from '../segmented.js';
 import { endsOf, remember, watch } from '../state.js';
 import * as lab from '../words/en/lab.js';
@@ -55,7 +55,7 @@ export function createRobustnessPage({ engine, store, actions, paper }) {
   const angle = remember((/** @type {number | null} */ heading) =>
     heading === null ? null : angleOf(heading),
   );
-  const size = followSize(store);
+  const size = followSize(byId('robustness-map'), () => store.update({}));
   followMap(store, actions, size);
 
   return {
@@ -102,17 +102,6 @@ function partsOfRose({ runs }, shading, quantity, cell) {
     const run = cell * headings + heading;
     return arrived[run] ? shading.part(values[run]) : null;
   });
-}
-
-/** The map's own size, kept up to date. @param {Store} store */
-function followSize(store) {
-  const element = byId('robustness-map');
-  let size = { width: 0, height: 0 };
-  new ResizeObserver(() => {
-    size = { width: element.clientWidth, height: element.clientHeight };
-    store.update({});
-  }).observe(element);
-  return () => size;
 }
 
 /** A cursor for pointer and keys, and the drives from where it is. @param {Store} store @param {Actions} actions @param {() => MapModel['size']} size */
