@@ -18,6 +18,7 @@ import { createPinButton } from './pins/button.js';
 import { createSettingsPanel } from './settings/panel.js';
 import { sigmaTitle } from './words/en/curves.js';
 import * as strings from './words/en/lab.js';
+import { createTables } from './tables.js';
 import { createTrainingPage } from './training/page.js';
 import { createView } from './view.js';
 import { byId } from './elements.js';
@@ -103,6 +104,7 @@ function start(engine) {
   };
   followSurroundings(store, redraw);
   createKeys();
+  createTables(store);
   createKeep({ engine, store, actions, sceneOf, redraw });
   address = createAddress(engine, store, actions);
   loop.request();

@@ -47,7 +47,13 @@ const logFloor = 0.01;
 /** @param {AxisChoice} axis @param {readonly [number, number]} range @returns {[number, number]} */
 export const endsOfAxis = ({ log }, [low, high]) => (log ? [logFloor, 10 * high] : [low, high]);
 
-/** The gain that is on no axis. @param {LandscapeState} landscape */
+/** The gain at a part of an axis, from 0 to 1. @param {AxisChoice} axis @param {readonly [number, number]} range @param {number} part */
+export function gainOn(axis, range, part) {
+  const [low, high] = endsOfAxis(axis, range);
+  return axis.log ? low * (high / low) ** part : low + (high - low) * part;
+}
+
+/** The gain that is on no axis. @param {Pick<LandscapeState, 'x' | 'y'>} landscape */
 export const thirdOf = ({ x, y }) => gainNames.findIndex((name) => name !== x.gain && name !== y.gain);
 
 /** All three gains of a point. @param {Pick<Spec, 'x' | 'y' | 'third'>} spec @param {readonly [number, number]} point @returns {Triple} */

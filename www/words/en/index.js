@@ -9,12 +9,24 @@ import * as landscape from './landscape.js';
 import * as luck from './luck.js';
 import * as robustness from './robustness.js';
 import * as settings from './settings.js';
+import * as tables from './tables.js';
 import * as training from './training.js';
 
 /** Texts of elements with data-text, labels of elements with data-label. @type {Record<string, string>} */
 export const texts = Object.assign(
   {},
-  ...[lab, keys, keep, generation, curves, landscape, robustness, training, disturbance, luck, settings].map(
-    (words) => words.texts,
-  ),
+  ...[
+    lab,
+    keys,
+    keep,
+    generation,
+    curves,
+    landscape,
+    robustness,
+    tables,
+    training,
+    disturbance,
+    luck,
+    settings,
+  ].map((words) => words.texts),
 );

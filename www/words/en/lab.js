@@ -59,10 +59,12 @@ export const drivers = /** @type {const} */ ([
 ]);
 
 export const speeds = /** @type {const} */ ([
+  [0.125, '⅛×'],
   [0.25, '¼×'],
   [0.5, '½×'],
   [1, '1×'],
   [2, '2×'],
+  [4, '4×'],
 ]);
 
 export const pages = /** @type {const} */ ({
