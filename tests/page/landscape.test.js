@@ -26,11 +26,12 @@ async function openLandscape(page) {
   await finished(page);
 }
 
-/** Waits until the fine landscape is there. @param {Page} page */
+/** Waits until the page has drawn what happened last, and the fine landscape of that is there. @param {Page} page */
 const finished = (page) =>
-  page.until('the fine landscape is drawn', () =>
-    document.getElementById('landscape-note')?.textContent?.startsWith('16 384 drives'),
-  );
+  page.until('the fine landscape is drawn', async () => {
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    return document.getElementById('landscape-note')?.textContent?.startsWith('16 384 drives');
+  });
 
 /** @param {Page} page */
 const readout = (page) => page.text('#landscape-readout');
@@ -164,7 +165,9 @@ pageTest('the axes can be changed, also to logarithms, and the third gain set', 
 
   await page.focus('#landscape-third');
   await page.press('x', Key.ENTER);
-  assert.match(await page.text('#landscape-third-error'), /kθ must be a number/);
+  await page.until('the value is refused', () =>
+    document.getElementById('landscape-third-error')?.innerText.startsWith('kθ must be a number'),
+  );
   await page.press(Key.TAB);
   await page.focus('#landscape-third');
   await page.press('2', Key.ENTER);
