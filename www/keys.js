@@ -1,6 +1,6 @@
 // The sheet of keys, and the single keys that press buttons.
 import { byId } from './elements.js';
-import * as words from './words/en/keys.js';
+import { keys as words } from './words/index.js';
 
 export function createKeys() {
   /** @type {HTMLDialogElement} */

@@ -25,7 +25,7 @@ import { noPins, styles } from './pins/pins.js';
 import { headings } from './robustness/grid.js';
 import { firstRobustness, halves } from './robustness/request.js';
 import { noTrial, pageNames } from './state.js';
-import * as words from './words/en/link.js';
+import { link as words } from './words/index.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Experiment} Experiment */

@@ -16,8 +16,7 @@ import { createRobustnessPage } from './robustness/page.js';
 import { advanceRobot, createScene, createStore, endsOf, gainsOf, pausesAt, remember } from './state.js';
 import { createPinButton } from './pins/button.js';
 import { createSettingsPanel } from './settings/panel.js';
-import { sigmaTitle } from './words/en/curves.js';
-import * as strings from './words/en/lab.js';
+import { curves as curveWords, lab as strings } from './words/index.js';
 import { createTrainingPage } from './training/page.js';
 import { createView } from './view.js';
 import { byId } from './elements.js';
@@ -147,7 +146,7 @@ function createDraw(views, engine, paper) {
     const isCost = curves.lab === 'cost';
     byId('curve').hidden = !isCost;
     byId('sigmas').hidden = isCost;
-    byId('curve-title').textContent = isCost ? strings.texts.curveTitle : sigmaTitle;
+    byId('curve-title').textContent = isCost ? strings.texts.curveTitle : curveWords.sigmaTitle;
     views.curveChoice.draw(curves.lab);
     if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
     else views.sigmas.draw({ history, generation, theme });

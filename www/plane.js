@@ -7,7 +7,7 @@ import { drawMark } from './pins/swatch.js';
 import { keepInside, knobOf } from './view.js';
 import { isTracking } from './reference.js';
 import { watch } from './state.js';
-import * as strings from './words/en/lab.js';
+import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./canvas.js').Layer} Layer */
 /** @typedef {import('./engine.js').Posture} Posture */

@@ -9,10 +9,8 @@ import { createNotes } from './notes.js';
 import { createPlane } from './plane.js';
 import { createSegmented } from './segmented.js';
 import { createSigmas } from './sigmas.js';
-import * as curveWords from './words/en/curves.js';
+import { curves as curveWords, lab as strings, texts } from './words/index.js';
 import { createPages } from './pages.js';
-import * as strings from './words/en/lab.js';
-import { texts } from './words/en/index.js';
 
 /** @typedef {import('./actions.js').Actions} Actions */
 /** @typedef {ReturnType<typeof createViews>} Views */

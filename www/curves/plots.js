@@ -5,8 +5,7 @@ import { styles } from '../pins/pins.js';
 import { sampleBefore } from '../plane.js';
 import { colour, sameDigits, spread } from '../plot.js';
 import { watch } from '../state.js';
-import * as lab from '../words/en/lab.js';
-import * as words from '../words/en/curves.js';
+import { curves as words, lab } from '../words/index.js';
 import { curvesOf, layoutOf } from './layout.js';
 
 /** @typedef {import('../engine.js').Experiment} Experiment */

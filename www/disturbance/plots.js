@@ -4,7 +4,7 @@ import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createLayer } from '../canvas.js';
 import { colour } from '../plot.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/disturbance.js';
+import { disturbance as words } from '../words/index.js';
 
 /** @typedef {import('./request.js').Measured} Measured */
 /** @typedef {import('./request.js').ErrorParts} ErrorParts */

@@ -4,8 +4,8 @@ import { createLayer } from '../canvas.js';
 import { drawMark } from '../pins/swatch.js';
 import { shadeAt } from '../shades.js';
 import { watch } from '../state.js';
-import { fixed } from '../words/en/numbers.js';
-import * as words from '../words/en/landscape.js';
+import { fixed } from '../words/numbers.js';
+import { landscape as words } from '../words/index.js';
 import { endsOfAxis, gainNames } from './request.js';
 import { createAxis, createCostScale, paint } from './scale.js';
 

@@ -3,8 +3,8 @@ import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../canvas.js';
 import { colour } from '../plot.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/luck.js';
-import { fixed } from '../words/en/numbers.js';
+import { luck as words } from '../words/index.js';
+import { fixed } from '../words/numbers.js';
 import { drawDots, drawRing } from './curve.js';
 import { diameterOf, nearestDot, stackDots } from './dots.js';
 

@@ -4,8 +4,8 @@ import { createLayer } from '../canvas.js';
 import { kite } from '../plane.js';
 import { colour } from '../plot.js';
 import { watch } from '../state.js';
-import { fixed } from '../words/en/numbers.js';
-import * as words from '../words/en/robustness.js';
+import { fixed } from '../words/numbers.js';
+import { robustness as words } from '../words/index.js';
 import { cellNear, startOf } from './grid.js';
 import { paintCells } from './scale.js';
 
