@@ -5,6 +5,9 @@
 /** What each language calls itself. */
 export const languages = { en: 'English', ko: '한국어' };
 
+/** @type {readonly Language[]} */
+export const languageNames = ['en', 'ko'];
+
 /** The language of a link without one. */
 export const usualLanguage = 'en';
 
