@@ -3,7 +3,16 @@ import { isTracking } from '../../reference.js';
 import { numberColumns as englishColumns, sigmaText } from '../en/curves.js';
 import { costText, fixed, threeDigits } from './numbers.js';
 
-export { gainText, powerOfTen, readings, sigmaText, symbols, tickText, units } from '../en/curves.js';
+export {
+  gainText,
+  powerOfTen,
+  readings,
+  seconds,
+  sigmaText,
+  symbols,
+  tickText,
+  units,
+} from '../en/curves.js';
 
 /** @typedef {import('../../engine.js').Run} Run */
 /** @typedef {import('../../engine.js').Statistics} Statistics */
@@ -26,9 +35,6 @@ export const views = [
 ];
 
 export const limit = '제한';
-
-/** @param {string} number */
-export const seconds = (number) => `${number}초`;
 
 /** @param {string} name @param {Run} run @param {string} outcome @param {string} comparison @param {readonly string[]} pins */
 export const pictureLabel = (name, run, outcome, comparison, pins) =>

@@ -3,7 +3,6 @@ import { crestSeconds, formulaText, sizeText } from '../en/disturbance.js';
 import { fixed, threeDigits } from './numbers.js';
 
 export {
-  axisUnit,
   crestSeconds,
   equations,
   formulas,
@@ -53,7 +52,7 @@ export const failed = (message) => `마지막으로 계산된 결과입니다: $
 /** @param {number} starts */
 export const startsText = (starts) => `다른 출발점 ${starts}개`;
 /** @param {number} seconds */
-export const lastText = (seconds) => `마지막 ${fixed(seconds, 0)}초`;
+export const lastText = (seconds) => `끝 ${fixed(seconds, 0)}초`;
 /** @param {number} seconds */
 export const captionText = (seconds) => `마지막 ${fixed(seconds, 0)}초의 최댓값. 회색: 외란 없음`;
 
@@ -70,6 +69,9 @@ export const equationHints = {
 
 /** @param {PartName} part */
 const unitOf = (part) => (part === 'theta' ? '' : ' m');
+
+/** @param {PartName} part */
+export const axisUnit = (part) => (unitOf(part) ? ' (m)' : '');
 
 /** @param {PartName} part @param {number} value */
 const amount = (part, value) => `${sizeText(value)}${unitOf(part)}`;
