@@ -33,7 +33,7 @@ await task(async () => {
   await buildCore();
   if (positionals.length === 0) await testTypes();
   await buildSite();
-  if (found.length > 0) await testPage();
+  if (found.length > 0) await testPage(found.map(({ name }) => name));
   console.log(`\nEngines that ran: ${found.map(({ name }) => name).join(', ') || 'none'}${advice}`);
 }).finally(() => console.log(`\n${count.passed} passed, ${count.failed} failed`));
 
@@ -61,21 +61,26 @@ function testTypes() {
   return step('types of the JavaScript', () => runPackage('typescript/bin/tsc', ['-p', 'www']));
 }
 
-function testPage() {
+/** The engines side by side, for each spends most of its time waiting. @param {string[]} engines */
+function testPage(engines) {
   const folder = join('tests', 'page');
   const files = readdirSync(join(top, folder)).filter((name) => name.endsWith('.test.js'));
   const options = ['--test', '--test-concurrency=1', '--test-reporter=spec'];
-  return step('tests of the built page in real browsers', () =>
-    counted(process.execPath, [...options, ...files.map((name) => join(folder, name))]),
-  );
+  return step('tests of the built page in real browsers', async () => {
+    const args = [...options, ...files.map((name) => join(folder, name))];
+    const runs = engines.map((engine) => counted(process.execPath, args, { ENGINES: engine }));
+    const failed = (await Promise.allSettled(runs)).find(({ status }) => status === 'rejected');
+    if (failed?.status === 'rejected') throw failed.reason;
+  });
 }
 
 /**
  * Runs tests and adds up what their closing lines count, also if some fail.
  * @param {string} program
  * @param {string[]} args
+ * @param {Record<string, string>} [env]
  */
-async function counted(program, args) {
+async function counted(program, args, env) {
   /** @param {string} output */
   const add = (output) => {
     for (const [, passed, failed] of output.matchAll(/test result: .*?(\d+) passed; (\d+) failed/g)) {
@@ -87,7 +92,7 @@ async function counted(program, args) {
     }
   };
   try {
-    add(await run(program, args, { keepColours: false }));
+    add(await run(program, args, { env, keepColours: false }));
   } catch (error) {
     if (error instanceof Failure) add(error.output);
     throw error;

@@ -42,7 +42,10 @@ import { messageOf } from './messages.js';
  * @property {() => void} forget Stops to listen for an abort.
  */
 
-/** A worker and the part that it is busy with. @typedef {{ worker: WorkerLike, task: Task | null, index: number, progress: number }} Hand */
+/** A worker, and the parts of one task that it has been given, in their order. @typedef {{ worker: WorkerLike, task: Task | null, indices: number[], progress: number }} Hand */
+
+/** A worker has the next short part already when it ends one, for a page that draws may be slow to hear of it. */
+const shortPartsAhead = 2;
 
 /** A worker whose job was aborted has so many milliseconds to answer before it is terminated. */
 const grace = 100;
@@ -64,7 +67,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
       const task = tasks.find(({ urgent }) => urgent) ?? tasks[0];
       if (!task) return;
       try {
-        const hand = [...hands].find((one) => one.task === null) ?? (hands.size < size ? hire() : null);
+        const hand = handFor(task);
         if (!hand) return;
         give(hand, task);
       } catch (error) {
@@ -73,10 +76,22 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
     }
   }
 
+  /** Who takes the next part of a task, if anybody can. @param {Task} task */
+  function handFor(task) {
+    const all = [...hands];
+    const idle = all.find((hand) => hand.task === null);
+    if (idle) return idle;
+    if (hands.size < size) return hire();
+    const own = all
+      .filter((hand) => task.urgent && hand.task === task)
+      .sort((a, b) => a.indices.length - b.indices.length);
+    return own.find((hand) => hand.indices.length < shortPartsAhead);
+  }
+
   function hire() {
     const worker = start();
     /** @type {Hand} */
-    const hand = { worker, task: null, index: 0, progress: 0 };
+    const hand = { worker, task: null, indices: [], progress: 0 };
     worker.addEventListener('message', ({ data }) => hear(hand, data));
     worker.addEventListener('error', (event) => {
       event.preventDefault();
@@ -99,7 +114,8 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   function give(hand, task) {
     // Throws when an argument is nothing that can be sent.
     hand.worker.postMessage({ call: task.call, args: task.parts[task.next] });
-    Object.assign(hand, { task, index: task.next, progress: 0 });
+    hand.task = task;
+    hand.indices.push(task.next);
     task.next += 1;
     if (task.next === task.parts.length) waiting.delete(task);
   }
@@ -114,13 +130,14 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
       report(task);
       return;
     }
+    const index = /** @type {number} */ (hand.indices.shift());
+    hand.progress = 0;
+    if (hand.indices.length === 0) hand.task = null;
     if ('error' in answer) {
       if (answer.lost) dismiss(hand);
-      hand.task = null;
       fail(task, new Error(answer.error));
     } else {
-      hand.task = null;
-      task.results[hand.index] = answer.result;
+      task.results[index] = answer.result;
       task.finished += 1;
       if (task.finished === task.parts.length) {
         task.forget();
@@ -164,6 +181,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   function dismiss(hand) {
     hand.worker.terminate();
     hand.task = null;
+    hand.indices = [];
     hands.delete(hand);
   }
 

@@ -192,10 +192,10 @@ pageTest('another part of the page is a step that back takes back, and nothing i
 });
 
 pageTest('a link with something wrong says what, and opens the rest', async (page) => {
-  await page.open('#lab&seed=7&goal.x=1000000&colour=red');
+  await page.open('#lab&seed=7&goal.x=1000000&flavour=red');
   const message = await page.text('#message');
   assert.match(message, /goal\.x must be/);
-  assert.match(message, /colour.*no such setting/);
+  assert.match(message, /flavour.*no such setting/);
   const { seed, generation } = await read(page);
   assert.deepEqual({ seed, generation }, { seed: '7', generation: '0' });
 });

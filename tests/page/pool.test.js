@@ -16,6 +16,7 @@ class Puppet extends EventTarget {
   /** @type {Part[]} */
   parts = [];
   terminated = false;
+  answered = 0;
 
   /** @param {Part} part */
   postMessage(part) {
@@ -28,12 +29,13 @@ class Puppet extends EventTarget {
 
   /** @param {Answer} data */
   say(data) {
+    if (!('progress' in data)) this.answered += 1;
     this.dispatchEvent(new MessageEvent('message', { data }));
   }
 
-  /** Answers with the number that it was given, as all jobs here have one. */
+  /** Answers the next part with the number that it was given, as all jobs here have one. */
   finish() {
-    this.say({ result: this.parts[this.parts.length - 1].args[0] });
+    this.say({ result: this.parts[this.answered].args[0] });
   }
 
   /** @param {string} message */
@@ -108,11 +110,25 @@ test('in a channel the newest request wins, and no worker ends for it', async (t
   const third = channel.run(job(4));
   await Promise.all([first, second]);
   t.mock.timers.tick(1000);
-  workers[0].finish();
-  workers[0].finish();
+  for (let i = 0; i < 3; i++) workers[0].finish();
   assert.deepEqual(await third, [4]);
-  assert.deepEqual(given(), [[1, 4]]);
+  assert.deepEqual(given(), [[1, 2, 4]]);
   assert.equal(workers[0].terminated, false);
+});
+
+test('a worker has the next part of a channel already while it does one, in turn', async () => {
+  const { workers, pool, given } = puppets(2);
+  const run = pool.channel().run(job(1, 2, 3, 4, 5));
+  assert.deepEqual(given(), [
+    [1, 3],
+    [2, 4],
+  ]);
+  for (const i of [1, 1, 1, 0, 0]) workers[i].finish();
+  assert.deepEqual(await run, [1, 2, 3, 4, 5]);
+  assert.deepEqual(given(), [
+    [1, 3],
+    [2, 4, 5],
+  ]);
 });
 
 test('channels do not disturb each other, and go before other jobs', async () => {

@@ -1,5 +1,5 @@
 // The button that pins the run on screen, beside the choice of who drives.
-import { byId } from '../elements.js';
+import { byId, create } from '../elements.js';
 import { gainsOf, watch } from '../state.js';
 import { curves as words } from '../words/index.js';
 import { isFull, pinOf, withPin, withoutPin } from './pins.js';
@@ -12,6 +12,9 @@ import { isFull, pinOf, withPin, withoutPin } from './pins.js';
 export function createPinButton({ store, paper }, sceneOf) {
   const button = byId('pin');
   const note = byId('pin-note');
+  // Both texts stay in the button: a press in which the text is written again is no click in WebKit.
+  const [pinText, unpinText] = [words.pinThis, words.unpinThis].map((text) => create('span', '', text));
+  button.replaceChildren(pinText, unpinText);
   /** The run on screen. @param {State} state @param {Scene} scene @returns {Driven} */
   const drivenIn = (state, { experiment }) => ({ experiment, gains: gainsOf(state, state.driver, paper) });
 
@@ -36,9 +39,8 @@ export function createPinButton({ store, paper }, sceneOf) {
       const pin = pinOf(state.pins, driven);
       const { refused } = state.curves;
       const isRefused = refused !== null && refused.experiment === experiment && refused.gains === gains;
-      const text = pin ? words.unpinThis : words.pinThis;
-      // A press in which the text is written again is no click in WebKit.
-      if (button.textContent !== text) button.textContent = text;
+      unpinText.hidden = !pin;
+      pinText.hidden = pin !== undefined;
       const said = pin ? words.pinnedAs(pin.name) : isRefused && isFull(state.pins) ? words.noRoom : '';
       if (note.textContent !== said) note.textContent = said;
       note.classList.toggle('field-error', !pin && said !== '');
