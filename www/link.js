@@ -21,6 +21,7 @@ import {
   triple,
   wholeNumber,
 } from './link-values.js';
+import { messageOf } from './messages.js';
 import { noPins, styles } from './pins/pins.js';
 import { headings } from './robustness/grid.js';
 import { firstRobustness, halves } from './robustness/request.js';
@@ -154,7 +155,7 @@ export function openLink(link, engine) {
     try {
       opened = read(opened, key, value, engine);
     } catch (error) {
-      problems.push(words.ignored(key, error instanceof Error ? error.message : String(error)));
+      problems.push(words.ignored(key, messageOf(error)));
     }
   }
   if (opened.driver === 'hand' && opened.handGains === null) {

@@ -230,8 +230,14 @@ const overflowing = (page) =>
     }
     const width = document.documentElement.clientWidth;
     const problems = [];
-    if (document.documentElement.scrollWidth > width)
-      problems.push(`the page is ${document.documentElement.scrollWidth} px wide, not ${width}`);
+    const whole = document.documentElement.scrollWidth;
+    if (whole > width) {
+      const last = [...document.body.querySelectorAll('*')].filter(
+        (element) => Math.ceil(element.getBoundingClientRect().right) >= whole,
+      );
+      const name = last.map(({ tagName, id, className }) => `${tagName}#${id}.${className}`).join(', ');
+      problems.push(`the page is ${whole} px wide, not ${width}: ${name}`);
+    }
     for (const face of document.querySelectorAll('button, .segmented span, nav a, #language')) {
       if (!face.checkVisibility() || !face.textContent?.trim()) continue;
       // What is only read aloud has no place to find.

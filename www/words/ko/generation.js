@@ -21,7 +21,7 @@ export {
 /** @typedef {import('../../generation/record.js').Phase} Phase */
 
 export const texts = {
-  generationTable: '표',
+  generationTable: '세대 표',
   generationTableClose: '닫기',
   generationBack: '이전 단계',
   generationDetails: '선택한 개체',
