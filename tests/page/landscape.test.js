@@ -29,7 +29,7 @@ async function openLandscape(page) {
 /** Waits until the fine landscape is there. @param {Page} page */
 const finished = (page) =>
   page.until('the fine landscape is drawn', () =>
-    document.getElementById('landscape-note')?.textContent?.startsWith('16 384 drives'),
+    document.getElementById('landscape-note')?.textContent?.startsWith('16\u202f384 drives'),
   );
 
 /** @param {Page} page */
