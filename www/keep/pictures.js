@@ -8,6 +8,8 @@ import { marksOf } from './screen.js';
 
 /** Pixels of paper around. */
 const margin = 12;
+/** Pixels between its parts. */
+const widestGap = 24;
 
 /** @returns {Picture[]} */
 export function picturesOnScreen() {
@@ -37,15 +39,33 @@ export async function drawingOf({ elements }, redraw) {
     element instanceof HTMLCanvasElement ? [element] : [...element.querySelectorAll('canvas')],
   );
   const recordings = await recorded(canvases, redraw);
-  const boxes = elements.map((element) => element.getBoundingClientRect());
+  const pieces = stacked(elements);
+  const boxes = pieces.map(({ box }) => box);
   const x = Math.min(...boxes.map(({ left }) => left)) - margin;
-  const y = Math.min(...boxes.map(({ top }) => top)) - margin;
+  const y = Math.min(...pieces.map(({ top }) => top)) - margin;
   return {
     width: Math.ceil(Math.max(...boxes.map(({ right }) => right)) + margin - x),
-    height: Math.ceil(Math.max(...boxes.map(({ bottom }) => bottom)) + margin - y),
+    height: Math.ceil(Math.max(...pieces.map(({ top, box }) => top + box.height)) + margin - y),
     paper: getComputedStyle(document.body).backgroundColor,
-    marks: elements.flatMap((element) => marksOf(element, { x, y, alpha: 1, recordings })),
+    marks: pieces.flatMap(({ element, box, top }) =>
+      marksOf(element, { x, y: y + box.top - top, alpha: 1, recordings }),
+    ),
   };
+}
+
+/** The elements from the top; where other things stand between them, they move together. @param {HTMLElement[]} elements */
+function stacked(elements) {
+  const boxes = elements.map((element) => ({ element, box: element.getBoundingClientRect() }));
+  let bottom = Math.min(...boxes.map(({ box }) => box.top));
+  let closed = 0;
+  return boxes
+    .sort((a, b) => a.box.top - b.box.top)
+    .map(({ element, box }) => {
+      closed += Math.max(0, box.top - closed - bottom - widestGap);
+      const top = box.top - closed;
+      bottom = Math.max(bottom, top + box.height);
+      return { element, box, top };
+    });
 }
 
 /** What the page says of a picture to those who cannot see it. @param {Picture} picture */

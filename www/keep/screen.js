@@ -22,7 +22,7 @@ export function marksOf(element, place) {
   if (element instanceof HTMLCanvasElement) return canvasMarks(element, here);
   const own =
     element instanceof SVGElement ? vectorMarks(element, style, here) : boxMarks(element, style, here);
-  const children = [...element.childNodes].flatMap((node) =>
+  const children = inOrder(element).flatMap((node) =>
     node instanceof Element
       ? marksOf(node, here)
       : node instanceof window.Text
@@ -30,6 +30,13 @@ export function marksOf(element, place) {
         : [],
   );
   return [...own, ...children];
+}
+
+/** The children in the order in which they lie on each other. @param {Element} element */
+function inOrder(element) {
+  const level = (/** @type {Node} */ node) =>
+    node instanceof Element ? Number(getComputedStyle(node).zIndex) || 0 : 0;
+  return [...element.childNodes].sort((a, b) => level(a) - level(b));
 }
 
 /** @param {Place} place @returns {Look} */
