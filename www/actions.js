@@ -14,8 +14,7 @@ import { valueAt, withValue } from './settings/paths.js';
 import { firstTraining } from './training/request.js';
 import { afterChange, afterDrag, noVersions, redone, undone } from './undo.js';
 import { boxAround, refit } from './view.js';
-import * as strings from './words/en/lab.js';
-import * as settingWords from './words/en/settings.js';
+import { lab as strings, settings as settingWords } from './words/index.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Experiment} Experiment */

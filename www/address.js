@@ -1,7 +1,9 @@
 // Keeps the address and the state in step: the address always holds the link of what is on screen.
 import { byId } from './elements.js';
+import { createLanguageSwitch } from './language.js';
 import { linkOf, openLink } from './link.js';
 import { pageNames, watch } from './state.js';
+import { language, languageOfAddress } from './words/language.js';
 
 /** @typedef {import('./actions.js').Actions} Actions */
 /** @typedef {import('./engine.js').Engine} Engine */
@@ -18,6 +20,8 @@ export function createAddress(engine, store, actions) {
   let written = location.hash.slice(1);
 
   const open = () => {
+    // The words are chosen when the page loads.
+    if (languageOfAddress() !== language) return location.reload();
     written = location.hash.slice(1);
     const { opened, problems } = openLink(written, engine);
     actions.openLinked(opened, problems);
@@ -42,6 +46,8 @@ export function createAddress(engine, store, actions) {
     written = link;
   };
 
+  const other = createLanguageSwitch((name) => linkOf(store.get(), engine.experiment, name));
+
   addEventListener('popstate', () => {
     if (location.hash.slice(1) !== written) open();
   });
@@ -53,6 +59,7 @@ export function createAddress(engine, store, actions) {
       if (!rests(state) || !changed(...partsOf(state))) return;
       for (const name of pageNames)
         byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name })}`);
+      other.follow();
       // Another part at once, so that "back" is there when it is wanted.
       if (state.page !== part()) write();
       else if (!waiting) {

@@ -1,6 +1,6 @@
 // Two clocks that never meet: the robot's bar, evolution's bar, and the loop that turns real time into both.
 import { paces, watch } from './state.js';
-import * as strings from './words/en/lab.js';
+import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./state.js').Until} Until */
 

@@ -1,6 +1,6 @@
 // J and its parts.
 import { watch } from './state.js';
-import * as strings from './words/en/lab.js';
+import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./engine.js').Run} Run */
 /** @typedef {{ title: string, run: Run, note: string }} CostModel */

@@ -2,7 +2,7 @@
 import uPlot from 'uplot';
 import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from './plot.js';
 import { watch } from './state.js';
-import * as strings from './words/en/lab.js';
+import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./engine.js').Statistics} Statistics */
 /** @typedef {{ history: Statistics[], generation: number, paper: number, theme: number }} CurveModel */

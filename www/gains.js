@@ -1,6 +1,6 @@
 // The three gains: a slider and a number for each.
 import { watch } from './state.js';
-import * as strings from './words/en/lab.js';
+import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./state.js').Triple} Triple */
 /** @typedef {{ gains: Triple, errors: readonly [string, string, string], range: readonly [number, number], note: string }} GainsModel */

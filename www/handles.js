@@ -1,7 +1,7 @@
 // Start and goal in the hand: transparent buttons over the plane, for pointer, touch and keyboard.
 import { keepInside, knobOf } from './view.js';
 import { watch } from './state.js';
-import * as strings from './words/en/lab.js';
+import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./engine.js').Posture} Posture */
 /** @typedef {import('./view.js').View} View */

@@ -1,6 +1,6 @@
 // The sheet of keys, and the single keys that press buttons.
 import { byId } from './elements.js';
-import * as words from './words/en/keys.js';
+import { keys as words } from './words/index.js';
 
 export function createKeys() {
   /** @type {HTMLDialogElement} */
@@ -25,10 +25,14 @@ export function createKeys() {
       return;
     if (event.key === '?') dialog.showModal();
     else if (allowed.checked) {
-      const found = words.single.find(([key]) => key === event.key);
+      const found = words.single.find(([key]) => key === letterOf(event));
       const button = found && byId(found[2]);
       // What is not in sight is not pressed.
       if (button?.checkVisibility()) button.click();
     }
   });
 }
+
+/** The Latin letter of a key, also where it writes Korean. @param {KeyboardEvent} event */
+const letterOf = ({ key, code }) =>
+  /^[\x20-\x7e]$/.test(key) ? key : code.replace(/^Key/, '').toLowerCase();

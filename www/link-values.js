@@ -1,7 +1,7 @@
 // The values in a link as text, and back again; what cannot be read throws an Error that says what it must be.
 import { gainNames } from './landscape/request.js';
-import * as words from './words/en/link.js';
-import { numberOf } from './words/en/numbers.js';
+import { link as words } from './words/index.js';
+import { numberOf } from './words/numbers.js';
 
 /** @typedef {import('./engine.js').Experiment} Experiment */
 /** @typedef {import('./engine.js').Posture} Posture */

@@ -21,11 +21,13 @@ import {
   triple,
   wholeNumber,
 } from './link-values.js';
+import { messageOf } from './messages.js';
 import { noPins, styles } from './pins/pins.js';
 import { headings } from './robustness/grid.js';
 import { firstRobustness, halves } from './robustness/request.js';
 import { noTrial, pageNames } from './state.js';
-import * as words from './words/en/link.js';
+import { link as words } from './words/index.js';
+import { language, languageNames, usualLanguage } from './words/language.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Experiment} Experiment */
@@ -33,6 +35,7 @@ import * as words from './words/en/link.js';
 /** @typedef {import('./pins/pins.js').Pin} Pin */
 /** @typedef {import('./state.js').Driver} Driver */
 /** @typedef {import('./state.js').State} State */
+/** @typedef {import('./words/language.js').Language} Language */
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
 
 /**
@@ -105,8 +108,8 @@ const nameOf = (path) => shortNames.find(([long]) => long === path)?.[1] ?? path
 /** @param {string} name */
 const pathOf = (name) => shortNames.find(([, short]) => short === name)?.[0] ?? name;
 
-/** The text after # for a state. @param {Linked} state @param {ExperimentOf} experimentOf */
-export function linkOf(state, experimentOf) {
+/** The text after # for a state. @param {Linked} state @param {ExperimentOf} experimentOf @param {Language} [read] The language of who opens it. */
+export function linkOf(state, experimentOf, read = language) {
   const { page, preset, generation, driver, handGains, trial, pins } = state;
   /** @type {[string, string][]} */
   const pairs = preset === presets[0] ? [] : [['preset', preset]];
@@ -119,6 +122,7 @@ export function linkOf(state, experimentOf) {
   for (const { key, of, text } of viewKeys)
     if (of(state) !== null && text(of(state)) !== text(of(usualView))) pairs.push([key, text(of(state))]);
   for (const pin of pins) pairs.push([`pin${pin.slot + 1}`, pinText(pin, experimentOf(preset))]);
+  if (read !== usualLanguage) pairs.unshift(['lang', read]);
   if (pairs.length > 0) pairs.unshift(['v', String(version)]);
   return [page, ...pairs.map(([key, value]) => `${key}=${encoded(value)}`)].join('&');
 }
@@ -151,7 +155,7 @@ export function openLink(link, engine) {
     try {
       opened = read(opened, key, value, engine);
     } catch (error) {
-      problems.push(words.ignored(key, error instanceof Error ? error.message : String(error)));
+      problems.push(words.ignored(key, messageOf(error)));
     }
   }
   if (opened.driver === 'hand' && opened.handGains === null) {
@@ -179,6 +183,10 @@ function read(opened, key, value, engine) {
   switch (key) {
     case 'v':
       if (value !== String(version)) throw new Error(words.otherVersion(value, version));
+      return opened;
+    case 'lang':
+      // The page has it already, when it is a link that was followed.
+      oneOf(languageNames, value);
       return opened;
     case 'preset':
       oneOf(presets, value);

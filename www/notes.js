@@ -2,7 +2,7 @@
 import { createSwatch } from './pins/swatch.js';
 import { isTracking } from './reference.js';
 import { watch } from './state.js';
-import * as strings from './words/en/lab.js';
+import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./engine.js').Posture} Posture */
 /** @typedef {import('./engine.js').Run} Run */

@@ -1,6 +1,6 @@
 // The parts of the page: links to all, and only what belongs to the open one in sight.
 import { pageNames, watch } from './state.js';
-import * as strings from './words/en/lab.js';
+import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./actions.js').Actions} Actions */
 /** @typedef {import('./engine.js').Engine} Engine */

@@ -2,12 +2,13 @@
 import { scaleLinear } from 'd3-scale';
 import { createLayer } from './canvas.js';
 import { paidAt } from './curves/paid.js';
+import { textFont } from './fonts.js';
 import { styles } from './pins/pins.js';
 import { drawMark } from './pins/swatch.js';
 import { keepInside, knobOf } from './view.js';
 import { isTracking } from './reference.js';
 import { watch } from './state.js';
-import * as strings from './words/en/lab.js';
+import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./canvas.js').Layer} Layer */
 /** @typedef {import('./engine.js').Posture} Posture */
@@ -20,7 +21,6 @@ import * as strings from './words/en/lab.js';
 /** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, pins: Pins, pays: boolean, time: number, theme: number }} PlaneModel With `pays`, where along the path J was paid. */
 
 const arrow = { robot: 17, posture: 17, ghost: 9 };
-const font = '13px system-ui, sans-serif';
 
 /** @param {HTMLCanvasElement} pathsCanvas @param {HTMLCanvasElement} robotsCanvas */
 export function createPlane(pathsCanvas, robotsCanvas) {
@@ -71,7 +71,7 @@ function drawGrid(context, view, colours) {
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const low = view.world(0, view.height);
   const high = view.world(view.width, 0);
-  context.font = font;
+  context.font = textFont;
   context.lineWidth = 1;
   context.strokeStyle = colours.hairline;
   context.fillStyle = colours.muted;
@@ -176,7 +176,7 @@ function drawPinnedGoals(context, view, pins, goal, colours) {
 function drawPayments(context, view, run, colours) {
   const costs = run.time.map((_, i) => paidAt(run, i));
   const half = 5;
-  context.font = font;
+  context.font = textFont;
   context.textBaseline = 'middle';
   context.textAlign = 'center';
   const total = costs[costs.length - 1];
@@ -282,7 +282,7 @@ function drawReference(context, view, run, time, colours) {
   context.lineWidth = 2;
   context.fill();
   context.stroke();
-  context.font = font;
+  context.font = textFont;
   context.textAlign = 'left';
   context.textBaseline = 'middle';
   context.lineWidth = 5;
@@ -316,7 +316,7 @@ function drawStray(context, view, { x, y }, colours) {
   context.fillStyle = colours.ink;
   kite(context, edge.px, edge.py, Math.atan2(edge.py - py, px - edge.px), 10);
   context.fill();
-  context.font = font;
+  context.font = textFont;
   context.textBaseline = 'middle';
   const inward = edge.px > view.width / 2 ? -1 : 1;
   const text = strings.outside(beyond / view.scale);

@@ -1,4 +1,5 @@
 // What the line plots share: their size, colours, axes and the names at their lines.
+import { textFont } from './fonts.js';
 
 /** @typedef {import('uplot')} uPlot */
 /** @typedef {import('uplot').Axis} Axis */
@@ -18,7 +19,7 @@ export const colour = (name) => getComputedStyle(document.documentElement).getPr
 /** @returns {Axis} */
 export const axis = () => ({
   stroke: () => colour('--muted'),
-  font: '13px system-ui, sans-serif',
+  font: textFont,
   grid: { stroke: () => colour('--hairline'), width: 1 },
   ticks: { show: false },
   gap: 6,

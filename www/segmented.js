@@ -1,9 +1,11 @@
 // A choice of one among a few: native radio buttons that look like one control.
 
+/** @template {string} V @typedef {{ value: V, text: string, hint?: string }} Choice */
+
 /**
  * @template {string} V
  * @param {HTMLFieldSetElement} fieldset @param {string} legend
- * @param {readonly { value: V, text: string, hint?: string }[]} choices @param {(value: V) => void} onChoose
+ * @param {readonly Choice<V>[]} choices @param {(value: V) => void} onChoose
  */
 export function createSegmented(fieldset, legend, choices, onChoose) {
   const title = document.createElement('legend');

@@ -3,8 +3,7 @@ import uPlot from 'uplot';
 import { drawShown, lastTick } from './curve.js';
 import { axis, colour, lineLabel, sizeOf, spread, wholeSteps } from './plot.js';
 import { watch } from './state.js';
-import * as words from './words/en/curves.js';
-import * as lab from './words/en/lab.js';
+import { curves as words, lab } from './words/index.js';
 
 /** @typedef {import('./engine.js').Statistics} Statistics */
 /** @typedef {{ history: Statistics[], generation: number, theme: number }} SigmasModel */

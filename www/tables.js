@@ -2,8 +2,7 @@
 import { byId, create } from './elements.js';
 import { gainNames, gainOn, thirdOf } from './landscape/request.js';
 import { startOf } from './robustness/grid.js';
-import * as lab from './words/en/lab.js';
-import * as words from './words/en/tables.js';
+import { lab, tables as words } from './words/index.js';
 
 /** @typedef {import('./landscape/request.js').Landscape} Landscape */
 /** @typedef {import('./robustness/request.js').Survey} Survey */

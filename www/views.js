@@ -9,10 +9,9 @@ import { createNotes } from './notes.js';
 import { createPlane } from './plane.js';
 import { createSegmented } from './segmented.js';
 import { createSigmas } from './sigmas.js';
-import * as curveWords from './words/en/curves.js';
+import { curves as curveWords, lab as strings, texts } from './words/index.js';
+import { language } from './words/language.js';
 import { createPages } from './pages.js';
-import * as strings from './words/en/lab.js';
-import { texts } from './words/en/index.js';
 
 /** @typedef {import('./actions.js').Actions} Actions */
 /** @typedef {ReturnType<typeof createViews>} Views */
@@ -24,7 +23,12 @@ export function showMessage(text) {
   message.hidden = text === '';
 }
 
+/** What index.html leaves to the language. */
 export function fillTexts() {
+  document.documentElement.lang = language;
+  document.title = texts.pageTitle;
+  for (const element of document.querySelectorAll('[data-content]'))
+    element.setAttribute('content', texts[element.getAttribute('data-content') ?? '']);
   for (const element of document.querySelectorAll('[data-text]'))
     element.textContent = texts[element.getAttribute('data-text') ?? ''];
   for (const element of document.querySelectorAll('[data-label]'))

@@ -312,12 +312,20 @@ function capabilities({ name, browser }) {
   switch (name) {
     case 'chromium': {
       const args = ['--headless=new', '--disable-gpu', '--disable-background-networking', '--no-first-run'];
+      args.push('--accept-lang=en');
       // Its sandbox does not run as root, which is who runs in most containers.
       if (asRoot) args.push('--no-sandbox');
       return { browserName: 'chrome', 'goog:chromeOptions': { binary: browser, args } };
     }
     case 'firefox':
-      return { browserName: 'firefox', 'moz:firefoxOptions': { binary: browser, args: ['-headless'] } };
+      return {
+        browserName: 'firefox',
+        'moz:firefoxOptions': {
+          binary: browser,
+          args: ['-headless'],
+          prefs: { 'intl.accept_languages': 'en' },
+        },
+      };
     case 'webkit':
       if (process.platform === 'darwin') return { browserName: 'safari' };
       return {

@@ -30,7 +30,10 @@ async function openLandscape(page) {
 const finished = (page) =>
   page.until('the fine landscape is drawn', async () => {
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-    return document.getElementById('landscape-note')?.textContent?.startsWith('16 384 drives');
+    return document
+      .getElementById('landscape-note')
+      ?.textContent?.replace(/\s/g, '')
+      .startsWith('16384drives');
   });
 
 /** @param {Page} page */

@@ -133,7 +133,7 @@ const readWords = (page) =>
 
 pageTest('the numbers of many seeds are those of the core, with quartiles counted by hand', async (page) => {
   await openLuck(page);
-  assert.match(await page.text('#luck-finding'), /1 020 drives each/);
+  assert.match(await page.text('#luck-finding'), /1\u202f020 drives each/);
   await runSeeds(page);
 
   const finals = quartilesByHand(runs.map(({ champion }) => champion.cost));
@@ -150,7 +150,7 @@ pageTest('the numbers of many seeds are those of the core, with quartiles counte
     finding,
     new RegExp(`there at generation ${medians.findIndex((one) => one <= randoms[2])}\\.`),
   );
-  assert.match(note, new RegExp(`^${2 * count * drives} drives`.replace('40800', '40 800')));
+  assert.match(note, new RegExp(`^${2 * count * drives} drives`.replace('40800', '40\u202f800')));
   assert.equal(status, '');
   assert.deepEqual(await readTable(page), expectedTable(runs));
 

@@ -130,7 +130,7 @@ pageTest('a weight that is dragged changes J at every step, and the landscape fo
   await openSettings(page);
   const fine = () =>
     page.until('the fine landscape is drawn', () =>
-      document.getElementById('landscape-note')?.textContent?.startsWith('16 384 drives'),
+      document.getElementById('landscape-note')?.textContent?.startsWith('16\u202f384 drives'),
     );
   const picture = () =>
     page.evaluate(() =>
@@ -167,7 +167,7 @@ pageTest('a weight that is dragged changes J at every step, and the landscape fo
     (old) => {
       const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('landscape-picture'));
       return (
-        document.getElementById('landscape-note')?.textContent?.startsWith('16 384 drives') &&
+        document.getElementById('landscape-note')?.textContent?.startsWith('16\u202f384 drives') &&
         canvas.toDataURL() !== old
       );
     },

@@ -6,9 +6,7 @@ import { createQuantity } from '../settings/quantity.js';
 import { fieldPath, valueAt } from '../settings/paths.js';
 import { rows as settingRows } from '../settings/table.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/curves.js';
-import * as lab from '../words/en/lab.js';
-import * as settingWords from '../words/en/settings.js';
+import { curves as words, lab, settings as settingWords } from '../words/index.js';
 
 /** @typedef {import('../engine.js').Experiment} Experiment */
 /** @typedef {import('../engine.js').Field} Field */

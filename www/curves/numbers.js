@@ -1,7 +1,7 @@
 // The run in numbers, for who wants to read or to hear them; the row of the robots' clock is marked.
 import { sampleBefore } from '../plane.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/curves.js';
+import { curves as words } from '../words/index.js';
 import { paidUntil } from './paid.js';
 
 /** @typedef {import('../engine.js').Run} Run */

@@ -3,8 +3,7 @@ import { byId, followSize } from '../elements.js';
 import { sampleBefore } from '../plane.js';
 import { createSegmented } from '../segmented.js';
 import { gainsOf, watch } from '../state.js';
-import * as words from '../words/en/curves.js';
-import * as lab from '../words/en/lab.js';
+import { curves as words, lab } from '../words/index.js';
 import { createComparison } from './compare.js';
 import { createNumbers } from './numbers.js';
 import { paidUntil } from './paid.js';
@@ -16,8 +15,8 @@ import { createPlots } from './plots.js';
 /** @typedef {import('../pins/pins.js').Driven} Driven */
 /** @typedef {import('../state.js').Scene} Scene */
 /** @typedef {import('../state.js').State} State */
-/** @typedef {typeof words.views[number]['value']} CurvesView */
-/** @typedef {typeof words.curveChoices[number]['value']} LabCurve */
+/** @typedef {'time' | 'compare' | 'numbers'} CurvesView */
+/** @typedef {'cost' | 'sigmas'} LabCurve */
 /** @typedef {{ view: CurvesView, lab: LabCurve, refused: Driven | null, message: string }} CurvesState Refused: the run for which there was no room among the pins. */
 
 /** @type {CurvesState} */

@@ -1,12 +1,12 @@
 // Runs against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
 import { createLayer } from '../canvas.js';
+import { textFont } from '../fonts.js';
 import { drawMark } from '../pins/swatch.js';
 import { styles } from '../pins/pins.js';
 import { sampleBefore } from '../plane.js';
 import { colour, sameDigits, spread } from '../plot.js';
 import { watch } from '../state.js';
-import * as lab from '../words/en/lab.js';
-import * as words from '../words/en/curves.js';
+import { curves as words, lab } from '../words/index.js';
 import { curvesOf, layoutOf } from './layout.js';
 
 /** @typedef {import('../engine.js').Experiment} Experiment */
@@ -29,7 +29,6 @@ import { curvesOf, layoutOf } from './layout.js';
  * @property {number} theme
  */
 
-const font = '13px system-ui, sans-serif';
 const symbolFont = 'italic 17px "STIX Two Text", "Cambria Math", Georgia, serif';
 /** @type {Readonly<Record<PlotName, readonly string[]>>} */
 const tokens = {
@@ -111,7 +110,7 @@ function drawPlot(context, layout, plot, model) {
 
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot */
 function drawGrid(context, { time }, { frame, scale, name, limit }) {
-  context.font = font;
+  context.font = textFont;
   context.fillStyle = colour('--muted');
   context.strokeStyle = colour('--hairline');
   context.lineWidth = 1;
@@ -148,7 +147,7 @@ function drawTimeAxis(context, { time, plots }) {
   const { bottom } = plots[plots.length - 1].frame;
   const ticks = time.ticks(6);
   const texts = sameDigits(/** @type {any} */ (null), ticks);
-  context.font = font;
+  context.font = textFont;
   context.fillStyle = colour('--muted');
   context.textAlign = 'center';
   context.textBaseline = 'top';
@@ -273,7 +272,7 @@ function drawNames(context, plot, run) {
   const symbols = names.filter((one) => one.font === symbolFont);
   const wide = Math.max(...symbols.map(({ text }) => context.measureText(text).width));
   const middle = symbols.reduce((sum, { y }) => sum + y, 0) / symbols.length;
-  context.font = font;
+  context.font = textFont;
   context.fillStyle = colour('--muted');
   context.fillText(words.units[name], px + wide + 5, frame.top + half + middle);
 }
@@ -286,7 +285,7 @@ function namesOf({ name, scale, limit }, run) {
       ...parts.map(([part, token, value], i) => {
         const below = i === 0 ? 0 : parts[i - 1][2](run, last);
         const text = lab.costParts.find(([one]) => one === part)?.[1] ?? '';
-        return { text, token, font, y: scale((below + value(run, last)) / 2) };
+        return { text, token, font: textFont, y: scale((below + value(run, last)) / 2) };
       }),
       { text: lab.costSymbol, token: '--ink', font: symbolFont, y: scale(run.cost.total) },
     ];
@@ -297,7 +296,7 @@ function namesOf({ name, scale, limit }, run) {
     y: scale(value(run, last)),
   }));
   const isSeen = limit !== null && limit < scale.domain()[1];
-  return isSeen ? [...ends, { text: words.limit, token: '--muted', font, y: scale(limit) }] : ends;
+  return isSeen ? [...ends, { text: words.limit, token: '--muted', font: textFont, y: scale(limit) }] : ends;
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Run} run @param {number} now */

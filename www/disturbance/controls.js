@@ -4,8 +4,7 @@ import { createRow } from '../gains.js';
 import { messageOf } from '../messages.js';
 import { createSegmented } from '../segmented.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/disturbance.js';
-import * as lab from '../words/en/lab.js';
+import { disturbance as words, lab } from '../words/index.js';
 
 /** @typedef {import('../pages.js').PageParts} PageParts */
 /** @typedef {import('../engine.js').Experiment['disturbance']} Disturbance */

@@ -1,7 +1,7 @@
 // The part of the page that shows what error remains under a disturbance, against the sets of Theorem 2.
 import { byId } from '../elements.js';
 import { remember, watch } from '../state.js';
-import * as words from '../words/en/disturbance.js';
+import { disturbance as words } from '../words/index.js';
 import { createControls } from './controls.js';
 import { createPlots } from './plots.js';
 import { createRequests, createSpec } from './request.js';

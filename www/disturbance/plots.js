@@ -2,9 +2,10 @@
 import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createLayer } from '../canvas.js';
+import { textFont } from '../fonts.js';
 import { colour } from '../plot.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/disturbance.js';
+import { disturbance as words } from '../words/index.js';
 
 /** @typedef {import('./request.js').Measured} Measured */
 /** @typedef {import('./request.js').ErrorParts} ErrorParts */
@@ -14,7 +15,6 @@ import * as words from '../words/en/disturbance.js';
 /** @typedef {{ left: number, right: number, top: number, bottom: number }} Frame */
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
-const font = '13px system-ui, sans-serif';
 const margin = { left: 36, right: 8, top: 5 };
 /** Below this the axis is nearly even, above it nearly logarithmic. */
 const evenUpTo = 0.01;
@@ -112,7 +112,7 @@ function drawLines(context, axes, measured, part, isLast) {
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number | null} seconds At the end of the time axis, if there is one. */
 function drawAxes(context, axes, seconds) {
   const { frame } = axes;
-  context.font = font;
+  context.font = textFont;
   context.fillStyle = colour('--muted');
   context.strokeStyle = colour('--hairline');
   context.lineWidth = 1;

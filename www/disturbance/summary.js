@@ -1,6 +1,6 @@
 // What is told of a measurement: for each part of the error, how much remains and whether that lies in its set.
 import { median } from 'd3-array';
-import { typed } from '../words/en/numbers.js';
+import { typed } from '../words/numbers.js';
 
 /** @typedef {import('./request.js').Measured} Measured */
 /** @typedef {typeof parts[number]} PartName */

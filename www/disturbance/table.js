@@ -1,7 +1,7 @@
 // The table of what remains: a row for each part of the error, with its plot and its numbers.
 import { byId } from '../elements.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/disturbance.js';
+import { disturbance as words } from '../words/index.js';
 import { parts } from './summary.js';
 
 /** @typedef {import('./summary.js').PartName} PartName */

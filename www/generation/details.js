@@ -1,8 +1,7 @@
 // What the chosen individual went through in a phase, in the numbers of the record.
 import { create } from '../elements.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/generation.js';
-import * as lab from '../words/en/lab.js';
+import { generation as words, lab } from '../words/index.js';
 import { createBell } from './bell.js';
 import { isInitial, partnerOf, winsBout } from './record.js';
 

@@ -2,7 +2,7 @@
 import { byId, create } from '../elements.js';
 import { createSegmented } from '../segmented.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/generation.js';
+import { generation as words } from '../words/index.js';
 import { createDetails } from './details.js';
 import { createPicture } from './picture.js';
 import { chosenOf, isInitial, phaseOf, phases } from './record.js';

@@ -2,7 +2,7 @@
 import { tickStep, ticks as ticksOf } from 'd3-array';
 import { sameDigits } from '../plot.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/generation.js';
+import { generation as words } from '../words/index.js';
 import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
 import { isInitial, winsBout } from './record.js';
 

@@ -1,7 +1,7 @@
 // A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
 import { ascending } from 'd3-array';
 import { remember } from '../state.js';
-import * as words from '../words/en/generation.js';
+import { generation as words } from '../words/index.js';
 
 /** @typedef {import('../engine.js').GenerationRecord} GenerationRecord */
 /** @typedef {import('../engine.js').Individual} Individual */

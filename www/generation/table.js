@@ -1,6 +1,6 @@
 // The whole generation as a table.
 import { byId, create } from '../elements.js';
-import * as words from '../words/en/generation.js';
+import { generation as words } from '../words/index.js';
 import { isInitial } from './record.js';
 
 /** @typedef {import('./record.js').Anatomy} Anatomy */

@@ -3,7 +3,7 @@ import { download } from '../download.js';
 import { byId } from '../elements.js';
 import { linkOf } from '../link.js';
 import { messageOf } from '../messages.js';
-import * as words from '../words/en/keep.js';
+import { keep as words } from '../words/index.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
 import { pngOf } from './png.js';
 import { openRunFile, runFile } from './run-file.js';

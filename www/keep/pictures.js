@@ -1,5 +1,5 @@
 // The pictures that are on screen: elements of the page with the same data-picture are one picture.
-import * as words from '../words/en/keep.js';
+import { keep as words } from '../words/index.js';
 import { recorded } from './recording.js';
 import { marksOf } from './screen.js';
 

@@ -1,6 +1,6 @@
 // A run as a file: its link, which is all that is needed to make it again, and what it came to, which proves that it is.
 import { linkOf, openLink } from '../link.js';
-import * as words from '../words/en/keep.js';
+import { keep as words } from '../words/index.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
 /** @typedef {import('../link.js').Linked} Linked */

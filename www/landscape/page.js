@@ -1,8 +1,7 @@
 // The part of the page that shows J over two gains, and what its controls do.
 import { gainsOf, remember, watch } from '../state.js';
 import { byId, followSize } from '../elements.js';
-import * as lab from '../words/en/lab.js';
-import * as words from '../words/en/landscape.js';
+import { lab, landscape as words } from '../words/index.js';
 import { createLandscapeRequests, createSpec, gainNames, gainsAt, thirdOf } from './request.js';
 import { axesOf, countOutside, createMap } from './view.js';
 

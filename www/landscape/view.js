@@ -1,11 +1,12 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
 import { contours } from 'd3-contour';
 import { createLayer } from '../canvas.js';
+import { strongFont, textFont } from '../fonts.js';
 import { drawMark } from '../pins/swatch.js';
 import { shadeAt } from '../shades.js';
 import { watch } from '../state.js';
-import { fixed } from '../words/en/numbers.js';
-import * as words from '../words/en/landscape.js';
+import { fixed } from '../words/numbers.js';
+import { landscape as words } from '../words/index.js';
 import { endsOfAxis, gainNames } from './request.js';
 import { createAxis, createCostScale, paint } from './scale.js';
 
@@ -31,7 +32,6 @@ import { createAxis, createCostScale, paint } from './scale.js';
 /** Contours of fewer points are single cells: a speckle, where a robot arrives or not by a hair. */
 const smallestRing = 12;
 const margin = { left: 44, right: 14, top: 10, bottom: 30 };
-const font = '13px system-ui, sans-serif';
 // The same in both themes, as the shades are.
 const [dark, light] = ['#14161a', '#ffffff'];
 
@@ -145,7 +145,7 @@ function drawLegend(layer, scale, width) {
   context.fillStyle = colours;
   context.fillRect(left, 0, right - left, 12);
   const { muted } = coloursOfText();
-  context.font = font;
+  context.font = textFont;
   context.fillStyle = muted;
   context.textBaseline = 'top';
   context.textAlign = 'center';
@@ -180,7 +180,7 @@ function drawAxes(context, { frame, x, y }, spec) {
     frame.right - frame.left + 1,
     frame.bottom - frame.top + 1,
   );
-  context.font = font;
+  context.font = textFont;
   context.fillStyle = muted;
   context.textBaseline = 'top';
   context.textAlign = 'center';
@@ -309,7 +309,7 @@ function drawPoint(context, [px, py], name, mark, right) {
     context.lineWidth = width;
     context.stroke();
   }
-  context.font = '600 13px system-ui, sans-serif';
+  context.font = strongFont;
   const onLeft = px + 14 + context.measureText(name).width > right;
   context.textAlign = onLeft ? 'right' : 'left';
   context.textBaseline = 'middle';

@@ -3,7 +3,7 @@ import uPlot from 'uplot';
 import { createLayer } from '../canvas.js';
 import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../plot.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/luck.js';
+import { luck as words } from '../words/index.js';
 import { diameterOf, nearestDot, stackDots } from './dots.js';
 
 /** @typedef {import('./dots.js').Dots} Dots */

@@ -1,7 +1,7 @@
 // The part of the page that runs evolution with many seeds: how much of a result is luck?
 import { byId } from '../elements.js';
 import { gainsOf, remember, watch } from '../state.js';
-import * as words from '../words/en/luck.js';
+import { luck as words } from '../words/index.js';
 import { createSeedCurve } from './curve.js';
 import { createSeedRequests, drivesOf, isSameButSeed, update } from './request.js';
 import { createStrips } from './strips.js';

@@ -1,10 +1,11 @@
 // The gains that the seeds ended with: a strip for each gain, one dot a seed.
 import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../canvas.js';
+import { textFont } from '../fonts.js';
 import { colour } from '../plot.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/luck.js';
-import { fixed } from '../words/en/numbers.js';
+import { luck as words } from '../words/index.js';
+import { fixed } from '../words/numbers.js';
 import { drawDots, drawRing } from './curve.js';
 import { diameterOf, nearestDot, stackDots } from './dots.js';
 
@@ -104,7 +105,7 @@ function domainOf({ summary }, paper) {
 
 /** @param {CanvasRenderingContext2D} context @param {import('d3-scale').ScaleLinear<number, number>} scale @param {number} height */
 function drawAxis(context, scale, height) {
-  context.font = '13px system-ui, sans-serif';
+  context.font = textFont;
   context.textAlign = 'center';
   context.textBaseline = 'alphabetic';
   for (const tick of scale.ticks(7)) {
@@ -128,7 +129,7 @@ function drawSymbol(context, gain, base) {
 
 /** @param {CanvasRenderingContext2D} context @param {number} median @param {number} right @param {number} base */
 function drawMedian(context, median, right, base) {
-  context.font = '13px system-ui, sans-serif';
+  context.font = textFont;
   context.textAlign = 'right';
   context.fillStyle = colour('--ink');
   context.fillText(fixed(median, 3), right, base - 6);

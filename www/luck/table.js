@@ -1,8 +1,8 @@
 // All seeds as a table, and as a file for other programs.
 import { download } from '../download.js';
 import { byId } from '../elements.js';
-import { costText, fixed } from '../words/en/numbers.js';
-import * as words from '../words/en/luck.js';
+import { costText, fixed } from '../words/numbers.js';
+import { luck as words } from '../words/index.js';
 import { csvOf, quartilesOf } from './statistics.js';
 
 /** @typedef {import('./request.js').SeedSurvey} SeedSurvey */

@@ -1,7 +1,7 @@
 // The button that pins the run on screen, beside the choice of who drives.
 import { byId, create } from '../elements.js';
 import { gainsOf, watch } from '../state.js';
-import * as words from '../words/en/curves.js';
+import { curves as words } from '../words/index.js';
 import { isFull, pinOf, withPin, withoutPin } from './pins.js';
 
 /** @typedef {import('./pins.js').Driven} Driven */

@@ -1,5 +1,5 @@
 // Runs that stay on screen to be compared with. Each has a hue, a dash and a mark of its own for as long as it is pinned.
-import * as words from '../words/en/curves.js';
+import { curves as words } from '../words/index.js';
 
 /** @typedef {import('../engine.js').Experiment} Experiment */
 /** @typedef {import('../state.js').Triple} Triple */

@@ -2,7 +2,7 @@
 import { createLayer } from '../canvas.js';
 import { shadeAt } from '../shades.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/robustness.js';
+import { robustness as words } from '../words/index.js';
 import { hatch } from './view.js';
 
 /** @typedef {import('./request.js').Quantity} Quantity */

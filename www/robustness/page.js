@@ -2,8 +2,7 @@
 import { byId, followSize } from '../elements.js';
 import { createSegmented } from '../segmented.js';
 import { endsOf, remember, watch } from '../state.js';
-import * as lab from '../words/en/lab.js';
-import * as words from '../words/en/robustness.js';
+import { lab, robustness as words } from '../words/index.js';
 import {
   angleOf,
   cellNear,

@@ -1,7 +1,7 @@
 // The headings of one place as a rose: which of them arrive; and a dial that chooses one.
 import { shadeAt } from '../shades.js';
 import { watch } from '../state.js';
-import * as words from '../words/en/robustness.js';
+import { robustness as words } from '../words/index.js';
 import { angleOf, headingNear, headings } from './grid.js';
 
 /** @typedef {{ heading: number | null, parts: readonly (number | null)[] }} RoseModel Of each heading the part of the scale; null where it does not arrive. */

@@ -1,11 +1,12 @@
 // The map: cells and axes on one canvas, redrawn with the survey; goal, starts, the run and the cursor on another.
 import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../canvas.js';
+import { strongFont, textFont } from '../fonts.js';
 import { kite } from '../plane.js';
 import { colour } from '../plot.js';
 import { watch } from '../state.js';
-import { fixed } from '../words/en/numbers.js';
-import * as words from '../words/en/robustness.js';
+import { fixed } from '../words/numbers.js';
+import { robustness as words } from '../words/index.js';
 import { cellNear, startOf } from './grid.js';
 import { paintCells } from './scale.js';
 
@@ -28,7 +29,6 @@ import { paintCells } from './scale.js';
  */
 
 const margin = { left: 34, right: 8, top: 8, bottom: 26 };
-const font = '13px system-ui, sans-serif';
 // The same in both themes, as the shades are.
 const [dark, light] = ['#14161a', '#ffffff'];
 
@@ -124,7 +124,7 @@ function drawAxes(context, { frame, side, x, y }) {
   context.strokeStyle = colour('--hairline');
   context.lineWidth = 1;
   context.strokeRect(frame.left - 0.5, frame.top - 0.5, side + 1, side + 1);
-  context.font = font;
+  context.font = textFont;
   context.fillStyle = colour('--muted');
   context.textBaseline = 'top';
   context.textAlign = 'center';
@@ -210,7 +210,7 @@ function arrow(context, { x, y }, posture, { fill, line, size }) {
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Posture} posture @param {string} text */
 function label(context, { frame, x, y }, posture, text) {
-  context.font = '600 13px system-ui, sans-serif';
+  context.font = strongFont;
   const px = Math.max(x(posture.x), frame.left);
   const onLeft = px + 18 + context.measureText(text).width > frame.right;
   context.textAlign = onLeft ? 'right' : 'left';

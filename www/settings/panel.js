@@ -1,7 +1,7 @@
 // The panel beside any part of the page in which every setting of the experiment can be changed.
 import { byId } from '../elements.js';
 import { remember, watch } from '../state.js';
-import * as words from '../words/en/settings.js';
+import { settings as words } from '../words/index.js';
 import { fieldPath, valueAt } from './paths.js';
 import { createChoice, createNumber, typingMark } from './rows.js';
 import { rows, table } from './table.js';
@@ -18,7 +18,7 @@ import { rows, table } from './table.js';
 /** @type {SettingsState} */
 export const firstSettings = { open: false, error: null };
 
-/** Open from the beginning; the others show how much in them is changed. @type {readonly words.GroupName[]} */
+/** Open from the beginning; the others show how much in them is changed. @type {readonly import('../words/en/settings.js').GroupName[]} */
 const openGroups = ['limits', 'weights'];
 
 /** @param {{ engine: Engine, store: Store, actions: Actions }} parts */
@@ -98,7 +98,9 @@ function createRows(engine, actions, somewhere) {
 
 /** @param {Map<string, RowView>} views */
 function createGroups(views) {
-  return /** @type {[words.GroupName, readonly Row[]][]} */ (Object.entries(table)).map(([name, members]) => {
+  return /** @type {[import('../words/en/settings.js').GroupName, readonly Row[]][]} */ (
+    Object.entries(table)
+  ).map(([name, members]) => {
     const details = document.createElement('details');
     const summary = document.createElement('summary');
     const count = document.createElement('span');

@@ -1,6 +1,6 @@
 // One row of the settings: a number with its unit and slider, or a choice; a limit can be switched off.
-import { numberOf } from '../words/en/numbers.js';
-import * as words from '../words/en/settings.js';
+import { numberOf } from '../words/numbers.js';
+import { settings as words } from '../words/index.js';
 import { createQuantity, createSliderScale } from './quantity.js';
 
 /** @typedef {import('../actions.js').Actions} Actions */

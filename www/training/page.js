@@ -1,7 +1,7 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
 import { byId } from '../elements.js';
 import { remember, watch } from '../state.js';
-import * as words from '../words/en/training.js';
+import { training as words } from '../words/index.js';
 import { createPicture } from './picture.js';
 import { changesOf, createTraining, handOf, lengths, update } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';

@@ -1,7 +1,6 @@
 // The table: one row for each set of gains, with how they fare.
 import { watch } from '../state.js';
-import * as lab from '../words/en/lab.js';
-import * as words from '../words/en/training.js';
+import { lab, training as words } from '../words/index.js';
 
 /** @typedef {import('./request.js').Result} Result */
 /** @typedef {import('./request.js').RowName} RowName */

@@ -14,11 +14,12 @@ export const texts = {
 };
 
 export const viewLegend = 'What is shown';
-export const views = /** @type {const} */ ([
+/** @type {readonly import('../../segmented.js').Choice<import('../../state.js').State['curves']['view']>[]} */
+export const views = [
   { value: 'time', text: 'Against time' },
   { value: 'compare', text: 'Compare' },
   { value: 'numbers', text: 'Numbers' },
-]);
+];
 
 export const symbols = /** @type {const} */ ({
   position: ['x', 'y'],
@@ -145,10 +146,11 @@ export const startsText = (count) => (count === 1 ? '1 start' : `${count} starts
 /** @param {number} value */
 export const gainText = (value) => threeDigits(value);
 export const curveLegend = 'Curve over the generations';
-export const curveChoices = /** @type {const} */ ([
+/** @type {readonly import('../../segmented.js').Choice<import('../../state.js').State['curves']['lab']>[]} */
+export const curveChoices = [
   { value: 'cost', text: 'J' },
   { value: 'sigmas', text: 'σ', hint: 'Mean step size of each gain' },
-]);
+];
 export const sigmaTitle = 'Step sizes';
 export const sigmaAxis = 'mean σ';
 

@@ -19,11 +19,12 @@ export const texts = {
 };
 
 export const kindLegend = 'Kind of disturbance';
-export const kinds = /** @type {const} */ ([
+/** @type {readonly import('../../segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
+export const kinds = [
   { value: 'none', text: 'None' },
   { value: 'random', text: 'Random', hint: 'Drawn afresh at each sample, evenly between −ε and ε' },
   { value: 'slip', text: 'Slip', hint: 'The same at every sample' },
-]);
+];
 
 /** The rows of a kind, for the linear and the angular part. */
 export const sizes = /** @type {const} */ ({
@@ -88,11 +89,11 @@ export const legend = {
 };
 /** The equations of the sets. */
 export const equations = /** @type {const} */ ({ x: '(6)', y: '(7)', theta: '(8)' });
-export const equationHints = /** @type {const} */ ({
+export const equationHints = {
   x: 'ε1 / kx',
   y: 'the cube root of ε1 |sin θₑ| / ky',
   theta: 'ε2 / kθ',
-});
+};
 
 /** @param {PartName} part @param {Summary} summary */
 export const plotLabel = (part, { rows, seconds, horizon }) => {

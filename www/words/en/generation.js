@@ -12,14 +12,15 @@ export const texts = {
 };
 
 export const phaseLegend = 'Phase of the generation';
-export const phases = /** @type {const} */ ([
+/** @type {readonly import('../../segmented.js').Choice<Phase>[]} */
+export const phases = [
   { value: 'parents', text: 'Parents' },
   { value: 'mutation', text: 'Mutation' },
   { value: 'drive', text: 'Drive' },
   { value: 'tournament', text: 'Tournament' },
   { value: 'ranking', text: 'Ranking' },
   { value: 'survivors', text: 'Survivors' },
-]);
+];
 
 /** @param {Phase} phase */
 const phaseName = (phase) => phases.find(({ value }) => value === phase)?.text ?? phase;
@@ -56,7 +57,7 @@ export function costWriter({ all }) {
 }
 
 /** The digits after the point that show a change of this size. @param {number} size */
-const digitsFor = (size) =>
+export const digitsFor = (size) =>
   size > 0 && Number.isFinite(size) ? Math.min(12, Math.max(3, 2 - Math.floor(Math.log10(size)))) : 3;
 
 /** @param {number} value @param {number} [change] The size of what changes it. */
@@ -84,7 +85,7 @@ const raised = /** @type {Record<string, string>} */ ({
 });
 
 /** @param {number} value @param {number} [digits] Those that count. */
-function powerText(value, digits = 3) {
+export function powerText(value, digits = 3) {
   const [mantissa, power] = Number(value.toPrecision(digits)).toExponential().split('e');
   const exponent = [...power.replace('+', '')].map((letter) => raised[letter]).join('');
   return `${mantissa.replace('-', '−')}·10${exponent}`;
@@ -224,7 +225,7 @@ export const tableCaption = ({ record, count }) =>
   record.generation === 0
     ? `Generation 0: ${count} robots with random gains. The core’s record counts from 0: robot 1 is its number 0.`
     : `Generation ${record.generation}, all ${2 * count}. The core’s record counts from 0: parent 1 is its number 0, offspring 1 its number ${count}. Most wins first.`;
-export const columns = /** @type {const} */ ([
+export const columns = [
   'rank',
   'who',
   'number',
@@ -238,6 +239,6 @@ export const columns = /** @type {const} */ ([
   'J',
   'wins',
   'survives',
-]);
+];
 export const yes = 'yes';
 export const no = 'no';

@@ -9,16 +9,18 @@ export const texts = {
 };
 
 /** Single keys: what they press. */
-export const single = /** @type {const} */ ([
+/** @type {readonly (readonly [key: string, meaning: string, id: string])[]} */
+export const single = [
   ['r', 'run evolution, or pause it', 'run'],
   ['n', '1 generation', 'one-generation'],
   ['b', '1 generation back', 'one-back'],
   ['p', 'let the robots drive, or hold them', 'play'],
   ['s', 'settings', 'settings-button'],
-]);
+];
 
 /** Keys of what has the focus. */
-export const focused = /** @type {const} */ ([
+/** @type {readonly (readonly [keys: string, meaning: string])[]} */
+export const focused = [
   ['← → ↑ ↓', 'move what has the focus: a slider, the start, the goal, the cursor of a map'],
   ['Shift + arrows', 'turn start or goal by 5°, or move the cursor of a map by larger steps'],
   ['Alt + arrows', 'move or turn start or goal by small steps'],
@@ -26,4 +28,4 @@ export const focused = /** @type {const} */ ([
   ['Esc', 'close what is open'],
   ['Ctrl + Z, Ctrl + Shift + Z', 'undo and redo a change of the experiment'],
   ['?', 'this sheet'],
-]);
+];

@@ -14,6 +14,9 @@ export * from './numbers.js';
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
+  pageTitle: 'Evolving a robot’s controller',
+  pageDescription:
+    'Watch evolutionary programming find the gains of a mobile robot’s posture controller (Kim and Shim 1995).',
   pages: 'Parts of this page',
   evolutionSection: 'Evolution',
   planeSection: 'The robots',
@@ -37,13 +40,15 @@ export const texts = {
 };
 
 export const presetLegend = 'Limits of the robot';
-export const presets = /** @type {const} */ ([
+/** @type {readonly import('../../segmented.js').Choice<import('../../engine.js').Preset>[]} */
+export const presets = [
   { value: 'velocity-limits', text: 'Velocity limits', hint: 'Figures 4 and 5 of the paper' },
   { value: 'acceleration-limits', text: '+ acceleration limits', hint: 'Figures 6 and 7 of the paper' },
-]);
+];
 
 export const driverLegend = 'What drives';
-export const drivers = /** @type {const} */ ([
+/** @type {readonly import('../../segmented.js').Choice<Driver>[]} */
+export const drivers = [
   { value: 'evolved', text: 'Evolved best' },
   { value: 'hand', text: 'By hand' },
   {
@@ -56,7 +61,7 @@ export const drivers = /** @type {const} */ ([
     text: 'Paper: arbitrary',
     hint: 'The gains that the paper compares with, chosen without evolution',
   },
-]);
+];
 
 export const speeds = /** @type {const} */ ([
   [0.125, '⅛×'],
@@ -67,7 +72,8 @@ export const speeds = /** @type {const} */ ([
   [4, '4×'],
 ]);
 
-export const pages = /** @type {const} */ ({
+/** @type {Record<PageName, string>} */
+export const pages = {
   lab: 'Lab',
   generation: 'Generation',
   curves: 'Curves',
@@ -76,7 +82,7 @@ export const pages = /** @type {const} */ ({
   training: 'Training',
   disturbance: 'Disturbance',
   luck: 'Luck',
-});
+};
 
 /** What each part is for. @param {number} population @returns {Record<PageName, string>} */
 export const taglines = (population) => ({
@@ -131,13 +137,14 @@ export const costNote = (name, cost) => `${name} here: ${costText(cost)}`;
 /** @param {number} value */
 export const partText = (value) => (value < 100 ? fixed(value, 2) : costText(value));
 
-export const costParts = /** @type {const} */ ([
+/** @type {readonly (readonly [part: Exclude<keyof import('../../engine.js').Cost, 'total'>, name: string])[]} */
+export const costParts = [
   ['time', 'time'],
   ['path', 'path'],
   ['energy', 'energy'],
   ['finalError', 'final'],
   ['penalty', 'penalty'],
-]);
+];
 
 /** @param {{ others: number, population: number, arrived: number | null }} drives Null where nobody can arrive. */
 export function othersText({ others, population, arrived }) {
@@ -181,11 +188,12 @@ export const pauseEvolution = 'Pause';
 /** @param {number} pace */
 export const paceText = (pace) => (Number.isFinite(pace) ? `${pace}/s` : 'fastest');
 
-export const untils = /** @type {const} */ ([
+/** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
+export const untils = [
   ['every', 'pause every 100'],
   ['generation', 'until generation'],
   ['cost', 'until J is below'],
-]);
+];
 
 /** What is wrong with it, if anything. @param {Until['kind']} kind @param {number} value @param {string} text */
 export const untilRefused = (kind, value, text) =>

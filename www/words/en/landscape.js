@@ -1,5 +1,5 @@
 // Every word of the landscape.
-import { costText, fixed, threeDigits } from './numbers.js';
+import { costText, fixed, grouped, threeDigits } from './numbers.js';
 
 /** @typedef {import('../../engine.js').Run} Run */
 
@@ -21,7 +21,7 @@ export const onLogAxis = (gain) => `${gain}, log`;
 
 /** @param {number} drives @param {number} milliseconds */
 export const drivesText = (drives, milliseconds) =>
-  `${drives.toLocaleString('en').replaceAll(',', ' ')} drives in ${fixed(milliseconds, 0)} ms`;
+  `${grouped(drives)} drives in ${fixed(milliseconds, 0)} ms`;
 
 export const computing = 'the robots are driving…';
 

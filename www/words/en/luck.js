@@ -1,5 +1,5 @@
 // Every word of the luck part.
-import { costText, fixed } from './numbers.js';
+import { costText, fixed, grouped } from './numbers.js';
 
 /** @typedef {import('../../luck/request.js').SeedSurvey} SeedSurvey */
 
@@ -21,9 +21,6 @@ export const texts = {
   luckClose: 'Close',
 };
 
-/** Thousands apart. @param {number} count */
-const whole = (count) => count.toLocaleString('en').replaceAll(',', ' ');
-
 /** @param {number} count */
 export const runText = (count) => `Run ${count} seeds`;
 export const cancel = 'Cancel';
@@ -35,14 +32,14 @@ export const generationsChoice = (generations) => `${generations} generations`;
 
 /** @param {SeedSurvey} survey */
 export const surveyNote = ({ runs, drives, milliseconds }) =>
-  `${whole(2 * runs.length * drives)} drives in ${fixed(milliseconds / 1000, 1)} s`;
+  `${grouped(2 * runs.length * drives)} drives in ${fixed(milliseconds / 1000, 1)} s`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `the lab: seed ${seed}, generation ${generation}`;
 
 /** What a press will do. @param {number} count @param {number} generations @param {number} drives */
 export const invitation = (count, generations, drives) =>
-  `One run is one throw of the dice. Run ${count} seeds: each evolves from other random robots for ${generations} generations, and beside it random search tries as many gains, ${whole(drives)} drives each.`;
+  `One run is one throw of the dice. Run ${count} seeds: each evolves from other random robots for ${generations} generations, and beside it random search tries as many gains, ${grouped(drives)} drives each.`;
 
 /** @param {number} progress @param {number} count */
 export const progressText = (progress, count) => `${Math.floor(progress * count)} of ${count} seeds`;

@@ -1,29 +1,7 @@
-// How numbers are written.
+// How numbers are written in English.
+export * from '../numbers.js';
 
-/** @typedef {import('../../engine.js').Posture} Posture */
+const groups = new Intl.NumberFormat('en');
 
-/** Fixed digits and no −0, as it is typed. @param {number} value @param {number} digits */
-export const typed = (value, digits) => (Math.abs(value) < 0.5 / 10 ** digits ? 0 : value).toFixed(digits);
-
-/** The same as it is printed, with a minus sign. @param {number} value @param {number} digits */
-export const fixed = (value, digits) => typed(value, digits).replace('-', '−');
-
-/** Three digits that count, as printed. @param {number} value */
-export const threeDigits = (value) => String(Number(value.toPrecision(3))).replace('-', '−');
-
-/** @param {number} value */
-export function costText(value) {
-  if (!Number.isFinite(value)) return '∞';
-  if (value < 100) return fixed(value, 3);
-  return value < 1e6 ? fixed(value, 1) : value.toExponential(2);
-}
-
-/** @param {number} radians */
-export const degrees = (radians) => `${fixed((radians * 180) / Math.PI, 0)}°`;
-
-/** @param {Posture} posture */
-export const postureText = ({ x, y, theta }) => `${fixed(x, 2)} m, ${fixed(y, 2)} m, ${degrees(theta)}`;
-
-/** What somebody has typed; NaN if it is no number. @param {string} text */
-export const numberOf = (text) =>
-  text.trim() === '' ? Number.NaN : Number(text.trim().replaceAll('−', '-').replace(',', '.'));
+/** Groups of three digits; thin spaces, because a comma could be read as a decimal point. @param {number} whole */
+export const grouped = (whole) => groups.format(whole).replaceAll(',', '\u202f');

@@ -1,5 +1,5 @@
 // Every word of the robustness part.
-import { costText, degrees, fixed } from './numbers.js';
+import { costText, degrees, fixed, grouped } from './numbers.js';
 
 /** @typedef {import('../../robustness/request.js').Quantity} Quantity */
 /** @typedef {{ x: number, y: number }} Place */
@@ -12,26 +12,25 @@ export const texts = {
 };
 
 export const quantityLegend = 'What the colour means';
-export const quantities = /** @type {const} */ ([
+/** @type {readonly import('../../segmented.js').Choice<Quantity>[]} */
+export const quantities = [
   { value: 'share', text: 'Arrives', hint: 'How many of the headings arrive' },
   { value: 'time', text: 'Time', hint: 'The time of those that arrive' },
   { value: 'cost', text: 'J', hint: 'The cost of those that arrive' },
-]);
+];
 
 export const headingLegend = 'Headings of the starts';
-export const headingChoices = /** @type {const} */ ([
+/** @type {readonly import('../../segmented.js').Choice<'all' | 'one'>[]} */
+export const headingChoices = [
   { value: 'all', text: 'All', hint: 'All headings together' },
   { value: 'one', text: 'One', hint: 'One heading, chosen on the dial' },
-]);
+];
 
 /** @param {number} half */
 export const extent = (half) => `±${half} m`;
 
 /** @param {number} share */
 export const percent = (share) => `${fixed(100 * share, 1)} %`;
-
-/** @param {number} count */
-const grouped = (count) => count.toLocaleString('en').replaceAll(',', '\u202f');
 
 /** @param {number} starts @param {number} milliseconds */
 export const startsText = (starts, milliseconds) =>

@@ -19,7 +19,7 @@ export const changedText = (changed) => (changed === 0 ? 'As in the preset' : `$
 
 export const hint = 'Point at a setting to read what it does.';
 
-export const groups = /** @type {const} */ ({
+export const groups = {
   limits: 'Limits',
   weights: 'Cost J',
   task: 'Start and goal',
@@ -27,7 +27,7 @@ export const groups = /** @type {const} */ ({
   law: 'Control law',
   disturbance: 'Disturbance',
   evolution: 'Evolution',
-});
+};
 
 /** Names and help, by the path in the experiment. @type {Readonly<Record<string, SettingWords>>} */
 export const settings = {

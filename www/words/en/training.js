@@ -1,5 +1,5 @@
 // Every word of the training part.
-import { costText, fixed } from './numbers.js';
+import { costText, fixed, grouped } from './numbers.js';
 
 /** @typedef {import('../../training/request.js').Result} Result */
 /** @typedef {import('../../training/request.js').RowName} RowName */
@@ -20,8 +20,7 @@ export const cancel = 'Cancel';
 export const generationsChoice = (generations) => `${generations} generations`;
 
 /** Groups of three digits, when there are more than four. @param {number} value */
-const whole = (value) =>
-  value < 10_000 ? String(value) : value.toLocaleString('en').replaceAll(',', '\u202f');
+const whole = (value) => (value < 10_000 ? String(value) : grouped(value));
 
 /** @param {number} part @param {number} count */
 export const percent = (part, count) => `${fixed((100 * part) / count, 0)}\u202f%`;
@@ -45,13 +44,7 @@ export const rowName = (name, count) =>
     hand: 'By hand',
   })[name];
 
-export const columns = /** @type {const} */ ([
-  'gains evolved on …',
-  'trained on',
-  'never seen',
-  'mean J',
-  'J from start',
-]);
+export const columns = ['gains evolved on …', 'trained on', 'never seen', 'mean J', 'J from start'];
 
 /** @param {number} count */
 export const unseenColumn = (count) => `arrives, of ${whole(count)} never seen`;

@@ -1,0 +1,29 @@
+// Every word about the keyboard, in Korean.
+
+export const texts = {
+  keysButton: '단축키',
+  keysTitle: '키보드',
+  keysClose: '닫기',
+  keysSingle: '한 글자 단축키 사용(입력 중에는 작동하지 않음)',
+  keysEverywhere: '모든 버튼, 슬라이더, 그림은 Tab 키로도 옮겨 갈 수 있습니다.',
+};
+
+/** Single keys: what they press. @type {readonly (readonly [key: string, meaning: string, id: string])[]} */
+export const single = [
+  ['r', '진화 시작 또는 멈춤', 'run'],
+  ['n', '1세대 진행', 'one-generation'],
+  ['b', '1세대 뒤로', 'one-back'],
+  ['p', '로봇 주행 또는 멈춤', 'play'],
+  ['s', '설정', 'settings-button'],
+];
+
+/** Keys of what has the focus. @type {readonly (readonly [keys: string, meaning: string])[]} */
+export const focused = [
+  ['← → ↑ ↓', '선택한 것을 움직임: 슬라이더, 출발, 목표, 지도의 커서'],
+  ['Shift + 화살표', '출발이나 목표를 5°씩 돌리거나, 지도의 커서를 크게 옮김'],
+  ['Alt + 화살표', '출발이나 목표를 조금씩 옮기거나 돌림'],
+  ['Enter', '버튼 누르기. 지도에서는 커서가 가리키는 값으로 주행'],
+  ['Esc', '열린 창 닫기'],
+  ['Ctrl + Z, Ctrl + Shift + Z', '실험 변경의 실행 취소와 다시 실행'],
+  ['?', '이 안내'],
+];

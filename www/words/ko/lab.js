@@ -1,0 +1,270 @@
+// Every word of the lab and of what all pages share, in Korean.
+import { isTracking } from '../../reference.js';
+import { costText, degrees, fixed, postureText } from './numbers.js';
+
+export { costSymbol, gains, speeds } from '../en/lab.js';
+export * from './numbers.js';
+
+/** @typedef {import('../../engine.js').Posture} Posture */
+/** @typedef {import('../../engine.js').Run} Run */
+/** @typedef {import('../../engine.js').Statistics} Statistics */
+/** @typedef {import('../../state.js').Driver} Driver */
+/** @typedef {import('../../state.js').PageName} PageName */
+/** @typedef {import('../../state.js').Restart} Restart */
+/** @typedef {import('../../state.js').Until} Until */
+
+/** Texts of elements with data-text, labels of elements with data-label. */
+export const texts = {
+  pageTitle: '로봇 제어기의 진화',
+  pageDescription:
+    '진화 프로그래밍이 이동 로봇 자세 제어기의 이득을 찾아 가는 과정을 보여 줍니다(Kim과 Shim, 1995).',
+  pages: '이 페이지의 구성',
+  evolutionSection: '진화',
+  planeSection: '로봇',
+  robotClock: '로봇의 시간',
+  speed: '로봇 재생 속도',
+  scrub: '로봇의 주행 시각',
+  curveTitle: '적합도 곡선',
+  generationWord: '세대',
+  evolutionClock: '진화의 시간',
+  oneGeneration: '1세대 진행',
+  oneBack: '1세대 뒤로',
+  timeline: '세대',
+  pace: '초당 세대 수',
+  until: '진화를 멈출 때',
+  untilValue: '진화를 멈출 세대 또는 J',
+  reset: '처음으로',
+  newSeed: '새 시드',
+  seedWord: '시드',
+  gainsTitle: '이득',
+  costMeaning: 'J, 낮을수록 좋음',
+};
+
+export const presetLegend = '로봇의 제한';
+/** @type {readonly import('../../segmented.js').Choice<import('../../engine.js').Preset>[]} */
+export const presets = [
+  { value: 'velocity-limits', text: '속도 제한', hint: '논문의 그림 4, 5' },
+  { value: 'acceleration-limits', text: '+ 가속도 제한', hint: '논문의 그림 6, 7' },
+];
+
+export const driverLegend = '주행에 쓰는 이득';
+/** @type {readonly import('../../segmented.js').Choice<Driver>[]} */
+export const drivers = [
+  { value: 'evolved', text: '진화 최우수' },
+  { value: 'hand', text: '직접 조정' },
+  { value: 'paper-ep', text: '논문: EP', hint: '논문에서 진화 프로그래밍으로 찾은 이득' },
+  {
+    value: 'paper-arbitrary',
+    text: '논문: 임의',
+    hint: '논문이 비교 대상으로 삼은, 진화 없이 정한 이득',
+  },
+];
+
+/** @type {Record<PageName, string>} */
+export const pages = {
+  lab: '실험실',
+  generation: '세대',
+  curves: '곡선',
+  landscape: '비용 지형',
+  robustness: '강인성',
+  training: '학습',
+  disturbance: '외란',
+  luck: '운',
+};
+
+/** What each part is for. @param {number} population @returns {Record<PageName, string>} */
+export const taglines = (population) => ({
+  lab: `무작위 이득 세 개씩을 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`,
+  generation:
+    '한 세대를 단계별로 봅니다: 누가 누구의 자손인지, 어떻게 주행했는지, 토너먼트에서 누구를 만났는지, 누가 남는지.',
+  curves: '논문의 그림 5, 7과 같은 시간에 따른 주행, 그리고 그동안 쌓이는 J입니다.',
+  landscape:
+    '점 하나하나가 서로 다른 이득을 가진 로봇이고, 색은 그 주행의 비용입니다. 목표를 끌면 골짜기가 움직입니다.',
+  robustness:
+    '같은 이득으로 모든 곳에서 출발합니다. 어디에서 도착하고 어디에서 실패할까요? 누르면 그곳에서 주행합니다.',
+  training:
+    '출발점 하나로 진화한 이득은 그 출발점만 익힙니다. 여러 출발점으로 진화시키고, 처음 보는 출발점에서 시험해 보세요.',
+  disturbance:
+    '바닥이 밀고 바퀴가 미끄러집니다. 로봇은 목표에서 얼마나 벗어나고, 정리 2는 무엇을 보장할까요?',
+  luck: '시드 백 개로 같은 진화를 반복합니다. 좋은 결과의 어디까지가 운이고, 무작위로 찾는 것보다 나을까요?',
+});
+
+export const endTrial = '원래 출발점으로';
+
+/** @param {Driver} driver @param {number} generation */
+export const driverName = (driver, generation) =>
+  ({
+    evolved: `${generation}세대 최우수`,
+    hand: '직접 조정한 이득',
+    'paper-ep': '논문의 EP 이득',
+    'paper-arbitrary': '논문의 임의 이득',
+  })[driver];
+
+/** @param {Driver} driver */
+export const costTitle = (driver) =>
+  ({
+    evolved: '최우수 로봇의 비용',
+    hand: '직접 조정한 이득의 비용',
+    'paper-ep': '논문 EP 이득의 비용',
+    'paper-arbitrary': '논문 임의 이득의 비용',
+  })[driver];
+
+/** @param {Run} run */
+export const outcomeText = (run) =>
+  ({
+    arrived: `${fixed(run.finalTime, 2)}초 뒤 도착`,
+    horizon: isTracking(run)
+      ? `${fixed(run.finalTime, 0)}초 동안 기준을 추종`
+      : `${fixed(run.finalTime, 0)}초 안에 도착하지 못함`,
+    diverged: '유한한 값을 벗어나 발산',
+  })[run.outcome];
+
+/** @param {string} name @param {number} cost */
+export const costNote = (name, cost) => `같은 조건, ${name}: ${costText(cost)}`;
+
+/** @param {number} value */
+export const partText = (value) => (value < 100 ? fixed(value, 2) : costText(value));
+
+/** @type {readonly (readonly [part: Exclude<keyof import('../../engine.js').Cost, 'total'>, name: string])[]} */
+export const costParts = [
+  ['time', '시간'],
+  ['path', '경로'],
+  ['energy', '에너지'],
+  ['finalError', '최종'],
+  ['penalty', '벌점'],
+];
+
+/** @param {{ others: number, population: number, arrived: number | null }} drives Null where nobody can arrive. */
+export function othersText({ others, population, arrived }) {
+  const who = others === population - 1 ? `나머지 ${others}대` : `전체 ${population}대 중 다음 ${others}대`;
+  return arrived === null ? who : `${who}, ${arrived}대 도착`;
+}
+
+/** @param {string} name @param {Run} run */
+export const comparisonText = (name, run) => `${name}, J ${costText(run.cost.total)}`;
+
+export const withoutDisturbance = '같은 주행, 외란 없음';
+
+export const dragHint = '끌어서 옮기거나 돌리기';
+export const startName = '출발';
+export const goalName = '목표';
+export const referenceName = '기준';
+export const restorePostures = '논문의 자세로';
+
+/** @param {string} name @param {Posture} posture */
+export const positionLabel = (name, posture) =>
+  `${name} 위치: ${postureText(posture)}. 화살표 키로 0.1 m씩, Alt와 함께 0.01 m씩 옮깁니다. Shift와 왼쪽·오른쪽 화살표로 5°씩 돌립니다.`;
+
+/** @param {string} name @param {Posture} posture */
+export const headingLabel = (name, posture) =>
+  `${name} 방향각: ${degrees(posture.theta)}. 왼쪽·오른쪽 화살표로 5°씩, Alt와 함께 1°씩 돌립니다.`;
+
+export const planeLabel = '출발점에서 목표로 로봇이 주행하는 평면';
+
+/** @param {string} name @param {Run} run @param {Posture} start @param {Posture} goal @param {string} time @param {string} others @param {string[]} pins */
+export const planeText = (name, run, start, goal, time, others, pins) =>
+  `주행: ${name}. 출발 ${postureText(start)}, 목표 ${postureText(goal)}. 결과: ${outcomeText(run)}. 표시 시각: ${time}. ${others}${pins.length > 0 ? ` 고정한 주행: ${pins.join('; ')}.` : ''}`;
+
+/** @param {number} time @param {number} finalTime */
+export const clockText = (time, finalTime) => `${fixed(time, 2)} / ${fixed(finalTime, 2)}초`;
+
+export const play = '로봇 주행 시작';
+export const pause = '로봇 멈춤';
+export const run = '진화 시작';
+export const pauseEvolution = '멈춤';
+
+/** @param {number} pace */
+export const paceText = (pace) => (Number.isFinite(pace) ? `초당 ${pace}` : '최대 속도');
+
+/** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
+export const untils = [
+  ['every', '100세대마다 멈춤'],
+  ['generation', '멈출 세대'],
+  ['cost', 'J가 이보다 낮으면'],
+];
+
+/** What is wrong with it, if anything. @param {Until['kind']} kind @param {number} value @param {string} text */
+export const untilRefused = (kind, value, text) =>
+  kind === 'generation'
+    ? Number.isInteger(value) && value >= 1
+      ? ''
+      : `멈출 세대는 1 이상의 정수여야 합니다. 입력값: “${text}”.`
+    : value > 0 && value < Number.POSITIVE_INFINITY
+      ? ''
+      : `멈출 J는 0보다 큰 수여야 합니다. 입력값: “${text}”.`;
+
+/** @param {number} generation @param {number} newest */
+export const generationText = (generation, newest) => `${newest}세대 중 ${generation}세대`;
+
+/** @param {number} generation @param {number} newest */
+export const recordedText = (generation, newest) =>
+  `전체 ${newest}세대 중 ${generation}세대로 돌아왔습니다. 모두 그때 그대로입니다.`;
+
+/** @param {Restart} restart @param {number} population */
+export const restartText = (restart, population) =>
+  ({
+    begin: `무작위 로봇 ${population}대입니다. 진화를 시작하면 저마다 자손을 하나씩 만들고, 토너먼트로 ${population}대가 남습니다.`,
+    moved: '출발 또는 목표가 바뀌어 진화를 0세대부터 다시 시작합니다.',
+    limits: '제한이 바뀌어 진화를 0세대부터 다시 시작합니다.',
+    seed: `새 시드입니다. 0세대의 다른 로봇 ${population}대로 시작합니다.`,
+    setting: '설정이 바뀌어 진화를 0세대부터 다시 시작합니다.',
+    undone: '한 단계 되돌렸습니다. 진화를 0세대부터 다시 시작합니다.',
+    redone: '한 단계 다시 적용했습니다. 진화를 0세대부터 시작합니다.',
+    reset: '다시 0세대입니다. 같은 시드에서는 같은 진화가 일어납니다.',
+  })[restart];
+
+/** @param {Statistics} first @param {Statistics} newest */
+export function progressText(first, newest) {
+  const drives = `지금까지 주행 ${newest.evaluations}회`;
+  const [from, to] = [costText(first.best.cost), costText(newest.best.cost)];
+  return from === to ? `${drives}, 최우수 J 변화 없음: ${to}` : `${drives}, 최우수 J: ${from} → ${to}`;
+}
+
+/** @param {number} generation */
+export const restText = (generation) =>
+  `${generation}세대에서 멈추었습니다. “진화 시작”을 누르면 이어집니다.`;
+
+/** @param {Statistics} statistics */
+export const announcement = (statistics) =>
+  `${statistics.generation}세대: 최우수 J ${costText(statistics.best.cost)}`;
+
+export const bestLine = '최우수';
+export const medianLine = '중앙값';
+export const paperLine = '논문 EP';
+/** A line that runs above the picture. @param {string} line */
+export const above = (line) => `${line} ↑`;
+
+/** @param {number} cost */
+export const paidText = (cost) => `J ${String(Number(cost.toPrecision(6)))}`;
+
+/** @param {number} metres */
+export const outside = (metres) => `${fixed(metres, 1)} m 밖`;
+
+/** @param {Statistics} first @param {Statistics} newest */
+export const curveLabel = (first, newest) =>
+  `${newest.generation}세대에 걸친 적합도 곡선. 최우수 J: ${costText(first.best.cost)} → ${costText(newest.best.cost)}, 중앙값: ${costText(first.median)} → ${costText(newest.median)}.`;
+
+export const generationAxis = '세대';
+
+/** @param {Driver} driver @param {number} evolved The best cost of the newest generation. */
+export const gainsNote = (driver, evolved) =>
+  ({
+    evolved: '움직이면 직접 조정으로 바뀝니다',
+    hand: `도전: 진화의 최우수 J ${costText(evolved)}보다 낮게`,
+    'paper-ep': '논문에서 진화로 찾은 이득',
+    'paper-arbitrary': '진화 없이 정한 이득',
+  })[driver];
+
+/** @param {string} name */
+export const gainSliderLabel = (name) => `${name}, 슬라이더`;
+/** @param {string} name */
+export const gainInputLabel = (name) => `${name}, 값`;
+
+/** @param {string} name @param {string} was */
+export const notANumber = (name, was) => `${name}: 수를 입력해야 합니다(예: 3.5). 입력값: “${was}”.`;
+/** @param {string} name @param {string} message */
+export const gainRefused = (name, message) => `${name}: 이 값은 쓸 수 없습니다. ${message}`;
+
+/** @param {string} message */
+export const coreMissing = (message) =>
+  `브라우저가 이 페이지의 WebAssembly 코어를 불러오지 못해 로봇이 주행할 수 없습니다(${message}).`;

@@ -1,0 +1,32 @@
+// Every word about links, in Korean.
+
+/** @param {string} found @param {readonly string[]} parts */
+export const unknownPart = (found, parts) =>
+  `링크의 “${found}” 부분은 이 페이지에 없습니다. 있는 부분: ${parts.join(', ')}.`;
+
+/** @param {string} key @param {string} reason */
+export const ignored = (key, reason) => `링크에서 다음 항목을 뺐습니다 — ${key}: ${reason}`;
+
+/** @param {string} expected @param {string} found */
+export const expected = (expected, found) => `필요한 형식은 ${expected}, 적힌 값은 “${found}”입니다.`;
+
+/** @param {string} found @param {number} own */
+export const otherVersion = (found, own) => `링크의 버전은 ${found}, 이 페이지가 읽는 버전은 ${own}입니다.`;
+
+export const unknownField = '이 페이지에 없는 설정입니다.';
+export const noGains = 'hand에는 gains=kx,ky,kθ 항목이 함께 있어야 합니다.';
+export const aPin = '이름~kx,ky,kθ와, ~ 뒤에 이어지는 다른 실험 설정';
+
+/** @param {number} most */
+export const longLink = (most) => `링크가 ${most}자보다 깁니다. 나머지는 읽지 않았습니다.`;
+
+export const aNumber = '수';
+export const aPosture = '2,2,45deg와 같은 세 값 x,y,θ';
+export const threeNumbers = '세 수 kx,ky,kθ';
+export const otherGain = 'x와 다른 이득';
+
+/** @param {number} most */
+export const wholeNumber = (most) => `0 이상 ${most} 이하의 정수`;
+
+/** @param {readonly string[]} choices */
+export const oneOf = (choices) => `다음 가운데 하나(${choices.join(', ')})`;

@@ -1,0 +1,48 @@
+// What the core, the workers and the browser say when something is refused or fails, in Korean.
+
+/** What the core demands, as it says it, and the same in Korean. @type {readonly (readonly [RegExp, string])[]} */
+const demands = [
+  [/^a whole number from (\S+) to (\d+), the newest$/, '$1 이상 $2 이하의 정수($2: 최신 세대)'],
+  [/^a whole number from (\S+) to (\S+)$/, '$1 이상 $2 이하의 정수'],
+  [/^a number from (\S+) to the horizon of (\S+) s$/, '$1 이상, 제한 시간 $2초 이하의 수'],
+  [/^a number from (\S+) to (\S+), or null for no limit$/, '$1 이상 $2 이하의 수 또는 null(제한 없음)'],
+  [
+    /^a number from (\S+) to (\S+) (\S+), or null for no limit$/,
+    '$1 이상 $2 $3 이하의 수 또는 null(제한 없음)',
+  ],
+  [/^a number from (\S+) to (\S+) (\S+)$/, '$1 이상 $2 $3 이하의 수'],
+  [/^a number from (\S+) to (\S+)$/, '$1 이상 $2 이하의 수'],
+  [/^a number over 0 on a log axis$/, '로그 축에서는 0보다 큰 수'],
+  [/^a finite number$/, '유한한 수'],
+  [/^a list of 1 to (\d+) postures$/, '자세 1~$1개의 목록'],
+  [/^at most (\S+) times sampleTime$/, 'sampleTime의 $1배 이하'],
+  [/^\[low, high\] with low under high$/, '[작은 값, 큰 값] 순서의 두 수'],
+  [/^0 or more for a random disturbance$/, '무작위 외란에서는 0 이상의 수'],
+  [
+    /^at most (\S+) with (\S+) starts and (\S+) samples a run$/,
+    '출발점 $2개, 주행당 샘플 $3개에서는 최대 $1',
+  ],
+  [/^('.+') or ('.+')$/, '$1, $2 가운데 하나'],
+];
+
+/** @param {string} expected */
+function demanded(expected) {
+  const found = demands.find(([pattern]) => pattern.test(expected));
+  return found ? expected.replace(...found) : expected;
+}
+
+/** @type {readonly (readonly [RegExp, (...parts: string[]) => string])[]} */
+const known = [
+  [
+    /^(.+?) must be (.+), but was (.+)$/s,
+    (_, field, expected, found) => `${field}: 허용되는 값은 ${demanded(expected)}입니다. 입력값: ${found}.`,
+  ],
+  [/^A worker was lost: (.*)$/s, (_, reason) => `계산을 맡은 워커가 멈추었습니다: ${reason}`],
+  [/^No worker can be started: (.*)$/s, (_, reason) => `워커를 시작할 수 없습니다: ${reason}`],
+  [/^it could not be started$/, () => '시작하지 못했습니다'],
+  [/^its answer cannot be read$/, () => '응답을 읽을 수 없습니다'],
+];
+
+/** @param {string} message */
+export const said = (message) =>
+  known.reduce((text, [pattern, write]) => text.replace(pattern, write), message);

@@ -1,0 +1,7 @@
+// How numbers are written in Korean.
+export * from '../numbers.js';
+
+const groups = new Intl.NumberFormat('ko');
+
+/** Groups of three digits. @param {number} whole */
+export const grouped = (whole) => groups.format(whole);
