@@ -33,7 +33,7 @@ const textOf = (page, selector) =>
   page.evaluate(async (one) => {
     await new Promise((resolve) => requestAnimationFrame(resolve));
     const element = /** @type {HTMLElement} */ (document.querySelector(one));
-    return element.checkVisibility() ? element.innerText : 'not in sight';
+    return element.checkVisibility() ? element.innerText.trim() : 'not in sight';
   }, selector);
 
 /** The rows of a table, its head first. @param {Page} page @param {string} id */
