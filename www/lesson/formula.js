@@ -1,16 +1,14 @@
 // Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
 import { create } from '../elements.js';
 import { lesson as words } from '../words/index.js';
-import { formulas } from './formulas.js';
 import { mathml, symbol } from './symbols.js';
 
 /** @typedef {import('./page.js').Live} Live */
-/** @typedef {keyof typeof formulas} FormulaName */
+/** @typedef {import('./notation.js').Formula} Formula */
 /** @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
 
-/** @param {FormulaName} name @returns {Block} */
-export function createFormula(name) {
-  const { label, build, numbers } = formulas[name];
+/** @param {Formula} formula @returns {Block} */
+export function createFormula({ label, build, numbers }) {
   const lines = mathml('mtable', ...build(symbol));
   const math = mathml('math', lines);
   math.setAttribute('display', 'block');

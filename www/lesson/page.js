@@ -168,7 +168,7 @@ function createBlock(block, step, text, href, tools) {
     case 'text':
       return still(create('div', 'prose', ...paragraphs(text.texts[block.name], href)));
     case 'formula':
-      return createFormula(block.name);
+      return createFormula(block.formula);
     case 'notice':
       return still(create('section', 'notice', create('h3', '', words.notice), list(text.notice, href)));
     case 'tries':

@@ -2,6 +2,18 @@
 import { language, usualLanguage } from '../words/language.js';
 import { drive } from './steps/drive.js';
 import { error } from './steps/error.js';
+import { law } from './steps/law.js';
+import { stability } from './steps/stability.js';
+import { limits } from './steps/limits.js';
+import { cost } from './steps/cost.js';
+import { generation } from './steps/generation.js';
+import { sigma } from './steps/sigma.js';
+import { duel } from './steps/duel.js';
+import { landscape } from './steps/landscape.js';
+import { task } from './steps/task.js';
+import { disturbance } from './steps/disturbance.js';
+import { paper } from './steps/paper.js';
+import { lecturers } from './steps/lecturers.js';
 
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {import('./page.js').Block} Block */
@@ -11,7 +23,7 @@ import { error } from './steps/error.js';
 /** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step. */
 /**
  * @typedef {{ kind: 'text', name: string }
- *   | { kind: 'formula', name: import('./formula.js').FormulaName }
+ *   | { kind: 'formula', formula: import('./notation.js').Formula }
  *   | { kind: 'notice' }
  *   | { kind: 'tries', tries: readonly (readonly [name: string, link: string])[] }
  *   | { kind: 'quiz', name: string, quiz: Quiz }
@@ -28,7 +40,22 @@ import { error } from './steps/error.js';
  */
 
 /** @type {readonly Step[]} */
-export const steps = [drive, error];
+export const steps = [
+  drive,
+  error,
+  law,
+  stability,
+  limits,
+  cost,
+  generation,
+  sigma,
+  duel,
+  landscape,
+  task,
+  disturbance,
+  paper,
+  lecturers,
+];
 
 /** The link with the step of the lesson in it. @param {string} link @param {number} number */
 export function hrefOf(link, number) {

@@ -1,4 +1,5 @@
 // Step 2: where the goal is, seen from the robot.
+import { errorFormula } from '../formulas.js';
 import { degreesText, signed } from '../../words/numbers.js';
 
 /** @type {import('../steps.js').Step} */
@@ -9,7 +10,7 @@ export const error = {
   overlay: true,
   blocks: [
     { kind: 'text', name: 'three' },
-    { kind: 'formula', name: 'error' },
+    { kind: 'formula', formula: errorFormula },
     { kind: 'text', name: 'signs' },
     {
       kind: 'quiz',

@@ -1,6 +1,18 @@
 // Every word of the lesson that its steps share, and the steps.
 import { drive } from './lesson/drive.js';
 import { error } from './lesson/error.js';
+import { law } from './lesson/law.js';
+import { stability } from './lesson/stability.js';
+import { limits } from './lesson/limits.js';
+import { cost } from './lesson/cost.js';
+import { generation } from './lesson/generation.js';
+import { sigma } from './lesson/sigma.js';
+import { duel } from './lesson/duel.js';
+import { landscape } from './lesson/landscape.js';
+import { task } from './lesson/task.js';
+import { disturbance } from './lesson/disturbance.js';
+import { paper } from './lesson/paper.js';
+import { lecturers } from './lesson/lecturers.js';
 
 export const texts = { lesson: 'Lesson' };
 
@@ -24,4 +36,19 @@ export const otherwise = 'It is otherwise.';
 export const computing = 'Driving …';
 export const askAgain = 'Ask me again';
 
-export const steps = { drive, error };
+export const steps = {
+  drive,
+  error,
+  law,
+  stability,
+  limits,
+  cost,
+  generation,
+  sigma,
+  duel,
+  landscape,
+  task,
+  disturbance,
+  paper,
+  lecturers,
+};
