@@ -1,11 +1,11 @@
 // Step 1: drive it yourself. No theory yet.
 import { createTallyLine } from '../tally-line.js';
-import { costText } from '../../words/numbers.js';
+import { costText, fixed } from '../../words/numbers.js';
 
 /** @type {import('../steps.js').Step} */
 export const drive = {
   name: 'drive',
-  link: 'lab&drives=hand&gains=1,1,1',
+  link: 'lab&drives=hand&gains=3,0,0',
   figure: 'drive',
   blocks: [
     { kind: 'text', name: 'begin' },
@@ -28,7 +28,7 @@ export const drive = {
     {
       kind: 'tries',
       tries: [
-        ['noTurn', 'lab&drives=hand&gains=3,0,0'],
+        ['onlySecond', 'lab&drives=hand&gains=0,5,0'],
         ['noDrive', 'lab&drives=hand&gains=0,0,5'],
         ['negative', 'lab&drives=hand&gains=-1,1,5'],
         ['paper', 'lab&drives=paper-ep'],
@@ -39,7 +39,9 @@ export const drive = {
   ],
   values: ({ engine, state, paper }) => {
     const arbitrary = paper.find(({ preset, method }) => preset === state.preset && method === 'arbitrary');
-    const [run] = engine.drive(state.experiment, [arbitrary?.gains ?? [10, 10, 10]]);
-    return { arbitrary: costText(run.cost.total) };
+    const [run, first] = engine.drive(state.experiment, [arbitrary?.gains ?? [10, 10, 10], [3, 0, 0]]);
+    const { goal } = state.experiment;
+    const miss = Math.hypot(first.x[first.x.length - 1] - goal.x, first.y[first.y.length - 1] - goal.y);
+    return { arbitrary: costText(run.cost.total), miss: fixed(miss, 2) };
   },
 };

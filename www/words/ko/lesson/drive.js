@@ -4,43 +4,43 @@ import { costText, fixed } from '../numbers.js';
 /** @typedef {import('../../../engine.js').Run} Run */
 
 export const drive = {
-  title: 'Drive it yourself',
+  title: '직접 몰아 보기',
   texts: {
-    begin: `This robot has two wheels and wants to park on the arrow in the corner: there, and pointing that way. Three numbers decide how it drives. With these three it does not get there.
+    begin: `바퀴 두 개로 달리는 이 로봇은 오른쪽 위의 화살표에 서려고 합니다. 바로 그 자리에, 그 방향을 보고 서야 합니다. 숫자 세 개가 주행을 결정합니다. 지금의 세 숫자로는 목표에서 {=miss} m 떨어진 곳에 멈추고 맙니다.
 
-Move the three sliders under the picture. Every change drives the robot again. Below the picture stands *J*, the price of the drive: it counts the time, how far from the goal the robot has been for how long, and how hard its wheels had to work. *Lower is better.*
+그림 아래의 슬라이더 세 개를 움직여 보십시오. 숫자가 바뀔 때마다 로봇이 다시 달립니다. 그 옆의 *J*는 주행의 값입니다. 걸린 시간, 목표에서 떨어져 있던 거리와 동안, 바퀴가 쓴 힘을 모두 셈합니다. *낮을수록 좋습니다.*
 
-*Can you get J below {=arbitrary}?* That is what the authors of the method reached without evolution.`,
-    next: `You have just done what this page is about: you changed numbers at random or by feel, watched, and kept what was better. Evolution does the same, with twenty robots at a time and without growing tired. But first: what are these three numbers?`,
+*J를 {=arbitrary} 아래로 낮출 수 있습니까?* 이 방법을 만든 저자들이 진화 없이 고른 숫자로 얻은 값입니다.`,
+    next: `방금 한 일이 바로 이 페이지의 주제입니다. 숫자를 느낌대로 바꾸고, 지켜보고, 더 나은 것을 남겼습니다. 진화도 똑같이 합니다. 다만 로봇 스무 대로 한꺼번에, 지치지 않고 합니다. 그런데 이 세 숫자는 도대체 무엇입니까?`,
   },
   /** @param {import('../../../lesson/tally.js').Tally} tally */
   tally: ({ drives, best }) =>
     best
-      ? `Your best so far: J ${costText(best.cost)}, with ${best.gains.map((gain) => fixed(gain, 2)).join(', ')}. ${drives === 1 ? '1 drive' : `${drives} drives`}.`
+      ? `지금까지 가장 좋은 결과: J ${costText(best.cost)}, 숫자 ${best.gains.map((gain) => fixed(gain, 2)).join(', ')}. 주행 ${drives}번.`
       : drives > 0
-        ? `${drives === 1 ? '1 drive' : `${drives} drives`}, and none has arrived yet.`
-        : 'You have not driven yet.',
+        ? `주행 ${drives}번, 아직 한 번도 도착하지 못했습니다.`
+        : '아직 몰아 보지 않았습니다.',
   quizzes: {
     bolder: {
-      question: 'All three numbers at 5, then all three at 10: what does it change?',
-      choices: [
-        'It arrives earlier, and J is lower',
-        'It arrives earlier, but J is higher',
-        'It arrives later',
-      ],
+      question: '세 숫자를 모두 5로 했다가 모두 10으로 올리면 무엇이 달라집니까?',
+      choices: ['더 빨리 도착하고 J도 낮아진다', '더 빨리 도착하지만 J는 높아진다', '더 늦게 도착한다'],
       /** @param {{ gentle: Run, bold: Run }} outcome */
       why: ({ gentle, bold }) =>
-        `With 5 it arrives after ${fixed(gentle.finalTime, 2)} s at J ${costText(gentle.cost.total)}, with 10 after ${fixed(bold.finalTime, 2)} s at J ${costText(bold.cost.total)}. A hard turn at the start costs energy: ${fixed(gentle.cost.energy, 2)} against ${fixed(bold.cost.energy, 2)}.`,
+        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. 에너지 몫은 ${fixed(gentle.cost.energy, 2)}와 ${fixed(bold.cost.energy, 2)}, 경로 몫은 ${fixed(gentle.cost.path, 2)}와 ${fixed(bold.cost.path, 2)}입니다.`,
     },
   },
   tries: {
-    noTurn: 'Only the first number: 3, 0, 0',
-    noDrive: 'Only the third: 0, 0, 5',
-    negative: 'The first below zero: −1, 1, 5',
-    paper: 'The numbers that evolution found in the paper',
+    onlySecond: '둘째 숫자만: 0, 5, 0',
+    noDrive: '셋째 숫자만: 0, 0, 5',
+    negative: '첫째를 0보다 작게: −1, 1, 5',
+    paper: '논문에서 진화가 찾은 숫자',
   },
   notice: [
-    'Two drives can arrive at the same time and differ in J: what did the dearer one pay for? The bar under J says it.',
-    'Small changes of a number change the drive a little, sometimes not at all, and now and then all at once.',
+    '같은 때에 도착해도 J는 다를 수 있습니다. 비싼 쪽은 어디에 값을 치렀습니까? J 아래의 막대가 알려 줍니다.',
+    '숫자를 조금 바꾸면 주행도 대개 조금 바뀝니다. 그러다가 어느 순간 갑자기 달라지기도 합니다.',
   ],
 };
+
+/** @param {Run} run */
+const arrival = (run) =>
+  run.arrived ? `${fixed(run.finalTime, 2)}초 뒤에 도착하고` : '끝내 도착하지 못하고';

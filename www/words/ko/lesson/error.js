@@ -2,30 +2,30 @@
 import { degreesText, fixed } from '../numbers.js';
 
 export const error = {
-  title: 'Where is the goal?',
+  title: '목표는 어디에 있는가?',
   texts: {
-    three: `The robot knows where it is and where it shall be. What it steers by is the difference, taken apart in a clever way: not along the walls of the room, but along the direction in which it shall stand in the end.
+    three: `로봇은 지금 어디에 있는지, 어디에 있어야 하는지 압니다. 그 차이를 보고 움직입니다. 다만 차이를 방의 벽이 아니라 *마지막에 보고 설 방향*을 따라 나눕니다.
 
-{xe} is how far it still has to go *along* that direction, {ye} how far it is off *to the side*, {te} how much it still has to *turn*. At this moment {xe} is {=xe} m, {ye} is {=ye} m and {te} is {=te}. Drag the start or the goal and watch the three change; move the robot with its clock.`,
-    signs: `Point at a symbol: it lights up in the formula and in the picture. All three are zero when the robot is parked, and only then. So parking means: *bring three numbers to zero with two controls*, the speed {v} and the turn rate {w}. It cannot move sideways. That is what makes parking hard.`,
+{xe}는 그 방향을 *따라* 더 가야 할 거리, {ye}는 그 방향에서 *옆으로* 벗어난 거리, {te}는 더 *돌아야* 할 각도입니다. 지금 {xe}는 {=xe} m, {ye}는 {=ye} m, {te}는 {=te}입니다. 시계로 로봇을 움직이거나 출발과 목표를 끌면서 세 값이 바뀌는 것을 보십시오.`,
+    signs: `기호를 가리키면 식과 그림에서 함께 빛납니다. 로봇이 제대로 서면 셋 모두 0이고, 그 밖에는 그렇지 않습니다. 그러니 주차란 *두 손잡이로 세 수를 0으로 만드는 일*입니다. 손잡이는 속력 {v}와 회전 속도 {w}입니다. 옆으로는 움직일 수 없습니다. 그래서 주차가 어렵습니다. 손잡이를 어떻게 돌려야 합니까?`,
   },
   quizzes: {
     largest: {
       question:
-        'The robot starts at 0 m, 2 m, exactly left of the goal, which still points to the upper right. Which is longer, {xe} or {ye}?',
-      choices: ['{xe} is longer', 'They are equally long, or {ye} is longer'],
+        '로봇이 목표의 바로 왼쪽인 (0 m, 2 m)에서 출발합니다. 목표는 여전히 오른쪽 위를 봅니다. {xe}와 {ye}의 길이는 어느 쪽이 깁니까?',
+      choices: ['{xe}가 길다', '{ye}가 길다', '같다'],
       /** @param {{ x: number, y: number, theta: number }} outcome */
       why: ({ x, y, theta }) =>
-        `{xe} is ${fixed(x, 2)} m and {ye} is ${fixed(y, 2)} m: the goal points at 45°, just between “ahead” and “to the side”. {te} is ${degreesText(theta)}.`,
+        `출발할 때 {xe}는 ${fixed(x, 2)} m, {ye}는 ${fixed(y, 2)} m, {te}는 ${degreesText(theta)}입니다. 두 길이는 벽이 아니라 목표가 보는 방향을 따라 잽니다. 방향이 45°이면 “왼쪽”은 “뒤”와 “옆”이 반반입니다.`,
     },
   },
   tries: {
-    beside: 'Start beside the goal, already pointing the right way',
-    beyond: 'Start beyond the goal: it has to come back',
-    round: 'Start on the goal, pointing the wrong way',
+    beside: '목표 옆에서, 이미 같은 방향을 보고 출발',
+    beyond: '목표를 지나친 곳에서 출발: 되돌아와야 한다',
+    round: '목표 위에서, 반대 방향을 보고 출발',
   },
   notice: [
-    '{xe} and {ye} change while the robot only drives straight, {te} does not.',
-    '{xe} is below zero when the goal lies behind.',
+    '로봇이 곧게 달리면 {xe}와 {ye}만 바뀌고 {te}는 그대로입니다. 제자리에서 돌면 {te}만 바뀝니다.',
+    '목표가 뒤에 있으면 {xe}는 0보다 작습니다.',
   ],
 };
