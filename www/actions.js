@@ -3,6 +3,7 @@ import { firstCurves } from './curves/page.js';
 import { firstDisturbance } from './disturbance/request.js';
 import { firstGeneration } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
+import { noTally } from './lesson/tally.js';
 import { firstLuck } from './luck/request.js';
 import { messageOf } from './messages.js';
 import { atEnd, endsOf, fromStart, gainsOf, noTrial, pausesAt } from './state.js';
@@ -50,6 +51,9 @@ export function firstState(engine, preset) {
   const { statistics, population } = engine.begin(experiment);
   return {
     page: 'lab',
+    lesson: 0,
+    lastStep: 1,
+    progress: { answers: {}, tally: noTally },
     preset,
     experiment,
     history: [statistics],
@@ -415,6 +419,7 @@ export function createActions(engine, store, paper, finalTime) {
         const tried = rest.trial.disturbance ?? disturbance.tried;
         tryToBegin(experiment, 'begin', {
           ...rest,
+          lastStep: rest.lesson || store.get().lastStep,
           trial: rest.page === 'disturbance' ? { ...rest.trial, disturbance: tried } : rest.trial,
           disturbance: { ...disturbance, tried, error: null },
           landscape: { ...landscape, ...view.landscape, cursor: null, thirdError: '' },
@@ -434,6 +439,7 @@ export function createActions(engine, store, paper, finalTime) {
     /** @param {PageName} page */
     openPage(page) {
       const { page: before, trial, disturbance } = store.get();
+      store.update({ lesson: 0 });
       if (page === before) return;
       if (page === 'disturbance')
         store.update({ page, trial: { start: null, disturbance: disturbance.tried }, robot: shown() });

@@ -22,6 +22,7 @@ export const {
   keys,
   lab,
   landscape,
+  lesson,
   link,
   luck,
   messages,

@@ -1,0 +1,80 @@
+// The formulas of the paper that more than one step shows.
+import { degreesText, signed } from '../words/numbers.js';
+import { cos, dot, frac, further, line, row, sin, sup, term } from './notation.js';
+
+/** @typedef {import('./page.js').Live} Live */
+/** @typedef {import('./notation.js').Formula} Formula */
+
+/** The numbers that the law works with, at the time of the robot's clock. @param {Live} live */
+function lawNumbers({ sample, gains }) {
+  const { x, y, theta } = sample.error;
+  const [kx, ky, kt] = gains;
+  return {
+    xe: signed(x, 2),
+    ye: signed(y, 2),
+    te: degreesText(theta),
+    kx: signed(kx, 2),
+    ky: signed(ky, 2),
+    kt: signed(kt, 2),
+    v: signed(sample.command.linear, 2),
+    w: signed(sample.command.angular, 2),
+  };
+}
+
+/** (3) @type {Formula} */
+export const errorFormula = {
+  label: '(3)',
+  build: (leaf) => [
+    line(
+      leaf('xe'),
+      row(cos(leaf('tr')), '(', leaf('xr'), '−', leaf('xc'), ')'),
+      '+',
+      row(sin(leaf('tr')), '(', leaf('yr'), '−', leaf('yc'), ')'),
+    ),
+    line(
+      leaf('ye'),
+      '−',
+      row(sin(leaf('tr')), '(', leaf('xr'), '−', leaf('xc'), ')'),
+      '+',
+      row(cos(leaf('tr')), '(', leaf('yr'), '−', leaf('yc'), ')'),
+    ),
+    line(leaf('te'), leaf('tr'), '−', leaf('tc')),
+  ],
+  numbers: ({ sample }) => ({
+    xe: signed(sample.error.x, 2),
+    ye: signed(sample.error.y, 2),
+    te: degreesText(sample.error.theta),
+    xr: signed(sample.reference.x, 2),
+    yr: signed(sample.reference.y, 2),
+    tr: degreesText(sample.reference.theta),
+    xc: signed(sample.posture.x, 2),
+    yc: signed(sample.posture.y, 2),
+    tc: degreesText(sample.posture.theta),
+  }),
+};
+
+/** (5) for a goal that stands still. @type {Formula} */
+export const lawFormula = {
+  label: '(5)',
+  build: (leaf) => [
+    line(
+      leaf('v'),
+      term('kx', leaf('kx'), dot, leaf('xe'), dot, cos(leaf('te'))),
+      '−',
+      term('ky', leaf('ky'), dot, frac(sup(leaf('ye'), '3'), sin(leaf('te')))),
+    ),
+    line(
+      leaf('w'),
+      term('kt', leaf('kt'), dot, sin(leaf('te'))),
+      '+',
+      term(
+        'ky',
+        leaf('ky'),
+        dot,
+        frac(row(leaf('xe'), sup(leaf('ye'), '3'), cos(leaf('te'))), sup(sin(leaf('te')), '2')),
+      ),
+    ),
+    further('+', term('kx', leaf('kx'), dot, leaf('xe'), dot, leaf('ye'), dot, cos(leaf('te')))),
+  ],
+  numbers: lawNumbers,
+};

@@ -1,0 +1,47 @@
+// How formulas are put together. A leaf is drawn as its symbol or as its present number; all else is the same in both.
+import { mathml } from './symbols.js';
+
+/** @typedef {import('./page.js').Live} Live */
+/** @typedef {import('./symbols.js').SymbolName} SymbolName */
+/** @typedef {(name: SymbolName) => Element} Leaf */
+/** @typedef {{ label: string, build: (leaf: Leaf) => Element[], numbers?: (live: Live) => Record<string, string> }} Formula */
+
+/** @typedef {Element | string} Part A string of letters is a word, of anything else an operator. */
+
+/** @param {Part} part */
+const node = (part) =>
+  typeof part !== 'string'
+    ? part
+    : mathml(/^[\p{L}]+$/u.test(part) ? 'mi' : /^\d/.test(part) ? 'mn' : 'mo', part);
+
+/** @param {Part[]} parts */
+export const row = (...parts) => mathml('mrow', ...parts.map(node));
+/** What stands for one thing and lights up as one. @param {string} name @param {Part[]} parts */
+export const term = (name, ...parts) => {
+  const group = row(...parts);
+  group.setAttribute('data-term', name);
+  group.setAttribute('tabindex', '0');
+  return group;
+};
+/** @param {Part} above @param {Part} below */
+export const frac = (above, below) => mathml('mfrac', node(above), node(below));
+/** @param {Part} base @param {Part} power */
+export const sup = (base, power) => mathml('msup', node(base), node(power));
+/** @param {Part} inside */
+export const root = (inside) => mathml('msqrt', node(inside));
+/** One line of a formula: what it is, an equals sign, and the rest. @param {Part} left @param {Part[]} right */
+export const line = (left, ...right) =>
+  mathml('mtr', cell('right', node(left)), cell('left', row('=', ...right)));
+/** A line that goes on. @param {Part[]} right */
+export const further = (...right) => mathml('mtr', cell('right'), cell('left', row(...right)));
+
+/** @param {'left' | 'right'} side @param {Element[]} parts */
+function cell(side, ...parts) {
+  const element = mathml('mtd', ...parts);
+  element.setAttribute('class', side);
+  return element;
+}
+
+export const sin = (/** @type {Part} */ of) => row('sin', '\u2061', of);
+export const cos = (/** @type {Part} */ of) => row('cos', '\u2061', of);
+export const dot = '·';

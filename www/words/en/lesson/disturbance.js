@@ -1,0 +1,8 @@
+// disturbance
+export const disturbance = {
+  title: 'When the ground pushes',
+  texts: { begin: '' },
+  quizzes: {},
+  tries: {},
+  notice: [],
+};

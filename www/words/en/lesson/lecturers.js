@@ -1,0 +1,8 @@
+// lecturers
+export const lecturers = {
+  title: 'For lecturers',
+  texts: { begin: '' },
+  quizzes: {},
+  tries: {},
+  notice: [],
+};

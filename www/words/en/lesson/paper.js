@@ -1,0 +1,8 @@
+// paper
+export const paper = {
+  title: 'The paper’s numbers and ours',
+  texts: { begin: '' },
+  quizzes: {},
+  tries: {},
+  notice: [],
+};

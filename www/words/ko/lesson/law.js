@@ -1,0 +1,8 @@
+// law
+export const law = {
+  title: '제어 법칙',
+  texts: { begin: '' },
+  quizzes: {},
+  tries: {},
+  notice: [],
+};
