@@ -14,6 +14,7 @@ import init, {
   simulate,
   simulateAll,
   startsOnCircle,
+  version,
 } from '../../pkg/ep_locomotion.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
@@ -37,6 +38,7 @@ export {
   simulate,
   simulateAll,
   startsOnCircle,
+  version,
 };
 
 /** A cost as it is shown. @param {number} cost */
