@@ -19,13 +19,17 @@ function svg(tag, attributes, ...children) {
 /** @param {HTMLElement} root The svg, and beside it the labels. */
 export function createErrorPosture(root) {
   const picture = svg('svg', { 'aria-hidden': 'true' });
-  const names = /** @type {const} */ (['xe', 'ye', 'te']);
-  const parts = names.map((name) => {
-    const path = svg('path', { class: `error-line of-${name}` });
+  const names = /** @type {const} */ ([
+    ['xe', 'x'],
+    ['ye', 'y'],
+    ['te', 'theta'],
+  ]);
+  const parts = names.map(([name, colour]) => {
+    const path = svg('path', { class: `error-line of-${colour}` });
     const grip = svg('path', { class: 'error-grip' });
     const group = svg('g', { 'data-term': name }, path, grip);
     const label = document.createElement('span');
-    label.className = `error-label of-${name}`;
+    label.className = `error-label of-${colour}`;
     label.dataset.term = name;
     label.append(symbolInText(name));
     return { path, grip, group, label };

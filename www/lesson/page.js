@@ -183,7 +183,7 @@ function createBlock(block, step, text, href, tools) {
             ...block.tries.map(([name, link]) => {
               const anchor = Object.assign(create('a', 'try'), { href: href(link) });
               anchor.dataset.try = name;
-              anchor.append(...inline(text.tries[name], href));
+              anchor.append(create('span', '', ...inline(text.tries[name], href)));
               return create('li', '', anchor);
             }),
           ),
