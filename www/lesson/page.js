@@ -192,7 +192,7 @@ function createBlock(block, step, text, href, tools) {
     case 'quiz':
       return createQuestion(block, step, text, href, tools);
     case 'view':
-      return block.create(tools, text);
+      return block.create(tools, text, href);
   }
 }
 

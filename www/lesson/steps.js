@@ -27,7 +27,7 @@ import { lecturers } from './steps/lecturers.js';
  *   | { kind: 'notice' }
  *   | { kind: 'tries', tries: readonly (readonly [name: string, link: string])[] }
  *   | { kind: 'quiz', name: string, quiz: Quiz }
- *   | { kind: 'view', create: (tools: Tools, words: any) => Block }} Content
+ *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block }} Content
  */
 /**
  * @typedef {object} Step
@@ -57,8 +57,10 @@ export const steps = [
   lecturers,
 ];
 
-/** The link with the step of the lesson in it. @param {string} link @param {number} number */
+/** The link with the step of the lesson in it. @param {string} link @param {number} number @returns {string} */
 export function hrefOf(link, number) {
+  const step = /^lesson&step=(\d+)$/.exec(link);
+  if (step) return `#${linkOfStep(Number(step[1]))}`;
   const [part, ...pairs] = link.split('&');
   const read = language === usualLanguage ? [] : [`lang=${language}`];
   return `#${[part, 'v=1', ...read, ...pairs, `lesson=${number}`].join('&')}`;
