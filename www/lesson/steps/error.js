@@ -8,6 +8,7 @@ export const error = {
   link: 'lab&drives=hand&gains=3,1,5',
   figure: 'plane',
   overlay: true,
+  time: 0.3,
   blocks: [
     { kind: 'text', name: 'three' },
     { kind: 'formula', formula: errorFormula },
