@@ -7,6 +7,15 @@ import { isSymbol, mathml, symbol } from './symbols.js';
 /** @typedef {import('./notation.js').Formula} Formula */
 /** @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
 
+/** On a small screen a long formula scrolls, also by keyboard. @param {string} className @param {Element} math */
+function scroller(className, math) {
+  const element = create('div', className, math);
+  element.tabIndex = 0;
+  element.setAttribute('role', 'group');
+  element.setAttribute('aria-label', words.formula);
+  return element;
+}
+
 /** @param {Formula} formula @returns {Block} */
 export function createFormula({ label, build, filled = build, numbers }) {
   const lines = mathml('mtable', ...build(symbol));
@@ -14,7 +23,7 @@ export function createFormula({ label, build, filled = build, numbers }) {
   const math = mathml('math', lines);
   math.setAttribute('display', 'block');
   const number = create('span', 'formula-number', label);
-  const element = create('div', 'formula', create('div', 'formula-lines', math), number);
+  const element = create('div', 'formula', scroller('formula-lines', math), number);
   if (!numbers) return { element, draw() {} };
 
   /** @type {Map<string, Element[]>} */
@@ -31,7 +40,7 @@ export function createFormula({ label, build, filled = build, numbers }) {
   );
   const filledMath = mathml('math', numbersIn);
   filledMath.setAttribute('display', 'block');
-  const now = create('div', 'formula-lines formula-now', filledMath);
+  const now = scroller('formula-lines formula-now', filledMath);
   now.hidden = true;
   const button = create('button', 'link formula-button', words.showNumbers);
   button.setAttribute('type', 'button');

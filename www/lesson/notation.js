@@ -55,7 +55,11 @@ function cell(side, ...parts) {
   return element;
 }
 
-/** @param {Part} of @param {Part} [power] */
-export const sin = (of, power) => row(power ? sup('sin', power) : 'sin', '\u2061', of);
-export const cos = (/** @type {Part} */ of) => row('cos', '\u2061', of);
+/** @param {string} name */
+const ofAngle =
+  (name) =>
+  (/** @type {Part} */ angle, /** @type {Part | undefined} */ power = undefined) =>
+    row(power ? sup(name, power) : name, '\u2061', angle);
+export const sin = ofAngle('sin');
+export const cos = ofAngle('cos');
 export const dot = '·';
