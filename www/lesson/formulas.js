@@ -7,7 +7,7 @@ import { cos, dot, frac, further, integral, line, row, sin, sub, sup, term } fro
 /** @typedef {import('./notation.js').Formula} Formula */
 /** @typedef {import('./notation.js').Leaf} Leaf */
 
-/** The numbers that the law works with, at the time of the robot's clock. @param {Live} live */
+/** The numbers that the law works with. @param {Pick<Live, 'sample' | 'gains'>} live */
 function lawNumbers({ sample, gains }) {
   const { x, y, theta } = sample.error;
   const [kx, ky, kt] = gains;
@@ -82,7 +82,7 @@ export const lawFormula = {
       further('+', term('kx', ...angular.kx)),
     ];
   },
-  numbers: lawNumbers,
+  numbers: ({ decided, gains }) => lawNumbers({ sample: decided, gains }),
 };
 
 /** A part of J, in its colour of the bar. @param {Exclude<keyof import('../engine.js').Cost, 'total'>} name @param {import('./notation.js').Part[]} parts */

@@ -43,7 +43,7 @@ export function createPushes(_tools, { pushes: words }) {
   const changed = watch();
   return {
     element,
-    draw({ sample, gains, scene: { experiment } }) {
+    draw({ decided: sample, gains, scene: { experiment } }) {
       if (!changed(sample, ...gains, experiment)) return;
       const isOurs = experiment.law === 'shim-kim';
       const pushes = isOurs ? pushesOf(sample.error, gains) : { linear: {}, angular: {} };
