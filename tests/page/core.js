@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import init, {
   Evolution,
+  errorParts,
   evaluate,
   experiment,
   fares,
@@ -26,11 +27,13 @@ await init({ module_or_path: await readFile(wasm) });
 
 export {
   Evolution,
+  errorParts,
   evaluate,
   experiment,
   fares,
   fields,
   landscape,
+  paper,
   remainingErrors,
   robustness,
   seedRuns,

@@ -1,6 +1,6 @@
 // The formulas of the paper that more than one step shows.
 import { degreesText, signed } from '../words/numbers.js';
-import { cos, dot, frac, further, line, row, sin, sup, term } from './notation.js';
+import { cos, dot, frac, further, line, relation, row, sin, size, sup, term } from './notation.js';
 
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {import('./notation.js').Formula} Formula */
@@ -77,4 +77,27 @@ export const lawFormula = {
     further('+', term('kx', leaf('kx'), dot, leaf('xe'), dot, leaf('ye'), dot, cos(leaf('te')))),
   ],
   numbers: lawNumbers,
+};
+
+/** (6) to (8), Theorem 2. @type {Formula} */
+export const robustFormula = {
+  label: '(6)–(8)',
+  build: (leaf) => [
+    relation(leaf('kx'), '>', frac(leaf('e1'), size(row(leaf('xe'), dot, cos(leaf('te')))))),
+    relation(leaf('ky'), '>', frac(row(leaf('e1'), dot, size(sin(leaf('te')))), sup(size(leaf('ye')), '3'))),
+    relation(leaf('kt'), '>', frac(leaf('e2'), size(sin(leaf('te'))))),
+  ],
+  numbers({ sample, gains, scene }) {
+    const { linear, angular } = scene.experiment.disturbance;
+    return {
+      kx: signed(gains[0], 3),
+      ky: signed(gains[1], 3),
+      kt: signed(gains[2], 3),
+      e1: signed(Math.abs(linear), 3),
+      e2: signed(Math.abs(angular), 3),
+      xe: signed(sample.error.x, 3),
+      ye: signed(sample.error.y, 3),
+      te: degreesText(sample.error.theta),
+    };
+  },
 };

@@ -148,6 +148,8 @@ function createStep(article, step, number, tools) {
             live.state.history,
             live.state.generation,
             live.state.progress,
+            live.state.landscape.result,
+            live.state.disturbance.measured,
           )
         )
           return;
@@ -183,7 +185,7 @@ function createBlock(block, step, text, href, tools) {
             ...block.tries.map(([name, link]) => {
               const anchor = Object.assign(create('a', 'try'), { href: href(link) });
               anchor.dataset.try = name;
-              anchor.append(...inline(text.tries[name], href));
+              anchor.append(create('span', '', ...inline(text.tries[name], href)));
               return create('li', '', anchor);
             }),
           ),
