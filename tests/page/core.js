@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import init, {
   Evolution,
+  errorParts,
   evaluate,
   experiment,
   fares,
@@ -28,6 +29,7 @@ await init({ module_or_path: await readFile(wasm) });
 
 export {
   Evolution,
+  errorParts,
   evaluate,
   experiment,
   fares,

@@ -1,7 +1,21 @@
 // The formulas of the paper that more than one step shows.
 import { lab } from '../words/index.js';
 import { costText, degreesText, signed } from '../words/numbers.js';
-import { cos, dot, frac, further, integral, line, row, sin, sub, sup, term } from './notation.js';
+import {
+  cos,
+  dot,
+  frac,
+  further,
+  integral,
+  line,
+  relation,
+  row,
+  sin,
+  size,
+  sub,
+  sup,
+  term,
+} from './notation.js';
 
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {import('./notation.js').Formula} Formula */
@@ -145,6 +159,29 @@ export const costFormula = {
     return {
       J: costText(cost.total),
       ...Object.fromEntries(lab.costParts.map(([part]) => [part, costText(cost[part])])),
+    };
+  },
+};
+
+/** (6) to (8), Theorem 2. @type {Formula} */
+export const robustFormula = {
+  label: '(6)–(8)',
+  build: (leaf) => [
+    relation(leaf('kx'), '>', frac(leaf('e1'), size(row(leaf('xe'), dot, cos(leaf('te')))))),
+    relation(leaf('ky'), '>', frac(row(leaf('e1'), dot, size(sin(leaf('te')))), sup(size(leaf('ye')), '3'))),
+    relation(leaf('kt'), '>', frac(leaf('e2'), size(sin(leaf('te'))))),
+  ],
+  numbers({ sample, gains, scene }) {
+    const { linear, angular } = scene.experiment.disturbance;
+    return {
+      kx: signed(gains[0], 3),
+      ky: signed(gains[1], 3),
+      kt: signed(gains[2], 3),
+      e1: signed(Math.abs(linear), 3),
+      e2: signed(Math.abs(angular), 3),
+      xe: signed(sample.error.x, 3),
+      ye: signed(sample.error.y, 3),
+      te: degreesText(sample.error.theta),
     };
   },
 };

@@ -42,9 +42,13 @@ export const sub = (base, index) => mathml('msub', node(base), node(index));
 export const integral = (from, to) => mathml('msubsup', node('∫'), node(from), node(to));
 /** @param {Part} inside */
 export const root = (inside) => mathml('msqrt', node(inside));
+/** @param {Part} of */
+export const size = (of) => row('|', of, '|');
 /** One line of a formula: what it is, an equals sign, and the rest. @param {Part} left @param {Part[]} right */
-export const line = (left, ...right) =>
-  mathml('mtr', cell('right', node(left)), cell('left', row('=', ...right)));
+export const line = (left, ...right) => relation(left, '=', ...right);
+/** The same with another sign. @param {Part} left @param {string} sign @param {Part[]} right */
+export const relation = (left, sign, ...right) =>
+  mathml('mtr', cell('right', node(left)), cell('left', row(sign, ...right)));
 /** A line that goes on. @param {Part[]} right */
 export const further = (...right) => mathml('mtr', cell('right'), cell('left', row(...right)));
 

@@ -150,6 +150,8 @@ function createStep(article, step, number, tools) {
             live.state.history,
             live.state.generation,
             live.state.progress,
+            live.state.landscape.result,
+            live.state.disturbance.measured,
           )
         )
           return;
