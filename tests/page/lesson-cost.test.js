@@ -124,7 +124,10 @@ pageTest('weights in the lesson change J and the winner, and are those of the se
   await page.click('#settings-close');
   await page.focus('#lesson-weights-velocity-1');
   await page.press('x', Key.ENTER);
-  assert.match(await page.text('#lesson-weights-velocity-1-error'), /a number from/);
+  await page.until('the weight is refused by name', () => {
+    const error = document.getElementById('lesson-weights-velocity-1-error');
+    return error?.checkVisibility() && /a number from/.test(error.innerText);
+  });
   assert.deepEqual(await page.obstacles(), []);
 });
 
