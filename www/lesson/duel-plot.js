@@ -22,7 +22,8 @@ export function createDuelPlot(root, words) {
     width,
     dash,
     paths: stepped,
-    points: { show: false },
+    // Where it begins: the first robots of evolution are driven as a whole.
+    points: { show: true, size: 7, fill: () => colour(name), filter: beginOf },
   });
   const plot = new uPlot(
     {
@@ -64,6 +65,14 @@ export function createDuelPlot(root, words) {
     },
   };
 }
+
+/** @param {uPlot} plot @param {number} line */
+const beginOf = ({ data }, line) => {
+  const first = data[line].findIndex(
+    (/** @type {number | null | undefined} */ cost) => typeof cost === 'number',
+  );
+  return first < 0 ? [] : [first];
+};
 
 /** @param {Duel} duel */
 const shownDrives = (duel) =>

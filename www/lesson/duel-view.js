@@ -4,6 +4,7 @@ import { messageOf } from '../messages.js';
 import { noTrial, watch } from '../state.js';
 import { isDuelOf, judge, lockedIn, longestOf, lowestOf, nextSeed, roundOf, scoreOf } from './duel.js';
 import { createDuelPlot } from './duel-plot.js';
+import { paragraphs } from './prose.js';
 import { noTally, tallyOf } from './tally.js';
 
 /** @typedef {import('../state.js').Store} Store */
@@ -11,7 +12,7 @@ import { noTally, tallyOf } from './tally.js';
 /** @typedef {import('./page.js').Block} Block */
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {import('./page.js').Tools} Tools */
-/** @typedef {{ duel: typeof import('../words/en/lesson/duel.js').duel['duel'] }} Words */
+/** @typedef {Pick<typeof import('../words/en/lesson/duel.js').duel, 'duel' | 'texts'>} Words */
 
 /** Under which name the prediction is kept. */
 const prediction = 'duel.ahead';
@@ -94,7 +95,7 @@ const tallyIn = ({ state, scene }) => tallyOf(state.progress.tally, scene.experi
 export const duelIn = (live) => live.state.progress.duel ?? lockedIn(tallyIn(live), live.scene.experiment);
 
 /** How the three compare, once it is predicted. @param {Tools} tools @param {Words} words @returns {Block} */
-export function createDuelResult({ store, engine, actions }, { duel: words }) {
+export function createDuelResult({ store, engine, actions }, { duel: words, texts }) {
   const rounds = createRounds(store, engine);
   const newest = () => {
     const { duel } = store.get().progress;
@@ -143,9 +144,9 @@ export function createDuelResult({ store, engine, actions }, { duel: words }) {
   write(again, words.anotherSeed);
   const score = create('p', 'muted');
   score.id = 'duel-score';
-  const element = create(
+  const result = create(
     'section',
-    'duel result',
+    'duel',
     table,
     sentence,
     later,
@@ -153,8 +154,11 @@ export function createDuelResult({ store, engine, actions }, { duel: words }) {
     create('div', 'bar', further, again, watchIt),
     score,
   );
+  result.setAttribute('aria-label', words.resultLabel);
+  // What follows from it would give the answer away.
+  const after = create('div', 'prose', ...paragraphs(texts.after, (link) => `#${link}`));
+  const element = create('div', 'duel-result', result, after);
   element.hidden = true;
-  element.setAttribute('aria-label', words.resultLabel);
   const plot = createDuelPlot(picture, words);
   const changed = watch();
   return {

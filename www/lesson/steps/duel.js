@@ -24,7 +24,6 @@ export const duel = {
       },
     },
     { kind: 'view', create: createDuelResult },
-    { kind: 'text', name: 'after' },
     {
       kind: 'tries',
       tries: [

@@ -34,7 +34,6 @@ export const sigma = {
         },
       },
     },
-    { kind: 'text', name: 'collapse' },
     {
       kind: 'quiz',
       name: 'further',
@@ -51,6 +50,7 @@ export const sigma = {
         },
       },
     },
+    { kind: 'text', name: 'collapse' },
     {
       kind: 'tries',
       tries: [

@@ -8,7 +8,7 @@ export const sigma = {
     rates: `The draw {N} is one for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt} change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In two of three cases the new {s} lies between half and twice the old one.
 
 Nobody judges {s} itself. It is judged by what comes of it: steps of a good length make good offspring, and they inherit it. The figure shows the mean {s} of each gain, on an axis on which equal distances are equal factors. After {=generation} generations it is {=sx} for {kx}, {=sy} for {ky} and {=st} for {kt}.`,
-    collapse: `It goes on falling. A short step cannot spoil much, so its offspring survive more often; they hand on the short steps, and some get still shorter ones. Nothing ever stops this: *the step sizes collapse*. [After 300 generations](lab&generation=300&curve=sigmas) they are below a millionth. Such a step is no step any more. Evolution stands still, whether it has found the best place or not.
+    collapse: `In the long run {s} falls. A short step cannot spoil much, so its offspring survive more often; they hand on the short steps, and some get still shorter ones. Nothing ever stops this: *the step sizes collapse*. [After 300 generations](lab&generation=300&curve=sigmas) they are below a millionth. Such a step is no step any more. Evolution stands still, whether it has found the best place or not.
 
 The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none.`,
     next: `A method with weaknesses, then. Is it any better than you? Find out.`,

@@ -7,7 +7,7 @@ export const generation = {
   title: '한 세대를 손으로',
   texts: {
     begin: `지금까지는 이득을 한 벌씩 시험했습니다. 진화는 {=count}벌을 한꺼번에 다룹니다. 처음에 무작위로 뽑은 로봇의 *집단*입니다. 그다음에는 네 가지 일을 되풀이하며, 그 한 바퀴가 한 *세대*입니다. 네 가지를 하나씩 눌러 보십시오. 글 속의 수치는 그림에서 선택한 로봇의 것이며, 다른 로봇을 눌러도 됩니다.`,
-    mutate: `*1. [돌연변이](generation&generation=1&phase=mutation&individual=26).* 부모마다 *자손*을 하나씩 만듭니다. 자손의 이득은 부모의 이득에서 저마다 무작위로 한 걸음 옮긴 것입니다. 그 걸음은 *변이 폭* {s}에 종 모양 분포에서 뽑은 난수 N을 곱한 것이며, N이 −2나 2를 넘는 일은 드뭅니다.`,
+    mutate: `*1. [돌연변이](generation&generation=1&phase=mutation&individual=26).* 부모마다 *자손*을 하나씩 만듭니다. 자손의 이득은 부모의 이득에서 저마다 무작위로 한 걸음 옮긴 것입니다. 그 걸음은 *변이 폭* {s}에 종 모양 분포에서 뽑은 난수 {N}을 곱한 것이며, {N}이 −2나 2를 넘는 일은 드뭅니다.`,
     select: `*2. [주행](generation&generation=1&phase=drive&individual=26).* 자손이 주행합니다. {=child}의 J는 {=childCost}, 그 부모의 J는 {=parentCost}입니다. 자손 {=count}대 가운데 부모보다 잘 주행하는 것은 {=better}대입니다. 대개는 부모보다 못합니다. 무작위 걸음은 좋을 때보다 나쁠 때가 많습니다.
 
 *3. [토너먼트](generation&generation=1&phase=tournament&individual=26).* 부모와 자손 {=all}대가 저마다 추첨으로 뽑은 상대 {=bouts}대와 겨룹니다. J가 상대보다 낮거나 같으면 이깁니다. {=chosen}의 성적은 {=bouts}전 {=wins}승입니다.
