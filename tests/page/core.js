@@ -15,6 +15,7 @@ import init, {
   simulate,
   simulateAll,
   startsOnCircle,
+  version,
 } from '../../pkg/ep_locomotion.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
@@ -39,6 +40,7 @@ export {
   simulate,
   simulateAll,
   startsOnCircle,
+  version,
 };
 
 /** A cost as it is shown. @param {number} cost */

@@ -120,23 +120,20 @@ pageTest('the steps can be worked through: every try pressed, every question ans
 
 pageTest('the lesson leads on and back, and a link of it opens there again', async (page) => {
   await page.open('');
-  const title = () => page.evaluate(() => document.getElementById('lesson-title')?.textContent);
-  assert.equal(await title(), en.steps.drive.title);
+  const stands = (/** @type {string} */ title) =>
+    page.until(title, (wanted) => document.getElementById('lesson-title')?.textContent === wanted, title);
+  await stands(en.steps.drive.title);
   await page.click('.step-on');
-  assert.equal(await title(), en.steps.error.title);
+  await stands(en.steps.error.title);
   await page.evaluate(() => history.back());
-  await page.until(
-    'step 1',
-    (wanted) => document.getElementById('lesson-title')?.textContent === wanted,
-    en.steps.drive.title,
-  );
+  await stands(en.steps.drive.title);
   await page.click('#page-curves');
-  assert.equal(await page.evaluate(() => document.getElementById('lesson')?.hidden), true);
+  await page.until('the lesson is closed', () => document.getElementById('lesson')?.hidden);
   await page.click('#page-lesson');
-  assert.equal(await title(), en.steps.drive.title);
+  await stands(en.steps.drive.title);
   const hash = await page.until('the link', () => location.hash.includes('lesson=1') && location.hash);
   await page.open(hash);
-  assert.equal(await title(), en.steps.drive.title);
+  await stands(en.steps.drive.title);
 });
 
 pageTest('a symbol that is pointed at lights up in formula and picture', async (page) => {

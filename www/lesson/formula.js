@@ -7,13 +7,22 @@ import { mathml, symbol } from './symbols.js';
 /** @typedef {import('./notation.js').Formula} Formula */
 /** @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
 
+/** On a small screen a long formula scrolls, also by keyboard. @param {string} className @param {Element} math */
+function scroller(className, math) {
+  const element = create('div', className, math);
+  element.tabIndex = 0;
+  element.setAttribute('role', 'group');
+  element.setAttribute('aria-label', words.formula);
+  return element;
+}
+
 /** @param {Formula} formula @returns {Block} */
 export function createFormula({ label, build, numbers }) {
   const lines = mathml('mtable', ...build(symbol));
   const math = mathml('math', lines);
   math.setAttribute('display', 'block');
   const number = create('span', 'formula-number', label);
-  const element = create('div', 'formula', create('div', 'formula-lines', math), number);
+  const element = create('div', 'formula', scroller('formula-lines', math), number);
   if (!numbers) return { element, draw() {} };
 
   /** @type {Map<string, Element[]>} */
@@ -30,7 +39,7 @@ export function createFormula({ label, build, numbers }) {
   );
   const filledMath = mathml('math', filled);
   filledMath.setAttribute('display', 'block');
-  const now = create('div', 'formula-lines formula-now', filledMath);
+  const now = scroller('formula-lines formula-now', filledMath);
   now.hidden = true;
   const button = create('button', 'link formula-button', words.showNumbers);
   button.setAttribute('type', 'button');

@@ -134,6 +134,43 @@ export const sigmaFormula = {
   },
 };
 
+/** The measure of the whole error. @type {Formula} */
+export const lyapunovFormula = {
+  label: '',
+  build: (leaf) => [
+    line(
+      leaf('V'),
+      term('xe', frac('1', '2'), sup(leaf('xe'), '2')),
+      '+',
+      term('ye', frac('1', '2'), sup(leaf('ye'), '2')),
+      '+',
+      term('te', '(', '1', '−', cos(leaf('te')), ')'),
+    ),
+  ],
+  numbers: (live) => ({ ...lawNumbers(live), V: signed(live.sample.lyapunov, 3) }),
+};
+
+/** How fast it falls, as the law promises. @type {Formula} */
+export const rateFormula = {
+  label: '',
+  build: (leaf) => [
+    line(
+      leaf('Vdot'),
+      term('xe', '−', leaf('kx'), dot, sup(leaf('xe'), '2'), dot, sup(cos(leaf('te')), '2')),
+    ),
+    further(
+      term('ye', '−', leaf('ky'), dot, sup(leaf('ye'), '4')),
+      term('te', '−', leaf('kt'), dot, sup(sin(leaf('te')), '2')),
+    ),
+  ],
+  numbers: (live) => {
+    const { x, y, theta } = live.sample.error;
+    const [kx, ky, kt] = live.gains;
+    const rate = -kx * (x * Math.cos(theta)) ** 2 - ky * y ** 4 - kt * Math.sin(theta) ** 2;
+    return { ...lawNumbers(live), Vdot: signed(rate, 3) };
+  },
+};
+
 /** The texts of each gain under the names of its symbols. @param {(i: number) => Record<string, string>} textsOf @returns {Record<string, string>} */
 const named = (textsOf) =>
   Object.fromEntries(

@@ -67,6 +67,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
       if (stepChanged(lesson)) {
         blocks = createStep(article, step, lesson, tools);
         if (!state.dragging) scrollTo({ top: 0 });
+        if (step.time !== undefined) actions.scrub(step.time);
       }
       tally.count(state, scene);
       const live = {
@@ -193,7 +194,7 @@ function createBlock(block, step, text, href, tools) {
     case 'quiz':
       return createQuestion(block, step, text, href, tools);
     case 'view':
-      return block.create(tools, text);
+      return block.create(tools, text, href);
   }
 }
 

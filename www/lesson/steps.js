@@ -27,13 +27,14 @@ import { lecturers } from './steps/lecturers.js';
  *   | { kind: 'notice' }
  *   | { kind: 'tries', tries: readonly (readonly [name: string, link: string])[] }
  *   | { kind: 'quiz', name: string, quiz: Quiz }
- *   | { kind: 'view', create: (tools: Tools, words: any) => Block }} Content
+ *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block }} Content
  */
 /**
  * @typedef {object} Step
  * @property {StepName} name
  * @property {string} link What is on screen when the step is opened.
  * @property {'drive' | 'evolve' | 'plane'} figure What stands under the plane while the link opens the lab: J and the gains, J and evolution, or the gains alone. Another part stands there by itself.
+ * @property {number} [time] Where the robots' clock stands, in seconds; without it they drive.
  * @property {boolean} [overlay] The error posture is drawn on the plane.
  * @property {readonly Content[]} blocks
  * @property {(live: Live) => Record<string, string>} [values] The numbers in its texts.
@@ -57,8 +58,10 @@ export const steps = [
   lecturers,
 ];
 
-/** The link with the step of the lesson in it. @param {string} link @param {number} number */
+/** The link with the step of the lesson in it. @param {string} link @param {number} number @returns {string} */
 export function hrefOf(link, number) {
+  const step = /^lesson&step=(\d+)$/.exec(link);
+  if (step) return `#${linkOfStep(Number(step[1]))}`;
   const [part, ...pairs] = link.split('&');
   const read = language === usualLanguage ? [] : [`lang=${language}`];
   return `#${[part, 'v=1', ...read, ...pairs, `lesson=${number}`].join('&')}`;

@@ -91,4 +91,10 @@ function withIndex(letter, index) {
 }
 
 /** A symbol within text. @param {SymbolName} name */
-export const symbolInText = (name) => mathml('math', symbol(name));
+export function symbolInText(name) {
+  const math = mathml('math', symbol(name));
+  // Not every reader of screens has a name for what MathML holds.
+  math.setAttribute('role', 'math');
+  math.setAttribute('aria-label', symbols[name].slice(0, 2).join(' ').trim());
+  return math;
+}
