@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import init, {
   Evolution,
+  errorParts,
   evaluate,
   experiment,
   fares,
@@ -12,6 +13,7 @@ import init, {
   remainingErrors,
   robustness,
   seedRuns,
+  Simulation,
   simulate,
   simulateAll,
   startsOnCircle,
@@ -28,15 +30,18 @@ await init({ module_or_path: await readFile(wasm) });
 
 export {
   Evolution,
+  errorParts,
   evaluate,
   experiment,
   fares,
   fields,
   landscape,
   learningRates,
+  paper,
   remainingErrors,
   robustness,
   seedRuns,
+  Simulation,
   simulate,
   simulateAll,
   startsOnCircle,

@@ -11,12 +11,12 @@ import {
   scoreOf,
   winners,
 } from '../../www/lesson/duel.js';
-import { duel as step } from '../../www/lesson/steps/duel.js';
 import { noTally, taskText } from '../../www/lesson/tally.js';
 import { duel as words } from '../../www/words/en/lesson/duel.js';
 import { Key, pageTest } from './browsers.js';
 import { Evolution, evaluate, experiment, seedRuns, shown } from './core.js';
-import { liveOf, opened, quizOf, tryOf } from './lesson-links.js';
+import { opened } from './lesson-links.js';
+import { answered, liveOf, tryOf } from './lesson-live.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 /** @typedef {import('./core.js').Experiment} Experiment */
@@ -79,18 +79,15 @@ test('step 9: who has the lowest J wins, whether its robot arrived or not', asyn
     random: 0,
     both: 0,
   });
-  const live = {
-    ...liveOf('lab'),
-    state: { ...liveOf('lab').state, progress: { answers: {}, tally: noTally, duel: driven([17]) } },
-  };
-  const { right, drives } = await quizOf(step, 'ahead').answer(/** @type {any} */ (live));
-  assert.deepEqual([winners[right], drives], ['both', 1]);
+  const { outcome, why } = await answered('duel', 'ahead');
+  assert.deepEqual([winners[outcome.right], outcome.drives], ['both', 0]);
+  for (const text of why) assert.doesNotMatch(text, /undefined|NaN|∞/);
 });
 
 test('step 9: a duel is about start, goal and limits, not about the seed, and the seeds follow each other', () => {
   const duel = driven([9]);
   assert.ok(isDuelOf(duel, { ...usual, evolution: { ...usual.evolution, seed: 9 } }));
-  assert.ok(!isDuelOf(duel, opened(tryOf(step, 'round')).experiment));
+  assert.ok(!isDuelOf(duel, opened(tryOf('duel', 'round')).experiment));
   assert.equal(nextSeed(duel), 1);
   assert.equal(nextSeed({ ...duel, rounds: [{ seed: 4, evolution: [], random: [] }] }), 5);
 });
@@ -105,14 +102,14 @@ test('step 9: with a hundred drives luck decides, with a thousand evolution is a
 });
 
 test('step 9: looking away from the goal evolution is no better than drawing lots', () => {
-  const { experiment: from } = opened(tryOf(step, 'backwards'));
+  const { experiment: from } = opened(tryOf('duel', 'backwards'));
   const runs = seedRuns(from, { seeds: [1, 21], generations: 49 });
   const lots = runs.filter(({ best, random }) => random[49] < best[49]).length;
   assert.ok(lots >= 7 && lots <= 15, `${lots} of 20`);
 });
 
 test('step 9: evolution leaves the range of the first gains, where that is better', () => {
-  const { experiment: from } = opened(tryOf(step, 'round'));
+  const { experiment: from } = opened(tryOf('duel', 'round'));
   const [low, high] = from.evolution.initialRange;
   assert.deepEqual([low, high], [0.01, 10]);
   const runs = seedRuns(from, { seeds: [1, 6], generations: 49 });
@@ -236,7 +233,7 @@ pageTest('step 9: a duel outlasts other steps, and can be started over elsewhere
   assert.equal(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility()), false);
   assert.equal(await textOf(page, 'duel-drives'), '0');
   await drive(page, 'kx', 3);
-  const { experiment: from } = opened(tryOf(step, 'backwards'));
+  const { experiment: from } = opened(tryOf('duel', 'backwards'));
   const costs = evaluate(from, [3.01, 1, 5, 3.02, 1, 5, 3.03, 1, 5]);
   assert.deepEqual(
     [await textOf(page, 'duel-drives'), await textOf(page, 'duel-best')],

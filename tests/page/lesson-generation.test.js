@@ -6,7 +6,8 @@ import { generation as step, question } from '../../www/lesson/steps/generation.
 import { generation as words } from '../../www/words/en/lesson/generation.js';
 import { Key, pageTest } from './browsers.js';
 import { Evolution, experiment, simulate } from './core.js';
-import { evolved, liveOf, opened, quizOf, tryOf } from './lesson-links.js';
+import { evolved, opened } from './lesson-links.js';
+import { answered, tryOf } from './lesson-live.js';
 
 /** @typedef {import('../../www/engine.js').Individual} Individual */
 
@@ -89,18 +90,16 @@ test('step 7: ten bouts each; the twenty with the most wins stay, with gains, σ
 });
 
 test('step 7: of the two in the question the better one falls, and the answer says so', async () => {
-  const quiz = quizOf(step, 'luck');
-  const { better, worse, right } = await quiz.answer(liveOf(quiz.shows ?? ''));
+  const { better, worse, right } = (await answered('generation', 'luck')).outcome;
   assert.ok(better.cost < worse.cost && better.place < worse.place);
   assert.equal(right, 1);
-  const { record } = anatomyOf(quiz.shows ?? '');
+  const { record } = anatomyOf('generation&generation=1');
   assert.equal(record.survivors.includes(question.better), false);
   assert.equal(record.survivors.includes(question.worse), true);
 });
 
 test('step 7: the best J never rises, for the best wins all its bouts', async () => {
-  const quiz = quizOf(step, 'best');
-  const { rose, fell, right } = await quiz.answer(liveOf(quiz.shows ?? ''));
+  const { rose, fell, right } = (await answered('generation', 'best')).outcome;
   assert.equal(rose, 0);
   assert.ok(fell > 10);
   assert.equal(right, 2);
@@ -114,20 +113,20 @@ test('step 7: the best J never rises, for the best wins all its bouts', async ()
 });
 
 test('step 7: what its tries are said to show', () => {
-  const lucky = anatomyOf(tryOf(step, 'lucky'));
+  const lucky = anatomyOf(tryOf('generation', 'lucky'));
   const { upset } = lucky;
   assert.equal(upset?.survivor, 12);
-  assert.equal(opened(tryOf(step, 'lucky')).view.anatomy.chosen, 12);
+  assert.equal(opened(tryOf('generation', 'lucky')).view.anatomy.chosen, 12);
   assert.ok(placeByCost(lucky, 12) > 20);
 
-  const below = tryOf(step, 'below');
+  const below = tryOf('generation', 'below');
   const [, chosen] = [opened(below), opened(below).view.anatomy.chosen ?? 0];
   const { gains } = anatomyOf(below).all[chosen];
   const { cost } = simulate(usual, gains);
   assert.equal(chosen, 20 + 14);
   assert.ok(Math.min(...gains) < 0 && cost.penalty > cost.total / 2);
 
-  const bouts = anatomyOf(tryOf(step, 'bouts'));
+  const bouts = anatomyOf(tryOf('generation', 'bouts'));
   assert.equal(bouts.record.opponents[0].length, 200);
   assert.equal(bouts.upset, null);
 
@@ -135,7 +134,7 @@ test('step 7: what its tries are said to show', () => {
     const { offspring, parents } = anatomyOf(link).record;
     return offspring.filter((one, i) => one.cost < parents[i].cost).length;
   };
-  assert.ok(betterOf(tryOf(step, 'late')) < betterOf(step.link) / 2);
+  assert.ok(betterOf(tryOf('generation', 'late')) < betterOf(step.link) / 2);
 });
 
 pageTest(

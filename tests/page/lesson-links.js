@@ -1,17 +1,47 @@
 // What a link of the lesson sets up, under Node: so that a claim of the lesson is held by the core itself.
 import { openLink } from '../../www/link.js';
-import { Evolution, experiment, learningRates, paperGains, seedRuns, simulate, simulateAll } from './core.js';
+import { Evolution, experiment, paperGains, Simulation, simulate, simulateAll } from './core.js';
 
 /** @typedef {import('./core.js').Experiment} Experiment */
 /** @typedef {import('../../www/engine.js').Engine} Engine */
+/** @typedef {import('../../www/engine.js').Sample} Sample */
+/** @typedef {import('../../www/lesson/steps.js').Step} Step */
 
-const engine = /** @type {Engine} */ (
+/** As much of the page's engine as needs no worker. */
+export const engine = /** @type {Engine} */ (
   /** @type {unknown} */ ({
     experiment,
     drive: (/** @type {Experiment} */ from, /** @type {number[][]} */ gains) =>
       simulateAll(from, gains.flat()),
+    samples,
   })
 );
+
+/** Every sample of a drive. @param {Experiment} from @param {readonly number[]} gains @returns {Sample[]} */
+export function samples(from, gains) {
+  const robot = new Simulation(from, Float64Array.from(gains));
+  const all = [];
+  do all.push(robot.step());
+  while (all[all.length - 1].outcome === null);
+  return all;
+}
+
+/** The link of a try or a question. @param {Step} step @param {string} name */
+export function linkOf({ blocks }, name) {
+  for (const block of blocks) {
+    const found = block.kind === 'tries' && block.tries.find(([key]) => key === name);
+    if (found) return found[1];
+    if (block.kind === 'quiz' && block.name === name && block.quiz.shows) return block.quiz.shows;
+  }
+  throw new Error(`no ${name}`);
+}
+
+/** What comes out of a question. @param {Step} step @param {string} name @param {Partial<import('../../www/lesson/page.js').Live>} live */
+export async function answerOf({ blocks }, name, live) {
+  for (const block of blocks)
+    if (block.kind === 'quiz' && block.name === name) return block.quiz.answer(/** @type {any} */ (live));
+  throw new Error(`no question ${name}`);
+}
 
 /** What a link asks for; it must not have anything wrong. @param {string} link */
 export function opened(link) {
@@ -47,40 +77,3 @@ export function evolved(link) {
 /** The best J of each generation so far. @param {Evolution} evolution */
 const costsOf = (evolution) =>
   Array.from({ length: evolution.generation + 1 }, (_, g) => evolution.statistics(g).best.cost);
-
-/** As much of what runs as the answers and values of an evolution need. @param {string} link @returns {import('../../www/lesson/page.js').Live} */
-export function liveOf(link) {
-  const { evolution, generation, experiment: own } = evolved(link);
-  const { view, ...rest } = opened(link);
-  const surveys = {
-    /** @param {Experiment} from @param {number} generations */
-    async evolve(from, generations) {
-      const other = new Evolution(from);
-      for (let i = 0; i < generations; i++) other.step();
-      return other.statistics().best;
-    },
-    /** @param {Experiment} from @param {{ first: number, count: number, generations: number }} seeds */
-    seedRuns: async (from, { first, count, generations }) =>
-      seedRuns(from, { seeds: [first, first + count], generations }),
-  };
-  const history = Array.from({ length: generation + 1 }, (_, g) => evolution.statistics(g));
-  const record = (/** @type {number} */ g) => evolution.record(g);
-  return /** @type {any} */ ({
-    engine: { ...engine, learningRates, record, surveys },
-    state: { ...rest, ...view, experiment: own, history, generation },
-    scene: { experiment: own },
-  });
-}
-
-/** A link that a step offers to try. @param {import('../../www/lesson/steps.js').Step} step @param {string} name */
-export function tryOf(step, name) {
-  for (const block of step.blocks)
-    if (block.kind === 'tries') for (const [key, link] of block.tries) if (key === name) return link;
-  throw new Error(`${step.name} has no try ${name}`);
-}
-
-/** A question that a step asks. @param {import('../../www/lesson/steps.js').Step} step @param {string} name */
-export function quizOf(step, name) {
-  for (const block of step.blocks) if (block.kind === 'quiz' && block.name === name) return block.quiz;
-  throw new Error(`${step.name} has no question ${name}`);
-}

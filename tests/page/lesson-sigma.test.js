@@ -4,7 +4,8 @@ import { sigma as step } from '../../www/lesson/steps/sigma.js';
 import { sigma as words } from '../../www/words/en/lesson/sigma.js';
 import { pageTest } from './browsers.js';
 import { Evolution, experiment, learningRates, seedRuns } from './core.js';
-import { evolved, liveOf, opened, quizOf, tryOf } from './lesson-links.js';
+import { evolved, opened } from './lesson-links.js';
+import { answered, tryOf } from './lesson-live.js';
 
 const usual = experiment('velocity-limits');
 
@@ -91,35 +92,33 @@ test('step 8: the step sizes rise at first, fall, and collapse; that of ky first
 });
 
 test('step 8: its questions are answered as the texts say', async () => {
-  const small = quizOf(step, 'small');
-  const { right, own, usual: other, sigma, generation } = await small.answer(liveOf(small.shows ?? ''));
+  const { right, own, usual: other, sigma, generation } = (await answered('sigma', 'small')).outcome;
   assert.equal(right, 2);
   assert.deepEqual([sigma, generation], [0.01, 60]);
   assert.equal(other, evolved('lab&generation=60').costs[60]);
   assert.ok(own > other + 0.1);
 
-  const further = quizOf(step, 'further');
-  const outcome = await further.answer(liveOf(further.shows ?? ''));
+  const { outcome } = await answered('sigma', 'further');
   assert.equal(outcome.right, 2);
   assert.deepEqual([outcome.half, outcome.generation], [150, 300]);
   assert.ok(outcome.after < 0.001 && outcome.before > 0.5);
 });
 
 test('step 8: what its tries are said to show', () => {
-  const stuck = evolved(tryOf(step, 'stuck'));
+  const stuck = evolved(tryOf('sigma', 'stuck'));
   const [seed7, seed1] = [stuck.costs, evolved('lab&generation=300').costs];
   assert.ok(seed7[300] > seed1[300] + 0.08);
   assert.ok(seed7[150] - seed7[300] < 0.001);
   for (const sigma of stuck.evolution.statistics().meanSigmas) assert.ok(sigma < 1e-6);
 
-  const none = evolved(tryOf(step, 'none'));
+  const none = evolved(tryOf('sigma', 'none'));
   assert.equal(none.costs[0], none.costs.at(-1));
   assert.equal(none.evolution.statistics().worst, none.costs[0]);
 
-  const large = evolved(tryOf(step, 'large'));
+  const large = evolved(tryOf('sigma', 'large'));
   assert.equal(large.costs[0], large.costs.at(-1));
 
-  const late = tryOf(step, 'late');
+  const late = tryOf('sigma', 'late');
   const { evolution, generation } = evolved(late);
   assert.equal(opened(late).view.anatomy.chosen, 0);
   const { parents, offspring } = evolution.record(generation);

@@ -21,7 +21,7 @@ import { createTally } from './tally.js';
 /** @typedef {import('./quiz.js').Outcome} Outcome */
 /** @typedef {import('./steps.js').Step} Step */
 
-/** What runs now: all that a step's values, answers and views are made of. @typedef {{ engine: Engine, state: State, scene: Scene, paper: PaperResult[], gains: Triple, sample: Sample }} Live */
+/** What runs now: all that a step's values, answers and views are made of. @typedef {{ engine: Engine, state: State, scene: Scene, paper: PaperResult[], gains: Triple, sample: Sample, decided: Sample }} Live At the robots’ clock: what is, and what the law decided last, which at the end of a drive is one sample old. */
 /** What a step holds, drawn at every change. @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
 /** A prediction, and what came out once it is known. @typedef {{ choice: number, outcome: Outcome | null }} Answer */
 /** What is kept in this tab, and leaves with it. @typedef {{ answers: Record<string, Answer>, tally: import('./tally.js').Tally, duel: import('./duel.js').Duel | null }} Progress */
@@ -76,7 +76,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
         scene,
         paper,
         gains: gainsOf(state, state.driver, paper),
-        sample: samples(state, scene),
+        ...samples(state, scene),
       };
       settle(live, step, store);
       if (step.overlay) errorPosture.draw(live);
@@ -97,7 +97,8 @@ function createSamples(engine) {
     const { samples } = known;
     const { time } = driving;
     const at = Math.round(Math.min(state.robot.time, driving.finalTime) / (time[1] - time[0] || 1));
-    return samples[Math.min(at, samples.length - 1)];
+    const last = samples.length - 1;
+    return { sample: samples[Math.min(at, last)], decided: samples[Math.min(at, Math.max(last - 1, 0))] };
   };
 }
 
@@ -150,6 +151,8 @@ function createStep(article, step, number, tools) {
             live.state.generation,
             live.state.anatomy,
             live.state.progress,
+            live.state.landscape.result,
+            live.state.disturbance.measured,
           )
         )
           return;

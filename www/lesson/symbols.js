@@ -28,6 +28,8 @@ const symbols = /** @type {const} */ ({
   J: ['J', '', ''],
   W: ['W', '', ''],
   R: ['R', '', ''],
+  Rv: ['R', 'v', 'energy'],
+  Rw: ['R', 'ω', 'omega'],
   kappa: ['κ', '', ''],
   t: ['t', '', ''],
   tf: ['t', 'f', ''],
