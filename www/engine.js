@@ -8,8 +8,9 @@ import {
   paper,
   randomSeed,
   simulateAll,
-  version,
+  stability,
   startsOnCircle,
+  version,
 } from '../pkg/ep_locomotion.js';
 import { createPool } from './pool.js';
 import { createSurveys } from './surveys.js';
@@ -23,6 +24,7 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {import('../pkg/ep_locomotion.js').Posture} Posture */
 /** @typedef {import('../pkg/ep_locomotion.js').Preset} Preset */
 /** @typedef {import('../pkg/ep_locomotion.js').Run} Run */
+/** @typedef {import('../pkg/ep_locomotion.js').Stability} Stability */
 /** @typedef {import('../pkg/ep_locomotion.js').Cost} Cost */
 /** @typedef {import('../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
 /** @typedef {import('../pkg/ep_locomotion.js').Statistics} Statistics */
@@ -92,6 +94,9 @@ export async function createEngine() {
 
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) => simulateAll(from, gains.flat()),
+
+    /** The Lyapunov function of a run. @param {Experiment} from @param {Triple} gains */
+    stability: (from, gains) => stability(from, gains),
 
     /** Long jobs, which workers do; they are started at the first one. */
     get surveys() {

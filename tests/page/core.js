@@ -13,6 +13,7 @@ import init, {
   seedRuns,
   simulate,
   simulateAll,
+  stability,
   startsOnCircle,
 } from '../../pkg/ep_locomotion.js';
 
@@ -36,6 +37,7 @@ export {
   seedRuns,
   simulate,
   simulateAll,
+  stability,
   startsOnCircle,
 };
 

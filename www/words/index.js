@@ -27,6 +27,7 @@ export const {
   messages,
   robustness,
   settings,
+  stability,
   tables,
   training,
 } = all[language];
