@@ -28,6 +28,7 @@ export const {
   messages,
   robustness,
   settings,
+  stability,
   tables,
   training,
 } = all[language];
