@@ -260,11 +260,14 @@ export const lyapunovFormula = {
 export const rateFormula = {
   label: '',
   build: (leaf) => [
-    line(leaf('Vdot'), term('xe', '−', leaf('kx'), dot, sup(leaf('xe'), '2'), dot, cos(leaf('te'), '2'))),
-    further(
-      term('ye', '−', leaf('ky'), dot, sup(leaf('ye'), '4')),
-      term('te', '−', leaf('kt'), dot, sin(leaf('te'), '2')),
+    line(
+      leaf('Vdot'),
+      '−',
+      term('xe', leaf('kx'), dot, sup(leaf('xe'), '2'), dot, cos(leaf('te'), '2')),
+      '−',
+      term('ye', leaf('ky'), dot, sup(leaf('ye'), '4')),
     ),
+    further('−', term('te', leaf('kt'), dot, sin(leaf('te'), '2'))),
   ],
   numbers: (live) => {
     const { x, y, theta } = live.sample.error;
