@@ -2,7 +2,7 @@
 import { create } from '../elements.js';
 import { gainsOf, watch } from '../state.js';
 import { lab } from '../words/index.js';
-import { costText, fixed } from '../words/numbers.js';
+import { costText, threeDigits } from '../words/numbers.js';
 
 /** @typedef {import('../engine.js').Run} Run */
 /** @typedef {import('../engine.js').Triple} Triple */
@@ -85,7 +85,7 @@ export function createStandings({ engine, actions }, { standings: words }) {
   /** @param {Triple | null} gains @param {Run | null} run */
   function textOf(gains, run) {
     if (!gains || !run) return words.nobody;
-    return `${gains.map((gain) => fixed(gain, 2)).join(', ')} · ${lab.outcomeText(run)}`;
+    return `${gains.map(threeDigits).join(', ')} · ${lab.outcomeText(run)}`;
   }
 }
 
