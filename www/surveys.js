@@ -1,10 +1,12 @@
 // The long jobs: each is split by index into parts for the pool, and the parts' results are joined in order.
+import { groupNames } from './checks/check.js';
 
 /** @typedef {import('../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../pkg/ep_locomotion.js').Gains} Gains */
 /** @typedef {import('../pkg/ep_locomotion.js').Landscape} Landscape */
 /** @typedef {import('../pkg/ep_locomotion.js').Robustness} Robustness */
 /** @typedef {import('../pkg/ep_locomotion.js').StartGrid} StartGrid */
+/** @typedef {import('./checks/check.js').Golden} Golden */
 /** @typedef {import('./pool.js').Channel} Channel */
 /** @typedef {import('./pool.js').Pool} Pool */
 /** @typedef {import('./pool.js').Run} Run */
@@ -117,6 +119,10 @@ export function createSurveys(pool) {
       const [costs] = await runOf(options)({ call: 'evaluate', parts: [[experiment, gains]] }, options);
       return costs;
     },
+
+    /** What came of the checks of the core's own numbers: a list for each group. @param {Golden} golden @param {SurveyOptions} [options] */
+    checks: (golden, options) =>
+      runOf(options)({ call: 'checks', parts: groupNames.map((group) => [group, golden]) }, options),
   };
 }
 

@@ -1,15 +1,22 @@
 // A worker of the pool: an instance of the core of its own, which does one part of a job after another.
 import {
   Evolution,
+  Simulation,
   errorParts,
   evaluate,
+  experiment,
   fares,
   initSync,
   landscape,
+  learningRates,
+  paper,
   remainingErrors,
   robustness,
   seedRuns,
+  simulate,
+  simulateAll,
 } from '../pkg/ep_locomotion.js';
+import { resultsOf } from './checks/checks.js';
 
 /** @typedef {import('../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 
@@ -18,7 +25,17 @@ import {
 /** Every other message. @typedef {{ call: keyof Calls, args: unknown[] }} Part */
 /** To each part one answer, after any number of progresses. @typedef {{ progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */
 
-const calls = { errorParts, evaluate, evolve, fares, landscape, remainingErrors, robustness, seedRuns };
+const calls = {
+  checks,
+  errorParts,
+  evaluate,
+  evolve,
+  fares,
+  landscape,
+  remainingErrors,
+  robustness,
+  seedRuns,
+};
 
 /** Milliseconds from one progress to the next. */
 const progressPeriod = 100;
@@ -74,4 +91,21 @@ function evolve(experiment, generations) {
   const hash = evolution.hash();
   evolution.free();
   return { ...newest.best, history, evaluations: newest.evaluations, hash };
+}
+
+/** One group of the checks of the core's own numbers. @param {import('./checks/check.js').Group} group @param {import('./checks/check.js').Golden} golden */
+function checks(group, golden) {
+  const core = {
+    Evolution,
+    Simulation,
+    evaluate,
+    experiment,
+    fares,
+    landscape,
+    learningRates,
+    paper,
+    simulate,
+    simulateAll,
+  };
+  return resultsOf(core, group, golden, (progress) => send({ progress }));
 }
