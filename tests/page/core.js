@@ -2,11 +2,13 @@
 import { readFile } from 'node:fs/promises';
 import init, {
   Evolution,
+  Simulation,
   evaluate,
   experiment,
   fares,
   fields,
   landscape,
+  learningRates,
   paper,
   remainingErrors,
   robustness,
@@ -26,11 +28,14 @@ await init({ module_or_path: await readFile(wasm) });
 
 export {
   Evolution,
+  Simulation,
   evaluate,
   experiment,
   fares,
   fields,
   landscape,
+  learningRates,
+  paper,
   remainingErrors,
   robustness,
   seedRuns,

@@ -71,3 +71,10 @@ export function middleOf(page, id, within = 'plane-robots') {
     within,
   );
 }
+
+/** Waits until the page has checked its own numbers, or has said why it cannot. @param {Page} page */
+export const checked = (page) =>
+  page.until('the checks have ended', () => {
+    const { open } = /** @type {HTMLDialogElement} */ (document.getElementById('checks'));
+    return open && document.getElementById('checks-progress')?.hidden;
+  });

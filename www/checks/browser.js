@@ -15,7 +15,7 @@ const names = /** @type {const} */ ([
 /** Name and version; the whole text if no name in it is known. @param {string} userAgent */
 export function browserOf(userAgent) {
   for (const [mark, name] of names) {
-    const version = new RegExp(`\\b${mark}/(\\d+)`).exec(userAgent)?.[1];
+    const version = new RegExp(`${mark}/(\\d+)`).exec(userAgent)?.[1];
     if (version) return `${name} ${version}`;
   }
   return userAgent;

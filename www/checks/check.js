@@ -36,7 +36,7 @@
  * @property {() => Said} wins
  * @property {() => Said} survivors
  * @property {() => Said} parents
- * @property {() => Said} neverWorse
+ * @property {(generations: number) => Said} neverWorse
  * @property {(generations: number) => Said} optimum
  * @property {(task: Task, preset: Preset, seed: number, generations: number) => Said} hash
  * @property {(generations: number) => Said} watched
@@ -56,6 +56,7 @@
  * @property {{ tolerance: number, rows: readonly { preset: Preset, gains: Triple, finalTime: number, cost: number, end: Triple | null }[] }} runs
  * @property {{ seed: number, parent: Triple, gains: Triple, common: number, sigmas: Triple, opponents: readonly number[], noise: readonly [number, number] }} draws
  * @property {readonly KnownEvolution[]} evolutions
+ * @property {{ seed: number, generations: number, cost: readonly [number, number] }} optimum
  */
 /** @typedef {{ task: Task, preset: Preset, changes: PartialExperiment, generations: number, hash: string }} KnownEvolution */
 

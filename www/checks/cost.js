@@ -64,7 +64,7 @@ function costAgain({ goal, sampleTime, weights }, { x, y, theta, linear, angular
 
 /** @returns {Check[]} */
 function laneChecks() {
-  const gains = scattered(200, [0, 10], [0, 10], [0, 10]).flat();
+  const gains = scattered(100, [0, 10], [0, 10], [0, 10]).flat();
   const starts = scattered(30, [-3, 3], [-3, 3], [-3, 3]).map(([x, y, theta]) => ({ x, y, theta }));
   const robot = /** @type {const} */ ([3, 0.1, 5]);
   const rows = 24;

@@ -4,10 +4,10 @@ import { byId, create } from '../elements.js';
 import { messageOf } from '../messages.js';
 import { checks as words } from '../words/index.js';
 import { browserOf } from './browser.js';
-import { groupNames, same } from './check.js';
+import { groupNames } from './check.js';
+import { allResults } from './run.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
-/** @typedef {import('../surveys.js').SurveyOptions} SurveyOptions */
 /** @typedef {import('./check.js').Golden} Golden */
 /** @typedef {import('./check.js').Result} Result */
 
@@ -15,8 +15,6 @@ const known = /** @type {Golden} */ (/** @type {unknown} */ (golden));
 
 /** Whose openers, in other sheets, are closed for it. */
 const openers = ['keys-checks', 'keep-checks'];
-
-const workerGenerations = 20;
 
 /** @param {Engine} engine */
 export function createChecks(engine) {
@@ -39,6 +37,7 @@ export function createChecks(engine) {
   };
 
   async function start() {
+    control.abort();
     control = new AbortController();
     const { signal } = control;
     progress.value = 0;
@@ -48,7 +47,10 @@ export function createChecks(engine) {
     showRunning(true);
     try {
       const began = performance.now();
-      const groups = await allResults(engine, { signal, onProgress: (done) => (progress.value = done) });
+      const groups = await allResults(engine, known, {
+        signal,
+        onProgress: (done) => (progress.value = done),
+      });
       show(groups, performance.now() - began);
     } catch (error) {
       if (signal.aborted) return;
@@ -78,7 +80,10 @@ export function createChecks(engine) {
       start();
     });
   byId('checks-close').addEventListener('click', () => dialog.close());
-  dialog.addEventListener('close', () => control.abort());
+  // The event comes late: the sheet may be open again.
+  dialog.addEventListener('close', () => {
+    if (!dialog.open) control.abort();
+  });
   copy.addEventListener('click', async () => {
     copied.hidden = false;
     try {
@@ -87,27 +92,10 @@ export function createChecks(engine) {
     } catch {
       copied.textContent = words.notCopied;
       text.hidden = false;
+      text.focus();
       text.select();
     }
   });
-}
-
-/** All groups, in the workers; in the last one, the page itself beside them. @param {Engine} engine @param {SurveyOptions} options */
-async function allResults(engine, { signal, onProgress }) {
-  const { surveys } = engine;
-  const experiment = engine.experiment('velocity-limits');
-  const [groups, evolved] = await Promise.all([
-    surveys.checks(known, { signal, onProgress, channel: surveys.channel() }),
-    surveys.evolve(experiment, workerGenerations, { signal, channel: surveys.channel() }),
-  ]);
-  /** @type {Result} */
-  const worker = {
-    name: 'worker',
-    about: [workerGenerations],
-    ...same(engine.hashOf(experiment, workerGenerations), evolved.hash),
-  };
-  groups[groups.length - 1].push(worker);
-  return groups;
 }
 
 /** What a result says in words: the law, what was measured, what must come out, and what did. @param {Result} result */

@@ -1,35 +1,31 @@
 // Laws of evolution, in the record of a whole run: mutation, tournament, survival.
 import { atMost, between, check, differing, largest, near, once, same } from './check.js';
 
-/** @typedef {import('../../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
-/** @typedef {import('../../pkg/ep_locomotion.js').Individual} Individual */
 /** @typedef {import('./check.js').Check} Check */
 /** @typedef {import('./check.js').Core} Core */
+/** @typedef {import('./check.js').Golden} Golden */
 
-/** @typedef {GenerationRecord & { all: Individual[] }} Generation Its solutions by their numbers. */
+/** So many generations are looked at in full. */
+const generations = 50;
 
-const seed = 1;
-const generations = 100;
-
-/** @returns {Check[]} */
-export function evolutionChecks() {
-  const history = once(recorded);
-  return [...mutationChecks(history), ...tournamentChecks(history)];
+/** @param {Golden} golden @returns {Check[]} */
+export function evolutionChecks({ optimum }) {
+  const history = once((core) => recorded(core, optimum));
+  return [...mutationChecks(history), ...tournamentChecks(history), ...progressChecks(history, optimum)];
 }
 
-/** @param {Core} core */
-function recorded(core) {
-  const experiment = core.experiment({ evolution: { seed } });
+/** One run: the best J of all its generations, and the whole record of the first ones. @param {Core} core @param {Golden['optimum']} optimum */
+function recorded(core, optimum) {
+  const experiment = core.experiment({ evolution: { seed: optimum.seed } });
   const evolution = new core.Evolution(experiment);
   const best = [evolution.statistics().best.cost];
-  for (let i = 0; i < generations; i++) best.push(evolution.step().best.cost);
-  const records = best.map((_, generation) => {
+  while (best.length <= optimum.generations) best.push(evolution.step().best.cost);
+  const [founders, ...records] = Array.from({ length: generations + 1 }, (_, generation) => {
     const record = evolution.record(generation);
     return { ...record, all: [...record.parents, ...record.offspring] };
   });
   evolution.free();
-  const { population } = experiment.evolution;
-  return { experiment, population, best, founders: records[0], records: records.slice(1) };
+  return { experiment, best, founders, records };
 }
 
 /** @typedef {(core: Core) => ReturnType<typeof recorded>} History */
@@ -145,13 +141,17 @@ function tournamentChecks(history) {
       });
       return same(0, differingPairs(pairs));
     }),
-    check('neverWorse', [], (core) => {
-      const { best } = history(core);
-      return same(0, best.filter((cost, i) => i > 0 && !(cost <= best[i - 1])).length);
-    }),
-    check('optimum', [generations], (core) => between(7.69, 7.8, history(core).best[generations])),
   ];
 }
+
+/** @param {History} history @param {Golden['optimum']} optimum @returns {Check[]} */
+const progressChecks = (history, { generations, cost: [low, high] }) => [
+  check('neverWorse', [generations], (core) => {
+    const { best } = history(core);
+    return same(0, best.filter((cost, i) => i > 0 && !(cost <= best[i - 1])).length);
+  }),
+  check('optimum', [generations], (core) => between(low, high, history(core).best[generations])),
+];
 
 /** @param {readonly number[][]} pairs */
 const differingPairs = (pairs) =>

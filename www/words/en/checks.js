@@ -33,12 +33,11 @@ const limits = {
   'acceleration-limits': 'velocities and accelerations limited',
 };
 
-/** @type {Readonly<Record<Task, string>>} */
+/** @type {Readonly<Record<Exclude<Task, 'parking'>, string>>} */
 const tasks = {
-  parking: '',
-  noise: ' in random disturbance',
-  tracking: ' behind a moving reference',
-  unlimited: ' without limits',
+  noise: 'In random disturbance',
+  tracking: 'Behind a moving reference',
+  unlimited: 'Without limits',
 };
 
 /** @type {Sentences} */
@@ -124,23 +123,26 @@ export const sentences = {
     'The survivors of a generation are the parents of the next, with their σ.',
     'numbers that differ in any bit',
   ],
-  neverWorse: () => ['From generation to generation the best J never rises.', 'times that it rises'],
+  neverWorse: (generations) => [
+    `From generation to generation the best J never rises, in ${generations} generations.`,
+    'times that it rises',
+  ],
   optimum: (generations) => [
     `After ${generations} generations the best J is near 7.70, the optimum that an independent program found.`,
     'J',
   ],
   hash: (task, preset, seed, generations) => [
-    `${generations} generations with seed ${seed}${tasks[task]} have the known hash${task === 'parking' ? `, with ${limits[preset]}` : ''}.`,
-    'hash',
+    `${task === 'parking' ? `With ${limits[preset]}` : tasks[task]}, ${generations} generations with seed ${seed} come to the known fingerprint.`,
+    'fingerprint',
   ],
   watched: (generations) => [
     `An evolution takes the same course if it is looked into, for ${generations} generations.`,
-    'hash',
+    'fingerprint',
   ],
   draws: (seed) => [`The first random draws with seed ${seed} are the known ones.`, 'numbers that differ'],
   worker: (generations) => [
     `A worker evolves ${generations} generations to the same bits as the page itself.`,
-    'hash',
+    'fingerprint',
   ],
 };
 
@@ -148,7 +150,7 @@ export const sentences = {
 function valueText(value, tolerance) {
   if (typeof value === 'string') return value;
   if (!Number.isFinite(value)) return String(value);
-  if (value !== 0 && Math.abs(value) < 1e-5) return powerText(value, 2);
+  if (value !== 0 && Math.abs(value) < 1e-5) return powerText(value, 2).replace(/^1·/, '');
   const digits = tolerance > 0 ? 1 - Math.round(Math.log10(tolerance)) : 7;
   return String(Number(value.toPrecision(Math.min(digits, 15)))).replace('-', '−');
 }
@@ -156,7 +158,7 @@ function valueText(value, tolerance) {
 /** @param {Outcome['found']} values @param {Outcome} outcome */
 export const valuesText = (values, { units, tolerance }) =>
   values
-    .map((value, i) => [valueText(value, tolerance), units[i]].filter((text) => text).join(' '))
+    .map((value, i) => [valueText(value, tolerance), units[i]].filter((text) => text).join('\u00a0'))
     .join(', ');
 
 /** What must come out. @param {Outcome} outcome */
@@ -191,7 +193,7 @@ export function summary(failed, count, milliseconds) {
 }
 
 /** @param {string} reason */
-export const unfinished = (reason) => `The checks came to no end: ${reason}`;
+export const unfinished = (reason) => `The checks could not be finished: ${reason}`;
 
 /** @param {string} version @param {string} browser */
 export const about = (version, browser) => `ep-locomotion ${version} · ${browser}`;

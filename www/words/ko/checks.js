@@ -13,12 +13,12 @@ export const texts = {
   checksButton: '계산 검사',
   checksTitle: '계산이 맞습니까?',
   checksHelp:
-    '알려진 값과 법칙을 이 브라우저에서 다시 계산합니다. 프로그램의 시험도 컴퓨터와 Node에서 같은 값과 비교합니다.',
+    '알려진 값과 법칙을 이 브라우저에서 다시 계산합니다. 이 프로그램의 테스트도 브라우저 밖에서(네이티브와 Node) 같은 값을 확인합니다.',
   checksClose: '닫기',
-  checksCopy: '글로 복사',
+  checksCopy: '텍스트로 복사',
   checksProgress: '끝난 검사',
   checksList: '검사 목록',
-  checksText: '글로 쓴 검사 결과',
+  checksText: '텍스트로 쓴 검사 결과',
 };
 
 /** @type {Readonly<Record<Group, string>>} */
@@ -35,9 +35,8 @@ const limits = {
   'acceleration-limits': '속도와 가속도 제한',
 };
 
-/** @type {Readonly<Record<Task, string>>} */
+/** @type {Readonly<Record<Exclude<Task, 'parking'>, string>>} */
 const tasks = {
-  parking: '',
   noise: '무작위 외란',
   tracking: '움직이는 기준',
   unlimited: '제한 없음',
@@ -54,7 +53,7 @@ export const sentences = {
     `제한이 없으면 자세 ${count}개에서 V는 정리 1대로 줄어듭니다. V̇ = −kx x_e² cos² θ_e − ky y_e⁴ − kθ sin² θ_e.`,
     '최대 상대 차이',
   ],
-  halfArcs: (count) => [`반 호 두 번은 온 호 한 번과 같은 곳으로 갑니다(${count}회).`, '최대 거리'],
+  halfArcs: (count) => [`호를 반씩 두 번 달려도 한 번에 달린 곳에 이릅니다(${count}회).`, '최대 거리'],
   circle: (count) => [`호 ${count}개는 모두 기구학 (2)의 원 위에서 끝납니다.`, '최대 거리'],
   speeds: (count) => [`주행 ${count}회에서 어떤 속도도 제한을 넘지 않습니다.`, '최대 |v|, |ω|'],
   accelerations: (count) => [
@@ -65,10 +64,7 @@ export const sentences = {
     `주행 ${count}회의 모든 샘플에서 명령을 두 번 제한한 값은 한 번 제한한 값과 같습니다.`,
     '다른 속도의 수',
   ],
-  mirror: (count) => [
-    `왼쪽과 오른쪽은 같습니다. 거울에 비친 과제에서 로봇 ${count}대의 비용은 그대로입니다.`,
-    '다른 J의 수',
-  ],
+  mirror: (count) => [`과제의 좌우를 뒤집어도 로봇 ${count}대의 비용은 같습니다.`, '다른 J의 수'],
   parked: (count) => [
     `주행 ${count}회에서 Kanayama의 규칙은 목표가 멈추어 있으면 돌지 않습니다.`,
     '최대 |ω|',
@@ -105,7 +101,7 @@ export const sentences = {
   ],
   drawMean: () => ['이 난수들의 평균은 0에 가깝습니다.', '평균'],
   drawVariance: () => ['그 분산은 1에 가깝습니다.', '분산'],
-  drawCorrelation: () => ['k에 쓴 난수와 σ에 쓴 난수는 서로 관계가 없습니다.', '상관'],
+  drawCorrelation: () => ['k에 쓴 난수와 σ에 쓴 난수는 서로 관계가 없습니다.', '상관계수'],
   offspringCosts: () => [
     '모든 자손의 J는 그 이득으로 다시 주행한 비용과 같습니다.',
     '한 비트라도 다른 J의 수',
@@ -120,20 +116,20 @@ export const sentences = {
     '한 세대에서 남은 개체는 σ와 함께 다음 세대의 부모가 됩니다.',
     '한 비트라도 다른 수의 개수',
   ],
-  neverWorse: () => ['세대가 지나도 최우수 J는 오르지 않습니다.', '오른 횟수'],
+  neverWorse: (generations) => [`${generations}세대 동안 최우수 J는 한 번도 오르지 않습니다.`, '오른 횟수'],
   optimum: (generations) => [
     `${generations}세대 뒤의 최우수 J는 독립된 프로그램이 찾은 최적값 7.70에 가깝습니다.`,
     'J',
   ],
   hash: (task, preset, seed, generations) => [
-    `시드 ${seed}의 ${generations}세대는 알려진 해시와 같습니다(${task === 'parking' ? limits[preset] : tasks[task]}).`,
-    '해시',
+    `시드 ${seed}, ${task === 'parking' ? limits[preset] : tasks[task]}: ${generations}세대를 진화시킨 지문은 알려진 값과 같습니다.`,
+    '지문',
   ],
-  watched: (generations) => [`진화는 ${generations}세대 동안 들여다보아도 똑같이 진행됩니다.`, '해시'],
+  watched: (generations) => [`진화는 ${generations}세대 동안 들여다보아도 똑같이 진행됩니다.`, '지문'],
   draws: (seed) => [`시드 ${seed}의 첫 난수는 알려진 값과 같습니다.`, '다른 수의 개수'],
   worker: (generations) => [
     `워커가 진화시킨 ${generations}세대는 페이지가 직접 진화시킨 것과 비트까지 같습니다.`,
-    '해시',
+    '지문',
   ],
 };
 
@@ -171,6 +167,6 @@ export function summary(failed, count, milliseconds) {
 /** @param {string} reason */
 export const unfinished = (reason) => `검사를 끝내지 못했습니다: ${reason}`;
 
-export const copied = '글을 복사했습니다.';
+export const copied = '텍스트를 복사했습니다.';
 export const notCopied =
-  '이 브라우저는 페이지의 복사를 허용하지 않습니다. 글을 선택해 두었으니 키보드로 복사하십시오.';
+  '이 브라우저는 페이지의 복사를 허용하지 않습니다. 텍스트를 선택해 두었으니 키보드로 복사하십시오.';
