@@ -16,6 +16,7 @@ import {
   simulate,
   simulateAll,
 } from '../pkg/ep_locomotion.js';
+import { groupNames } from './checks/check.js';
 import { resultsOf } from './checks/checks.js';
 
 /** @typedef {import('../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
@@ -93,8 +94,8 @@ function evolve(experiment, generations) {
   return { ...newest.best, history, evaluations: newest.evaluations, hash };
 }
 
-/** One group of the checks of the core's own numbers. @param {import('./checks/check.js').Group} group @param {import('./checks/check.js').Golden} golden */
-function checks(group, golden) {
+/** The checks of the core's own numbers, by group. @param {import('./checks/check.js').Golden} golden */
+function checks(golden) {
   const core = {
     Evolution,
     Simulation,
@@ -107,5 +108,7 @@ function checks(group, golden) {
     simulate,
     simulateAll,
   };
-  return resultsOf(core, group, golden, (progress) => send({ progress }));
+  return groupNames.map((group, i) =>
+    resultsOf(core, group, golden, (done) => send({ progress: (i + done) / groupNames.length })),
+  );
 }

@@ -36,7 +36,7 @@ export const costChecks = ({ runs }) => [
 /** @returns {Check} */
 function partsCheck() {
   // Some of them negative, for the penalty.
-  const gains = scattered(50, [-1, 10], [-1, 10], [-1, 10]);
+  const gains = scattered(20, [-1, 10], [-1, 10], [-1, 10]);
   return check('parts', [gains.length], (core) => {
     const experiment = core.experiment('velocity-limits');
     const differences = gains.map((k) => {
@@ -64,8 +64,8 @@ function costAgain({ goal, sampleTime, weights }, { x, y, theta, linear, angular
 
 /** @returns {Check[]} */
 function laneChecks() {
-  const gains = scattered(100, [0, 10], [0, 10], [0, 10]).flat();
-  const starts = scattered(30, [-3, 3], [-3, 3], [-3, 3]).map(([x, y, theta]) => ({ x, y, theta }));
+  const gains = scattered(60, [0, 10], [0, 10], [0, 10]).flat();
+  const starts = scattered(20, [-3, 3], [-3, 3], [-3, 3]).map(([x, y, theta]) => ({ x, y, theta }));
   const robot = /** @type {const} */ ([3, 0.1, 5]);
   const rows = 24;
   return [

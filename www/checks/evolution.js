@@ -6,7 +6,7 @@ import { atMost, between, check, differing, largest, near, once, same } from './
 /** @typedef {import('./check.js').Golden} Golden */
 
 /** So many generations are looked at in full. */
-const generations = 50;
+const generations = 30;
 
 /** @param {Golden} golden @returns {Check[]} */
 export function evolutionChecks({ optimum }) {

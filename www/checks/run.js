@@ -1,4 +1,4 @@
-// Runs all checks: the groups in workers, and beside them what a worker and the page itself must have in common.
+// Runs all checks in a worker; then what a worker and the page itself must have in common.
 import { same } from './check.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
@@ -13,11 +13,10 @@ const generations = 20;
 export async function allResults(engine, golden, { signal, onProgress }) {
   const { surveys } = engine;
   const experiment = engine.experiment('velocity-limits');
-  // Two channels, because in one the second job would take the place of the first.
-  const [groups, evolved] = await Promise.all([
-    surveys.checks(golden, { signal, onProgress, channel: surveys.channel() }),
-    surveys.evolve(experiment, generations, { signal, channel: surveys.channel() }),
-  ]);
+  // Before all others, as what is on screen waits for it.
+  const channel = surveys.channel();
+  const groups = await surveys.checks(golden, { signal, onProgress, channel });
+  const evolved = await surveys.evolve(experiment, generations, { signal, channel });
   const outcome = same(engine.hashOf(experiment, generations), evolved.hash);
   const before = groups.slice(0, -1);
   return [...before, [...(groups.at(-1) ?? []), { name: 'worker', about: [generations], ...outcome }]];
