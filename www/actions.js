@@ -3,6 +3,7 @@ import { firstCurves } from './curves/page.js';
 import { firstDisturbance } from './disturbance/request.js';
 import { firstGeneration } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
+import { noTally } from './lesson/tally.js';
 import { firstLuck } from './luck/request.js';
 import { messageOf } from './messages.js';
 import { atEnd, endsOf, fromStart, gainsOf, noTrial, pausesAt } from './state.js';
@@ -50,6 +51,9 @@ export function firstState(engine, preset) {
   const { statistics, population } = engine.begin(experiment);
   return {
     page: 'lab',
+    lesson: 0,
+    lastStep: 1,
+    progress: { answers: {}, tally: noTally },
     preset,
     experiment,
     history: [statistics],
@@ -139,6 +143,17 @@ export function createActions(engine, store, paper, finalTime) {
     const ends = Object.values(endsOf(state));
     const [run] = engine.drive(state.experiment, [gainsOf(state, state.driver, paper)]);
     return isTracking(run) ? [...ends, ...stationsOf(run)] : ends;
+  };
+
+  /** Where the robot in ink comes to rest, if that is not far away. */
+  const nearEnd = () => {
+    const state = store.get();
+    const [run] = engine.drive(state.experiment, [gainsOf(state, state.driver, paper)]);
+    const last = run.time.length - 1;
+    const end = { x: run.x[last], y: run.y[last], theta: run.theta[last] };
+    const { start, goal } = endsOf(state);
+    const away = Math.hypot(end.x - goal.x, end.y - goal.y);
+    return away < Math.hypot(start.x - goal.x, start.y - goal.y) ? [end] : [];
   };
 
   const settle = () => {
@@ -415,6 +430,7 @@ export function createActions(engine, store, paper, finalTime) {
         const tried = rest.trial.disturbance ?? disturbance.tried;
         tryToBegin(experiment, 'begin', {
           ...rest,
+          lastStep: rest.lesson || store.get().lastStep,
           trial: rest.page === 'disturbance' ? { ...rest.trial, disturbance: tried } : rest.trial,
           disturbance: { ...disturbance, tried, error: null },
           landscape: { ...landscape, ...view.landscape, cursor: null, thirdError: '' },
@@ -424,7 +440,7 @@ export function createActions(engine, store, paper, finalTime) {
           evolving: false,
           robot: shown(),
         });
-        store.update({ box: boxAround(inSight()) });
+        store.update({ box: boxAround([...inSight(), ...nearEnd()]) });
         catchUp(newest);
         if (!store.get().evolving) showGeneration(generation);
         if (problems.length > 0) store.update({ message: problems.join(' ') });
@@ -434,6 +450,7 @@ export function createActions(engine, store, paper, finalTime) {
     /** @param {PageName} page */
     openPage(page) {
       const { page: before, trial, disturbance } = store.get();
+      store.update({ lesson: 0 });
       if (page === before) return;
       if (page === 'disturbance')
         store.update({ page, trial: { start: null, disturbance: disturbance.tried }, robot: shown() });

@@ -1,6 +1,7 @@
 // Keeps the address and the state in step: the address always holds the link of what is on screen.
 import { byId } from './elements.js';
 import { createLanguageSwitch } from './language.js';
+import { linkOfStep } from './lesson/steps.js';
 import { linkOf, openLink } from './link.js';
 import { pageNames, watch } from './state.js';
 import { language, languageOfAddress } from './words/language.js';
@@ -23,11 +24,17 @@ export function createAddress(engine, store, actions) {
     // The words are chosen when the page loads.
     if (languageOfAddress() !== language) return location.reload();
     written = location.hash.slice(1);
-    const { opened, problems } = openLink(written, engine);
+    const { opened, problems } = openLink(written || linkOfStep(1), engine);
     actions.openLinked(opened, problems);
   };
 
-  const part = () => pageNames.find((name) => name === written.split('&')[0]) ?? 'lab';
+  /** Where the address is: the part, and the step of the lesson. */
+  const place = () => ({
+    page: pageNames.find((name) => name === written.split('&')[0]) ?? 'lab',
+    lesson: Number(/&lesson=(\d+)/.exec(written)?.[1] ?? 0),
+  });
+  const isElsewhere = (/** @type {State} */ state) =>
+    state.page !== place().page || state.lesson !== place().lesson;
   const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
 
   const write = () => {
@@ -35,12 +42,11 @@ export function createAddress(engine, store, actions) {
     const state = store.get();
     if (!rests(state)) return;
     const link = linkFor(state);
-    if (link === written || (link === 'lab' && written === '')) return;
-    const before = part();
-    if (state.page === before) history.replaceState(null, '', `#${link}`);
+    if (link === written) return;
+    if (!isElsewhere(state) || written === '') history.replaceState(null, '', `#${link}`);
     else {
       // A step that "back" takes back: to all that the part before has come to.
-      history.replaceState(null, '', `#${linkFor({ ...state, page: before })}`);
+      history.replaceState(null, '', `#${linkFor({ ...state, ...place() })}`);
       history.pushState(null, '', `#${link}`);
     }
     written = link;
@@ -51,17 +57,24 @@ export function createAddress(engine, store, actions) {
   addEventListener('popstate', () => {
     if (location.hash.slice(1) !== written) open();
   });
-  if (written !== '') open();
+  open();
 
   return {
+    /** Opens a link, as if it had been followed. @param {string} link */
+    go(link) {
+      history.pushState(null, '', `#${link}`);
+      open();
+    },
+
     /** Writes what has changed, once it rests. @param {State} state */
     follow(state) {
       if (!rests(state) || !changed(...partsOf(state))) return;
       for (const name of pageNames)
-        byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name })}`);
+        byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name, lesson: 0 })}`);
+      byId('page-lesson').setAttribute('href', `#${linkOfStep(state.lastStep)}`);
       other.follow();
       // Another part at once, so that "back" is there when it is wanted.
-      if (state.page !== part()) write();
+      if (isElsewhere(state)) write();
       else if (!waiting) {
         waiting = true;
         setTimeout(write, pauseMilliseconds);
@@ -76,6 +89,7 @@ const rests = (state) => !state.dragging && !state.evolving;
 /** All that a link carries. @param {State} state */
 const partsOf = ({ landscape, anatomy, curves, robustness, ...run }) => [
   run.page,
+  run.lesson,
   run.preset,
   run.experiment,
   run.generation,

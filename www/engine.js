@@ -7,6 +7,7 @@ import {
   learningRates,
   paper,
   randomSeed,
+  Simulation,
   simulateAll,
   version,
   startsOnCircle,
@@ -25,6 +26,7 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {import('../pkg/ep_locomotion.js').Run} Run */
 /** @typedef {import('../pkg/ep_locomotion.js').Cost} Cost */
 /** @typedef {import('../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
+/** @typedef {import('../pkg/ep_locomotion.js').Sample} Sample */
 /** @typedef {import('../pkg/ep_locomotion.js').Statistics} Statistics */
 /** @typedef {readonly [number, number, number]} Triple kx, ky, kθ */
 
@@ -101,6 +103,16 @@ export async function createEngine() {
 
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) => simulateAll(from, gains.flat()),
+
+    /** All that a robot sees, is told and does, sample by sample. @param {Experiment} from @param {Triple} gains @returns {Sample[]} */
+    samples(from, gains) {
+      const robot = new Simulation(from, Float64Array.from(gains));
+      const samples = [];
+      do samples.push(robot.step());
+      while (samples[samples.length - 1].outcome === null);
+      robot.free();
+      return samples;
+    },
 
     /** Long jobs, which workers do; they are started at the first one. */
     get surveys() {

@@ -11,6 +11,8 @@ import { createAnatomy, createChosenDrives } from './generation/record.js';
 import { createKeep } from './keep/dialog.js';
 import { createKeys } from './keys.js';
 import { createLandscapePage } from './landscape/page.js';
+import { createLesson } from './lesson/page.js';
+import { linkOfStep } from './lesson/steps.js';
 import { createLuckPage } from './luck/page.js';
 import { messageOf } from './messages.js';
 import { createRobustnessPage } from './robustness/page.js';
@@ -49,7 +51,11 @@ function start(engine) {
   const store = createStore(firstState(engine, 'velocity-limits'), loop.request);
   const finalTime = () => sceneOf(store.get()).driving.finalTime;
   const actions = createActions(engine, store, paper, finalTime);
-  const draw = createDraw(createViews(actions), engine, paper);
+  /** @param {string} link */
+  const go = (link) => address?.go(link);
+  const onLesson = () => go(linkOfStep(store.get().lastStep));
+  const draw = createDraw(createViews(actions, onLesson), engine, paper);
+  const lesson = createLesson({ engine, store, actions, paper, go });
   const pages = [
     createGenerationPage,
     createCurvesPage,
@@ -70,6 +76,7 @@ function start(engine) {
     const state = store.get();
     const scene = sceneOf(state);
     draw(state, scene);
+    lesson.draw(state, scene);
     for (const page of pages) if (page.name === state.page) page.draw(state, scene);
     address?.follow(state);
     settings.draw(state);
@@ -164,7 +171,7 @@ function createDraw(views, engine, paper) {
     const time = Math.min(robot.time, driving.finalTime);
 
     showMessage(state.message);
-    views.pages.draw(state.page, experiment.evolution.population);
+    views.pages.draw(state.page, state.lesson, experiment.evolution.population);
     views.preset.draw(preset);
     views.drivers.draw(driver);
     drawPlane(state, scene, time);

@@ -28,6 +28,7 @@ export const axis = () => ({
 /** As many digits as the step needs, at every tick. @param {uPlot} _ @param {number[]} ticks */
 export function sameDigits(_, ticks) {
   const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
+  if (step >= 1000) return ticks.map((tick) => (tick === 0 ? '0' : `${tick / 1000}k`));
   const digits =
     [0, 1, 2, 3, 4, 5].find(
       (count) => Math.abs(step * 10 ** count - Math.round(step * 10 ** count)) < 1e-6,

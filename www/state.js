@@ -20,6 +20,9 @@
 /**
  * @typedef {object} State
  * @property {PageName} page Which part of the page is open.
+ * @property {number} lesson The step of the lesson that is open beside it; 0: none.
+ * @property {number} lastStep The one that was open last.
+ * @property {import('./lesson/page.js').Progress} progress What was done in the lesson.
  * @property {Preset} preset
  * @property {Experiment} experiment
  * @property {Statistics[]} history One entry a generation, the newest last.

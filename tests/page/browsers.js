@@ -44,7 +44,7 @@ export class Page {
    * Opens the page afresh, which `pageTest` has done once already, and waits until it is ready.
    * @param {string} [fragment] what follows the address, for instance '#law=kanayama'
    */
-  async open(fragment = '') {
+  async open(fragment = '#lab') {
     // Between two addresses that differ in the fragment alone, a browser would not load the page again.
     await this.driver.get('about:blank');
     this.site.problems.length = 0;

@@ -2,7 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import init, {
   Evolution,
-  Simulation,
+  errorParts,
   evaluate,
   experiment,
   fares,
@@ -13,9 +13,11 @@ import init, {
   remainingErrors,
   robustness,
   seedRuns,
+  Simulation,
   simulate,
   simulateAll,
   startsOnCircle,
+  version,
 } from '../../pkg/ep_locomotion.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
@@ -28,7 +30,7 @@ await init({ module_or_path: await readFile(wasm) });
 
 export {
   Evolution,
-  Simulation,
+  errorParts,
   evaluate,
   experiment,
   fares,
@@ -39,9 +41,11 @@ export {
   remainingErrors,
   robustness,
   seedRuns,
+  Simulation,
   simulate,
   simulateAll,
   startsOnCircle,
+  version,
 };
 
 /** A cost as it is shown. @param {number} cost */

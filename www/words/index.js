@@ -23,6 +23,7 @@ export const {
   keys,
   lab,
   landscape,
+  lesson,
   link,
   luck,
   messages,

@@ -7,6 +7,7 @@ export * as keep from './keep.js';
 export * as keys from './keys.js';
 export * as lab from './lab.js';
 export * as landscape from './landscape.js';
+export * as lesson from './lesson.js';
 export * as link from './link.js';
 export * as luck from './luck.js';
 export * as messages from './messages.js';

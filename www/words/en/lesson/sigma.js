@@ -1,0 +1,8 @@
+// sigma
+export const sigma = {
+  title: 'A step size that adapts itself',
+  texts: { begin: '' },
+  quizzes: {},
+  tries: {},
+  notice: [],
+};
