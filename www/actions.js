@@ -53,7 +53,7 @@ export function firstState(engine, preset) {
     page: 'lab',
     lesson: 0,
     lastStep: 1,
-    progress: { answers: {}, tally: noTally },
+    progress: { answers: {}, tally: noTally, duel: null },
     preset,
     experiment,
     history: [statistics],

@@ -101,6 +101,7 @@ const partsOf = ({ landscape, anatomy, curves, robustness, ...run }) => [
   anatomy.chosen,
   curves.view,
   curves.lab,
+  curves.scale,
   landscape.x,
   landscape.y,
   landscape.third,

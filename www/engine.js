@@ -9,8 +9,9 @@ import {
   randomSeed,
   Simulation,
   simulateAll,
-  version,
+  stability,
   startsOnCircle,
+  version,
 } from '../pkg/ep_locomotion.js';
 import { createPool } from './pool.js';
 import { createSurveys } from './surveys.js';
@@ -24,6 +25,7 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {import('../pkg/ep_locomotion.js').Posture} Posture */
 /** @typedef {import('../pkg/ep_locomotion.js').Preset} Preset */
 /** @typedef {import('../pkg/ep_locomotion.js').Run} Run */
+/** @typedef {import('../pkg/ep_locomotion.js').Stability} Stability */
 /** @typedef {import('../pkg/ep_locomotion.js').Cost} Cost */
 /** @typedef {import('../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
 /** @typedef {import('../pkg/ep_locomotion.js').Sample} Sample */
@@ -113,6 +115,9 @@ export async function createEngine() {
       robot.free();
       return samples;
     },
+
+    /** The Lyapunov function of a run. @param {Experiment} from @param {Triple} gains */
+    stability: (from, gains) => stability(from, gains),
 
     /** Long jobs, which workers do; they are started at the first one. */
     get surveys() {

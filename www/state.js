@@ -9,6 +9,7 @@
 /** @typedef {import('./engine.js').Statistics} Statistics */
 /** @typedef {import('./view.js').Box} Box */
 /** @typedef {import('./landscape/request.js').LandscapeState} LandscapeState */
+/** @typedef {import('./pins/pins.js').Driven} Driven */
 
 /** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver Whose gains drive the robot in ink. */
 /** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'setting' | 'undone' | 'redone' | 'reset'} Restart Why evolution is at generation 0. */
@@ -61,10 +62,12 @@
 /**
  * @typedef {object} Scene
  * @property {Experiment} experiment In which it drives: with what is tried.
+ * @property {Triple} gains With which it drives.
  * @property {Run} driving
  * @property {Run[]} others The rest of the population or the best of it, when the evolved best drives.
  * @property {Run} comparison
  * @property {Driver} comparisonDriver
+ * @property {Driven} compared What the comparison follows from.
  * @property {boolean} withoutDisturbance The comparison is the driver itself, without the disturbance that is tried.
  * @property {Run} paperEp The gains that evolution found in the paper.
  * @property {Run[]} pins One for each pin.
@@ -242,13 +245,16 @@ export function createScene(drive, paper, chosenDrives) {
     const comparisonExperiment = withoutDisturbance ? undisturbedOf(experiment) : experiment;
     const chosen = chosenDrives(state);
     const company = chosen?.population ?? (driver === 'evolved' && trial === noTrial ? population : null);
+    const gains = chosen?.population[0].gains ?? gainsOf(state, driver, paper);
     const rival = chosen?.partner?.gains ?? gainsOf(state, comparisonDriver, paper);
     return {
       experiment,
-      driving: driving(experiment, chosen?.population[0].gains ?? gainsOf(state, driver, paper)),
+      gains,
+      driving: driving(experiment, gains),
       others: company ? others(experiment, company) : none,
       comparison: comparison(comparisonExperiment, rival),
       comparisonDriver,
+      compared: { experiment: comparisonExperiment, gains: rival },
       chosen,
       withoutDisturbance,
       paperEp: paperEp(experiment, gainsOf(state, 'paper-ep', paper)),

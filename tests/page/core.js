@@ -16,6 +16,7 @@ import init, {
   Simulation,
   simulate,
   simulateAll,
+  stability,
   startsOnCircle,
   version,
 } from '../../pkg/ep_locomotion.js';
@@ -44,6 +45,7 @@ export {
   Simulation,
   simulate,
   simulateAll,
+  stability,
   startsOnCircle,
   version,
 };

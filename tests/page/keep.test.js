@@ -4,7 +4,7 @@ import { openRunFile, runFile } from '../../www/keep/run-file.js';
 import { openLink } from '../../www/link.js';
 import { driveCsv, generationsCsv } from '../../www/keep/tables.js';
 import { pageTest } from './browsers.js';
-import { Evolution, evolve, experiment, simulate, simulateAll } from './core.js';
+import { Evolution, evolve, experiment, simulate, simulateAll, stability } from './core.js';
 import { readEvolution } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
@@ -86,15 +86,20 @@ test('the tables have units in their headers and every digit of the numbers', ()
   ]);
 
   const run = simulate(velocityLimits, [3, 0.1, 5]);
-  const drive = driveCsv(run, origin).trim().split('\r\n').slice(2);
-  assert.equal(drive[0].split(',')[1], 'x (m)');
+  const v = stability(velocityLimits, [3, 0.1, 5]);
+  const drive = driveCsv(run, v, origin).trim().split('\r\n').slice(2);
+  const heads = drive[0].split(',');
+  assert.deepEqual([heads[1], heads[11], heads[15]], ['x (m)', 'V (m^2)', 'dV/dt (m^2/s)']);
   assert.equal(drive.length, run.time.length + 1);
   const last = run.time.length - 1;
   assert.deepEqual(
     drive[last + 1].split(',').map(Number),
-    [run.time, run.x, run.y, run.theta, run.linear, run.angular, run.commandLinear, run.commandAngular].map(
-      (column) => column[last],
-    ),
+    [
+      ...[run.time, run.x, run.y, run.theta],
+      ...[run.linear, run.angular, run.commandLinear, run.commandAngular],
+      ...[v.errorX, v.errorY, v.errorTheta, v.lyapunov],
+      ...[v.promisedX, v.promisedY, v.promisedTheta, v.rate],
+    ].map((column) => column[last]),
   );
 });
 

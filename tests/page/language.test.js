@@ -111,7 +111,7 @@ pageTest('every part is Korean with lang=ko', async (page) => {
     await page.open(`#${name}&v=1&lang=ko&generation=2&pin1=${encodeURIComponent('가~5,1,5')}`);
     await isKorean(page, name);
   }
-  for (const view of ['compare', 'numbers']) {
+  for (const view of ['stability', 'compare', 'numbers']) {
     await page.open(`#curves&v=1&lang=ko&view=${view}&preset=acceleration-limits&seed=2`);
     await isKorean(page, view);
   }
@@ -277,8 +277,10 @@ for (const [width, height] of [
       await page.open(`#${name}&v=1&generation=2&pin1=${encodeURIComponent('first~5,1,5')}`);
       problems[name] = await overflowing(page);
     }
-    await page.open('#curves&v=1&view=compare&generation=2');
-    problems.compare = await overflowing(page);
+    for (const view of ['stability', 'compare']) {
+      await page.open(`#curves&v=1&view=${view}&generation=2`);
+      problems[view] = await overflowing(page);
+    }
     for (const phase of ['mutation', 'drive', 'tournament', 'ranking', 'survivors']) {
       await page.open(`#generation&v=1&generation=2&phase=${phase}`);
       problems[phase] = await overflowing(page);

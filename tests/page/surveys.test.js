@@ -53,7 +53,7 @@ async function openFile(page, file, change = (html) => html) {
   const copy = join(folder, 'opened.html');
   const html = (await readFile(file, 'utf8')).replace('<head>', () => `<head><script>${collector}</script>`);
   await writeFile(copy, change(html));
-  await page.driver.get(pathToFileURL(copy).href);
+  await page.driver.get(`${pathToFileURL(copy).href}#lab`);
 }
 
 /** What the page asked for since it was opened, and what went wrong. @param {Page} page */

@@ -92,9 +92,11 @@ export function createKeep({ engine, store, actions, sceneOf, redraw }) {
   byId('keep-generations').addEventListener('click', () =>
     download(`${name()}-generations.csv`, 'text/csv', generationsCsv(store.get().history, origin())),
   );
-  byId('keep-drive').addEventListener('click', () =>
-    download(`${name()}-drive.csv`, 'text/csv', driveCsv(sceneOf(store.get()).driving, origin())),
-  );
+  byId('keep-drive').addEventListener('click', () => {
+    const { experiment, gains, driving } = sceneOf(store.get());
+    const content = driveCsv(driving, engine.stability(experiment, gains), origin());
+    download(`${name()}-drive.csv`, 'text/csv', content);
+  });
 
   /** @param {File} chosen */
   const open = async (chosen) => {

@@ -29,6 +29,7 @@ export const {
   messages,
   robustness,
   settings,
+  stability,
   tables,
   training,
 } = all[language];

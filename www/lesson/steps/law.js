@@ -5,11 +5,11 @@ import { lawFormula } from '../formulas.js';
 import { createPushes } from '../pushes.js';
 
 /** @typedef {import('../../engine.js').Engine} Engine */
-/** @typedef {import('../../engine.js').Experiment} Experiment */
 /** @typedef {import('../../engine.js').Triple} Triple */
 
 /** From here each gain alone brings its own error to zero and leaves the others. */
-const below = 'start=1.5,0.5,0';
+const start = { x: 1.5, y: 0.5, theta: 0 };
+const below = `start=${Object.values(start).join(',')}`;
 /** Beside the goal, and turned as it is. */
 const beside = 'start=2.5,1.5,45deg';
 /** @type {Triple} */
@@ -22,11 +22,11 @@ const allThree = [3, 8, 5];
 /** @param {Triple} gains @param {string} rest */
 const byHand = (gains, rest) => `lab&drives=hand&gains=${gains.join(',')}&${rest}`;
 
-/** Where gains take the robot, and what they ask for on the way. @param {Engine} engine @param {Experiment} experiment */
-function numbersOf(engine, experiment) {
-  const { error } = /** @type {import('../../engine.js').Sample} */ (
-    engine.samples(experiment, kxAlone).at(-1)
-  );
+/** Where the step's own drives end, and what they ask for on the way. */
+const numbersOf = remember((/** @type {Engine} */ engine) => {
+  const experiment = engine.experiment({ starts: [start] });
+  const alone = engine.samples(experiment, kxAlone);
+  const { error } = alone[alone.length - 1];
   const most = engine
     .samples(experiment, allThree)
     .reduce((a, b) => (Math.abs(b.command.angular) > Math.abs(a.command.angular) ? b : a));
@@ -36,8 +36,7 @@ function numbersOf(engine, experiment) {
     most: signed(Math.abs(most.command.angular), 0),
     leaves: signed(Math.abs(most.velocity.angular), 2),
   };
-}
-const rememberedNumbers = remember(numbersOf);
+});
 
 /** How a drive without ky ends. @param {import('../page.js').Live} live */
 function withoutKyFrom({ engine, scene }) {
@@ -83,5 +82,5 @@ export const law = {
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],
-  values: ({ engine, state }) => rememberedNumbers(engine, state.experiment),
+  values: ({ engine }) => numbersOf(engine),
 };

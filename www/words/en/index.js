@@ -13,5 +13,6 @@ export * as luck from './luck.js';
 export * as messages from './messages.js';
 export * as robustness from './robustness.js';
 export * as settings from './settings.js';
+export * as stability from './stability.js';
 export * as tables from './tables.js';
 export * as training from './training.js';

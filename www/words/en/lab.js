@@ -89,7 +89,8 @@ export const taglines = (population) => ({
   lab: `${population} robots, each with three random gains, drive to the goal. Evolution keeps what drives well.`,
   generation:
     'One generation, step by step: who had whom as a child, how each drove, whom each met in the tournament, who stays.',
-  curves: 'The drive against time, as in the paper’s Figures 5 and 7, and J as it is paid.',
+  curves:
+    'The drive against time, as in the paper’s Figures 5 and 7, J as it is paid, and the Lyapunov function.',
   landscape:
     'Every point is a robot with gains of its own, its colour the cost of its drive. Drag the goal: the valley moves.',
   robustness:

@@ -22,7 +22,7 @@ export const cost = {
   quizzes: {
     heavier: {
       question:
-        'With {Rv} and {Rw} at 1 the paper’s EP gains win. At 5, driving and turning cost five times as much. Who wins?',
+        'With {Rv} and {Rw} at 1 the paper’s EP gains cost less than the arbitrary and the gentle ones. At 5, driving and turning cost five times as much. Who is lowest then?',
       choices: [
         'The EP gains again: evolution found them',
         'The arbitrary gains: they arrive first',

@@ -11,10 +11,10 @@ export const law = {
 A *gain* says how hard a part of the error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}; together they are what the law asks for. What lies in the grey the wheels cannot do.`,
     written: `Hold the clock where the bars are long, then move a slider. The same as a formula: point at a term, and its slider, its bars and the errors in it light up.`,
     each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. Now two of them together.`,
-    sideways: `Why does {ky} divide by sin {te}? The robot cannot drive sideways. To get over a little it must be turned and drive: the less it is turned, the farther. Turned hardly at all, it is asked for the impossible: from here 3, 8, 5 ask for a turn of up to {=most} rad/s. The limits leave {=leaves}.
+    sideways: `Why does {ky} divide by sin {te}? The robot cannot drive sideways. To get over a little it must be turned and drive: the less it is turned, the farther. Turned hardly at all, it is asked for the impossible: on the way from below the goal, 3, 8, 5 ask for a turn of up to {=most} rad/s. The limits leave {=leaves}.
 
 At sin {te} = 0 the paper does not say what to do. We chose never to divide by less than 0.000001.`,
-    next: `Five terms, and none of them spoils what another one does? They were made that way: there is one quantity that, with positive gains, they can only bring down.`,
+    next: `Five terms, and none of them spoils what another one does? They were made that way: there is one quantity that, with positive gains and no limits in the way, they only bring down.`,
   },
   pushes: {
     tableLabel: 'What each term of the law adds now',
@@ -52,11 +52,11 @@ At sin {te} = 0 the paper does not say what to do. We chose never to divide by l
   tries: {
     onlyKx: '{kx} alone: 3, 0, 0',
     onlyKt: '{kt} alone: 0, 0, 5. It turns on the spot, for {v} has no such term',
-    onlyKy: '{ky} alone: 0, 8, 0. It lets the goal go by',
+    onlyKy: '{ky} alone: 0, 8, 0. It minds {ye} and nothing else',
     all: 'All three: 3, 8, 5',
     stuck: 'Start beside the goal with {ky} = 0: nothing moves',
     shuffle: 'The same with {ky} = 8: it shuffles over, as one does in a parking space',
-    unlimited: 'All three on wheels without limits',
+    unlimited: 'All three on wheels without limits: the robot spins',
   },
   notice: [
     'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',
