@@ -94,6 +94,15 @@ export async function createEngine() {
     /** Digits over every number of the history, the same wherever it ran. */
     hash: () => current().hash(),
 
+    /** The hash of an evolution of its own, on this thread. @param {Experiment} from @param {number} generations */
+    hashOf(from, generations) {
+      const own = new Evolution(from);
+      for (let i = 0; i < generations; i++) own.step();
+      const hash = own.hash();
+      own.free();
+      return hash;
+    },
+
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) => simulateAll(from, gains.flat()),
 

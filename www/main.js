@@ -2,6 +2,7 @@
 import { createActions, firstState } from './actions.js';
 import { createAddress } from './address.js';
 import { createAccumulator, createFrameLoop } from './clocks.js';
+import { createChecks } from './checks/dialog.js';
 import { createEngine } from './engine.js';
 import { createCurvesPage } from './curves/page.js';
 import { createDisturbancePage } from './disturbance/page.js';
@@ -110,6 +111,7 @@ function start(engine) {
   };
   followSurroundings(store, redraw);
   createKeys();
+  createChecks(engine);
   createTables(store);
   createKeep({ engine, store, actions, sceneOf, redraw });
   address = createAddress(engine, store, actions);

@@ -15,6 +15,7 @@ import { language } from './language.js';
 const all = { en, ko };
 
 export const {
+  checks,
   curves,
   disturbance,
   generation,

@@ -1,4 +1,5 @@
 // Every word in English.
+export * as checks from './checks.js';
 export * as curves from './curves.js';
 export * as disturbance from './disturbance.js';
 export * as generation from './generation.js';
