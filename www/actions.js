@@ -5,7 +5,7 @@ import { firstGeneration } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
 import { firstLuck } from './luck/request.js';
 import { messageOf } from './messages.js';
-import { atEnd, endsOf, fromStart, gainsOf, noTrial, pausesAt } from './state.js';
+import { atEnd, endsOf, fromStart, gainsOf, noTrial, pausesAt, phaseByPhase } from './state.js';
 import { noPins } from './pins/pins.js';
 import { firstRobustness } from './robustness/page.js';
 import { isTracking, stationsOf } from './reference.js';
@@ -220,6 +220,26 @@ export function createActions(engine, store, paper, finalTime) {
     refitBox();
   };
 
+  /** @param {PageName} page */
+  const openPage = (page) => {
+    const { page: before, trial, disturbance, pace } = store.get();
+    if (page === before) return;
+    if (page === 'disturbance')
+      store.update({ page, trial: { start: null, disturbance: disturbance.tried }, robot: shown() });
+    else store.update({ page, trial: noTrial });
+    // Phases that nobody sees need not be played.
+    if (page !== 'generation' && pace === phaseByPhase) store.update({ evolving: false });
+    if (trial !== noTrial) refitBox();
+  };
+
+  /** Where phases are played they are seen, from the first one on. */
+  const seePhases = () => {
+    const { pace, page } = store.get();
+    if (pace !== phaseByPhase || page === 'generation') return;
+    store.update({ anatomy: firstGeneration });
+    openPage('generation');
+  };
+
   return {
     /** Goes on while `more` says so, or until the run has to pause. @param {() => boolean} more */
     evolve(more) {
@@ -229,6 +249,8 @@ export function createActions(engine, store, paper, finalTime) {
         if (pausesAt(until, history[generation])) store.update({ evolving: false });
       }
     },
+
+    forward,
 
     showGeneration,
 
@@ -240,6 +262,7 @@ export function createActions(engine, store, paper, finalTime) {
     /** @param {number} pace */
     setPace(pace) {
       store.update({ pace });
+      if (store.get().evolving) seePhases();
     },
 
     /** @param {Until['kind']} kind @param {string} text */
@@ -252,6 +275,7 @@ export function createActions(engine, store, paper, finalTime) {
     toggleEvolution() {
       const evolving = !store.get().evolving;
       store.update({ evolving });
+      if (evolving) seePhases();
       if (evolving && !stillPlease.matches)
         store.update({
           robot: store.get().robot.time === atEnd.time ? fromStart : { ...store.get().robot, playing: true },
@@ -431,15 +455,7 @@ export function createActions(engine, store, paper, finalTime) {
       });
     },
 
-    /** @param {PageName} page */
-    openPage(page) {
-      const { page: before, trial, disturbance } = store.get();
-      if (page === before) return;
-      if (page === 'disturbance')
-        store.update({ page, trial: { start: null, disturbance: disturbance.tried }, robot: shown() });
-      else store.update({ page, trial: noTrial });
-      if (trial !== noTrial) refitBox();
-    },
+    openPage,
 
     togglePlay() {
       const { robot } = store.get();

@@ -28,12 +28,14 @@ export function createAddress(engine, store, actions) {
   };
 
   const part = () => pageNames.find((name) => name === written.split('&')[0]) ?? 'lab';
+  /** Another part is not to wait until evolution rests: one goes back from there too. */
+  const isDue = (/** @type {State} */ state) => rests(state) || state.page !== part();
   const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
 
   const write = () => {
     waiting = false;
     const state = store.get();
-    if (!rests(state)) return;
+    if (!isDue(state)) return;
     const link = linkFor(state);
     if (link === written || (link === 'lab' && written === '')) return;
     const before = part();
@@ -56,7 +58,7 @@ export function createAddress(engine, store, actions) {
   return {
     /** Writes what has changed, once it rests. @param {State} state */
     follow(state) {
-      if (!rests(state) || !changed(...partsOf(state))) return;
+      if (!isDue(state) || !changed(...partsOf(state))) return;
       for (const name of pageNames)
         byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name })}`);
       other.follow();

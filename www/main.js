@@ -7,6 +7,7 @@ import { createCurvesPage } from './curves/page.js';
 import { createDisturbancePage } from './disturbance/page.js';
 import { createGenerationPage } from './generation/page.js';
 import { createAnatomy, createChosenDrives } from './generation/record.js';
+import { createSteps } from './generation/steps.js';
 import { createKeep } from './keep/dialog.js';
 import { createKeys } from './keys.js';
 import { createLandscapePage } from './landscape/page.js';
@@ -48,6 +49,7 @@ function start(engine) {
   const store = createStore(firstState(engine, 'velocity-limits'), loop.request);
   const finalTime = () => sceneOf(store.get()).driving.finalTime;
   const actions = createActions(engine, store, paper, finalTime);
+  const steps = createSteps({ store, actions, anatomyOf });
   const draw = createDraw(createViews(actions), engine, paper);
   const pages = [
     createGenerationPage,
@@ -57,7 +59,7 @@ function start(engine) {
     createTrainingPage,
     createDisturbancePage,
     createLuckPage,
-  ].map((create) => create({ engine, store, actions, paper, anatomyOf }));
+  ].map((create) => create({ engine, store, actions, paper, anatomyOf, steps }));
   const settings = createSettingsPanel({ engine, store, actions });
   const pinButton = createPinButton({ store, paper }, sceneOf);
 
@@ -78,6 +80,7 @@ function start(engine) {
   /** @param {number} seconds */
   function frame(seconds) {
     const before = store.get();
+    steps.tick(before, seconds);
     if (before.evolving && !before.dragging) actions.evolve(moreOf(before.pace, seconds));
     const { robot, speed, evolving } = store.get();
     if (robot.playing) store.update({ robot: advanceRobot(robot, seconds, speed, finalTime(), evolving) });
