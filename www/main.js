@@ -81,7 +81,8 @@ function start(engine) {
   function frame(seconds) {
     const before = store.get();
     steps.tick(before, seconds);
-    if (before.evolving && !before.dragging) actions.evolve(moreOf(before.pace, seconds));
+    if (before.evolving && !before.dragging)
+      actions.evolve(moreOf(before.catchingUp ? Number.POSITIVE_INFINITY : before.pace, seconds));
     const { robot, speed, evolving } = store.get();
     if (robot.playing) store.update({ robot: advanceRobot(robot, seconds, speed, finalTime(), evolving) });
     show();

@@ -26,6 +26,7 @@
  * @property {number} generation The one that is shown.
  * @property {Individual[]} population What that generation left, best first.
  * @property {boolean} evolving
+ * @property {{ newest: number, generation: number } | null} catchingUp A run that was kept is made again up to its newest generation; then the other one is shown.
  * @property {number} pace Generations a second; Infinity: as fast as the machine goes; or one phase at a time.
  * @property {Until} until
  * @property {string} untilError
@@ -88,6 +89,10 @@ export const generationsPerRun = 100;
 /** The pace at which each phase of a generation is shown. */
 export const phaseByPhase = 0;
 export const paces = [phaseByPhase, 1, 8, 60, Number.POSITIVE_INFINITY];
+
+/** Whether evolution runs as a play of phases. @param {State} state */
+export const playsPhases = ({ evolving, catchingUp, pace }) =>
+  evolving && !catchingUp && pace === phaseByPhase;
 
 /** Whether evolution is to pause at this generation. @param {Until} until @param {Statistics} statistics */
 export const pausesAt = ({ kind, value }, { generation, best }) =>

@@ -1,7 +1,7 @@
 // The part of the page that shows one generation phase by phase, and what its controls do.
 import { byId, create } from '../elements.js';
 import { createSegmented } from '../segmented.js';
-import { phaseByPhase, watch } from '../state.js';
+import { playsPhases, watch } from '../state.js';
 import { generation as words } from '../words/index.js';
 import { createDetails } from './details.js';
 import { createPicture } from './picture.js';
@@ -37,7 +37,7 @@ export function createGenerationPage({ engine, store, actions, anatomyOf, steps 
       const anatomy = anatomyOf(state);
       const phase = phaseOf(anatomy, state.anatomy.phase);
       const chosen = chosenOf(anatomy, state.anatomy);
-      const hurries = state.evolving && state.pace !== phaseByPhase;
+      const hurries = state.evolving && !playsPhases(state);
       picture.draw({ anatomy, phase, chosen, still: hurries });
       details.draw({ anatomy, phase, chosen, run: scene.driving, starts: state.experiment.starts.length });
       segmented.draw(phase);

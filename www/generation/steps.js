@@ -1,5 +1,5 @@
 // From phase to phase of a generation, and over its last one into the next: by hand, or by a clock.
-import { pausesAt, phaseByPhase, watch } from '../state.js';
+import { pausesAt, playsPhases, watch } from '../state.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
 
 /** @typedef {import('../state.js').State} State */
@@ -84,12 +84,9 @@ export function createSteps({ store, actions, anatomyOf }) {
 function createPhaseClock(goOn) {
   let waited = 0;
   const changed = watch();
-  return (
-    /** @type {State} */ { evolving, dragging, pace, generation, anatomy },
-    /** @type {number} */ seconds,
-  ) => {
-    const plays = evolving && !dragging && pace === phaseByPhase;
-    waited = changed(plays, generation, anatomy) ? 0 : waited + seconds;
+  return (/** @type {State} */ state, /** @type {number} */ seconds) => {
+    const plays = playsPhases(state) && !state.dragging;
+    waited = changed(plays, state.generation, state.anatomy) ? 0 : waited + seconds;
     if (plays && waited >= secondsOfPhase) goOn();
   };
 }
