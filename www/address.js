@@ -35,12 +35,14 @@ export function createAddress(engine, store, actions) {
   });
   const isElsewhere = (/** @type {State} */ state) =>
     state.page !== place().page || state.lesson !== place().lesson;
+  /** Another part is not to wait until evolution rests: one goes back from there too. */
+  const isDue = (/** @type {State} */ state) => rests(state) || isElsewhere(state);
   const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
 
   const write = () => {
     waiting = false;
     const state = store.get();
-    if (!rests(state)) return;
+    if (!isDue(state)) return;
     const link = linkFor(state);
     if (link === written) return;
     if (!isElsewhere(state) || written === '') history.replaceState(null, '', `#${link}`);
@@ -68,7 +70,7 @@ export function createAddress(engine, store, actions) {
 
     /** Writes what has changed, once it rests. @param {State} state */
     follow(state) {
-      if (!rests(state) || !changed(...partsOf(state))) return;
+      if (!isDue(state) || !changed(...partsOf(state))) return;
       for (const name of pageNames)
         byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name, lesson: 0 })}`);
       byId('page-lesson').setAttribute('href', `#${linkOfStep(state.lastStep)}`);

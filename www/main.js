@@ -8,6 +8,7 @@ import { createCurvesPage } from './curves/page.js';
 import { createDisturbancePage } from './disturbance/page.js';
 import { createGenerationPage } from './generation/page.js';
 import { createAnatomy, createChosenDrives } from './generation/record.js';
+import { createSteps } from './generation/steps.js';
 import { createKeep } from './keep/dialog.js';
 import { createKeys } from './keys.js';
 import { createLandscapePage } from './landscape/page.js';
@@ -51,6 +52,7 @@ function start(engine) {
   const store = createStore(firstState(engine, 'velocity-limits'), loop.request);
   const finalTime = () => sceneOf(store.get()).driving.finalTime;
   const actions = createActions(engine, store, paper, finalTime);
+  const steps = createSteps({ store, actions, anatomyOf });
   /** @param {string} link */
   const go = (link) => address?.go(link);
   const onLesson = () => go(linkOfStep(store.get().lastStep));
@@ -64,7 +66,7 @@ function start(engine) {
     createTrainingPage,
     createDisturbancePage,
     createLuckPage,
-  ].map((create) => create({ engine, store, actions, paper, anatomyOf }));
+  ].map((create) => create({ engine, store, actions, paper, anatomyOf, steps }));
   const settings = createSettingsPanel({ engine, store, actions });
   const pinButton = createPinButton({ store, paper }, sceneOf);
 
@@ -86,7 +88,9 @@ function start(engine) {
   /** @param {number} seconds */
   function frame(seconds) {
     const before = store.get();
-    if (before.evolving && !before.dragging) actions.evolve(moreOf(before.pace, seconds));
+    steps.tick(before, seconds);
+    if (before.evolving && !before.dragging)
+      actions.evolve(moreOf(before.catchingUp ? Number.POSITIVE_INFINITY : before.pace, seconds));
     const { robot, speed, evolving } = store.get();
     if (robot.playing) store.update({ robot: advanceRobot(robot, seconds, speed, finalTime(), evolving) });
     show();

@@ -30,7 +30,8 @@
  * @property {number} generation The one that is shown.
  * @property {Individual[]} population What that generation left, best first.
  * @property {boolean} evolving
- * @property {number} pace Generations a second; Infinity: as fast as the machine goes.
+ * @property {{ newest: number, generation: number } | null} catchingUp A run that was kept is made again up to its newest generation; then the other one is shown.
+ * @property {number} pace Generations a second; Infinity: as fast as the machine goes; or one phase at a time.
  * @property {Until} until
  * @property {string} untilError
  * @property {Restart} restart
@@ -91,7 +92,13 @@ export const noTrial = Object.freeze({ start: null, disturbance: null });
 /** Where evolution pauses by itself. By default at every so many generations, so that a forgotten page comes to rest. @typedef {{ kind: 'every' | 'generation' | 'cost', value: number }} Until */
 
 export const generationsPerRun = 100;
-export const paces = [1, 8, 60, Number.POSITIVE_INFINITY];
+/** The pace at which each phase of a generation is shown. */
+export const phaseByPhase = 0;
+export const paces = [phaseByPhase, 1, 8, 60, Number.POSITIVE_INFINITY];
+
+/** Whether evolution runs as a play of phases. @param {State} state */
+export const playsPhases = ({ evolving, catchingUp, pace }) =>
+  evolving && !catchingUp && pace === phaseByPhase;
 
 /** Whether evolution is to pause at this generation. @param {Until} until @param {Statistics} statistics */
 export const pausesAt = ({ kind, value }, { generation, best }) =>
