@@ -116,7 +116,7 @@ function drawGrid(context, { time }, { frame, scale, name, limit }) {
   context.lineWidth = 1;
   context.setLineDash([]);
   context.beginPath();
-  for (const t of time.ticks(6)) line(context, [time(t), frame.top], [time(t), frame.bottom]);
+  for (const t of timeTicks(time)) line(context, [time(t), frame.top], [time(t), frame.bottom]);
   const ticks = scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
   for (const tick of ticks) line(context, [frame.left, scale(tick)], [frame.right, scale(tick)]);
   context.stroke();
@@ -136,6 +136,13 @@ function drawGrid(context, { time }, { frame, scale, name, limit }) {
   context.setLineDash([]);
 }
 
+/** As many as there is room to name. @param {Layout['time']} time */
+function timeTicks(time) {
+  const [left, right] = time.range();
+  const count = [6, 4].find((most) => time.ticks(most).length * 36 <= right - left) ?? 2;
+  return time.ticks(count);
+}
+
 /** A straight line on the pixels. @param {CanvasRenderingContext2D} context @param {readonly [number, number]} from @param {readonly [number, number]} to */
 function line(context, from, to) {
   context.moveTo(Math.round(from[0]) + 0.5, Math.round(from[1]) + 0.5);
@@ -145,7 +152,7 @@ function line(context, from, to) {
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout */
 function drawTimeAxis(context, { time, plots }) {
   const { bottom } = plots[plots.length - 1].frame;
-  const ticks = time.ticks(6);
+  const ticks = timeTicks(time);
   const texts = sameDigits(/** @type {any} */ (null), ticks);
   context.font = textFont;
   context.fillStyle = colour('--muted');

@@ -17,6 +17,7 @@ const all = { en, ko };
 export const {
   curves,
   disturbance,
+  embed,
   generation,
   keep,
   keys,

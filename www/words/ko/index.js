@@ -1,6 +1,7 @@
 // Every word in Korean.
 export * as curves from './curves.js';
 export * as disturbance from './disturbance.js';
+export * as embed from './embed.js';
 export * as generation from './generation.js';
 export * as keep from './keep.js';
 export * as keys from './keys.js';
