@@ -64,7 +64,7 @@ function createFoot(fullAddress) {
   const follow = () => link.setAttribute('href', fullAddress());
   // What moves is written into no address: only who is about to press takes it along as it is now.
   for (const type of ['pointerdown', 'focus', 'click']) link.addEventListener(type, follow);
-  const element = create('footer', 'embed-foot', create('span', '', texts.pageTitle), link);
+  const element = create('footer', 'embed-foot', create('h1', '', texts.pageTitle), link);
   if (document.fullscreenEnabled) element.append(createFullScreen());
   return { element, follow };
 }
