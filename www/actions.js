@@ -54,7 +54,7 @@ export function firstState(engine, preset) {
     page: 'lab',
     lesson: 0,
     lastStep: 1,
-    progress: { answers: {}, tally: noTally },
+    progress: { answers: {}, tally: noTally, duel: null },
     preset,
     experiment,
     history: [statistics],
@@ -144,6 +144,17 @@ export function createActions(engine, store, paper, finalTime) {
     const ends = Object.values(endsOf(state));
     const [run] = engine.drive(state.experiment, [gainsOf(state, state.driver, paper)]);
     return isTracking(run) ? [...ends, ...stationsOf(run)] : ends;
+  };
+
+  /** Where the robot in ink comes to rest, if that is not far away. */
+  const nearEnd = () => {
+    const state = store.get();
+    const [run] = engine.drive(state.experiment, [gainsOf(state, state.driver, paper)]);
+    const last = run.time.length - 1;
+    const end = { x: run.x[last], y: run.y[last], theta: run.theta[last] };
+    const { start, goal } = endsOf(state);
+    const away = Math.hypot(end.x - goal.x, end.y - goal.y);
+    return away < Math.hypot(start.x - goal.x, start.y - goal.y) ? [end] : [];
   };
 
   const settle = () => {
@@ -432,7 +443,7 @@ export function createActions(engine, store, paper, finalTime) {
           evolving: false,
           robot: shown(),
         });
-        store.update({ box: boxAround(inSight()) });
+        store.update({ box: boxAround([...inSight(), ...nearEnd()]) });
         catchUp(newest);
         if (!store.get().evolving) showGeneration(generation);
         if (problems.length > 0) store.update({ message: problems.join(' ') });

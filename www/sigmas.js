@@ -43,6 +43,8 @@ export function createSigmas(root) {
           ...axis(),
           size: 52,
           splits: () => powers(decades(model.history)),
+          // Left to itself, uPlot names only some of the powers.
+          filter: (_, powersOfTen) => powersOfTen,
           values: (_, ticks) => ticks.map(powerText),
         },
       ],
@@ -130,7 +132,7 @@ function createLabels() {
     const end = plot.valToPos(newest.generation, 'x') + 10;
     const places = names.map((element, i) => ({
       element,
-      y: Math.min(Math.max(plot.valToPos(newest.meanSigmas[i], 'y') || height, 0), height),
+      y: Math.min(Math.max(plot.valToPos(newest.meanSigmas[i], 'y') || height, 0), height - 8),
     }));
     spread(places, height);
     for (const { element, y } of places) placeName(plot, element, Math.min(end, right), y);

@@ -19,13 +19,17 @@ function svg(tag, attributes, ...children) {
 /** @param {HTMLElement} root The svg, and beside it the labels. */
 export function createErrorPosture(root) {
   const picture = svg('svg', { 'aria-hidden': 'true' });
-  const names = /** @type {const} */ (['xe', 'ye', 'te']);
-  const parts = names.map((name) => {
-    const path = svg('path', { class: `error-line of-${name}` });
+  const names = /** @type {const} */ ([
+    ['xe', 'x'],
+    ['ye', 'y'],
+    ['te', 'theta'],
+  ]);
+  const parts = names.map(([name, colour]) => {
+    const path = svg('path', { class: `error-line of-${colour}` });
     const grip = svg('path', { class: 'error-grip' });
     const group = svg('g', { 'data-term': name }, path, grip);
     const label = document.createElement('span');
-    label.className = `error-label of-${name}`;
+    label.className = `error-label of-${colour}`;
     label.dataset.term = name;
     label.append(symbolInText(name));
     return { path, grip, group, label };
@@ -57,7 +61,8 @@ export function createErrorPosture(root) {
       const { posture, reference, error } = sample;
       const at = (/** @type {number} */ x, /** @type {number} */ y) => [view.screenX(x), view.screenY(y)];
       const [cos, sin] = [Math.cos(reference.theta), Math.sin(reference.theta)];
-      const corner = at(posture.x + error.x * cos, posture.y + error.x * sin);
+      // On the goal's own axis, beside the robot.
+      const corner = at(reference.x - error.x * cos, reference.y - error.x * sin);
       const robot = at(posture.x, posture.y);
       const goal = at(reference.x, reference.y);
       const line = (/** @type {number[]} */ from, /** @type {number[]} */ to) => `M${from}L${to}`;
@@ -74,10 +79,10 @@ export function createErrorPosture(root) {
         const length = Math.hypot(nx, ny) || 1;
         return [(ax + bx) / 2 + (18 * side * nx) / length, (ay + by) / 2 + (18 * side * ny) / length];
       };
-      const [xx, xy] = beside(robot, corner, goal);
-      const [yx, yy] = beside(corner, goal, robot);
-      place(0, line(robot, corner), xx, xy, apart(robot, corner) > 4);
-      place(1, line(corner, goal), yx, yy, apart(corner, goal) > 4);
+      const [xx, xy] = beside(corner, goal, robot);
+      const [yx, yy] = beside(robot, corner, goal);
+      place(0, line(corner, goal), xx, xy, apart(corner, goal) > 4);
+      place(1, line(robot, corner), yx, yy, apart(robot, corner) > 4);
       const from = posture.theta;
       const to = posture.theta + error.theta;
       const [fx, fy] = [robot[0] + radius * Math.cos(from), robot[1] - radius * Math.sin(from)];

@@ -34,6 +34,7 @@ import { lecturers } from './steps/lecturers.js';
  * @property {StepName} name
  * @property {string} link What is on screen when the step is opened.
  * @property {'drive' | 'evolve' | 'plane'} figure What stands under the plane while the link opens the lab: J and the gains, J and evolution, or the gains alone. Another part stands there by itself.
+ * @property {number} [time] Where the robots' clock stands, in seconds; without it they drive.
  * @property {boolean} [overlay] The error posture is drawn on the plane.
  * @property {readonly Content[]} blocks
  * @property {(live: Live) => Record<string, string>} [values] The numbers in its texts.

@@ -29,6 +29,7 @@ export const notice = 'Things to notice';
 export const tries = 'Things to try';
 export const showNumbers = 'with the numbers of now';
 export const hideNumbers = 'without the numbers';
+export const formula = 'Formula';
 export const right = 'so it is';
 export const wrong = 'your prediction';
 export const asPredicted = 'As you said.';

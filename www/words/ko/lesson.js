@@ -30,6 +30,7 @@ export const notice = '눈여겨볼 점';
 export const tries = '해 볼 것';
 export const showNumbers = '지금의 수치를 넣어 보기';
 export const hideNumbers = '수치 감추기';
+export const formula = '식';
 export const right = '실제 결과';
 export const wrong = '나의 예측';
 export const asPredicted = '예측한 대로입니다.';
