@@ -1,6 +1,7 @@
 // What the controls do: each takes the page from one good state to the next, or leaves it and says why.
 import { firstCurves } from './curves/page.js';
 import { firstDisturbance } from './disturbance/request.js';
+import { standsStill } from './embed/embedded.js';
 import { firstGeneration } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
 import { noTally } from './lesson/tally.js';
@@ -36,8 +37,8 @@ import { lab as strings, settings as settingWords } from './words/index.js';
 const noErrors = /** @type {const} */ (['', '', '']);
 const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
 
-/** The robots drive from the start, or stand at the end for who wants no motion. */
-const shown = () => (stillPlease.matches ? atEnd : fromStart);
+/** The robots drive from the start, or stand at the end for who wants no motion, or none yet. */
+const shown = () => (stillPlease.matches || standsStill() ? atEnd : fromStart);
 
 /** Whether a start is tried there, and not given to evolution. @param {PageName} page */
 const triesStarts = (page) => ['robustness', 'training', 'disturbance'].includes(page);

@@ -1,5 +1,6 @@
 // Keeps the address and the state in step: the address always holds the link of what is on screen.
 import { byId } from './elements.js';
+import { isEmbedded } from './embed/embedded.js';
 import { createLanguageSwitch } from './language.js';
 import { linkOfStep } from './lesson/steps.js';
 import { linkOf, openLink } from './link.js';
@@ -17,6 +18,8 @@ const pauseMilliseconds = 400;
 /** @param {Engine} engine @param {Store} store @param {Actions} actions */
 export function createAddress(engine, store, actions) {
   const changed = watch();
+  /** The host's “back” is not for what happens within a frame. */
+  const onward = isEmbedded ? 'replaceState' : 'pushState';
   let waiting = false;
   let written = location.hash.slice(1);
 
@@ -49,7 +52,7 @@ export function createAddress(engine, store, actions) {
     else {
       // A step that "back" takes back: to all that the part before has come to.
       history.replaceState(null, '', `#${linkFor({ ...state, ...place() })}`);
-      history.pushState(null, '', `#${link}`);
+      history[onward](null, '', `#${link}`);
     }
     written = link;
   };
@@ -64,7 +67,7 @@ export function createAddress(engine, store, actions) {
   return {
     /** Opens a link, as if it had been followed. @param {string} link */
     go(link) {
-      history.pushState(null, '', `#${link}`);
+      history[onward](null, '', `#${link}`);
       open();
     },
 

@@ -6,6 +6,8 @@ import { createChecks } from './checks/dialog.js';
 import { createEngine } from './engine.js';
 import { createCurvesPage } from './curves/page.js';
 import { createDisturbancePage } from './disturbance/page.js';
+import { isEmbedded } from './embed/embedded.js';
+import { createEmbed } from './embed/page.js';
 import { createGenerationPage } from './generation/page.js';
 import { createAnatomy, createChosenDrives } from './generation/record.js';
 import { createSteps } from './generation/steps.js';
@@ -70,6 +72,9 @@ function start(engine) {
   const settings = createSettingsPanel({ engine, store, actions });
   const pinButton = createPinButton({ store, paper }, sceneOf);
 
+  const drivingOf = () => sceneOf(store.get()).driving;
+  const embed = isEmbedded ? createEmbed({ engine, store, actions, paper, drivingOf }) : null;
+
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;
 
@@ -81,6 +86,7 @@ function start(engine) {
     lesson.draw(state, scene);
     for (const page of pages) if (page.name === state.page) page.draw(state, scene);
     address?.follow(state);
+    embed?.draw(state);
     settings.draw(state);
     pinButton.draw(state, scene);
   };
@@ -117,8 +123,9 @@ function start(engine) {
   createKeys();
   createChecks(engine);
   createTables(store);
-  createKeep({ engine, store, actions, sceneOf, redraw });
+  if (!isEmbedded) createKeep({ engine, store, actions, sceneOf, redraw });
   address = createAddress(engine, store, actions);
+  embed?.begin();
   loop.request();
   // After the first picture, which was asked for before this.
   requestAnimationFrame(() => {
@@ -232,6 +239,7 @@ function evolutionNote({ history, generation, evolving, until, restart, experime
 }
 
 byId('unbuilt').remove();
+document.body.toggleAttribute('data-embed', isEmbedded);
 fillTexts();
 const engine = await createEngine().catch((error) => showMessage(strings.coreMissing(messageOf(error))));
 if (engine) start(engine);

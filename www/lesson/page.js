@@ -66,7 +66,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
       if (!step) return;
       if (stepChanged(lesson)) {
         blocks = createStep(article, step, lesson, tools);
-        if (!state.dragging) scrollTo({ top: 0 });
+        if (!state.dragging) for (const one of [window, article]) one.scrollTo({ top: 0 });
         if (step.time !== undefined) actions.scrub(step.time);
       }
       tally.count(state, scene);

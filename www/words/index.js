@@ -18,6 +18,7 @@ export const {
   checks,
   curves,
   disturbance,
+  embed,
   generation,
   keep,
   keys,
