@@ -8,6 +8,7 @@ import init, {
   fares,
   fields,
   landscape,
+  learningRates,
   paper,
   remainingErrors,
   robustness,
@@ -15,6 +16,7 @@ import init, {
   Simulation,
   simulate,
   simulateAll,
+  stability,
   startsOnCircle,
   version,
 } from '../../pkg/ep_locomotion.js';
@@ -35,6 +37,7 @@ export {
   fares,
   fields,
   landscape,
+  learningRates,
   paper,
   remainingErrors,
   robustness,
@@ -42,6 +45,7 @@ export {
   Simulation,
   simulate,
   simulateAll,
+  stability,
   startsOnCircle,
   version,
 };

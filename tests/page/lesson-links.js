@@ -65,3 +65,15 @@ export function driven(link) {
     return evolution.statistics().best.gains;
   }
 }
+
+/** The evolution that a link shows, with all its generations. @param {string} link */
+export function evolved(link) {
+  const { experiment: own, generation } = opened(link);
+  const evolution = new Evolution(own);
+  for (let i = 0; i < generation; i++) evolution.step();
+  return { evolution, generation, experiment: own, costs: costsOf(evolution) };
+}
+
+/** The best J of each generation so far. @param {Evolution} evolution */
+const costsOf = (evolution) =>
+  Array.from({ length: evolution.generation + 1 }, (_, g) => evolution.statistics(g).best.cost);

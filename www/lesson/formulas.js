@@ -1,6 +1,7 @@
 // The formulas of the paper that more than one step shows.
-import { lab } from '../words/index.js';
+import { generation as words, lab } from '../words/index.js';
 import { costText, degreesText, signed } from '../words/numbers.js';
+import { anatomyOf, birthOf, chosenIn } from './anatomy.js';
 import {
   cos,
   dot,
@@ -186,6 +187,59 @@ export const robustFormula = {
   },
 };
 
+/** Step 3 of the paper's procedure, first half: how the gains of a parent become those of its offspring. @type {Formula} */
+export const gainFormula = {
+  label: '',
+  build: (leaf) => [
+    line(leaf('newkx'), leaf('kx'), '+', leaf('sx'), dot, leaf('Nx')),
+    line(leaf('newky'), leaf('ky'), '+', leaf('sy'), dot, leaf('Ny')),
+    line(leaf('newkt'), leaf('kt'), '+', leaf('st'), dot, leaf('Nt')),
+  ],
+  numbers(live) {
+    const anatomy = anatomyOf(live);
+    const birth = birthOf(anatomy, chosenIn(live) % anatomy.count);
+    if (!birth) return {};
+    const { parent, child, draws } = birth;
+    return named((i) => ({
+      k: words.gainText(parent.gains[i], parent.sigmas[i]),
+      s: words.sigmaText(parent.sigmas[i]),
+      N: words.bracketed(words.drawText(draws.gains[i])),
+      newk: words.gainText(child.gains[i], parent.sigmas[i]),
+    }));
+  },
+};
+
+/** The second half: how the step sizes change. With the numbers of the best ranked parent and its offspring. @type {Formula} */
+export const sigmaFormula = {
+  label: '',
+  build: (leaf) => {
+    const grown = (/** @type {Element} */ draw) =>
+      sup('e', row(leaf('tau2'), dot, leaf('N'), '+', leaf('tau'), dot, draw));
+    return [
+      line(leaf('newsx'), leaf('sx'), dot, grown(leaf('Nx'))),
+      line(leaf('newsy'), leaf('sy'), dot, grown(leaf('Ny'))),
+      line(leaf('newst'), leaf('st'), dot, grown(leaf('Nt'))),
+    ];
+  },
+  numbers(live) {
+    const birth = birthOf(anatomyOf(live), 0);
+    if (!birth) return {};
+    const { parent, child, draws } = birth;
+    const rates = live.engine.learningRates();
+    const draw = (/** @type {number} */ value) => words.bracketed(words.drawText(value));
+    return {
+      tau: words.drawText(rates.own),
+      tau2: words.drawText(rates.common),
+      N: draw(draws.common),
+      ...named((i) => ({
+        s: words.sigmaText(parent.sigmas[i]),
+        N: draw(draws.sigmas[i]),
+        news: words.sigmaText(child.sigmas[i]),
+      })),
+    };
+  },
+};
+
 /** The measure of the whole error. @type {Formula} */
 export const lyapunovFormula = {
   label: '',
@@ -206,11 +260,14 @@ export const lyapunovFormula = {
 export const rateFormula = {
   label: '',
   build: (leaf) => [
-    line(leaf('Vdot'), term('xe', '−', leaf('kx'), dot, sup(leaf('xe'), '2'), dot, cos(leaf('te'), '2'))),
-    further(
-      term('ye', '−', leaf('ky'), dot, sup(leaf('ye'), '4')),
-      term('te', '−', leaf('kt'), dot, sin(leaf('te'), '2')),
+    line(
+      leaf('Vdot'),
+      '−',
+      term('xe', leaf('kx'), dot, sup(leaf('xe'), '2'), dot, cos(leaf('te'), '2')),
+      '−',
+      term('ye', leaf('ky'), dot, sup(leaf('ye'), '4')),
     ),
+    further('−', term('te', leaf('kt'), dot, sin(leaf('te'), '2'))),
   ],
   numbers: (live) => {
     const { x, y, theta } = live.sample.error;
@@ -219,3 +276,11 @@ export const rateFormula = {
     return { ...lawNumbers(live), Vdot: signed(rate, 3) };
   },
 };
+
+/** The texts of each gain under the names of its symbols. @param {(i: number) => Record<string, string>} textsOf @returns {Record<string, string>} */
+const named = (textsOf) =>
+  Object.fromEntries(
+    ['x', 'y', 't'].flatMap((index, i) =>
+      Object.entries(textsOf(i)).map(([letter, text]) => [`${letter}${index}`, text]),
+    ),
+  );
