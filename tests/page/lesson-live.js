@@ -53,6 +53,8 @@ export function liveOf(link) {
   const state = /** @type {any} */ ({
     ...run,
     ...run.view,
+    // No part of the page computes here.
+    page: 'lab',
     population,
     robustness: { ...firstRobustness, ...run.view.robustness },
     training: firstTraining,
