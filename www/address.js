@@ -1,5 +1,6 @@
 // Keeps the address and the state in step: the address always holds the link of what is on screen.
 import { byId } from './elements.js';
+import { isEmbedded } from './embed/embedded.js';
 import { createLanguageSwitch } from './language.js';
 import { linkOfStep } from './lesson/steps.js';
 import { linkOf, openLink } from './link.js';
@@ -17,6 +18,8 @@ const pauseMilliseconds = 400;
 /** @param {Engine} engine @param {Store} store @param {Actions} actions */
 export function createAddress(engine, store, actions) {
   const changed = watch();
+  /** The host's “back” is not for what happens within a frame. */
+  const onward = isEmbedded ? 'replaceState' : 'pushState';
   let waiting = false;
   let written = location.hash.slice(1);
 
@@ -35,19 +38,21 @@ export function createAddress(engine, store, actions) {
   });
   const isElsewhere = (/** @type {State} */ state) =>
     state.page !== place().page || state.lesson !== place().lesson;
+  /** Another part is not to wait until evolution rests: one goes back from there too. */
+  const isDue = (/** @type {State} */ state) => rests(state) || isElsewhere(state);
   const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
 
   const write = () => {
     waiting = false;
     const state = store.get();
-    if (!rests(state)) return;
+    if (!isDue(state)) return;
     const link = linkFor(state);
     if (link === written) return;
     if (!isElsewhere(state) || written === '') history.replaceState(null, '', `#${link}`);
     else {
       // A step that "back" takes back: to all that the part before has come to.
       history.replaceState(null, '', `#${linkFor({ ...state, ...place() })}`);
-      history.pushState(null, '', `#${link}`);
+      history[onward](null, '', `#${link}`);
     }
     written = link;
   };
@@ -62,13 +67,13 @@ export function createAddress(engine, store, actions) {
   return {
     /** Opens a link, as if it had been followed. @param {string} link */
     go(link) {
-      history.pushState(null, '', `#${link}`);
+      history[onward](null, '', `#${link}`);
       open();
     },
 
     /** Writes what has changed, once it rests. @param {State} state */
     follow(state) {
-      if (!rests(state) || !changed(...partsOf(state))) return;
+      if (!isDue(state) || !changed(...partsOf(state))) return;
       for (const name of pageNames)
         byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name, lesson: 0 })}`);
       byId('page-lesson').setAttribute('href', `#${linkOfStep(state.lastStep)}`);
@@ -101,6 +106,7 @@ const partsOf = ({ landscape, anatomy, curves, robustness, ...run }) => [
   anatomy.chosen,
   curves.view,
   curves.lab,
+  curves.scale,
   landscape.x,
   landscape.y,
   landscape.third,

@@ -9,8 +9,9 @@ import {
   randomSeed,
   Simulation,
   simulateAll,
-  version,
+  stability,
   startsOnCircle,
+  version,
 } from '../pkg/ep_locomotion.js';
 import { createPool } from './pool.js';
 import { createSurveys } from './surveys.js';
@@ -24,6 +25,7 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {import('../pkg/ep_locomotion.js').Posture} Posture */
 /** @typedef {import('../pkg/ep_locomotion.js').Preset} Preset */
 /** @typedef {import('../pkg/ep_locomotion.js').Run} Run */
+/** @typedef {import('../pkg/ep_locomotion.js').Stability} Stability */
 /** @typedef {import('../pkg/ep_locomotion.js').Cost} Cost */
 /** @typedef {import('../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
 /** @typedef {import('../pkg/ep_locomotion.js').Sample} Sample */
@@ -92,6 +94,15 @@ export async function createEngine() {
     /** Digits over every number of the history, the same wherever it ran. */
     hash: () => current().hash(),
 
+    /** The hash of an evolution of its own, on this thread. @param {Experiment} from @param {number} generations */
+    hashOf(from, generations) {
+      const own = new Evolution(from);
+      for (let i = 0; i < generations; i++) own.step();
+      const hash = own.hash();
+      own.free();
+      return hash;
+    },
+
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) => simulateAll(from, gains.flat()),
 
@@ -104,6 +115,9 @@ export async function createEngine() {
       robot.free();
       return samples;
     },
+
+    /** The Lyapunov function of a run. @param {Experiment} from @param {Triple} gains */
+    stability: (from, gains) => stability(from, gains),
 
     /** Long jobs, which workers do; they are started at the first one. */
     get surveys() {

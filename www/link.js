@@ -43,7 +43,7 @@ import { language, languageNames, usualLanguage } from './words/language.js';
  * What the parts show, beside the run itself.
  * @typedef {object} View
  * @property {Pick<State['anatomy'], 'phase' | 'chosen'>} anatomy
- * @property {Pick<State['curves'], 'view' | 'lab'>} curves
+ * @property {Pick<State['curves'], 'view' | 'lab' | 'scale'>} curves
  * @property {Pick<State['landscape'], 'x' | 'y' | 'third'>} landscape
  * @property {Pick<State['robustness'], 'quantity' | 'half' | 'heading'>} robustness
  */
@@ -62,7 +62,7 @@ const drivers = ['evolved', 'hand', 'paper-ep', 'paper-arbitrary'];
 /** @type {View} */
 const usualView = {
   anatomy: { phase: firstGeneration.phase, chosen: null },
-  curves: { view: 'time', lab: 'cost' },
+  curves: { view: 'time', lab: 'cost', scale: 'linear' },
   landscape: { x: firstLandscape.x, y: firstLandscape.y, third: null },
   robustness: { quantity: firstRobustness.quantity, half: firstRobustness.half, heading: null },
 };
@@ -87,8 +87,9 @@ const viewKey = (key, part, field, read, text = String) => ({
 const viewKeys = [
   viewKey('phase', 'anatomy', 'phase', (text) => oneOf(phases, text)),
   viewKey('individual', 'anatomy', 'chosen', (text) => wholeNumber(text, 3999)),
-  viewKey('view', 'curves', 'view', (text) => oneOf(['time', 'compare', 'numbers'], text)),
+  viewKey('view', 'curves', 'view', (text) => oneOf(['time', 'stability', 'compare', 'numbers'], text)),
   viewKey('curve', 'curves', 'lab', (text) => oneOf(['cost', 'sigmas'], text)),
+  viewKey('scale', 'curves', 'scale', (text) => oneOf(['linear', 'log'], text)),
   viewKey('x', 'landscape', 'x', axisOf, axisText),
   viewKey('y', 'landscape', 'y', axisOf, axisText),
   viewKey('third', 'landscape', 'third', number, (value) => numberText(value ?? 0)),

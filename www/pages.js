@@ -11,7 +11,7 @@ import { lesson as lessonWords, lab as strings } from './words/index.js';
 /** @typedef {import('./state.js').Store} Store */
 
 /** @typedef {import('./generation/record.js').Anatomy} Anatomy */
-/** @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], anatomyOf: (state: State) => Anatomy }} PageParts */
+/** @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], anatomyOf: (state: State) => Anatomy, steps: import('./generation/steps.js').Steps }} PageParts */
 /** Drawn while it is open, at every change of the state. @typedef {{ name: PageName, draw: (state: State, scene: Scene) => void }} Page */
 
 /**

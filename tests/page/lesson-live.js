@@ -1,5 +1,6 @@
 // What a question of the lesson is answered from, under Node: the page's own answers on the core itself.
 import { firstTraining } from '../../www/training/request.js';
+import { noTally } from '../../www/lesson/tally.js';
 import { gainsOf, withDisturbance } from '../../www/state.js';
 import { steps } from '../../www/lesson/steps.js';
 import * as en from '../../www/words/en/lesson.js';
@@ -10,8 +11,10 @@ import {
   experiment,
   fares,
   landscape,
+  learningRates,
   paper,
   robustness,
+  seedRuns,
   simulateAll,
   startsOnCircle,
 } from './core.js';
@@ -23,9 +26,15 @@ import { opened } from './lesson-links.js';
 /** @typedef {import('../../www/lesson/quiz.js').Outcome} Outcome */
 
 /** @param {Experiment} from @param {number} generations */
-function evolved(from, generations) {
+function ranTo(from, generations) {
   const evolution = new Evolution(from);
   for (let i = 0; i < generations; i++) evolution.step();
+  return evolution;
+}
+
+/** @param {Experiment} from @param {number} generations */
+function evolved(from, generations) {
+  const evolution = ranTo(from, generations);
   const { best, evaluations } = evolution.statistics();
   const population = evolution.population();
   evolution.free();
@@ -34,6 +43,7 @@ function evolved(from, generations) {
 
 const engine = {
   experiment,
+  learningRates,
   startsOnCircle,
   drive: (/** @type {Experiment} */ from, /** @type {number[][]} */ gains) => simulateAll(from, gains.flat()),
   surveys: {
@@ -41,6 +51,11 @@ const engine = {
     robustness: async (/** @type {Experiment} */ from, /** @type {any} */ grid) => robustness(from, grid),
     fares: async (/** @type {[Experiment, Gains][]} */ robots) =>
       robots.map(([from, gains]) => fares(from, gains)),
+    evolve: async (/** @type {Experiment} */ from, /** @type {number} */ generations) =>
+      ranTo(from, generations).statistics().best,
+    /** @param {Experiment} from @param {{ first: number, count: number, generations: number }} seeds */
+    seedRuns: async (from, { first, count, generations }) =>
+      seedRuns(from, { seeds: [first, first + count], generations }),
     evolveAll: async (/** @type {Experiment[]} */ all, /** @type {number} */ generations) =>
       all.map((one) => evolved(one, generations)),
   },
@@ -49,13 +64,15 @@ const engine = {
 /** The state, and what drives, once a link is opened; as far as answers look at it. @param {string} link @returns {Live} */
 export function liveOf(link) {
   const run = opened(link);
-  const { population } = evolved(run.experiment, run.generation);
+  const evolution = ranTo(run.experiment, run.generation);
   const state = /** @type {any} */ ({
     ...run,
     ...run.view,
     // No part of the page computes here.
     page: 'lab',
-    population,
+    history: Array.from({ length: run.generation + 1 }, (_, g) => evolution.statistics(g)),
+    population: evolution.population(),
+    progress: { answers: {}, tally: noTally, duel: null },
     robustness: { ...firstRobustness, ...run.view.robustness },
     training: firstTraining,
   });
@@ -67,7 +84,13 @@ export function liveOf(link) {
   };
   const gains = gainsOf(state, run.driver, paper());
   const [driving] = simulateAll(scene, [...gains]);
-  return /** @type {any} */ ({ engine, state, gains, paper: paper(), scene: { experiment: scene, driving } });
+  return /** @type {any} */ ({
+    engine: { ...engine, record: (/** @type {number} */ g) => evolution.record(g) },
+    state,
+    gains,
+    paper: paper(),
+    scene: { experiment: scene, driving },
+  });
 }
 
 /** What comes out of a question, and what is then said of it. @param {import('../../www/lesson/steps.js').StepName} step @param {string} name */

@@ -1,7 +1,7 @@
 // Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
 import { create } from '../elements.js';
 import { lesson as words } from '../words/index.js';
-import { mathml, symbol } from './symbols.js';
+import { isSymbol, mathml, symbol } from './symbols.js';
 
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {import('./notation.js').Formula} Formula */
@@ -17,8 +17,9 @@ function scroller(className, math) {
 }
 
 /** @param {Formula} formula @returns {Block} */
-export function createFormula({ label, build, numbers }) {
+export function createFormula({ label, build, filled = build, numbers }) {
   const lines = mathml('mtable', ...build(symbol));
+  lines.setAttribute('displaystyle', 'true');
   const math = mathml('math', lines);
   math.setAttribute('display', 'block');
   const number = create('span', 'formula-number', label);
@@ -27,17 +28,17 @@ export function createFormula({ label, build, numbers }) {
 
   /** @type {Map<string, Element[]>} */
   const leaves = new Map();
-  const filled = mathml(
+  const numbersIn = mathml(
     'mtable',
-    ...build((term) => {
+    ...filled((/** @type {string} */ term) => {
       const leaf = mathml('mn', '–');
       leaf.setAttribute('data-term', term);
-      leaf.setAttribute('class', `live ${symbol(term).getAttribute('class') ?? ''}`);
+      leaf.setAttribute('class', `live ${(isSymbol(term) && symbol(term).getAttribute('class')) || ''}`);
       leaves.set(term, [...(leaves.get(term) ?? []), leaf]);
       return leaf;
     }),
   );
-  const filledMath = mathml('math', filled);
+  const filledMath = mathml('math', numbersIn);
   filledMath.setAttribute('display', 'block');
   const now = scroller('formula-lines formula-now', filledMath);
   now.hidden = true;

@@ -4,15 +4,24 @@ import { mathml } from './symbols.js';
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {import('./symbols.js').SymbolName} SymbolName */
 /** @typedef {(name: SymbolName) => Element} Leaf */
-/** @typedef {{ label: string, build: (leaf: Leaf) => Element[], numbers?: (live: Live) => Record<string, string> }} Formula */
+/**
+ * @typedef {object} Formula
+ * @property {string} label Its number in the paper.
+ * @property {(leaf: Leaf) => Element[]} build
+ * @property {(leaf: (name: string) => Element) => Element[]} [filled] What the numbers stand in, where they do not stand in place of the symbols.
+ * @property {(live: Live) => Record<string, string>} [numbers] By the leaves' names.
+ */
 
 /** @typedef {Element | string} Part A string of letters is a word, of anything else an operator. */
 
 /** @param {Part} part */
-const node = (part) =>
-  typeof part !== 'string'
-    ? part
-    : mathml(/^[\p{L}]+$/u.test(part) ? 'mi' : /^\d/.test(part) ? 'mn' : 'mo', part);
+function node(part) {
+  if (typeof part !== 'string') return part;
+  const element = mathml(/^[\p{L}]+$/u.test(part) ? 'mi' : /^\d/.test(part) ? 'mn' : 'mo', part);
+  // An index alone would make them taller.
+  if (part === '(' || part === ')') element.setAttribute('stretchy', 'false');
+  return element;
+}
 
 /** @param {Part[]} parts */
 export const row = (...parts) => mathml('mrow', ...parts.map(node));
@@ -27,6 +36,10 @@ export const term = (name, ...parts) => {
 export const frac = (above, below) => mathml('mfrac', node(above), node(below));
 /** @param {Part} base @param {Part} power */
 export const sup = (base, power) => mathml('msup', node(base), node(power));
+/** @param {Part} base @param {Part} index */
+export const sub = (base, index) => mathml('msub', node(base), node(index));
+/** @param {Part} from @param {Part} to */
+export const integral = (from, to) => mathml('msubsup', node('∫'), node(from), node(to));
 /** @param {Part} inside */
 export const root = (inside) => mathml('msqrt', node(inside));
 /** @param {Part} of */
@@ -46,6 +59,11 @@ function cell(side, ...parts) {
   return element;
 }
 
-export const sin = (/** @type {Part} */ of) => row('sin', '\u2061', of);
-export const cos = (/** @type {Part} */ of) => row('cos', '\u2061', of);
+/** @param {string} name */
+const ofAngle =
+  (name) =>
+  (/** @type {Part} */ angle, /** @type {Part | undefined} */ power = undefined) =>
+    row(power ? sup(name, power) : name, '\u2061', angle);
+export const sin = ofAngle('sin');
+export const cos = ofAngle('cos');
 export const dot = '·';

@@ -21,10 +21,10 @@ import { createTally } from './tally.js';
 /** @typedef {import('./quiz.js').Outcome} Outcome */
 /** @typedef {import('./steps.js').Step} Step */
 
-/** What runs now: all that a step's values, answers and views are made of. @typedef {{ engine: Engine, state: State, scene: Scene, paper: PaperResult[], gains: Triple, sample: Sample }} Live */
+/** What runs now: all that a step's values, answers and views are made of. @typedef {{ engine: Engine, state: State, scene: Scene, paper: PaperResult[], gains: Triple, sample: Sample, decided: Sample }} Live At the robots’ clock: what is, and what the law decided last, which at the end of a drive is one sample old. */
 /** What a step holds, drawn at every change. @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
 /** A prediction, and what came out once it is known. @typedef {{ choice: number, outcome: Outcome | null }} Answer */
-/** What is kept in this tab, and leaves with it. @typedef {{ answers: Record<string, Answer>, tally: import('./tally.js').Tally }} Progress */
+/** What is kept in this tab, and leaves with it. @typedef {{ answers: Record<string, Answer>, tally: import('./tally.js').Tally, duel: import('./duel.js').Duel | null }} Progress */
 /** @typedef {{ go: (link: string) => void, store: Store, actions: import('../actions.js').Actions, engine: Engine }} Tools */
 
 /** @param {Tools & { paper: PaperResult[] }} parts */
@@ -66,7 +66,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
       if (!step) return;
       if (stepChanged(lesson)) {
         blocks = createStep(article, step, lesson, tools);
-        if (!state.dragging) scrollTo({ top: 0 });
+        if (!state.dragging) for (const one of [window, article]) one.scrollTo({ top: 0 });
         if (step.time !== undefined) actions.scrub(step.time);
       }
       tally.count(state, scene);
@@ -76,7 +76,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
         scene,
         paper,
         gains: gainsOf(state, state.driver, paper),
-        sample: samples(state, scene),
+        ...samples(state, scene),
       };
       settle(live, step, store);
       if (step.overlay) errorPosture.draw(live);
@@ -97,7 +97,8 @@ function createSamples(engine) {
     const { samples } = known;
     const { time } = driving;
     const at = Math.round(Math.min(state.robot.time, driving.finalTime) / (time[1] - time[0] || 1));
-    return samples[Math.min(at, samples.length - 1)];
+    const last = samples.length - 1;
+    return { sample: samples[Math.min(at, last)], decided: samples[Math.min(at, Math.max(last - 1, 0))] };
   };
 }
 
@@ -149,6 +150,7 @@ function createStep(article, step, number, tools) {
             live.sample,
             live.state.history,
             live.state.generation,
+            live.state.anatomy,
             live.state.progress,
             live.state.landscape.result,
             live.state.disturbance.measured,

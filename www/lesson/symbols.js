@@ -2,7 +2,7 @@
 
 /** @typedef {keyof typeof symbols} SymbolName */
 
-/** Letter, index, colour (a class), prime. */
+/** Letter with its prime, index, colour (a class). */
 const symbols = /** @type {const} */ ({
   x: ['x', '', 'x'],
   y: ['y', '', 'y'],
@@ -28,6 +28,8 @@ const symbols = /** @type {const} */ ({
   J: ['J', '', ''],
   W: ['W', '', ''],
   R: ['R', '', ''],
+  Rv: ['R', 'v', 'energy'],
+  Rw: ['R', 'ω', 'omega'],
   kappa: ['κ', '', ''],
   t: ['t', '', ''],
   tf: ['t', 'f', ''],
@@ -48,6 +50,18 @@ const symbols = /** @type {const} */ ({
   e2: ['ε', '2', 'omega'],
   d1: ['δ', '1', 'energy'],
   d2: ['δ', '2', 'omega'],
+  sx: ['σ', 'x', 'x'],
+  sy: ['σ', 'y', 'y'],
+  st: ['σ', 'θ', 'theta'],
+  newkx: ['k′', 'x', 'x'],
+  newky: ['k′', 'y', 'y'],
+  newkt: ['k′', 'θ', 'theta'],
+  newsx: ['σ′', 'x', 'x'],
+  newsy: ['σ′', 'y', 'y'],
+  newst: ['σ′', 'θ', 'theta'],
+  Nx: ['N', 'x', 'x'],
+  Ny: ['N', 'y', 'y'],
+  Nt: ['N', 'θ', 'theta'],
 });
 
 /** @param {string} name @returns {name is SymbolName} */
@@ -65,11 +79,17 @@ export function mathml(tag, ...children) {
 /** @param {SymbolName} name */
 export function symbol(name) {
   const [letter, index, colour] = symbols[name];
-  const base = mathml('mi', letter);
-  const element = index ? mathml('msub', base, mathml(/\d/.test(index) ? 'mn' : 'mi', index)) : base;
+  const element = withIndex(letter, index);
   if (colour) element.setAttribute('class', `of-${colour}`);
   element.setAttribute('data-term', name);
   return element;
+}
+
+/** A letter with its prime and its index, if it has them. The prime stands in line, where it has its size in every font. @param {string} letter @param {string} index */
+function withIndex(letter, index) {
+  const plain = mathml('mi', letter.replace('′', ''));
+  const base = letter.endsWith('′') ? mathml('mrow', plain, mathml('mo', '′')) : plain;
+  return index ? mathml('msub', base, mathml(/\d/.test(index) ? 'mn' : 'mi', index)) : base;
 }
 
 /** A symbol within text. @param {SymbolName} name */

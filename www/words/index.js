@@ -15,8 +15,10 @@ import { language } from './language.js';
 const all = { en, ko };
 
 export const {
+  checks,
   curves,
   disturbance,
+  embed,
   generation,
   keep,
   keys,
@@ -28,6 +30,7 @@ export const {
   messages,
   robustness,
   settings,
+  stability,
   tables,
   training,
 } = all[language];

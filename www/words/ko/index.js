@@ -1,6 +1,8 @@
 // Every word in Korean.
+export * as checks from './checks.js';
 export * as curves from './curves.js';
 export * as disturbance from './disturbance.js';
+export * as embed from './embed.js';
 export * as generation from './generation.js';
 export * as keep from './keep.js';
 export * as keys from './keys.js';
@@ -12,5 +14,6 @@ export * as luck from './luck.js';
 export * as messages from './messages.js';
 export * as robustness from './robustness.js';
 export * as settings from './settings.js';
+export * as stability from './stability.js';
 export * as tables from './tables.js';
 export * as training from './training.js';
