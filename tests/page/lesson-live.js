@@ -68,6 +68,8 @@ export function liveOf(link) {
   const state = /** @type {any} */ ({
     ...run,
     ...run.view,
+    // No part of the page computes here.
+    page: 'lab',
     history: Array.from({ length: run.generation + 1 }, (_, g) => evolution.statistics(g)),
     population: evolution.population(),
     progress: { answers: {}, tally: noTally, duel: null },

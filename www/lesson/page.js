@@ -110,6 +110,7 @@ function settle(live, step, store) {
     const key = `${step.name}.${block.name}`;
     const answer = live.state.progress.answers[key];
     if (!answer || answer.outcome || pending.has(answer)) continue;
+    if (block.quiz.ready && !block.quiz.ready(live)) continue;
     pending.add(answer);
     Promise.resolve(block.quiz.answer(live)).then((outcome) => {
       const { progress } = store.get();

@@ -12,6 +12,7 @@ import { inline } from './prose.js';
 /**
  * @typedef {object} Quiz
  * @property {string} [shows] The link of a run that shows it; opened when the prediction is made.
+ * @property {(live: Live) => boolean} [ready] Whether what it is answered from is there; without it, at once.
  * @property {(live: Live) => Outcome | Promise<Outcome>} answer From what runs then.
  */
 /** @typedef {{ question: string, choices: readonly string[], why: (outcome: any) => string }} QuizWords */

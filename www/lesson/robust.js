@@ -1,6 +1,6 @@
 // From how many starts gains arrive: those of the map, and those of the training.
 import { gridAround, tally } from '../robustness/grid.js';
-import { fine } from '../robustness/request.js';
+import { fine, isFine } from '../robustness/request.js';
 import { testRobots } from '../training/request.js';
 import { createSets } from '../training/sets.js';
 
@@ -11,25 +11,30 @@ import { createSets } from '../training/sets.js';
 /** @typedef {import('../training/sets.js').SetName} SetName */
 /** @typedef {{ count: number, starts: number, share: number }} Share How many of so many starts arrive. */
 
-/** What was driven already: more than one question asks for it. @type {Map<string, Promise<Share>>} */
-const known = new Map();
+/** The finished maps of this experiment: of who drives, and of who is compared. @param {State} state */
+const mapsOf = ({ experiment, robustness: { survey, rival, half } }) =>
+  [survey, rival].flatMap((map) =>
+    map && isFine(map) && map.spec.experiment === experiment && map.spec.half === half ? [map] : [],
+  );
 
-/** From the very starts of the map. @param {Engine} engine @param {State} state @param {Triple} gains */
-export function shareOfStarts(engine, { experiment, robustness }, gains) {
-  const { half } = robustness;
-  const key = JSON.stringify([experiment, half, gains]);
-  const share = known.get(key) ?? drive();
-  known.set(key, share);
-  share.catch(() => known.delete(key));
-  return share;
+/** Whether no map is still being computed. @param {State} state */
+export const mapsAreDone = (state) =>
+  state.page !== 'robustness' || state.robustness.message !== '' || mapsOf(state).length === 2;
 
-  async function drive() {
-    const grid = gridAround(experiment.goal, half, fine);
-    const runs = await engine.surveys.robustness(experiment, { ...grid, gains });
-    const starts = runs.arrived.length;
-    const { share } = tally(runs);
-    return { count: Math.round(share * starts), starts, share };
-  }
+/** From the starts of the map; read from there if it has these gains. @param {Engine} engine @param {State} state @param {Triple} gains */
+export async function shareOfStarts(engine, state, gains) {
+  const map = mapsOf(state).find(({ spec }) => spec.gains.every((gain, i) => gain === gains[i]));
+  if (map) return shareOf(map.runs);
+  const { experiment, robustness } = state;
+  const grid = gridAround(experiment.goal, robustness.half, fine);
+  return shareOf(await engine.surveys.robustness(experiment, { ...grid, gains }));
+}
+
+/** @param {import('../../pkg/ep_locomotion.js').Robustness} runs @returns {Share} */
+function shareOf(runs) {
+  const starts = runs.arrived.length;
+  const { share } = tally(runs);
+  return { count: Math.round(share * starts), starts, share };
 }
 
 /** Evolved on sets of starts as in the training, and tested as there. @param {Engine} engine @param {State} state @param {readonly SetName[]} names @returns {Promise<Result[]>} */

@@ -1,9 +1,10 @@
 // Step 11: the gains that were evolved on one start, from everywhere else.
 import { gridAround, headings } from '../../robustness/grid.js';
 import { fine } from '../../robustness/request.js';
+import { gainsOf } from '../../state.js';
 import { lab } from '../../words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
-import { shareOfStarts, trainedOn } from '../robust.js';
+import { mapsAreDone, shareOfStarts, trainedOn } from '../robust.js';
 
 /** @type {import('../steps.js').Step} */
 export const task = {
@@ -17,8 +18,9 @@ export const task = {
       name: 'share',
       quiz: {
         shows: 'robustness&generation=100',
-        async answer({ engine, state, gains }) {
-          const found = await shareOfStarts(engine, state, gains);
+        ready: ({ state }) => mapsAreDone(state),
+        async answer({ engine, state }) {
+          const found = await shareOfStarts(engine, state, state.population[0].gains);
           // The middles of the choices: all, three quarters, half, one quarter.
           const right = [1, 0.75, 0.5, 0.25].findIndex((middle) => found.share > middle - 0.125);
           return { right: right < 0 ? 3 : right, ...found };
@@ -32,14 +34,15 @@ export const task = {
       name: 'arbitrary',
       quiz: {
         shows: 'robustness&generation=100&drives=paper-arbitrary',
-        async answer({ engine, state, scene, gains }) {
-          const evolved = state.population[0].gains;
-          const [own, other] = await Promise.all(
-            [evolved, gains].map((one) => shareOfStarts(engine, state, one)),
+        ready: ({ state }) => mapsAreDone(state),
+        async answer({ engine, state, paper }) {
+          const robots = /** @type {const} */ (['evolved', 'paper-arbitrary']).map((driver) =>
+            gainsOf(state, driver, paper),
           );
-          const [best] = engine.drive(state.experiment, [evolved]);
+          const [own, other] = await Promise.all(robots.map((one) => shareOfStarts(engine, state, one)));
+          const [best, dear] = engine.drive(state.experiment, robots);
           const right = other.share < 0.9 * own.share ? 0 : other.share > 1.1 * own.share ? 2 : 1;
-          return { right, own, other, best, dear: scene.driving };
+          return { right, own, other, best, dear };
         },
       },
     },

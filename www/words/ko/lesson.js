@@ -14,12 +14,12 @@ import { disturbance } from './lesson/disturbance.js';
 import { paper } from './lesson/paper.js';
 import { lecturers } from './lesson/lecturers.js';
 
-export const texts = { lesson: '학습' };
+export const texts = { lesson: '수업' };
 
-export const nav = '학습';
+export const nav = '수업';
 export const tagline =
   '예측하고, 해 보고, 확인하고, 설명합니다. 실험실의 화면으로 방법을 한 단계씩 익힙니다.';
-export const stepLabel = '학습 단계';
+export const stepLabel = '수업 단계';
 /** @param {number} number @param {number} count */
 export const stepOf = (number, count) => `${count}단계 중 ${number}단계`;
 /** @param {string} title */
