@@ -70,53 +70,54 @@ test('step 1: what is said of its drives is so', () => {
   assert.equal(driven('lab&drives=paper-ep').arrived, true);
 });
 
-/** Everything of a step that a student can press, pressed. @param {Page} page @param {number} number */
-async function work(page, number) {
-  await page.open(`#lesson&step=${number}`);
-  const { name, blocks } = steps[number - 1];
-  const title = await page.evaluate(() => document.getElementById('lesson-title')?.textContent);
-  assert.equal(title, en.steps[name].title);
-  for (const block of blocks) {
-    if (block.kind === 'tries')
-      for (const [key] of block.tries) {
-        await page.click(`[data-try="${key}"]`);
-        assert.equal(
-          await page.evaluate(() => document.getElementById('lesson-title')?.textContent),
-          title,
-          `${name}: try ${key} stays in its step`,
-        );
-      }
-    if (block.kind === 'quiz') {
-      await page.click(`#quiz-${block.name} .choice:first-child`);
+/** Presses within the page, one after the other, each seen drawn before the next. @param {Page} page @param {readonly string[]} selectors */
+const pressAll = (page, selectors) =>
+  page.evaluate(async (all) => {
+    const frame = () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    for (const selector of all) {
+      const found = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(selector));
+      if (found.length !== 1) throw new Error(`${selector} finds ${found.length} elements`);
+      found[0].click();
+      await frame();
+    }
+    return document.getElementById('lesson-title')?.textContent;
+  }, selectors);
+
+for (const [i, { name, blocks }] of steps.entries())
+  pageTest(`step ${i + 1}, ${name}: every try pressed, every question answered`, async (page) => {
+    await page.open(`#lesson&step=${i + 1}`);
+    const { title } = en.steps[name];
+    const triesOf = blocks.flatMap((block) => (block.kind === 'tries' ? block.tries : []));
+    assert.equal(
+      await pressAll(
+        page,
+        triesOf.map(([key]) => `[data-try="${key}"]`),
+      ),
+      title,
+    );
+    for (const block of blocks) {
+      if (block.kind !== 'quiz') continue;
+      const id = `quiz-${block.name}`;
+      await pressAll(page, [`#${id} .choice:first-child`]);
       const why = await page.until(
         `an answer to ${name}.${block.name}`,
-        (id) => document.querySelector(`#${id} .quiz-why strong`)?.parentElement?.innerText,
-        `quiz-${block.name}`,
+        (quiz) => document.querySelector(`#${quiz} .quiz-why strong`)?.parentElement?.innerText,
+        id,
       );
       assert.doesNotMatch(String(why), /undefined|NaN|–/, `${name}.${block.name}`);
-      assert.equal(
-        await page.evaluate((id) => document.querySelectorAll(`#${id} .right`).length, `quiz-${block.name}`),
-        1,
-      );
+      const right = await page.evaluate((quiz) => document.querySelectorAll(`#${quiz} .right`).length, id);
+      assert.equal(right, 1, `${name}.${block.name}`);
     }
-  }
-  const empty = await page.evaluate(() =>
-    [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]'))]
-      .filter((element) => element.textContent === '–')
-      .map((element) => element.dataset.value),
-  );
-  assert.deepEqual(empty, [], `${name}: values without a number`);
-  assert.deepEqual(await page.problems(), [], name);
-  assert.equal(
-    await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth),
-    true,
-    `${name} is not wider than the window`,
-  );
-}
-
-pageTest('the steps can be worked through: every try pressed, every question answered', async (page) => {
-  for (const number of steps.keys()) await work(page, number + 1);
-});
+    await page.open(`#lesson&step=${i + 1}`);
+    await page.until('every number in the text', () =>
+      [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]'))].every(
+        (element) => element.textContent !== '–',
+      ),
+    );
+    assert.deepEqual(await page.problems(), []);
+    const fits = await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
+    assert.equal(fits, true, `${name} is not wider than the window`);
+  });
 
 pageTest('the lesson leads on and back, and a link of it opens there again', async (page) => {
   await page.open('');
