@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" />
 /** A posture p = (x, y, θ), equation (1): metres and radians, θ counter-clockwise from the X axis. */
 export interface Posture { x: number; y: number; theta: number }
 /** A velocity q = (v, ω): m/s and rad/s. */
@@ -171,6 +172,40 @@ export interface SeedRun {
   champion: Individual;
   /** The best J that random search had found by then; it begins with the same population. */
   random: Float64Array;
+}
+/**
+ * The Lyapunov function V = ½ x_e² + ½ y_e² + w (1 − cos θ_e) along one run: arrays with one value a sample, those of `simulate`.
+ * The last sample, where the run has ended, is taken as if the robot drove on.
+ */
+export interface Stability {
+  /** Seconds. */
+  time: Float64Array;
+  /** x_e of the error posture (3), metres. */
+  errorX: Float64Array;
+  /** y_e, metres. */
+  errorY: Float64Array;
+  /** θ_e, radians in (−π, π]. */
+  errorTheta: Float64Array;
+  /** V, m². */
+  lyapunov: Float64Array;
+  /**
+   * The part of dV/dt on x_e that the law promises for its commanded velocity, m²/s: −kx x_e² cos² θ_e for the law (5), −kx x² for
+   * Kanayama's rule, x = x_e cos θ_e − y_e sin θ_e being how far the reference is ahead of the robot. NaN where nothing is promised.
+   */
+  promisedX: Float64Array;
+  /** The part on y_e, m²/s: −ky y_e⁴, or 0 for Kanayama's rule. */
+  promisedY: Float64Array;
+  /** The part on θ_e, m²/s: −kθ sin² θ_e, or −v_r (kθ/ky) sin² θ_e for Kanayama's rule. */
+  promisedTheta: Float64Array;
+  /**
+   * dV/dt under the velocity that the robot has from the sample on, after limits and disturbance, m²/s, from the rate of the error (4). Where
+   * these leave the command as it is, it is the sum of the promised parts.
+   */
+  rate: Float64Array;
+  /** 1 where the limits changed the command, else 0. */
+  limited: Uint8Array;
+  /** w, m²: 1 for the law (5), 1/ky for Kanayama's rule. Null if that has ky ≤ 0: then nothing is promised, and V is that of (5). */
+  headingWeight: number | null;
 }
 /** The sizes of the error of one run over time that Theorem 2 bounds one by one: one value a sample. */
 export interface ErrorParts {

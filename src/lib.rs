@@ -7,11 +7,12 @@
 //! Modules in reading order:
 //!
 //! - [`posture`]: postures, velocities, the motion along an arc (2), the error posture (3) and its rate (4)
-//! - [`control`]: gains, the control law (5), the rule it improves on, Lyapunov function, Theorem 2 (6)–(8)
+//! - [`control`]: gains, the control law (5), the rule it improves on, Lyapunov functions, Theorem 2 (6)–(8)
 //! - [`limits`], [`disturbance`]: what becomes of a command on its way to the wheels
 //! - [`cost`]: the cost J (9) in its parts
 //! - [`experiment`], [`fields`]: everything that defines a run, the presets; the allowed range of every number
 //! - [`episode`]: one run of one robot
+//! - [`stability`]: the Lyapunov function along a run, as promised and as it is
 //! - [`remaining`]: the error that remains under a disturbance, and the sets of Theorem 2
 //! - `lanes`, [`convoy`]: the numbers of two robots in one SIMD register; many runs at once, with the same law and bits
 //! - [`evolution`]: mutation, tournament, one generation, the whole run
@@ -65,6 +66,7 @@ pub mod fields;
 pub mod episode;
 
 pub mod remaining;
+pub mod stability;
 
 pub mod convoy;
 mod lanes;

@@ -17,6 +17,7 @@ use crate::experiment::{Experiment, MAX_STARTS, PAPER_RESULTS, Preset};
 use crate::fields::{FIELDS, InvalidInput, shown};
 use crate::posture::Posture;
 use crate::remaining::{self, ErrorParts};
+use crate::stability::{self, StabilitySample};
 use crate::starts::{self, MAX_AXIS_COUNT, Range, StartGrid};
 use crate::survey::{self, Axis, Gain};
 
@@ -183,6 +184,37 @@ fn run_ends(ends: &[RunEnd]) -> Result<JsValue> {
         ("cost", column(ends, |end| end.cost.total())),
         ("finalTime", column(ends, |end| end.cost.time)),
         ("arrived", Uint8Array::from(arrived.as_slice()).into()),
+    ])
+}
+
+/// The Lyapunov function of one run from `starts[start]` (0 if left out): what the law promises of it, and what becomes of that.
+#[wasm_bindgen(unchecked_return_type = "Stability")]
+pub fn stability(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "number")] start: JsValue,
+) -> Result<JsValue> {
+    let setting = setting(experiment)?;
+    let start = start_index(&setting, start)?;
+    let gains = one_triple(gains)?;
+    let samples = stability::stability(&setting, &gains, start);
+    let function = setting.experiment().law.lyapunov(&gains);
+    let limited: Vec<u8> = samples.iter().map(|sample| u8::from(sample.limited)).collect();
+    fn promised<const PART: usize>(sample: &StabilitySample) -> f64 {
+        sample.promised.map_or(f64::NAN, |parts| parts[PART])
+    }
+    object(&[
+        ("time", column(&samples, |s| s.time)),
+        ("errorX", column(&samples, |s| s.error.x)),
+        ("errorY", column(&samples, |s| s.error.y)),
+        ("errorTheta", column(&samples, |s| s.error.theta)),
+        ("lyapunov", column(&samples, |s| s.lyapunov)),
+        ("promisedX", column(&samples, promised::<0>)),
+        ("promisedY", column(&samples, promised::<1>)),
+        ("promisedTheta", column(&samples, promised::<2>)),
+        ("rate", column(&samples, |s| s.rate)),
+        ("limited", Uint8Array::from(limited.as_slice()).into()),
+        ("headingWeight", function.map_or(JsValue::NULL, |v| v.heading_weight.into())),
     ])
 }
 

@@ -3,9 +3,10 @@
 
 use ep_locomotion::wasm::{
     Evolution, Simulation, error_parts, evaluate, experiment, fares, fields, landscape, paper,
-    random_seed, remaining_errors, robustness, seed_runs, simulate, simulate_all, starts_on_circle,
+    random_seed, remaining_errors, robustness, seed_runs, simulate, simulate_all, stability,
+    starts_on_circle,
 };
-use js_sys::{Array, Float64Array, Function, JSON, Object, Reflect};
+use js_sys::{Array, Float64Array, Function, JSON, Object, Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -403,6 +404,47 @@ fn errors_that_remain_are_told_beside_the_sets_of_theorem_2() {
             error_parts(js("{disturbance: {kind: 'random', linear: -1}}"), gains(EP))
                 .map(Into::into),
             "disturbance.linear must be 0 or more for a random disturbance, but was -1",
+        ),
+    ] {
+        assert_eq!(message(result), expected);
+    }
+}
+
+#[wasm_bindgen_test]
+fn the_lyapunov_function_of_a_run_has_one_value_a_sample() {
+    let column = |object: &JsValue, name: &str| {
+        get(object, name).dyn_into::<Float64Array>().expect("a Float64Array").to_vec()
+    };
+    let run = simulate(js("{}"), gains(EP), JsValue::UNDEFINED).expect("a run");
+    let of_run = stability(js("{}"), gains(EP), JsValue::UNDEFINED).expect("its V");
+    assert_eq!(column(&of_run, "time"), column(&run, "time"));
+    assert_eq!(number(&of_run, "headingWeight"), 1.0);
+    let limited = get(&of_run, "limited").dyn_into::<Uint8Array>().expect("a Uint8Array").to_vec();
+    let [errors, promised] =
+        [["errorX", "errorY", "errorTheta"], ["promisedX", "promisedY", "promisedTheta"]]
+            .map(|names| names.map(|name| column(&of_run, name)));
+    let (v, rate) = (column(&of_run, "lyapunov"), column(&of_run, "rate"));
+    for i in 0..column(&run, "time").len() {
+        let [x, y, theta] = [0, 1, 2].map(|part| errors[part][i]);
+        assert!((v[i] - (0.5 * x * x + 0.5 * y * y + 1.0 - theta.cos())).abs() < 1e-12);
+        let expected = [(x * theta.cos()).powi(2), y.powi(4), theta.sin().powi(2)];
+        for part in 0..3 {
+            assert!((promised[part][i] + EP[part] * expected[part]).abs() < 1e-9);
+        }
+        let sum: f64 = promised.iter().map(|values| values[i]).sum();
+        assert_eq!((rate[i] - sum).abs() > 1e-9, limited[i] == 1, "sample {i}");
+    }
+    let unproved = stability(js("{law: 'kanayama'}"), js("[1, 0, 1]"), 0.into()).expect("its V");
+    assert!(get(&unproved, "headingWeight").is_null());
+    assert!(column(&unproved, "promisedY").iter().all(|part| part.is_nan()));
+    for (result, expected) in [
+        (
+            stability(js("{}"), js("[1, 2]"), JsValue::UNDEFINED),
+            "gains must be three numbers for each robot, but was 2 numbers",
+        ),
+        (
+            stability(js("{}"), gains(EP), 1.into()),
+            "start must be a whole number from 0 to 0, but was 1",
         ),
     ] {
         assert_eq!(message(result), expected);

@@ -7,9 +7,11 @@ import {
   learningRates,
   paper,
   randomSeed,
+  Simulation,
   simulateAll,
-  version,
+  stability,
   startsOnCircle,
+  version,
 } from '../pkg/ep_locomotion.js';
 import { createPool } from './pool.js';
 import { createSurveys } from './surveys.js';
@@ -23,8 +25,10 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {import('../pkg/ep_locomotion.js').Posture} Posture */
 /** @typedef {import('../pkg/ep_locomotion.js').Preset} Preset */
 /** @typedef {import('../pkg/ep_locomotion.js').Run} Run */
+/** @typedef {import('../pkg/ep_locomotion.js').Stability} Stability */
 /** @typedef {import('../pkg/ep_locomotion.js').Cost} Cost */
 /** @typedef {import('../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
+/** @typedef {import('../pkg/ep_locomotion.js').Sample} Sample */
 /** @typedef {import('../pkg/ep_locomotion.js').Statistics} Statistics */
 /** @typedef {readonly [number, number, number]} Triple kx, ky, kθ */
 
@@ -90,8 +94,30 @@ export async function createEngine() {
     /** Digits over every number of the history, the same wherever it ran. */
     hash: () => current().hash(),
 
+    /** The hash of an evolution of its own, on this thread. @param {Experiment} from @param {number} generations */
+    hashOf(from, generations) {
+      const own = new Evolution(from);
+      for (let i = 0; i < generations; i++) own.step();
+      const hash = own.hash();
+      own.free();
+      return hash;
+    },
+
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) => simulateAll(from, gains.flat()),
+
+    /** All that a robot sees, is told and does, sample by sample. @param {Experiment} from @param {Triple} gains @returns {Sample[]} */
+    samples(from, gains) {
+      const robot = new Simulation(from, Float64Array.from(gains));
+      const samples = [];
+      do samples.push(robot.step());
+      while (samples[samples.length - 1].outcome === null);
+      robot.free();
+      return samples;
+    },
+
+    /** The Lyapunov function of a run. @param {Experiment} from @param {Triple} gains */
+    stability: (from, gains) => stability(from, gains),
 
     /** Long jobs, which workers do; they are started at the first one. */
     get surveys() {

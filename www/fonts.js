@@ -5,3 +5,4 @@ const family =
 
 export const textFont = `13px ${family}`;
 export const strongFont = `600 13px ${family}`;
+export const symbolFont = 'italic 17px "STIX Two Text", "Cambria Math", Georgia, serif';

@@ -13,19 +13,21 @@ import { lab, tables as words } from './words/index.js';
 /** A map has too many cells to read: so many rows and columns of it. */
 const mostOfMap = 13;
 
+/** A button that opens a table, if there is one. @param {string} id @param {() => Table | null} tableOf */
+export function offer(id, tableOf) {
+  byId(id).addEventListener('click', () => {
+    const table = tableOf();
+    if (!table) return;
+    fill(byId('table-rows'), table);
+    /** @type {HTMLDialogElement} */ (byId('table')).showModal();
+  });
+}
+
 /** @param {Store} store */
 export function createTables(store) {
-  /** @type {HTMLDialogElement} */
-  const dialog = byId('table');
-  byId('table-close').addEventListener('click', () => dialog.close());
-  /** @param {string} id @param {() => Table | null} tableOf */
-  const offer = (id, tableOf) =>
-    byId(id).addEventListener('click', () => {
-      const table = tableOf();
-      if (!table) return;
-      fill(byId('table-rows'), table);
-      dialog.showModal();
-    });
+  byId('table-close').addEventListener('click', () =>
+    /** @type {HTMLDialogElement} */ (byId('table')).close(),
+  );
   offer('fitness-table', () => fitnessTable(store.get().history));
   offer('landscape-table', () => {
     const { result } = store.get().landscape;

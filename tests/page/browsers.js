@@ -51,7 +51,7 @@ export class Page {
    * Opens the page afresh and waits until it is ready.
    * @param {string} [fragment] what follows the address, for instance '#law=kanayama'
    */
-  async open(fragment = '') {
+  async open(fragment = '#lab') {
     // Between two addresses that differ in the fragment alone, a browser would not load the page again.
     if (this.#isOpen) await this.driver.get(this.site.blank);
     await this.visit(this.site.address + fragment);

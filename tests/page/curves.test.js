@@ -2,15 +2,13 @@ import assert from 'node:assert/strict';
 import { layoutOf } from '../../www/curves/layout.js';
 import { Key, pageTest } from './browsers.js';
 import { Evolution, experiment, paperGains, shown, simulate } from './core.js';
+import { coloured, numberOf, pixelsOf, textOf } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 
 const velocityLimits = experiment('velocity-limits');
 const ep = simulate(velocityLimits, paperGains('velocity-limits', 'ep'));
 const arbitrary = simulate(velocityLimits, paperGains('velocity-limits', 'arbitrary'));
-
-/** What is read as a number. @param {string} text */
-const numberOf = (text) => Number(text.replaceAll('−', '-').replace(/[^\d.e-]/g, ''));
 
 /** Opens the curves with the paper's gains from evolution, at rest. @param {Page} page */
 async function openCurves(page) {
@@ -27,14 +25,6 @@ async function toEnd(page) {
 
 /** @param {Page} page @param {string} view */
 const show = (page, view) => page.click(`#curves-view-${view}`);
-
-/** The text of an element that is in sight, once what happened last is drawn. @param {Page} page @param {string} selector */
-const textOf = (page, selector) =>
-  page.evaluate(async (one) => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
-    const element = /** @type {HTMLElement} */ (document.querySelector(one));
-    return element.checkVisibility() ? element.innerText.trim() : 'not in sight';
-  }, selector);
 
 /** The rows of a table, its head first. @param {Page} page @param {string} id */
 const table = (page, id) =>
@@ -87,28 +77,6 @@ async function layoutOn(page, others, driving = ep) {
   });
   return layoutOf(size, driving, others, velocityLimits.limits);
 }
-
-/** Which of these points have their colour within two pixels. @param {Page} page @param {{ x: number, y: number, token: string }[]} points */
-const coloured = (page, points) =>
-  page.evaluate((places) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('curves-lines'));
-    const context = canvas.getContext('2d');
-    const style = getComputedStyle(document.documentElement);
-    return places.filter(({ x, y, token }) => {
-      const wanted = (style.getPropertyValue(token).match(/[\da-f]{2}/g) ?? []).map((part) =>
-        Number.parseInt(part, 16),
-      );
-      const { data } = /** @type {CanvasRenderingContext2D} */ (context).getImageData(
-        Math.round(x * devicePixelRatio) - 2,
-        Math.round(y * devicePixelRatio) - 2,
-        5,
-        5,
-      );
-      return Array.from({ length: 25 }, (_, i) => i).some((i) =>
-        wanted.every((part, channel) => Math.abs(part - data[4 * i + channel]) <= 40),
-      );
-    }).length;
-  }, points);
 
 pageTest('the numbers of the run are those of the core', async (page) => {
   await openCurves(page);
@@ -165,11 +133,12 @@ pageTest('the lines are where the core has them', async (page) => {
         y: scale(value(i)),
         token: tokens[name][curve],
       }));
-      const found = await coloured(page, points);
+      const found = await coloured(page, '#curves-lines', points);
       // Another line may cross one.
       assert.ok(found >= samples.length - 1, `${name} ${curve}: ${found} of ${samples.length}`);
       const wrong = points.map(({ x, y, token }) => ({ x, y: y + 12, token }));
-      if (name === 'cost') assert.ok((await coloured(page, wrong)) <= 1, `${name} is elsewhere too`);
+      if (name === 'cost')
+        assert.ok((await coloured(page, '#curves-lines', wrong)) <= 1, `${name} is elsewhere too`);
     }
   const label = await page.evaluate(() =>
     document.getElementById('curves-lines')?.getAttribute('aria-label'),
@@ -298,25 +267,6 @@ pageTest('the comparison names the settings that differ, and only those', async 
   assert.ok(!('Goal y' in moved.rows));
 });
 
-/** How many pixels of a canvas have a colour. @param {Page} page @param {string} selector @param {string} token */
-const pixelsOf = (page, selector, token) =>
-  page.evaluate(
-    async (name, property) => {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
-      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(name));
-      const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-      const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
-      const hex = getComputedStyle(document.documentElement).getPropertyValue(property);
-      const wanted = (hex.match(/[\da-f]{2}/g) ?? []).map((part) => Number.parseInt(part, 16));
-      let count = 0;
-      for (let i = 0; i < data.length; i += 4)
-        if (wanted.every((part, channel) => Math.abs(part - data[i + channel]) <= 12)) count += 1;
-      return count;
-    },
-    selector,
-    token,
-  );
-
 pageTest('a pinned run is drawn in every picture, also from where it had another goal', async (page) => {
   await openCurves(page);
   const canvases = ['#plane-paths', '#plane-robots', '#curves-lines'];
@@ -340,7 +290,7 @@ pageTest('a pinned run is drawn in every picture, also from where it had another
   const [{ scale }] = layout.plots;
   const samples = Array.from({ length: 60 }, (_, i) => 3 * i);
   const points = samples.map((i) => ({ x: layout.time(ep.time[i]), y: scale(ep.y[i]), token: '--pin-1' }));
-  const found = await coloured(page, points);
+  const found = await coloured(page, '#curves-lines', points);
   assert.ok(found > 24, `${found} of ${points.length} points of the pinned run`);
 
   await page.click('#page-landscape');

@@ -4,7 +4,7 @@ import { openRunFile, runFile } from '../../www/keep/run-file.js';
 import { openLink } from '../../www/link.js';
 import { driveCsv, generationsCsv } from '../../www/keep/tables.js';
 import { pageTest } from './browsers.js';
-import { Evolution, evolve, experiment, simulate, simulateAll } from './core.js';
+import { Evolution, evolve, experiment, simulate, simulateAll, stability } from './core.js';
 import { readEvolution } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
@@ -86,15 +86,20 @@ test('the tables have units in their headers and every digit of the numbers', ()
   ]);
 
   const run = simulate(velocityLimits, [3, 0.1, 5]);
-  const drive = driveCsv(run, origin).trim().split('\r\n').slice(2);
-  assert.equal(drive[0].split(',')[1], 'x (m)');
+  const v = stability(velocityLimits, [3, 0.1, 5]);
+  const drive = driveCsv(run, v, origin).trim().split('\r\n').slice(2);
+  const heads = drive[0].split(',');
+  assert.deepEqual([heads[1], heads[11], heads[15]], ['x (m)', 'V (m^2)', 'dV/dt (m^2/s)']);
   assert.equal(drive.length, run.time.length + 1);
   const last = run.time.length - 1;
   assert.deepEqual(
     drive[last + 1].split(',').map(Number),
-    [run.time, run.x, run.y, run.theta, run.linear, run.angular, run.commandLinear, run.commandAngular].map(
-      (column) => column[last],
-    ),
+    [
+      ...[run.time, run.x, run.y, run.theta],
+      ...[run.linear, run.angular, run.commandLinear, run.commandAngular],
+      ...[v.errorX, v.errorY, v.errorTheta, v.lyapunov],
+      ...[v.promisedX, v.promisedY, v.promisedTheta, v.rate],
+    ].map((column) => column[last]),
   );
 });
 
@@ -166,6 +171,32 @@ pageTest('a run is saved, and opened again as it was', async (page) => {
     '6',
   );
   assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('a long run is opened at the generation that was shown when it was saved', async (page) => {
+  const many = { ...velocityLimits, evolution: { ...velocityLimits.evolution, population: 1000 } };
+  const { engine, state } = evolved(many, 300);
+  const text = runFile({ ...state, generation: 120 }, engine);
+  await page.click('#keep-button');
+  assert.match(await choose(page, 'long.json', text), /“long.json” is open: all 300 generations/);
+  await page.click('#keep-close');
+  await page.until('evolution rests', () => document.getElementById('run')?.textContent === 'Run');
+  assert.deepEqual(await readEvolution(page), {
+    generation: '120',
+    seed: '1',
+    ...evolve(many, 120).shown,
+  });
+  // The whole run is there, the link is that of what is shown, and how to go on is still as it was chosen.
+  await page.until('the link', () => /generation=120(&|$)/.test(location.hash));
+  const { last, pace, until } = await page.evaluate(() => {
+    const value = (/** @type {string} */ id) =>
+      /** @type {HTMLSelectElement} */ (document.getElementById(id)).value;
+    const timeline = /** @type {HTMLInputElement} */ (document.getElementById('timeline'));
+    return { last: timeline.max, pace: value('pace'), until: value('until') };
+  });
+  assert.deepEqual([last, pace, until], ['300', '8', 'every']);
+  await page.click('#keep-button');
+  assert.match(await page.text('#keep-status'), new RegExp(engine.hash()));
 });
 
 pageTest('a file that is no run changes nothing and says why', async (page) => {

@@ -9,7 +9,7 @@ import * as en from '../../www/words/en/index.js';
 import * as ko from '../../www/words/ko/index.js';
 import { languageOf } from '../../www/words/language.js';
 import { Key, pageTest } from './browsers.js';
-import { read } from './reading.js';
+import { checked, read } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 
@@ -19,7 +19,7 @@ const source = fileURLToPath(new URL('../../www/', import.meta.url));
 const latinWord = /[A-Za-z]{3,}/;
 /** Names, keys, units and functions that stay as they are. */
 const names =
-  /\b(CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|max|rad|cos|sin|WebAssembly|[0-9a-f]{8,})\b/g;
+  /\b(CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
 
 /** Every text of a language by its place; functions are named. @param {unknown} value @param {string} place @returns {[string, string][]} */
 function textsOf(value, place) {
@@ -111,7 +111,7 @@ pageTest('every part is Korean with lang=ko', async (page) => {
     await page.open(`#${name}&v=1&lang=ko&generation=2&pin1=${encodeURIComponent('가~5,1,5')}`);
     await isKorean(page, name);
   }
-  for (const view of ['compare', 'numbers']) {
+  for (const view of ['stability', 'compare', 'numbers']) {
     await page.open(`#curves&v=1&lang=ko&view=${view}&preset=acceleration-limits&seed=2`);
     await isKorean(page, view);
   }
@@ -130,7 +130,10 @@ pageTest('what is opened, refused and computed is Korean', async (page) => {
   await page.click('#keys-close');
   await page.click('#keep-button');
   await isKorean(page, 'the dialog that keeps a run');
-  await page.click('#keep-close');
+  await page.click('#keep-checks');
+  await checked(page);
+  await isKorean(page, 'the checks');
+  await page.click('#checks-close');
   await page.click('#settings-button');
   await isKorean(page, 'the settings');
   await page.click('#settings-close');
@@ -274,8 +277,10 @@ for (const [width, height] of [
       await page.open(`#${name}&v=1&generation=2&pin1=${encodeURIComponent('first~5,1,5')}`);
       problems[name] = await overflowing(page);
     }
-    await page.open('#curves&v=1&view=compare&generation=2');
-    problems.compare = await overflowing(page);
+    for (const view of ['stability', 'compare']) {
+      await page.open(`#curves&v=1&view=${view}&generation=2`);
+      problems[view] = await overflowing(page);
+    }
     for (const phase of ['mutation', 'drive', 'tournament', 'ranking', 'survivors']) {
       await page.open(`#generation&v=1&generation=2&phase=${phase}`);
       problems[phase] = await overflowing(page);
@@ -285,6 +290,11 @@ for (const [width, height] of [
       await page.click(`#${button}-button`);
       problems[button] = await overflowing(page);
     }
+    await page.open();
+    await page.click('#keys-button');
+    await page.click('#keys-checks');
+    await checked(page);
+    problems.checks = await overflowing(page);
     const found = Object.entries(problems).filter(([, texts]) => texts.length > 0);
     assert.deepEqual(Object.fromEntries(found), {});
   });

@@ -86,6 +86,7 @@ test('every experiment comes back from its link to the bit', () => {
     /** @type {Linked} */
     const state = {
       page: 'robustness',
+      lesson: 0,
       preset: next() < 0.5 ? 'velocity-limits' : 'acceleration-limits',
       experiment: wild,
       generation: Math.floor(1000 * next()),
@@ -94,7 +95,7 @@ test('every experiment comes back from its link to the bit', () => {
       trial: { start: posture(), disturbance: null },
       pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
       anatomy: { phase: 'ranking', chosen: Math.floor(40 * next()) },
-      curves: { view: 'compare', lab: 'sigmas' },
+      curves: { view: 'stability', lab: 'sigmas', scale: 'log' },
       landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
       robustness: { quantity: 'time', half: 8, heading: 3 },
     };

@@ -71,6 +71,19 @@ const parts = [
     ],
   },
   {
+    page: 'curves',
+    setUp: (page) => page.click('#curves-view-stability'),
+    pictures: [
+      plane,
+      {
+        name: 'V and its rate against time',
+        key: 'stability',
+        texts: ['V = ½ xₑ²', 'V̇ robot', 'sin² θ', '0.2 s'],
+        lines: 12,
+      },
+    ],
+  },
+  {
     page: 'landscape',
     setUp: (page) => textOf(page, 'landscape-note', '16 384 drives'),
     pictures: [

@@ -71,3 +71,69 @@ export function middleOf(page, id, within = 'plane-robots') {
     within,
   );
 }
+
+/** Waits until the page has checked its own numbers, or has said why it cannot. @param {Page} page */
+export const checked = (page) =>
+  page.until('the checks have ended', () => {
+    const { open } = /** @type {HTMLDialogElement} */ (document.getElementById('checks'));
+    return open && document.getElementById('checks-progress')?.hidden;
+  });
+
+/** What is read as a number. @param {string} text */
+export const numberOf = (text) => Number(text.replaceAll('−', '-').replace(/[^\d.e-]/g, ''));
+
+/** The text of an element that is in sight, once what happened last is drawn. @param {Page} page @param {string} selector */
+export const textOf = (page, selector) =>
+  page.evaluate(async (one) => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    const element = /** @type {HTMLElement} */ (document.querySelector(one));
+    return element.checkVisibility() ? element.innerText.trim() : 'not in sight';
+  }, selector);
+
+/** How many of these points of a canvas have their colour within two pixels. @param {Page} page @param {string} selector @param {{ x: number, y: number, token: string }[]} points */
+export const coloured = (page, selector, points) =>
+  page.evaluate(
+    (name, places) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(name));
+      const context = canvas.getContext('2d');
+      const style = getComputedStyle(document.documentElement);
+      return places.filter(({ x, y, token }) => {
+        const wanted = (style.getPropertyValue(token).match(/[\da-f]{2}/g) ?? []).map((part) =>
+          Number.parseInt(part, 16),
+        );
+        const { data } = /** @type {CanvasRenderingContext2D} */ (context).getImageData(
+          Math.round(x * devicePixelRatio) - 2,
+          Math.round(y * devicePixelRatio) - 2,
+          5,
+          5,
+        );
+        return Array.from({ length: 25 }, (_, i) => i).some(
+          (i) =>
+            data[4 * i + 3] > 60 &&
+            wanted.every((part, channel) => Math.abs(part - data[4 * i + channel]) <= 40),
+        );
+      }).length;
+    },
+    selector,
+    points,
+  );
+
+/** How many pixels of a canvas have a colour. @param {Page} page @param {string} selector @param {string} token */
+export const pixelsOf = (page, selector, token) =>
+  page.evaluate(
+    async (name, property) => {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(name));
+      const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+      const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+      const hex = getComputedStyle(document.documentElement).getPropertyValue(property);
+      const wanted = (hex.match(/[\da-f]{2}/g) ?? []).map((part) => Number.parseInt(part, 16));
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i + 3] > 60 && wanted.every((part, channel) => Math.abs(part - data[i + channel]) <= 12))
+          count += 1;
+      return count;
+    },
+    selector,
+    token,
+  );

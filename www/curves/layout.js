@@ -1,10 +1,11 @@
-// Where the five plots against time lie, and their scales.
+// Where the plots against time lie, and their scales.
 import { scaleLinear } from 'd3-scale';
+import { endOf } from './axes.js';
 import { paidAt } from './paid.js';
 
 /** @typedef {import('../engine.js').Experiment} Experiment */
 /** @typedef {import('../engine.js').Run} Run */
-/** @typedef {{ left: number, right: number, top: number, bottom: number }} Frame */
+/** @typedef {import('./axes.js').Frame} Frame */
 /** @typedef {import('d3-scale').ScaleLinear<number, number>} Scale */
 /** @typedef {'position' | 'theta' | 'linear' | 'angular' | 'cost'} PlotName */
 /** @typedef {{ name: PlotName, frame: Frame, scale: Scale, limit: number | null }} Plot */
@@ -20,8 +21,9 @@ const shares = /** @type {readonly [PlotName, number][]} */ ([
   ['angular', 0.9],
   ['cost', 1.5],
 ]);
-/** So many times as long as the run in question others may take before they leave the picture. */
-const longest = 2;
+/** Where there is no room for all. @type {readonly PlotName[]} */
+const foremost = ['position', 'linear', 'cost'];
+const roomForAll = 260;
 /** So many of its spans they may reach beyond it; a costly one would leave no room for the parts of J. */
 const reachOf = (/** @type {PlotName} */ name) => (name === 'cost' ? 1 : 2);
 
@@ -42,12 +44,13 @@ export const curvesOf = {
  */
 export function layoutOf({ width, height }, driving, others, limits) {
   const [left, right] = [margin.left, width - margin.right];
-  const free = height - margin.top - margin.bottom - gap * (shares.length - 1);
-  const all = shares.reduce((sum, [, share]) => sum + share, 0);
+  const shown = height < roomForAll ? shares.filter(([name]) => foremost.includes(name)) : shares;
+  const free = height - margin.top - margin.bottom - gap * (shown.length - 1);
+  const all = shown.reduce((sum, [, share]) => sum + share, 0);
   let top = margin.top;
   return {
     time: scaleLinear([0, endOf(driving, others)], [left, right]),
-    plots: shares.map(([name, share]) => {
+    plots: shown.map(([name, share]) => {
       const bottom = top + (free * share) / all;
       const frame = { left, right, top, bottom };
       top = bottom + gap;
@@ -60,15 +63,6 @@ export function layoutOf({ width, height }, driving, others, limits) {
       };
     }),
   };
-}
-
-/** The end of the time axis, in steps, so that it does not move at each generation. @param {Run} driving @param {readonly Run[]} others */
-function endOf(driving, others) {
-  const own = driving.time[driving.time.length - 1];
-  const last = Math.max(own, ...others.map(({ time }) => time[time.length - 1]));
-  const end = Math.max(0.01, Math.min(last, longest * own));
-  const step = [0.01, 0.05, 0.25, 0.5, 1, 5].find((one) => end / one <= 12) ?? 10;
-  return Math.ceil(end / step - 1e-9) * step;
 }
 
 /** @param {PlotName} name @param {Run} driving @param {readonly Run[]} others @param {number | null} limit @returns {[number, number]} */

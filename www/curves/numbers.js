@@ -20,9 +20,9 @@ export function createNumbers(table) {
     /** @param {{ name: string, run: Run, time: number }} model */
     draw({ name, run, time }) {
       if (changed(name, run)) {
-        const every = stepOf(run.time.length);
+        const { every, samples } = readableSamples(run.time.length);
         const body = document.createElement('tbody');
-        rows = samplesOf(run.time.length, every).map((sample) => ({ sample, row: rowOf(body, run, sample) }));
+        rows = samples.map((sample) => ({ sample, row: rowOf(body, run, sample) }));
         const caption = document.createElement('caption');
         caption.textContent = words.numbersCaption(name, every * (run.time[1] ?? 0));
         table.replaceChildren(caption, head(), body);
@@ -38,16 +38,17 @@ export function createNumbers(table) {
   };
 }
 
-/** Samples between two rows: 1, 2 or 5 times a power of ten. @param {number} samples */
+/** Of so many samples some that can be read, 1, 2 or 5 times a power of ten apart, and the last. @param {number} count */
+export function readableSamples(count) {
+  const every = stepOf(count);
+  const samples = Array.from({ length: Math.ceil(count / every) }, (_, i) => i * every);
+  return { every, samples: samples[samples.length - 1] === count - 1 ? samples : [...samples, count - 1] };
+}
+
+/** @param {number} samples */
 function stepOf(samples) {
   for (let power = 1; ; power *= 10)
     for (const factor of [1, 2, 5]) if (samples / (factor * power) <= mostRows) return factor * power;
-}
-
-/** @param {number} count @param {number} every */
-function samplesOf(count, every) {
-  const samples = Array.from({ length: Math.ceil(count / every) }, (_, i) => i * every);
-  return samples[samples.length - 1] === count - 1 ? samples : [...samples, count - 1];
 }
 
 function head() {

@@ -2,8 +2,10 @@
 import { byId, followSize } from '../elements.js';
 import { sampleBefore } from '../plane.js';
 import { createSegmented } from '../segmented.js';
-import { gainsOf, watch } from '../state.js';
+import { createStability } from '../stability/view.js';
+import { gainsOf, remember, watch } from '../state.js';
 import { curves as words, lab } from '../words/index.js';
+import { followPointer, sampleTime } from './axes.js';
 import { createComparison } from './compare.js';
 import { createNumbers } from './numbers.js';
 import { paidUntil } from './paid.js';
@@ -15,12 +17,12 @@ import { createPlots } from './plots.js';
 /** @typedef {import('../pins/pins.js').Driven} Driven */
 /** @typedef {import('../state.js').Scene} Scene */
 /** @typedef {import('../state.js').State} State */
-/** @typedef {'time' | 'compare' | 'numbers'} CurvesView */
+/** @typedef {'time' | 'stability' | 'compare' | 'numbers'} CurvesView */
 /** @typedef {'cost' | 'sigmas'} LabCurve */
-/** @typedef {{ view: CurvesView, lab: LabCurve, refused: Driven | null, message: string }} CurvesState Refused: the run for which there was no room among the pins. */
+/** @typedef {{ view: CurvesView, lab: LabCurve, scale: 'linear' | 'log', refused: Driven | null, message: string }} CurvesState Refused: the run for which there was no room among the pins. */
 
 /** @type {CurvesState} */
-export const firstCurves = { view: 'time', lab: 'cost', refused: null, message: '' };
+export const firstCurves = { view: 'time', lab: 'cost', scale: 'linear', refused: null, message: '' };
 
 /** @param {PageParts} parts @returns {Page} */
 export function createCurvesPage(parts) {
@@ -33,6 +35,7 @@ export function createCurvesPage(parts) {
   const readout = createReadout(byId('curves-readout'));
   const numbers = createNumbers(/** @type {HTMLTableElement} */ (byId('numbers-table')));
   const comparison = createComparison(parts);
+  const stability = createStability(parts);
   const choice = createSegmented(byId('curves-view'), words.viewLegend, words.views, (view) =>
     store.update({ curves: { ...store.get().curves, view } }),
   );
@@ -43,6 +46,13 @@ export function createCurvesPage(parts) {
     if (driving) actions.scrub(sampleTime(driving, plots.timeAt(px)));
   });
 
+  /** Whether nothing that drives differs from the paper's experiment. */
+  const isPapers = remember(
+    (/** @type {State['experiment']} */ own, /** @type {State['preset']} */ preset) => {
+      const text = (/** @type {State['experiment']} */ { evolution, ...rest }) => JSON.stringify(rest);
+      return text(own) === text(parts.engine.experiment(preset));
+    },
+  );
   const textsChanged = watch();
   /** @param {State} state @param {Scene} scene */
   const drawTexts = (state, scene) => {
@@ -64,7 +74,7 @@ export function createCurvesPage(parts) {
         state.pins.map(({ name }, i) => described(name, scene.pins[i])),
       ),
     );
-    const isPaper = state.driver === 'paper-ep' && scene.comparisonDriver === 'paper-arbitrary';
+    const isPaper = state.driver === 'paper-ep' && isPapers(state.experiment, state.preset);
     byId('curves-note').textContent = isPaper
       ? words.figureNote(state.preset === 'velocity-limits' ? '5' : '7')
       : '';
@@ -79,8 +89,12 @@ export function createCurvesPage(parts) {
       const name = lab.driverName(state.driver, state.generation);
       choice.draw(view);
       byId('curves-over-time').hidden = view !== 'time';
+      byId('curves-stability').hidden = view !== 'stability';
       byId('curves-compare').hidden = view !== 'compare';
       byId('curves-numbers').hidden = view !== 'numbers';
+      // What a gain does to V̇ is seen while it is moved.
+      byId('gains').hidden = view !== 'stability';
+      if (view === 'stability') stability.draw(state, scene, { name, time });
       if (view === 'compare')
         comparison.draw(state, { name, gains: gainsOf(state, state.driver, paper), scene });
       if (view === 'numbers') numbers.draw({ name, run: driving, time });
@@ -99,13 +113,6 @@ export function createCurvesPage(parts) {
       });
     },
   };
-}
-
-/** The time of the sample next to a time. @param {Run} run @param {number} time */
-function sampleTime({ time: samples }, time) {
-  const last = samples.length - 1;
-  if (last < 1) return 0;
-  return samples[Math.min(last, Math.max(0, Math.round(time / samples[1])))];
 }
 
 /** The values at the cursor, each in a place of its own. @param {HTMLElement} list */
@@ -132,18 +139,4 @@ function createReadout(list) {
       for (const { value, text } of items) value.textContent = text(run, i, paidUntil(run, i));
     },
   };
-}
-
-/** The mouse over the picture, or a finger or the mouse that drags on it. @param {HTMLElement} element @param {(px: number) => void} onPoint */
-function followPointer(element, onPoint) {
-  const point = (/** @type {PointerEvent} */ event) =>
-    onPoint(event.clientX - element.getBoundingClientRect().left);
-  element.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0) return;
-    element.setPointerCapture(event.pointerId);
-    point(event);
-  });
-  element.addEventListener('pointermove', (event) => {
-    if (event.pointerType !== 'touch' || element.hasPointerCapture(event.pointerId)) point(event);
-  });
 }

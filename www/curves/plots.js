@@ -1,12 +1,13 @@
 // Runs against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
 import { createLayer } from '../canvas.js';
-import { textFont } from '../fonts.js';
+import { symbolFont, textFont } from '../fonts.js';
 import { drawMark } from '../pins/swatch.js';
 import { styles } from '../pins/pins.js';
 import { sampleBefore } from '../plane.js';
 import { colour, sameDigits, spread } from '../plot.js';
 import { watch } from '../state.js';
 import { curves as words, lab } from '../words/index.js';
+import { drawCursorDot, drawCursorLine, drawGrid, drawTimeAxis, line, pointsOf, through } from './axes.js';
 import { curvesOf, layoutOf } from './layout.js';
 
 /** @typedef {import('../engine.js').Experiment} Experiment */
@@ -16,7 +17,7 @@ import { curvesOf, layoutOf } from './layout.js';
 /** @typedef {import('./layout.js').Plot} Plot */
 /** @typedef {import('./layout.js').PlotName} PlotName */
 /** @typedef {(run: Run, i: number) => number} Value */
-/** @typedef {{ run: Run, colour: string | null, dash: readonly number[], width: number, slot: number | null }} Line Without a colour: that of what is drawn. */
+/** @template [R=Run] @typedef {{ run: R, colour: string | null, dash: readonly number[], width: number, slot: number | null }} Line Without a colour: that of what is drawn. */
 /**
  * @typedef {object} PlotsModel
  * @property {Run} driving
@@ -29,7 +30,6 @@ import { curvesOf, layoutOf } from './layout.js';
  * @property {number} theme
  */
 
-const symbolFont = 'italic 17px "STIX Two Text", "Cambria Math", Georgia, serif';
 /** @type {Readonly<Record<PlotName, readonly string[]>>} */
 const tokens = {
   position: ['--x', '--y'],
@@ -67,7 +67,8 @@ export function createPlots({ lines, cursor }) {
         layout = layoutOf(size, driving, [comparison, ...pinned], limits);
         under.clear(size);
         for (const plot of layout.plots) drawPlot(under.context, layout, plot, model);
-        drawTimeAxis(under.context, layout);
+        const { time: scale, plots } = layout;
+        drawTimeAxis(under.context, scale, plots[plots.length - 1].frame.bottom);
       }
       if (cursorChanged(layout, time)) {
         over.clear(size);
@@ -79,8 +80,11 @@ export function createPlots({ lines, cursor }) {
   };
 }
 
-/** The runs in the order in which they are drawn. @param {PlotsModel} model @returns {Line[]} */
-const linesOf = ({ driving, comparison, pins, pinned }) => [
+/**
+ * The runs in the order in which they are drawn.
+ * @template R @param {{ driving: R, comparison: R, pins: Pins, pinned: readonly R[] }} model @returns {Line<R>[]}
+ */
+export const linesOf = ({ driving, comparison, pins, pinned }) => [
   { run: comparison, colour: colour('--muted'), dash: [2, 4], width: 1.75, slot: null },
   ...pins.map(({ slot }, i) => ({
     run: pinned[i],
@@ -95,7 +99,15 @@ const linesOf = ({ driving, comparison, pins, pinned }) => [
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {PlotsModel} model */
 function drawPlot(context, layout, plot, model) {
   const { frame, name } = plot;
-  drawGrid(context, layout, plot);
+  const ticks = plot.scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
+  const texts = sameDigits(/** @type {any} */ (null), ticks);
+  drawGrid(
+    context,
+    { time: layout.time, ...plot },
+    ticks,
+    texts.map((text) => words.tickText(name, text)),
+  );
+  drawLimits(context, plot);
   context.save();
   context.beginPath();
   context.rect(frame.left, frame.top, layout.time.range()[1] - frame.left, frame.bottom - frame.top);
@@ -108,23 +120,8 @@ function drawPlot(context, layout, plot, model) {
   drawNames(context, plot, model.driving);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot */
-function drawGrid(context, { time }, { frame, scale, name, limit }) {
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.strokeStyle = colour('--hairline');
-  context.lineWidth = 1;
-  context.setLineDash([]);
-  context.beginPath();
-  for (const t of time.ticks(6)) line(context, [time(t), frame.top], [time(t), frame.bottom]);
-  const ticks = scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
-  for (const tick of ticks) line(context, [frame.left, scale(tick)], [frame.right, scale(tick)]);
-  context.stroke();
-  context.textAlign = 'right';
-  context.textBaseline = 'middle';
-  const texts = sameDigits(/** @type {any} */ (null), ticks);
-  for (const [i, tick] of ticks.entries())
-    context.fillText(words.tickText(name, texts[i]), frame.left - 6, scale(tick));
+/** @param {CanvasRenderingContext2D} context @param {Plot} plot */
+function drawLimits(context, { frame, scale, limit }) {
   if (limit === null) return;
   context.strokeStyle = colour('--muted');
   context.setLineDash([3, 3]);
@@ -134,24 +131,6 @@ function drawGrid(context, { time }, { frame, scale, name, limit }) {
     line(context, [frame.left, scale(value)], [frame.right, scale(value)]);
   context.stroke();
   context.setLineDash([]);
-}
-
-/** A straight line on the pixels. @param {CanvasRenderingContext2D} context @param {readonly [number, number]} from @param {readonly [number, number]} to */
-function line(context, from, to) {
-  context.moveTo(Math.round(from[0]) + 0.5, Math.round(from[1]) + 0.5);
-  context.lineTo(Math.round(to[0]) + 0.5, Math.round(to[1]) + 0.5);
-}
-
-/** @param {CanvasRenderingContext2D} context @param {Layout} layout */
-function drawTimeAxis(context, { time, plots }) {
-  const { bottom } = plots[plots.length - 1].frame;
-  const ticks = time.ticks(6);
-  const texts = sameDigits(/** @type {any} */ (null), ticks);
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.textAlign = 'center';
-  context.textBaseline = 'top';
-  for (const [i, t] of ticks.entries()) context.fillText(words.seconds(texts[i]), time(t), bottom + 7);
 }
 
 /** One run in one plot. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Line} line */
@@ -175,24 +154,13 @@ function drawLine(context, layout, plot, { run, colour: own, dash, width, slot }
 /** A velocity is applied until the next sample, everything else changes on the way. @param {PlotName} name */
 const isHeld = (name) => name in commands;
 
-/** Adds the samples to the path, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run @param {Value} value */
+/** Adds a curve to the path. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run @param {Value} value */
 function trace(context, { time }, { scale, name, frame }, run, value) {
-  const least = 0.5;
-  const last = run.time.length - 1;
-  const height = frame.bottom - frame.top;
-  // A canvas draws nothing of what is too far outside.
-  const inside = (/** @type {number} */ py) =>
-    Math.min(Math.max(py, frame.top - 3 * height), frame.bottom + 3 * height);
-  let [fromX, fromY] = [time(0), inside(scale(value(run, 0)))];
-  context.moveTo(fromX, fromY);
-  for (let i = 1; i <= last; i += 1) {
-    const [px, py] = [time(run.time[i]), inside(scale(value(run, i)))];
-    if (Number.isNaN(py)) return;
-    if (i < last && Math.abs(px - fromX) + Math.abs(py - fromY) < least) continue;
-    if (isHeld(name)) context.lineTo(px, fromY);
-    context.lineTo(px, py);
-    [fromX, fromY] = [px, py];
-  }
+  const axes = { time, scale, frame };
+  through(
+    context,
+    pointsOf(axes, run.time, (i) => value(run, i), isHeld(name)),
+  );
 }
 
 /** What the law asked for, where the limits gave less. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run */
@@ -303,23 +271,8 @@ function namesOf({ name, scale, limit }, run) {
 function drawCursor(context, { time, plots }, run, now) {
   const i = sampleBefore(run, now);
   const px = time(run.time[i]);
-  context.strokeStyle = colour('--ink');
-  context.globalAlpha = 0.55;
-  context.lineWidth = 1;
-  context.beginPath();
-  line(context, [px, plots[0].frame.top], [px, plots[plots.length - 1].frame.bottom]);
-  context.stroke();
-  context.globalAlpha = 1;
-  context.lineWidth = 2;
-  context.strokeStyle = colour('--paper');
+  drawCursorLine(context, px, plots[0].frame.top, plots[plots.length - 1].frame.bottom);
   for (const { name, frame, scale } of plots)
-    for (const [curve, value] of curvesOf[name].entries()) {
-      const py = scale(value(run, i));
-      if (!(py >= frame.top - 1 && py <= frame.bottom + 1)) continue;
-      context.fillStyle = colour(tokens[name][curve]);
-      context.beginPath();
-      context.arc(px, py, 5, 0, 2 * Math.PI);
-      context.fill();
-      context.stroke();
-    }
+    for (const [curve, value] of curvesOf[name].entries())
+      drawCursorDot(context, frame, px, scale(value(run, i)), tokens[name][curve]);
 }

@@ -1,5 +1,5 @@
 // The table of what remains: a row for each part of the error, with its plot and its numbers.
-import { byId } from '../elements.js';
+import { byId, create, formula } from '../elements.js';
 import { watch } from '../state.js';
 import { disturbance as words } from '../words/index.js';
 import { parts } from './summary.js';
@@ -40,17 +40,12 @@ function createRow(part) {
   const row = document.createElement('tr');
   const head = document.createElement('th');
   const plot = document.createElement('div');
-  const formula = document.createElement('span');
   row.className = `part-${part}`;
   head.scope = 'row';
   plot.className = 'remains-plot';
   plot.setAttribute('role', 'img');
-  formula.className = 'remains-formula';
-  formula.append(...words.formulas[part].map((piece, i) => (i % 2 ? subscript(piece) : piece)));
-  const unit = document.createElement('span');
-  unit.textContent = words.axisUnit(part);
-  formula.append(unit);
-  head.append(formula, plot);
+  const unit = create('span', '', words.axisUnit(part));
+  head.append(create('span', 'remains-formula', ...formula(words.formulas[part]), unit), plot);
   const cells = columns.map(createCell);
   const set = createCell();
   set.cell.title = words.equationHints[part];
@@ -72,13 +67,6 @@ function createRow(part) {
       inside.textContent = words.insideText(numbers.inside, summary.starts);
     },
   };
-}
-
-/** @param {string} text */
-function subscript(text) {
-  const element = document.createElement('sub');
-  element.textContent = text;
-  return element;
 }
 
 function createCell() {

@@ -1,6 +1,7 @@
 // A run as tables for other programs. Headers carry the units; numbers have all their digits.
 
 /** @typedef {import('../engine.js').Run} Run */
+/** @typedef {import('../engine.js').Stability} Stability */
 /** @typedef {import('../engine.js').Statistics} Statistics */
 
 /** Lines that say where the numbers come from, which readers of tables can skip. @typedef {readonly string[]} Origin */
@@ -32,8 +33,8 @@ export function generationsCsv(history, origin) {
   return csv(origin, header, rows);
 }
 
-/** @param {Run} run @param {Origin} origin */
-export function driveCsv(run, origin) {
+/** @param {Run} run @param {Stability} stability Of the same run. @param {Origin} origin */
+export function driveCsv(run, stability, origin) {
   /** @type {readonly (readonly [string, Float64Array])[]} */
   const columns = [
     ['t (s)', run.time],
@@ -44,6 +45,14 @@ export function driveCsv(run, origin) {
     ['omega (rad/s)', run.angular],
     ['v commanded (m/s)', run.commandLinear],
     ['omega commanded (rad/s)', run.commandAngular],
+    ['x_e (m)', stability.errorX],
+    ['y_e (m)', stability.errorY],
+    ['theta_e (rad)', stability.errorTheta],
+    ['V (m^2)', stability.lyapunov],
+    ['dV/dt promised on x_e (m^2/s)', stability.promisedX],
+    ['dV/dt promised on y_e (m^2/s)', stability.promisedY],
+    ['dV/dt promised on theta_e (m^2/s)', stability.promisedTheta],
+    ['dV/dt (m^2/s)', stability.rate],
   ];
   const rows = Array.from(run.time, (_, i) => columns.map(([, values]) => values[i]));
   return csv(

@@ -15,18 +15,22 @@ import { language } from './language.js';
 const all = { en, ko };
 
 export const {
+  checks,
   curves,
   disturbance,
+  embed,
   generation,
   keep,
   keys,
   lab,
   landscape,
+  lesson,
   link,
   luck,
   messages,
   robustness,
   settings,
+  stability,
   tables,
   training,
 } = all[language];

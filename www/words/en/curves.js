@@ -17,6 +17,7 @@ export const viewLegend = 'What is shown';
 /** @type {readonly import('../../segmented.js').Choice<import('../../state.js').State['curves']['view']>[]} */
 export const views = [
   { value: 'time', text: 'Against time' },
+  { value: 'stability', text: 'Stability', hint: 'The Lyapunov function V and its rate' },
   { value: 'compare', text: 'Compare' },
   { value: 'numbers', text: 'Numbers' },
 ];

@@ -63,6 +63,7 @@ export const pictures = {
   sigmas: 'The step sizes σ',
   generation: 'The generation',
   curves: 'The run against time',
+  stability: 'V and its rate against time',
   landscape: 'The landscape of J',
   robustness: 'The map of starts',
   training: 'The starts of training',

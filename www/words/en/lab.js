@@ -1,5 +1,6 @@
 // Every word of the lab and of what all pages share.
 import { isTracking } from '../../reference.js';
+import { phaseByPhase } from '../../state.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
 export * from './numbers.js';
@@ -29,7 +30,7 @@ export const texts = {
   oneGeneration: '1 generation',
   oneBack: '1 generation back',
   timeline: 'Generation',
-  pace: 'Generations a second',
+  pace: 'Pace of evolution',
   until: 'When evolution pauses',
   untilValue: 'Generation or J at which evolution pauses',
   reset: 'Reset',
@@ -89,7 +90,8 @@ export const taglines = (population) => ({
   lab: `${population} robots, each with three random gains, drive to the goal. Evolution keeps what drives well.`,
   generation:
     'One generation, step by step: who had whom as a child, how each drove, whom each met in the tournament, who stays.',
-  curves: 'The drive against time, as in the paper’s Figures 5 and 7, and J as it is paid.',
+  curves:
+    'The drive against time, as in the paper’s Figures 5 and 7, J as it is paid, and the Lyapunov function.',
   landscape:
     'Every point is a robot with gains of its own, its colour the cost of its drive. Drag the goal: the valley moves.',
   robustness:
@@ -186,7 +188,8 @@ export const run = 'Run';
 export const pauseEvolution = 'Pause';
 
 /** @param {number} pace */
-export const paceText = (pace) => (Number.isFinite(pace) ? `${pace}/s` : 'fastest');
+export const paceText = (pace) =>
+  pace === phaseByPhase ? 'one phase at a time' : Number.isFinite(pace) ? `${pace}/s` : 'fastest';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [

@@ -30,6 +30,7 @@ export const viewLegend = '보여 줄 내용';
 /** @type {readonly import('../../segmented.js').Choice<State['curves']['view']>[]} */
 export const views = [
   { value: 'time', text: '시간에 따라' },
+  { value: 'stability', text: '안정성', hint: '리아푸노프 함수 V와 그 변화율' },
   { value: 'compare', text: '비교' },
   { value: 'numbers', text: '수치' },
 ];

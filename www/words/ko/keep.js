@@ -61,6 +61,7 @@ export const pictures = {
   sigmas: '변이 폭 σ',
   generation: '세대',
   curves: '시간에 따른 주행',
+  stability: '시간에 따른 V와 V̇',
   landscape: 'J의 비용 지형',
   robustness: '출발점 지도',
   training: '학습 출발점',

@@ -1,5 +1,6 @@
 // Every word of the lab and of what all pages share, in Korean.
 import { isTracking } from '../../reference.js';
+import { phaseByPhase } from '../../state.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
 export { costSymbol, gains, speeds } from '../en/lab.js';
@@ -30,7 +31,7 @@ export const texts = {
   oneGeneration: '1세대 진행',
   oneBack: '1세대 뒤로',
   timeline: '세대',
-  pace: '초당 세대 수',
+  pace: '진화 속도',
   until: '진화를 멈출 때',
   untilValue: '진화를 멈출 세대 또는 J',
   reset: '처음으로',
@@ -77,7 +78,7 @@ export const taglines = (population) => ({
   lab: `무작위 이득 세 개씩을 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`,
   generation:
     '한 세대를 단계별로 봅니다: 누가 누구의 자손인지, 어떻게 주행했는지, 토너먼트에서 누구를 만났는지, 누가 남는지.',
-  curves: '논문의 그림 5, 7과 같은 시간에 따른 주행, 그리고 그동안 쌓이는 J입니다.',
+  curves: '논문의 그림 5, 7과 같은 시간에 따른 주행, 그동안 쌓이는 J, 그리고 리아푸노프 함수입니다.',
   landscape:
     '점 하나하나가 서로 다른 이득을 가진 로봇이고, 색은 그 주행의 비용입니다. 목표를 끌면 골짜기가 움직입니다.',
   robustness:
@@ -174,7 +175,8 @@ export const run = '진화 시작';
 export const pauseEvolution = '멈춤';
 
 /** @param {number} pace */
-export const paceText = (pace) => (Number.isFinite(pace) ? `초당 ${pace}` : '최대 속도');
+export const paceText = (pace) =>
+  pace === phaseByPhase ? '한 단계씩' : Number.isFinite(pace) ? `초당 ${pace}` : '최대 속도';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [

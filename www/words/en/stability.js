@@ -1,0 +1,160 @@
+// Every word of the Lyapunov function beside the robot.
+import { powerOfTen } from './curves.js';
+import { fixed, threeDigits } from './numbers.js';
+
+/** @typedef {import('../../engine.js').Experiment} Experiment */
+/** @typedef {import('../../stability/summary.js').Summary} Summary */
+
+export const texts = {
+  stabilityTable: 'Table',
+  stabilityLog: 'log',
+  stabilityLogHint: 'V on a logarithmic axis, and below it the slope that it then has, V̇/V',
+};
+
+/** @typedef {'lyapunov' | 'rate' | 'promised' | 'x' | 'y' | 'theta'} Term */
+
+/** What stands over each number, by the law; every second piece is a subscript. @type {Readonly<Record<Experiment['law'], Readonly<Record<Term, readonly string[]>>>>} */
+export const terms = {
+  'shim-kim': {
+    lyapunov: ['V'],
+    rate: ['V̇ robot'],
+    promised: ['V̇ law ='],
+    x: ['−k', 'x', ' x', 'e', '² cos² θ', 'e'],
+    y: ['− k', 'y', ' y', 'e', '⁴'],
+    theta: ['− k', 'θ', ' sin² θ', 'e'],
+  },
+  kanayama: {
+    lyapunov: ['V'],
+    rate: ['V̇ robot'],
+    promised: ['V̇ law ='],
+    x: ['−k', 'x', ' x²'],
+    y: ['+ 0'],
+    theta: ['− v', 'r', ' k', 'θ', '/k', 'y', ' sin² θ', 'e'],
+  },
+};
+
+export const lyapunovSymbol = 'V';
+/** What makes V̇/V of V̇. */
+export const relative = '/V';
+
+/** V as it is written on its axis. @param {Experiment['law']} law @param {boolean} isPromised */
+export const lyapunovFormula = (law, isPromised) =>
+  `V = ½ xₑ² + ½ yₑ² + (1 − cos θₑ)${law === 'kanayama' && isPromised ? '/ky' : ''}`;
+
+/** Numbers that belong together, with the same digits after the point, so that one sees them add up. @param {readonly number[]} values */
+export function amounts(values) {
+  const most = Math.max(0, ...values.map(Math.abs).filter(Number.isFinite));
+  const digits = most >= 1000 ? 0 : most >= 100 ? 1 : most >= 1 ? 2 : most >= 0.1 ? 3 : 4;
+  return values.map((value) =>
+    Number.isFinite(value) && Math.abs(value) < 1e5 ? fixed(value, digits) : amount(value),
+  );
+}
+
+/** A number of any size. @param {number} value */
+export function amount(value) {
+  if (Number.isNaN(value)) return '–';
+  if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
+  const size = Math.abs(value);
+  return size === 0 || (size >= 1e-3 && size < 1e5)
+    ? threeDigits(value)
+    : value.toExponential(2).replaceAll('-', '−');
+}
+
+/** @param {number} value @param {boolean} isLog */
+export const tickText = (value, isLog) => {
+  const size = Math.abs(value);
+  const exponent = Math.round(Math.log10(size));
+  if (isLog && Math.abs(value / 10 ** exponent - 1) < 1e-9) return powerOfTen(exponent);
+  if (size === 0 || (size >= 1e-3 && size < 1e5)) return threeDigits(value);
+  return value.toExponential().replace('e+', 'e').replaceAll('-', '−');
+};
+
+/** @param {number} radians */
+export const angleText = (radians) => fixed((radians * 180) / Math.PI, 2);
+/** @param {number} seconds */
+export const timeText = (seconds) => fixed(seconds, 2);
+/** @param {boolean} limited */
+export const limitedText = (limited) => (limited ? 'yes' : '');
+
+/** @param {string} name @param {number} step */
+export const tableCaption = (name, step) =>
+  `${name}: one row for every ${threeDigits(step)} s, and the end. V̇ robot is what limits and disturbance leave of V̇ law, which is the sum of its three parts.`;
+
+export const tableColumns = [
+  't s',
+  'xₑ m',
+  'yₑ m',
+  'θₑ °',
+  'V',
+  'part of xₑ',
+  'part of yₑ',
+  'part of θₑ',
+  'V̇ law',
+  'V̇ robot',
+  'cut by limits',
+];
+
+const gains = ['kx', 'ky', 'kθ'];
+const parts = ['xₑ', 'yₑ', 'θₑ'];
+
+/** @param {readonly string[]} names */
+const listed = (names) => names.join(names.length > 2 ? ', ' : ' and ');
+
+/** What the picture shows, in whole sentences. @param {Summary} summary */
+export const noteText = (summary) =>
+  [valueText, raisedText, limitsText, samplingText, lawText]
+    .map((text) => text(summary))
+    .filter(Boolean)
+    .join(' ');
+
+/** @param {Summary} summary */
+function valueText({ from, to, rising, seconds }) {
+  if (from === 0 && to === 0) return 'V is 0: the robot is at its goal from the start.';
+  const ends = `from ${threeDigits(from)} to ${threeDigits(to)}`;
+  if (rising > 0) return `V goes ${ends} and rises (red) for ${fixed(rising, 2)} of ${fixed(seconds, 2)} s.`;
+  return to < 0.01 * from ? `V falls all the way, ${ends}.` : `V never rises: it goes ${ends}.`;
+}
+
+/** @param {Summary} summary */
+function raisedText({ raised, negative, referenceSpeed }) {
+  if (raised.length === 0) return '';
+  const guilty = raised.filter((part) => negative.includes(part));
+  const what =
+    raised.length === 1
+      ? `The part of ${parts[raised[0]]} is`
+      : `The parts of ${listed(raised.map((part) => parts[part]))} are`;
+  const why =
+    guilty.length > 0
+      ? `, because ${listed(guilty.map((part) => gains[part]))} ${guilty.length > 1 ? 'are' : 'is'} negative`
+      : referenceSpeed < 0
+        ? ', because the reference drives backwards'
+        : '';
+  return `${what} above zero${why}: the law itself drives V up.`;
+}
+
+/** @param {Summary} summary */
+function limitsText({ limited, disturbed, isPromised }) {
+  const pushed = disturbed ? 'The disturbance moves V̇ robot off V̇ law.' : '';
+  if (limited === 0)
+    return disturbed || !isPromised ? pushed : 'No limit cuts the command: V̇ robot is V̇ law.';
+  return `Grey: for ${fixed(limited, 2)} s limits cut the command, and V̇ robot is not V̇ law. ${pushed}`.trim();
+}
+
+/** @param {Summary} summary */
+const samplingText = ({ causes, sampleTime }) =>
+  causes.includes('sampling')
+    ? `Between two samples V can rise though V̇ is below zero at both: a command is held for ${threeDigits(sampleTime)} s.`
+    : '';
+
+/** @param {Summary} summary */
+function lawText({ law, isPromised, referenceSpeed }) {
+  if (law !== 'kanayama') return '';
+  if (!isPromised) return 'Kanayama’s rule promises nothing unless ky > 0; V is that of law (5).';
+  return referenceSpeed === 0
+    ? 'Kanayama’s rule, goal at rest: only x, how far the goal is ahead, is in V̇. Once beside the goal the robot stays there.'
+    : 'Kanayama’s rule has a V of its own; x is how far the reference is ahead of the robot.';
+}
+
+/** @param {string} name @param {Summary} summary */
+export const pictureLabel = (name, summary) =>
+  `V and V̇ against time: ${name}. ${noteText(summary)} Under “Table” are the numbers.`;
