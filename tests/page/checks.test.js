@@ -521,7 +521,7 @@ async function withOtherKnownValue(page, from, to, body) {
     assert.equal(count, 1, 'the page has one list of known values');
     const served = await serve(folder);
     try {
-      await page.driver.get(served.address);
+      await page.visit(served.address);
       await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
       await body(page);
     } finally {

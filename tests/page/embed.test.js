@@ -486,7 +486,7 @@ pageTest('the one file is a figure too, from a disk', async (page) => {
         heard = []; addEventListener('message', ({ data }) => heard.push({ frame: 0, data }));
       </script><iframe src="${file}?embed#lab&amp;seed=7" width="640" height="420"></iframe>`;
     await writeFile(join(folder, 'host.html'), html);
-    await page.driver.get(pathToFileURL(join(folder, 'host.html')).href);
+    await page.visit(pathToFileURL(join(folder, 'host.html')).href);
     await page.until('the figure is ready', () =>
       /** @type {{ heard: import('./host.js').Heard[] }} */ (/** @type {unknown} */ (window)).heard.some(
         ({ data }) => data.type === 'ready',

@@ -57,9 +57,7 @@ export async function serveHost(html) {
 export async function inHost(page, html, body) {
   const host = await serveHost(html);
   try {
-    await page.driver.get('about:blank');
-    page.site.problems.length = 0;
-    await page.driver.get(host.address);
+    await page.visit(host.address);
     const count = await page.evaluate(() => document.querySelectorAll('iframe').length);
     for (let frame = 0; frame < count; frame += 1)
       await page.until(`frame ${frame} is ready`, isReady, frame);
@@ -67,7 +65,7 @@ export async function inHost(page, html, body) {
     for (let frame = 0; frame < count; frame += 1)
       assert.deepEqual(await within(page, frame, () => page.problems()), [], `frame ${frame}`);
   } finally {
-    await page.driver.get('about:blank');
+    await page.driver.get(page.site.blank);
     host.close();
   }
 }

@@ -140,7 +140,7 @@ for (const [how, path] of [
   pageTest(`${how} the README's example prints the core's numbers`, async (page) => {
     const site = await serve(project);
     try {
-      await page.driver.get(site.address + path);
+      await page.visit(site.address + path);
       const printed = await page.until('the example has ended', () => Reflect.get(window, 'printed'));
       assert.deepEqual(printed, expected);
       assert.deepEqual([...(await page.problems()), ...site.problems], []);

@@ -43,7 +43,7 @@ const [served, offline] = [await buildEngine('production'), await buildEngine('o
 
 /** @param {Page} page @param {string} address */
 async function openEngine(page, address) {
-  await page.driver.get(address);
+  await page.visit(address);
   await page.until('the engine is there', () => 'engine' in window);
 }
 
@@ -53,7 +53,7 @@ async function openFile(page, file, change = (html) => html) {
   const copy = join(folder, 'opened.html');
   const html = (await readFile(file, 'utf8')).replace('<head>', () => `<head><script>${collector}</script>`);
   await writeFile(copy, change(html));
-  await page.driver.get(`${pathToFileURL(copy).href}#lab`);
+  await page.visit(`${pathToFileURL(copy).href}#lab`);
 }
 
 /** What the page asked for since it was opened, and what went wrong. @param {Page} page */
