@@ -53,6 +53,7 @@ async function openFile(page, file, change = (html) => html) {
   const copy = join(folder, 'opened.html');
   const html = (await readFile(file, 'utf8')).replace('<head>', () => `<head><script>${collector}</script>`);
   await writeFile(copy, change(html));
+  await page.driver.get('about:blank');
   await page.driver.get(`${pathToFileURL(copy).href}#lab`);
 }
 
