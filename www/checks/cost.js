@@ -71,14 +71,14 @@ function laneChecks() {
   return [
     ...presets.map((preset) =>
       check('lanes', [gains.length / 3, preset], (core) => {
-        const experiment = core.experiment(preset);
+        const experiment = { ...core.experiment(preset), horizon: 4 };
         const single = core.simulateAll(experiment, gains).map((run) => run.cost.total);
         return same(0, differing(core.evaluate(experiment, gains), single));
       }),
     ),
     check('lanesFromStarts', [starts.length], (core) => {
       const disturbance = { kind: /** @type {const} */ ('random'), linear: 0.2, angular: 0.3, seed: 4 };
-      const experiment = { starts, disturbance };
+      const experiment = { starts, disturbance, horizon: 4 };
       const single = starts.map((_, start) => core.simulate(experiment, robot, start).cost.total);
       return same(0, differing(core.fares(experiment, robot).cost, single));
     }),

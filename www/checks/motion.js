@@ -123,7 +123,7 @@ function arcChecks() {
 function limitChecks() {
   const gains = scattered(10, [0, 30], [0, 30], [0, 30]);
   const drives = once((core) => {
-    const experiment = core.experiment('acceleration-limits');
+    const experiment = { ...core.experiment('acceleration-limits'), horizon: 3 };
     return { ...experiment, runs: core.simulateAll(experiment, gains.flat()) };
   });
   /** The changes from sample to sample, from rest; the last sample repeats the one before. @param {Float64Array} velocity */
@@ -188,7 +188,7 @@ function symmetryChecks() {
       return same(0, differing(costs, others));
     }),
     check('parked', [gains.length / 3], (core) => {
-      const runs = core.simulateAll({ law: 'kanayama' }, gains);
+      const runs = core.simulateAll({ law: 'kanayama', horizon: 2 }, gains);
       return same(0, largest(runs.flatMap((run) => [...run.angular])));
     }),
   ];
