@@ -100,7 +100,7 @@ export const lecturers = {
           seen: 'Only through its offspring, one generation later: a good σ is kept because it comes along with good gains.',
         },
         collapse: {
-          text: 'σ falls to 1e−13. What does that say about the gains found, and what would you change?',
+          text: 'After 300 generations σ has fallen by more than seven powers of ten. What does that say about the gains found, and what would you change?',
           seen: 'Only that no step helped for long. A lower bound for σ, a restart or a larger population keeps the search alive.',
         },
         ky: {
