@@ -1,7 +1,11 @@
 // npm run build: the core as pkg/, the static site as dist/, and the whole page in dist/ep-locomotion.html.
+//
+//   npm run build -- core   only pkg/, which is all that npm pack needs
 import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { homedir } from 'node:os';
+import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { lastChange, run, runPackage, step, task } from './run.mjs';
+import { Failure, lastChange, run, runPackage, step, task } from './run.mjs';
 import { installTools } from './tools.mjs';
 
 const sources = ['src', 'Cargo.toml', 'Cargo.lock', '.cargo'];
@@ -16,11 +20,16 @@ export async function buildCore() {
   const ours = existsSync(wasm) && lastChange(wasm) <= lastChange(stamp);
   if (built && ours) return;
   rmSync(stamp, { force: true });
-  const compile = () => run('wasm-pack', ['build', '--target', 'web', '--no-opt']);
+  const compile = () =>
+    run('wasm-pack', ['build', '--target', 'web', '--no-opt', '.', '--', '--config', withoutHome]);
   await step('compiling the core to WebAssembly', compile, '1 minute at first, then 10 s');
   await step('optimising the WebAssembly', () => optimise(wasm));
   writeFileSync(stamp, sourceTime);
 }
+
+/** Panic messages name the source files of libraries: without the folder in which this machine keeps them. */
+const remap = `--remap-path-prefix=${process.env.CARGO_HOME ?? join(homedir(), '.cargo')}=cargo`;
+const withoutHome = `target.wasm32-unknown-unknown.rustflags=[${JSON.stringify(remap)}]`;
 
 /** Puts an optimised module in the place of this one. @param {string} wasm */
 export async function optimise(wasm) {
@@ -50,8 +59,13 @@ export const buildSite = () =>
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   await task(async () => {
+    const only = process.argv.slice(2);
+    if (only.some((name) => name !== 'core')) {
+      throw new Failure(`npm run build knows only "core", not ${only.join(', ')}`);
+    }
     await installTools();
     await buildCore();
+    if (only.length > 0) return;
     await buildSite();
     console.log('\nThe site is in dist/: copy that folder to any static host.');
     console.log(

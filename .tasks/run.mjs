@@ -96,6 +96,16 @@ export const runPackage = (file, args, options) =>
   run(process.execPath, [join(top, 'node_modules', file), ...args], options);
 
 /**
+ * npm itself, which names its own program to its scripts; calling that one needs no shell on Windows.
+ * @param {string[]} args
+ * @param {Parameters<typeof run>[2]} [options]
+ */
+export function npm(args, options) {
+  const program = process.env.npm_execpath;
+  return program ? run(process.execPath, [program, ...args], options) : run('npm', args, options);
+}
+
+/**
  * What a program prints, or null if it is absent or fails.
  * @param {string} program
  * @param {string[]} args

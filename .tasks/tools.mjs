@@ -2,7 +2,7 @@
 // the folder .tools/ so that nothing else on the machine changes.
 import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
-import { ask, Failure, lastChange, run, step, top } from './run.mjs';
+import { ask, Failure, lastChange, npm, run, step, top } from './run.mjs';
 
 const bin = join(top, '.tools', 'bin');
 const build = join(top, '.tools', 'build');
@@ -56,10 +56,7 @@ async function checkToolchain() {
 
 async function installPackages() {
   if (lastChange('node_modules/.package-lock.json') >= lastChange('package-lock.json')) return;
-  // npm names its own program to its scripts; calling that one needs no shell on Windows.
-  const npm = process.env.npm_execpath;
-  const args = ['ci', '--include=dev', '--no-audit', '--no-fund'];
-  const install = () => (npm ? run(process.execPath, [npm, ...args]) : run('npm', args));
+  const install = () => npm(['ci', '--include=dev', '--no-audit', '--no-fund']);
   await step('installing the npm packages', install, '5 to 60 s');
 }
 

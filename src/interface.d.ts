@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" />
 /** A posture p = (x, y, θ), equation (1): metres and radians, θ counter-clockwise from the X axis. */
 export interface Posture { x: number; y: number; theta: number }
 /** A velocity q = (v, ω): m/s and rad/s. */

@@ -1,11 +1,13 @@
 // What the controls do: each takes the page from one good state to the next, or leaves it and says why.
 import { firstCurves } from './curves/page.js';
 import { firstDisturbance } from './disturbance/request.js';
+import { standsStill } from './embed/embedded.js';
 import { firstGeneration } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
+import { noTally } from './lesson/tally.js';
 import { firstLuck } from './luck/request.js';
 import { messageOf } from './messages.js';
-import { atEnd, endsOf, fromStart, gainsOf, noTrial, pausesAt } from './state.js';
+import { atEnd, endsOf, fromStart, gainsOf, noTrial, pausesAt, playsPhases } from './state.js';
 import { noPins } from './pins/pins.js';
 import { firstRobustness } from './robustness/page.js';
 import { isTracking, stationsOf } from './reference.js';
@@ -35,8 +37,8 @@ import { lab as strings, settings as settingWords } from './words/index.js';
 const noErrors = /** @type {const} */ (['', '', '']);
 const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
 
-/** The robots drive from the start, or stand at the end for who wants no motion. */
-const shown = () => (stillPlease.matches ? atEnd : fromStart);
+/** The robots drive from the start, or stand at the end for who wants no motion, or none yet. */
+const shown = () => (stillPlease.matches || standsStill() ? atEnd : fromStart);
 
 /** Whether a start is tried there, and not given to evolution. @param {PageName} page */
 const triesStarts = (page) => ['robustness', 'training', 'disturbance'].includes(page);
@@ -50,12 +52,16 @@ export function firstState(engine, preset) {
   const { statistics, population } = engine.begin(experiment);
   return {
     page: 'lab',
+    lesson: 0,
+    lastStep: 1,
+    progress: { answers: {}, tally: noTally, duel: null },
     preset,
     experiment,
     history: [statistics],
     generation: 0,
     population,
     evolving: false,
+    catchingUp: null,
     pace: 8,
     until: { kind: 'every', value: 100 },
     untilError: '',
@@ -105,6 +111,7 @@ export function createActions(engine, store, paper, finalTime) {
       generation: 0,
       population,
       restart,
+      catchingUp: null,
       message: '',
       settings: { ...before.settings, error: null },
       versions: afterChange(before, { experiment, preset: patch.preset ?? before.preset }),
@@ -139,6 +146,17 @@ export function createActions(engine, store, paper, finalTime) {
     const ends = Object.values(endsOf(state));
     const [run] = engine.drive(state.experiment, [gainsOf(state, state.driver, paper)]);
     return isTracking(run) ? [...ends, ...stationsOf(run)] : ends;
+  };
+
+  /** Where the robot in ink comes to rest, if that is not far away. */
+  const nearEnd = () => {
+    const state = store.get();
+    const [run] = engine.drive(state.experiment, [gainsOf(state, state.driver, paper)]);
+    const last = run.time.length - 1;
+    const end = { x: run.x[last], y: run.y[last], theta: run.theta[last] };
+    const { start, goal } = endsOf(state);
+    const away = Math.hypot(end.x - goal.x, end.y - goal.y);
+    return away < Math.hypot(start.x - goal.x, start.y - goal.y) ? [end] : [];
   };
 
   const settle = () => {
@@ -192,16 +210,12 @@ export function createActions(engine, store, paper, finalTime) {
       store.update({ history: known, generation, population: engine.population(generation), message: '' });
     });
 
-  /** Evolves to a generation: at once if that is soon done, else while the page looks on. @param {number} generation */
-  const catchUp = (generation) => {
+  /** Evolves as far as a run has come: at once if that is soon done, else while the page looks on. @param {number} newest @param {number} generation The one that is shown then. */
+  const catchUp = (newest, generation) => {
     const end = performance.now() + 300;
-    while (store.get().generation < generation && performance.now() < end) forward();
-    if (store.get().generation < generation)
-      store.update({
-        evolving: true,
-        pace: Number.POSITIVE_INFINITY,
-        until: { kind: 'generation', value: generation },
-      });
+    while (store.get().generation < newest && performance.now() < end) forward();
+    if (store.get().generation < newest) store.update({ evolving: true, catchingUp: { newest, generation } });
+    else showGeneration(generation);
   };
 
   /** Another generation that is recorded. @param {number} generation */
@@ -220,15 +234,37 @@ export function createActions(engine, store, paper, finalTime) {
     refitBox();
   };
 
+  /** @param {PageName} page */
+  const openPage = (page) => {
+    const { page: before, trial, disturbance } = store.get();
+    if (page === before) return;
+    if (page === 'disturbance')
+      store.update({ page, trial: { start: null, disturbance: disturbance.tried }, robot: shown() });
+    else store.update({ page, trial: noTrial });
+    // Phases that nobody sees need not be played.
+    if (page !== 'generation' && playsPhases(store.get())) store.update({ evolving: false });
+    if (trial !== noTrial) refitBox();
+  };
+
+  /** Where phases are played they are seen, from the first one on. */
+  const seePhases = () => {
+    if (!playsPhases(store.get()) || store.get().page === 'generation') return;
+    store.update({ anatomy: firstGeneration });
+    openPage('generation');
+  };
+
   return {
     /** Goes on while `more` says so, or until the run has to pause. @param {() => boolean} more */
     evolve(more) {
       while (store.get().evolving && more()) {
         forward();
-        const { until, history, generation } = store.get();
-        if (pausesAt(until, history[generation])) store.update({ evolving: false });
+        const { until, history, generation, catchingUp } = store.get();
+        if (generation === catchingUp?.newest) showGeneration(catchingUp.generation);
+        else if (!catchingUp && pausesAt(until, history[generation])) store.update({ evolving: false });
       }
     },
+
+    forward,
 
     showGeneration,
 
@@ -239,7 +275,8 @@ export function createActions(engine, store, paper, finalTime) {
 
     /** @param {number} pace */
     setPace(pace) {
-      store.update({ pace });
+      store.update({ pace, catchingUp: null });
+      seePhases();
     },
 
     /** @param {Until['kind']} kind @param {string} text */
@@ -251,7 +288,8 @@ export function createActions(engine, store, paper, finalTime) {
 
     toggleEvolution() {
       const evolving = !store.get().evolving;
-      store.update({ evolving });
+      store.update({ evolving, catchingUp: null });
+      seePhases();
       if (evolving && !stillPlease.matches)
         store.update({
           robot: store.get().robot.time === atEnd.time ? fromStart : { ...store.get().robot, playing: true },
@@ -415,6 +453,7 @@ export function createActions(engine, store, paper, finalTime) {
         const tried = rest.trial.disturbance ?? disturbance.tried;
         tryToBegin(experiment, 'begin', {
           ...rest,
+          lastStep: rest.lesson || store.get().lastStep,
           trial: rest.page === 'disturbance' ? { ...rest.trial, disturbance: tried } : rest.trial,
           disturbance: { ...disturbance, tried, error: null },
           landscape: { ...landscape, ...view.landscape, cursor: null, thirdError: '' },
@@ -424,21 +463,16 @@ export function createActions(engine, store, paper, finalTime) {
           evolving: false,
           robot: shown(),
         });
-        store.update({ box: boxAround(inSight()) });
-        catchUp(newest);
-        if (!store.get().evolving) showGeneration(generation);
+        store.update({ box: boxAround([...inSight(), ...nearEnd()]) });
+        catchUp(newest, generation);
         if (problems.length > 0) store.update({ message: problems.join(' ') });
       });
     },
 
     /** @param {PageName} page */
     openPage(page) {
-      const { page: before, trial, disturbance } = store.get();
-      if (page === before) return;
-      if (page === 'disturbance')
-        store.update({ page, trial: { start: null, disturbance: disturbance.tried }, robot: shown() });
-      else store.update({ page, trial: noTrial });
-      if (trial !== noTrial) refitBox();
+      store.update({ lesson: 0 });
+      openPage(page);
     },
 
     togglePlay() {

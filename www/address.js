@@ -1,6 +1,8 @@
 // Keeps the address and the state in step: the address always holds the link of what is on screen.
 import { byId } from './elements.js';
+import { isEmbedded } from './embed/embedded.js';
 import { createLanguageSwitch } from './language.js';
+import { linkOfStep } from './lesson/steps.js';
 import { linkOf, openLink } from './link.js';
 import { pageNames, watch } from './state.js';
 import { language, languageOfAddress } from './words/language.js';
@@ -16,6 +18,8 @@ const pauseMilliseconds = 400;
 /** @param {Engine} engine @param {Store} store @param {Actions} actions */
 export function createAddress(engine, store, actions) {
   const changed = watch();
+  /** The host's “back” is not for what happens within a frame. */
+  const onward = isEmbedded ? 'replaceState' : 'pushState';
   let waiting = false;
   let written = location.hash.slice(1);
 
@@ -23,25 +27,32 @@ export function createAddress(engine, store, actions) {
     // The words are chosen when the page loads.
     if (languageOfAddress() !== language) return location.reload();
     written = location.hash.slice(1);
-    const { opened, problems } = openLink(written, engine);
+    const { opened, problems } = openLink(written || linkOfStep(1), engine);
     actions.openLinked(opened, problems);
   };
 
-  const part = () => pageNames.find((name) => name === written.split('&')[0]) ?? 'lab';
+  /** Where the address is: the part, and the step of the lesson. */
+  const place = () => ({
+    page: pageNames.find((name) => name === written.split('&')[0]) ?? 'lab',
+    lesson: Number(/&lesson=(\d+)/.exec(written)?.[1] ?? 0),
+  });
+  const isElsewhere = (/** @type {State} */ state) =>
+    state.page !== place().page || state.lesson !== place().lesson;
+  /** Another part is not to wait until evolution rests: one goes back from there too. */
+  const isDue = (/** @type {State} */ state) => rests(state) || isElsewhere(state);
   const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
 
   const write = () => {
     waiting = false;
     const state = store.get();
-    if (!rests(state)) return;
+    if (!isDue(state)) return;
     const link = linkFor(state);
-    if (link === written || (link === 'lab' && written === '')) return;
-    const before = part();
-    if (state.page === before) history.replaceState(null, '', `#${link}`);
+    if (link === written) return;
+    if (!isElsewhere(state) || written === '') history.replaceState(null, '', `#${link}`);
     else {
       // A step that "back" takes back: to all that the part before has come to.
-      history.replaceState(null, '', `#${linkFor({ ...state, page: before })}`);
-      history.pushState(null, '', `#${link}`);
+      history.replaceState(null, '', `#${linkFor({ ...state, ...place() })}`);
+      history[onward](null, '', `#${link}`);
     }
     written = link;
   };
@@ -51,17 +62,24 @@ export function createAddress(engine, store, actions) {
   addEventListener('popstate', () => {
     if (location.hash.slice(1) !== written) open();
   });
-  if (written !== '') open();
+  open();
 
   return {
+    /** Opens a link, as if it had been followed. @param {string} link */
+    go(link) {
+      history[onward](null, '', `#${link}`);
+      open();
+    },
+
     /** Writes what has changed, once it rests. @param {State} state */
     follow(state) {
-      if (!rests(state) || !changed(...partsOf(state))) return;
+      if (!isDue(state) || !changed(...partsOf(state))) return;
       for (const name of pageNames)
-        byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name })}`);
+        byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name, lesson: 0 })}`);
+      byId('page-lesson').setAttribute('href', `#${linkOfStep(state.lastStep)}`);
       other.follow();
       // Another part at once, so that "back" is there when it is wanted.
-      if (state.page !== part()) write();
+      if (isElsewhere(state)) write();
       else if (!waiting) {
         waiting = true;
         setTimeout(write, pauseMilliseconds);
@@ -76,6 +94,7 @@ const rests = (state) => !state.dragging && !state.evolving;
 /** All that a link carries. @param {State} state */
 const partsOf = ({ landscape, anatomy, curves, robustness, ...run }) => [
   run.page,
+  run.lesson,
   run.preset,
   run.experiment,
   run.generation,

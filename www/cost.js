@@ -13,6 +13,8 @@ export function createCost({ title, total, outcome, note, bar, parts }) {
     const item = document.createElement('li');
     const value = document.createElement('span');
     segment.className = `cost-segment part-${part}`;
+    segment.dataset.term = part;
+    item.dataset.term = part;
     item.className = `part-${part}`;
     value.className = 'cost-value';
     value.id = `cost-${part}`;

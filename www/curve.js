@@ -1,13 +1,22 @@
 // The fitness curve: the best and the median J of each generation.
 import uPlot from 'uplot';
-import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from './plot.js';
+import {
+  axis,
+  colour,
+  gutterOf,
+  isNarrow,
+  lineLabel,
+  placeName,
+  sameDigits,
+  sizeOf,
+  spread,
+  wholeSteps,
+} from './plot.js';
 import { watch } from './state.js';
 import { lab as strings } from './words/index.js';
 
 /** @typedef {import('./engine.js').Statistics} Statistics */
 /** @typedef {{ history: Statistics[], generation: number, paper: number, theme: number }} CurveModel */
-
-const gutter = 100;
 
 /** @param {HTMLElement} root */
 export function createCurve(root) {
@@ -21,7 +30,7 @@ export function createCurve(root) {
   const plot = new uPlot(
     {
       ...sizeOf(root),
-      padding: [8, gutter, 0, 0],
+      padding: [8, gutterOf, 0, 0],
       legend: { show: false },
       cursor: { show: false },
       scales: {
@@ -136,10 +145,10 @@ function createLabels() {
       { element: median, x: end, y: height(newest.median) - aside },
       { element: paper, x: right, y: height(model.paper) },
     ];
-    const together = end > right - 60 ? [places] : [places.slice(0, 2), places.slice(2)];
+    const together = isNarrow(plot) || end > right - 60 ? [places] : [places.slice(0, 2), places.slice(2)];
     for (const group of together) spread(group, plot.over.clientHeight);
-    for (const { element, x, y } of places)
-      element.style.transform = `translate(${x}px, ${y}px) translateY(-50%)`;
+    for (const { element, x, y } of places) placeName(plot, element, x, y);
+    axisName.hidden = isNarrow(plot);
     costName.style.transform = 'translate(-50px, 0)';
     axisName.style.transform = `translate(${right + 6}px, ${plot.over.clientHeight + 6}px)`;
   };

@@ -7,6 +7,7 @@ import {
   learningRates,
   paper,
   randomSeed,
+  Simulation,
   simulateAll,
   stability,
   startsOnCircle,
@@ -27,6 +28,7 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {import('../pkg/ep_locomotion.js').Stability} Stability */
 /** @typedef {import('../pkg/ep_locomotion.js').Cost} Cost */
 /** @typedef {import('../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
+/** @typedef {import('../pkg/ep_locomotion.js').Sample} Sample */
 /** @typedef {import('../pkg/ep_locomotion.js').Statistics} Statistics */
 /** @typedef {readonly [number, number, number]} Triple kx, ky, kθ */
 
@@ -92,8 +94,27 @@ export async function createEngine() {
     /** Digits over every number of the history, the same wherever it ran. */
     hash: () => current().hash(),
 
+    /** The hash of an evolution of its own, on this thread. @param {Experiment} from @param {number} generations */
+    hashOf(from, generations) {
+      const own = new Evolution(from);
+      for (let i = 0; i < generations; i++) own.step();
+      const hash = own.hash();
+      own.free();
+      return hash;
+    },
+
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) => simulateAll(from, gains.flat()),
+
+    /** All that a robot sees, is told and does, sample by sample. @param {Experiment} from @param {Triple} gains @returns {Sample[]} */
+    samples(from, gains) {
+      const robot = new Simulation(from, Float64Array.from(gains));
+      const samples = [];
+      do samples.push(robot.step());
+      while (samples[samples.length - 1].outcome === null);
+      robot.free();
+      return samples;
+    },
 
     /** The Lyapunov function of a run. @param {Experiment} from @param {Triple} gains */
     stability: (from, gains) => stability(from, gains),

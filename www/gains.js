@@ -36,6 +36,7 @@ export function createRow(gain, index, events) {
   const error = document.createElement('p');
   const subscript = document.createElement('sub');
   row.className = `gain ${id}`;
+  row.dataset.term = id === 'ktheta' ? 'kt' : id;
   Object.assign(slider, { type: 'range', id: `slider-${id}`, step: '0.01' });
   Object.assign(number, {
     type: 'text',

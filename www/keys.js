@@ -1,5 +1,6 @@
 // The sheet of keys, and the single keys that press buttons.
 import { byId } from './elements.js';
+import { isEmbedded } from './embed/embedded.js';
 import { keys as words } from './words/index.js';
 
 export function createKeys() {
@@ -21,6 +22,8 @@ export function createKeys() {
 
   addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector('dialog[open]')) return;
+    // In a frame they belong to the host until the figure is used.
+    if (isEmbedded && event.target === document.body) return;
     if (event.target instanceof Element && event.target.matches('input[type="text"], textarea, select'))
       return;
     if (event.key === '?') dialog.showModal();

@@ -21,6 +21,7 @@ import {
   triple,
   wholeNumber,
 } from './link-values.js';
+import { linkOfStep, steps } from './lesson/steps.js';
 import { messageOf } from './messages.js';
 import { noPins, styles } from './pins/pins.js';
 import { headings } from './robustness/grid.js';
@@ -46,7 +47,7 @@ import { language, languageNames, usualLanguage } from './words/language.js';
  * @property {Pick<State['landscape'], 'x' | 'y' | 'third'>} landscape
  * @property {Pick<State['robustness'], 'quantity' | 'half' | 'heading'>} robustness
  */
-/** @typedef {Pick<State, 'page' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'trial' | 'pins'>} Run */
+/** @typedef {Pick<State, 'page' | 'lesson' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'trial' | 'pins'>} Run */
 /** What a link carries. @typedef {Run & View} Linked */
 /** @typedef {Run & { view: View }} Opened */
 
@@ -111,7 +112,7 @@ const pathOf = (name) => shortNames.find(([, short]) => short === name)?.[0] ?? 
 
 /** The text after # for a state. @param {Linked} state @param {ExperimentOf} experimentOf @param {Language} [read] The language of who opens it. */
 export function linkOf(state, experimentOf, read = language) {
-  const { page, preset, generation, driver, handGains, trial, pins } = state;
+  const { page, lesson, preset, generation, driver, handGains, trial, pins } = state;
   /** @type {[string, string][]} */
   const pairs = preset === presets[0] ? [] : [['preset', preset]];
   pairs.push(...changesOf(state.experiment, experimentOf(preset)));
@@ -123,6 +124,7 @@ export function linkOf(state, experimentOf, read = language) {
   for (const { key, of, text } of viewKeys)
     if (of(state) !== null && text(of(state)) !== text(of(usualView))) pairs.push([key, text(of(state))]);
   for (const pin of pins) pairs.push([`pin${pin.slot + 1}`, pinText(pin, experimentOf(preset))]);
+  if (lesson > 0) pairs.push(['lesson', String(lesson)]);
   if (read !== usualLanguage) pairs.unshift(['lang', read]);
   if (pairs.length > 0) pairs.unshift(['v', String(version)]);
   return [page, ...pairs.map(([key, value]) => `${key}=${encoded(value)}`)].join('&');
@@ -134,7 +136,7 @@ export function linkOf(state, experimentOf, read = language) {
  * @returns {{ opened: Opened, problems: string[] }}
  */
 export function openLink(link, engine) {
-  const [name, ...rest] = link.slice(0, mostCharacters).split('&');
+  const [name, ...rest] = stepLink(link.slice(0, mostCharacters)).split('&');
   const page = pageNames.find((known) => known === (name || 'lab'));
   const problems = page ? [] : [words.unknownPart(decoded(name), pageNames)];
   if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
@@ -143,6 +145,7 @@ export function openLink(link, engine) {
   /** @type {Opened} */
   let opened = {
     page: page ?? 'lab',
+    lesson: 0,
     preset,
     experiment: engine.experiment(preset),
     generation: 0,
@@ -172,6 +175,12 @@ export function openLink(link, engine) {
   return { opened, problems };
 }
 
+/** A step of the lesson may be asked for alone, as lesson&step=3. @param {string} link */
+function stepLink(link) {
+  const step = /^lesson(?:&(?:v|lang)=\w+)*(?:&step=(\d+))?(?:&(?:v|lang)=\w+)*$/.exec(link);
+  return step ? linkOfStep(Math.min(Math.max(Number(step[1] ?? 1), 1), steps.length)) : link;
+}
+
 /** With one value of a link where it belongs; throws if it has no place. @param {Opened} opened @param {string} key @param {string} value @param {Engine} engine @returns {Opened} */
 function read(opened, key, value, engine) {
   const viewed = viewKeys.find((one) => one.key === key);
@@ -189,6 +198,8 @@ function read(opened, key, value, engine) {
       // The page has it already, when it is a link that was followed.
       oneOf(languageNames, value);
       return opened;
+    case 'lesson':
+      return { ...opened, lesson: wholeNumber(value, steps.length) };
     case 'preset':
       oneOf(presets, value);
       return opened;

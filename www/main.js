@@ -2,14 +2,20 @@
 import { createActions, firstState } from './actions.js';
 import { createAddress } from './address.js';
 import { createAccumulator, createFrameLoop } from './clocks.js';
+import { createChecks } from './checks/dialog.js';
 import { createEngine } from './engine.js';
 import { createCurvesPage } from './curves/page.js';
 import { createDisturbancePage } from './disturbance/page.js';
+import { isEmbedded } from './embed/embedded.js';
+import { createEmbed } from './embed/page.js';
 import { createGenerationPage } from './generation/page.js';
 import { createAnatomy, createChosenDrives } from './generation/record.js';
+import { createSteps } from './generation/steps.js';
 import { createKeep } from './keep/dialog.js';
 import { createKeys } from './keys.js';
 import { createLandscapePage } from './landscape/page.js';
+import { createLesson } from './lesson/page.js';
+import { linkOfStep } from './lesson/steps.js';
 import { createLuckPage } from './luck/page.js';
 import { messageOf } from './messages.js';
 import { createRobustnessPage } from './robustness/page.js';
@@ -48,7 +54,12 @@ function start(engine) {
   const store = createStore(firstState(engine, 'velocity-limits'), loop.request);
   const finalTime = () => sceneOf(store.get()).driving.finalTime;
   const actions = createActions(engine, store, paper, finalTime);
-  const draw = createDraw(createViews(actions), engine, paper);
+  const steps = createSteps({ store, actions, anatomyOf });
+  /** @param {string} link */
+  const go = (link) => address?.go(link);
+  const onLesson = () => go(linkOfStep(store.get().lastStep));
+  const draw = createDraw(createViews(actions, onLesson), engine, paper);
+  const lesson = createLesson({ engine, store, actions, paper, go });
   const pages = [
     createGenerationPage,
     createCurvesPage,
@@ -57,9 +68,12 @@ function start(engine) {
     createTrainingPage,
     createDisturbancePage,
     createLuckPage,
-  ].map((create) => create({ engine, store, actions, paper, anatomyOf }));
+  ].map((create) => create({ engine, store, actions, paper, anatomyOf, steps }));
   const settings = createSettingsPanel({ engine, store, actions });
   const pinButton = createPinButton({ store, paper }, sceneOf);
+
+  const drivingOf = () => sceneOf(store.get()).driving;
+  const embed = isEmbedded ? createEmbed({ engine, store, actions, paper, drivingOf }) : null;
 
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;
@@ -69,8 +83,10 @@ function start(engine) {
     const state = store.get();
     const scene = sceneOf(state);
     draw(state, scene);
+    lesson.draw(state, scene);
     for (const page of pages) if (page.name === state.page) page.draw(state, scene);
     address?.follow(state);
+    embed?.draw(state);
     settings.draw(state);
     pinButton.draw(state, scene);
   };
@@ -78,7 +94,9 @@ function start(engine) {
   /** @param {number} seconds */
   function frame(seconds) {
     const before = store.get();
-    if (before.evolving && !before.dragging) actions.evolve(moreOf(before.pace, seconds));
+    steps.tick(before, seconds);
+    if (before.evolving && !before.dragging)
+      actions.evolve(moreOf(before.catchingUp ? Number.POSITIVE_INFINITY : before.pace, seconds));
     const { robot, speed, evolving } = store.get();
     if (robot.playing) store.update({ robot: advanceRobot(robot, seconds, speed, finalTime(), evolving) });
     show();
@@ -103,9 +121,11 @@ function start(engine) {
   };
   followSurroundings(store, redraw);
   createKeys();
+  createChecks(engine);
   createTables(store);
-  createKeep({ engine, store, actions, sceneOf, redraw });
+  if (!isEmbedded) createKeep({ engine, store, actions, sceneOf, redraw });
   address = createAddress(engine, store, actions);
+  embed?.begin();
   loop.request();
   // After the first picture, which was asked for before this.
   requestAnimationFrame(() => {
@@ -162,7 +182,7 @@ function createDraw(views, engine, paper) {
     const time = Math.min(robot.time, driving.finalTime);
 
     showMessage(state.message);
-    views.pages.draw(state.page, experiment.evolution.population);
+    views.pages.draw(state.page, state.lesson, experiment.evolution.population);
     views.preset.draw(preset);
     views.drivers.draw(driver);
     drawPlane(state, scene, time);
@@ -219,6 +239,7 @@ function evolutionNote({ history, generation, evolving, until, restart, experime
 }
 
 byId('unbuilt').remove();
+document.body.toggleAttribute('data-embed', isEmbedded);
 fillTexts();
 const engine = await createEngine().catch((error) => showMessage(strings.coreMissing(messageOf(error))));
 if (engine) start(engine);

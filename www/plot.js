@@ -9,9 +9,26 @@ const labelHeight = 17;
 
 /** @param {HTMLElement} root */
 export const sizeOf = (root) => ({
-  width: Math.max(200, root.clientWidth),
+  width: Math.max(120, root.clientWidth),
   height: Math.max(100, root.clientHeight),
 });
+
+/** Where a plot is narrower, the names of its lines stand within it. */
+const roomForNames = 300;
+const gutter = 100;
+
+/** @param {uPlot} plot */
+export const isNarrow = (plot) => plot.width < roomForNames;
+
+/** The room for names beside the lines. @param {uPlot} plot */
+export const gutterOf = (plot) => (isNarrow(plot) ? 10 : gutter);
+
+/** Puts a name at the end of its line, or above that at the edge of a narrow plot. @param {uPlot} plot @param {HTMLElement} element @param {number} x @param {number} y */
+export function placeName(plot, element, x, y) {
+  element.style.transform = isNarrow(plot)
+    ? `translate(${plot.over.clientWidth}px, ${Math.max(y, labelHeight)}px) translate(-100%, -100%)`
+    : `translate(${x}px, ${y}px) translateY(-50%)`;
+}
 
 /** @param {string} name */
 export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -28,6 +45,7 @@ export const axis = () => ({
 /** As many digits as the step needs, at every tick. @param {uPlot} _ @param {number[]} ticks */
 export function sameDigits(_, ticks) {
   const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
+  if (step >= 1000) return ticks.map((tick) => (tick === 0 ? '0' : `${tick / 1000}k`));
   const digits =
     [0, 1, 2, 3, 4, 5].find(
       (count) => Math.abs(step * 10 ** count - Math.round(step * 10 ** count)) < 1e-6,

@@ -1,14 +1,23 @@
 // The mean step size σ of each gain over the generations, on a logarithmic axis.
 import uPlot from 'uplot';
 import { drawShown, lastTick } from './curve.js';
-import { axis, colour, lineLabel, sizeOf, spread, wholeSteps } from './plot.js';
+import {
+  axis,
+  colour,
+  gutterOf,
+  isNarrow,
+  lineLabel,
+  placeName,
+  sizeOf,
+  spread,
+  wholeSteps,
+} from './plot.js';
 import { watch } from './state.js';
 import { curves as words, lab } from './words/index.js';
 
 /** @typedef {import('./engine.js').Statistics} Statistics */
 /** @typedef {{ history: Statistics[], generation: number, theme: number }} SigmasModel */
 
-const gutter = 100;
 const tokens = ['--x', '--y', '--theta'];
 
 /** @param {HTMLElement} root */
@@ -21,7 +30,7 @@ export function createSigmas(root) {
   const plot = new uPlot(
     {
       ...sizeOf(root),
-      padding: [8, gutter, 0, 0],
+      padding: [8, gutterOf, 0, 0],
       legend: { show: false },
       cursor: { show: false },
       scales: {
@@ -34,6 +43,8 @@ export function createSigmas(root) {
           ...axis(),
           size: 52,
           splits: () => powers(decades(model.history)),
+          // Left to itself, uPlot names only some of the powers.
+          filter: (_, powersOfTen) => powersOfTen,
           values: (_, ticks) => ticks.map(powerText),
         },
       ],
@@ -121,11 +132,11 @@ function createLabels() {
     const end = plot.valToPos(newest.generation, 'x') + 10;
     const places = names.map((element, i) => ({
       element,
-      y: Math.min(Math.max(plot.valToPos(newest.meanSigmas[i], 'y') || height, 0), height),
+      y: Math.min(Math.max(plot.valToPos(newest.meanSigmas[i], 'y') || height, 0), height - 8),
     }));
     spread(places, height);
-    for (const { element, y } of places)
-      element.style.transform = `translate(${Math.min(end, right)}px, ${y}px) translateY(-50%)`;
+    for (const { element, y } of places) placeName(plot, element, Math.min(end, right), y);
+    axisName.hidden = isNarrow(plot);
   };
   return { elements: [...names, axisName], draw };
 }

@@ -21,13 +21,17 @@
 /**
  * @typedef {object} State
  * @property {PageName} page Which part of the page is open.
+ * @property {number} lesson The step of the lesson that is open beside it; 0: none.
+ * @property {number} lastStep The one that was open last.
+ * @property {import('./lesson/page.js').Progress} progress What was done in the lesson.
  * @property {Preset} preset
  * @property {Experiment} experiment
  * @property {Statistics[]} history One entry a generation, the newest last.
  * @property {number} generation The one that is shown.
  * @property {Individual[]} population What that generation left, best first.
  * @property {boolean} evolving
- * @property {number} pace Generations a second; Infinity: as fast as the machine goes.
+ * @property {{ newest: number, generation: number } | null} catchingUp A run that was kept is made again up to its newest generation; then the other one is shown.
+ * @property {number} pace Generations a second; Infinity: as fast as the machine goes; or one phase at a time.
  * @property {Until} until
  * @property {string} untilError
  * @property {Restart} restart
@@ -88,7 +92,13 @@ export const noTrial = Object.freeze({ start: null, disturbance: null });
 /** Where evolution pauses by itself. By default at every so many generations, so that a forgotten page comes to rest. @typedef {{ kind: 'every' | 'generation' | 'cost', value: number }} Until */
 
 export const generationsPerRun = 100;
-export const paces = [1, 8, 60, Number.POSITIVE_INFINITY];
+/** The pace at which each phase of a generation is shown. */
+export const phaseByPhase = 0;
+export const paces = [phaseByPhase, 1, 8, 60, Number.POSITIVE_INFINITY];
+
+/** Whether evolution runs as a play of phases. @param {State} state */
+export const playsPhases = ({ evolving, catchingUp, pace }) =>
+  evolving && !catchingUp && pace === phaseByPhase;
 
 /** Whether evolution is to pause at this generation. @param {Until} until @param {Statistics} statistics */
 export const pausesAt = ({ kind, value }, { generation, best }) =>

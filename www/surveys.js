@@ -5,6 +5,7 @@
 /** @typedef {import('../pkg/ep_locomotion.js').Landscape} Landscape */
 /** @typedef {import('../pkg/ep_locomotion.js').Robustness} Robustness */
 /** @typedef {import('../pkg/ep_locomotion.js').StartGrid} StartGrid */
+/** @typedef {import('./checks/check.js').Golden} Golden */
 /** @typedef {import('./pool.js').Channel} Channel */
 /** @typedef {import('./pool.js').Pool} Pool */
 /** @typedef {import('./pool.js').Run} Run */
@@ -116,6 +117,13 @@ export function createSurveys(pool) {
       // Not split, so that an error counts the gains as they were given.
       const [costs] = await runOf(options)({ call: 'evaluate', parts: [[experiment, gains]] }, options);
       return costs;
+    },
+
+    /** What came of the checks of the core's own numbers: a list for each group. @param {Golden} golden @param {SurveyOptions} [options] */
+    async checks(golden, options) {
+      // Not split, because every worker more would first have to learn the same code: that takes longer than the checks.
+      const [groups] = await runOf(options)({ call: 'checks', parts: [[golden]] }, options);
+      return groups;
     },
   };
 }

@@ -35,14 +35,15 @@ export function fillTexts() {
     element.setAttribute('aria-label', texts[element.getAttribute('data-label') ?? '']);
 }
 
-/** @param {Actions} actions */
-export function createViews(actions) {
+/** @param {Actions} actions @param {() => void} onLesson */
+export function createViews(actions, onLesson) {
   return {
     pages: createPages(
       byId('pages'),
       byId('tagline'),
       document.querySelectorAll('[data-page]'),
       actions.openPage,
+      onLesson,
     ),
     preset: createSegmented(byId('preset'), strings.presetLegend, strings.presets, actions.choosePreset),
     drivers: createSegmented(byId('drives'), strings.driverLegend, strings.drivers, actions.chooseDriver),

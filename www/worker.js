@@ -1,15 +1,23 @@
 // A worker of the pool: an instance of the core of its own, which does one part of a job after another.
 import {
   Evolution,
+  Simulation,
   errorParts,
   evaluate,
+  experiment,
   fares,
   initSync,
   landscape,
+  learningRates,
+  paper,
   remainingErrors,
   robustness,
   seedRuns,
+  simulate,
+  simulateAll,
 } from '../pkg/ep_locomotion.js';
+import { groupNames } from './checks/check.js';
+import { resultsOf } from './checks/checks.js';
 
 /** @typedef {import('../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 
@@ -18,7 +26,17 @@ import {
 /** Every other message. @typedef {{ call: keyof Calls, args: unknown[] }} Part */
 /** To each part one answer, after any number of progresses. @typedef {{ progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */
 
-const calls = { errorParts, evaluate, evolve, fares, landscape, remainingErrors, robustness, seedRuns };
+const calls = {
+  checks,
+  errorParts,
+  evaluate,
+  evolve,
+  fares,
+  landscape,
+  remainingErrors,
+  robustness,
+  seedRuns,
+};
 
 /** Milliseconds from one progress to the next. */
 const progressPeriod = 100;
@@ -74,4 +92,23 @@ function evolve(experiment, generations) {
   const hash = evolution.hash();
   evolution.free();
   return { ...newest.best, history, evaluations: newest.evaluations, hash };
+}
+
+/** The checks of the core's own numbers, by group. @param {import('./checks/check.js').Golden} golden */
+function checks(golden) {
+  const core = {
+    Evolution,
+    Simulation,
+    evaluate,
+    experiment,
+    fares,
+    landscape,
+    learningRates,
+    paper,
+    simulate,
+    simulateAll,
+  };
+  return groupNames.map((group, i) =>
+    resultsOf(core, group, golden, (done) => send({ progress: (i + done) / groupNames.length })),
+  );
 }

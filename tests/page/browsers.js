@@ -1,14 +1,17 @@
 // Drives the page in every engine of this machine by one protocol, WebDriver.
 //
 // A test file is a list of `pageTest('what must hold', async (page) => …)`; each becomes one test per engine. When dist/
-// is built, one file in one engine runs by `ENGINES=chromium node --test tests/page/page.test.js`.
+// is built, one file in one engine runs by `ENGINES=chromium node --test tests/page/page.test.js`, all by every.js.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
+import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 import axe from 'axe-core';
-import { Builder, By, Key } from 'selenium-webdriver';
+import { Builder, Key } from 'selenium-webdriver';
 import { Command, Name } from 'selenium-webdriver/lib/command.js';
 import { findEngines, findProgram } from './engines.js';
 import { serve } from './server.js';
@@ -26,6 +29,8 @@ const { DriverService } = createRequire(import.meta.url)('selenium-webdriver/rem
 /** Generous, because it bounds only failures: a page that works is never waited for this long. */
 const patience = 15_000;
 const testTimeout = 180_000;
+/** A page that is left while something is awaited in it may never answer: then it is asked again. */
+const longestAnswer = 2000;
 
 /** The page in one engine. */
 export class Page {
@@ -40,16 +45,29 @@ export class Page {
     this.site = site;
   }
 
+  #isOpen = false;
+
   /**
-   * Opens the page afresh, which `pageTest` has done once already, and waits until it is ready.
+   * Opens the page afresh and waits until it is ready.
    * @param {string} [fragment] what follows the address, for instance '#law=kanayama'
    */
-  async open(fragment = '') {
+  async open(fragment = '#lab') {
     // Between two addresses that differ in the fragment alone, a browser would not load the page again.
-    await this.driver.get('about:blank');
-    this.site.problems.length = 0;
-    await this.driver.get(this.site.address + fragment);
+    if (this.#isOpen) await this.driver.get(this.site.blank);
+    await this.visit(this.site.address + fragment);
     await this.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+  }
+
+  /** Opens something else in the place of the page. @param {string} address */
+  async visit(address) {
+    this.#isOpen = true;
+    this.site.problems.length = 0;
+    await this.driver.get(address);
+  }
+
+  /** A test that has opened nothing looks at the page. */
+  async #begin() {
+    if (!this.#isOpen) await this.open();
   }
 
   /**
@@ -61,7 +79,8 @@ export class Page {
    * @param {A} args
    * @returns {Promise<T>}
    */
-  evaluate(body, ...args) {
+  async evaluate(body, ...args) {
+    await this.#begin();
     return this.driver.executeScript(body, ...args);
   }
 
@@ -75,16 +94,25 @@ export class Page {
    * @returns {Promise<Exclude<T, false | null | undefined | '' | 0>>}
    */
   async until(what, condition, ...args) {
+    await this.#begin();
     const end = performance.now() + patience;
-    for (;;) {
-      const result = await this.evaluate(condition, ...args);
+    /** @type {unknown} */
+    let left = null;
+    do {
+      // The page looks by itself, for each question from here costs both of them time.
+      /** @type {{ result?: unknown, error?: string }} */
+      const { result, error } = await this.driver
+        .executeScript(`return (${look})(${longestAnswer}, ${condition}, arguments)`, ...args)
+        .catch(async (reason) => {
+          left = reason;
+          await delay(20);
+          return {};
+        });
+      if (error) throw new Error(`while waiting until ${what}: ${error}`);
       if (result) return /** @type {Exclude<T, false | null | undefined | '' | 0>} */ (result);
-      if (performance.now() > end) {
-        const problems = (await this.problems()).map((problem) => `\n  ${problem}`).join('');
-        throw new Error(`waited ${patience / 1000} s in vain until ${what}${problems}`);
-      }
-      await delay(20);
-    }
+    } while (performance.now() < end);
+    const problems = (await this.problems()).map((problem) => `\n  ${problem}`).join('');
+    throw new Error(`waited ${patience / 1000} s in vain until ${what}${problems}`, { cause: left });
   }
 
   /**
@@ -104,6 +132,7 @@ export class Page {
    * @returns {Promise<string[]>}
    */
   async obstacles() {
+    await this.#begin();
     await this.driver.executeScript(axe.source);
     return this.evaluate(async () => {
       const runner = /** @type {{ axe: typeof axe }} */ (/** @type {unknown} */ (window)).axe;
@@ -119,10 +148,18 @@ export class Page {
    * @param {string} selector
    */
   async element(selector) {
-    const elements = await this.driver.findElements(By.css(selector));
-    assert.equal(elements.length, 1, `${selector} must find one element, it finds ${elements.length}`);
-    await this.driver.executeScript("arguments[0].scrollIntoView({ block: 'nearest' })", elements[0]);
-    return elements[0];
+    await this.#begin();
+    /** @type {import('selenium-webdriver').WebElement | number} */
+    const found = await this.driver.executeScript(async (/** @type {string} */ wanted) => {
+      // What happened last may still have to be drawn.
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      const elements = document.querySelectorAll(wanted);
+      if (elements.length !== 1) return elements.length;
+      elements[0].scrollIntoView({ block: 'nearest' });
+      return elements[0];
+    }, selector);
+    if (typeof found === 'number') assert.fail(`${selector} must find one element, it finds ${found}`);
+    return found;
   }
 
   /**
@@ -143,6 +180,7 @@ export class Page {
    * @param {...string} keys characters, or names such as Key.TAB
    */
   async press(...keys) {
+    await this.#begin();
     let actions = this.driver.actions();
     for (const key of keys) actions = actions.keyDown(key).keyUp(key);
     await actions.perform();
@@ -209,7 +247,8 @@ export class Page {
     const window = this.driver.manage().window();
     // The frame's size is not known beforehand: the second attempt corrects what the first one missed.
     for (let attempt = 0; attempt < 5; attempt++) {
-      const inner = await this.evaluate(() => ({ width: innerWidth, height: innerHeight }));
+      /** @type {{ width: number, height: number }} */
+      const inner = await this.driver.executeScript(() => ({ width: innerWidth, height: innerHeight }));
       if (inner.width === width && inner.height === height) return;
       const outer = await window.getRect();
       await window.setRect({
@@ -217,7 +256,7 @@ export class Page {
         height: outer.height + height - inner.height,
       });
       // The page learns its new size later than the window.
-      await this.evaluate(async (old) => {
+      await this.driver.executeScript(async (/** @type {typeof inner} */ old) => {
         for (let frame = 0; frame < 30 && innerWidth === old.width && innerHeight === old.height; frame++) {
           await new Promise((resolve) => requestAnimationFrame(resolve));
         }
@@ -246,6 +285,25 @@ after(async () => {
   }
 });
 
+/**
+ * Runs in the page: looks again and again until there is something to see.
+ * @param {number} longest in milliseconds
+ * @param {(...args: unknown[]) => unknown} condition
+ * @param {unknown[]} args
+ */
+async function look(longest, condition, args) {
+  const end = performance.now() + longest;
+  try {
+    for (;;) {
+      const result = await condition(...args);
+      if (result || performance.now() > end) return { result };
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+  } catch (error) {
+    return { error: String(error) };
+  }
+}
+
 const { found } = findEngines();
 /** @type {Promise<import('./server.js').Site> | undefined} */
 let site;
@@ -253,24 +311,25 @@ let site;
 const drivers = new Map();
 
 /**
- * Declares one test in each engine, on the page opened afresh.
+ * Declares one test in each engine. The page is opened afresh, by the test itself or else at its first look.
  * @param {string} name
  * @param {(page: Page) => Promise<void>} body
+ * @param {{ moves?: boolean }} [setting] moves: the robots drive by themselves. Else the browser asks for less motion, as people can: a page that stands still until it is told to move takes far less time to draw.
  */
-export function pageTest(name, body) {
+export function pageTest(name, body, { moves = false } = {}) {
   for (const engine of found) {
     test(`${engine.name}: ${name}`, { timeout: testTimeout }, async () => {
       site ??= startSite();
-      const driver = drivers.get(engine.name) ?? startBrowser(engine);
-      drivers.set(engine.name, driver);
+      const key = `${engine.name} ${moves}`;
+      const driver = drivers.get(key) ?? startBrowser(engine, moves);
+      drivers.set(key, driver);
       const page = new Page(engine.name, await driver, await site);
       try {
         await page.resize(1200, 900);
-        await page.open();
         await body(page);
       } finally {
-        // A page that goes on moving would slow the tests of the other engines.
-        await page.driver.get('about:blank');
+        // A page that goes on moving would slow the tests of the other engines; a browser that is lost, fail all others.
+        await page.driver.get(page.site.blank).catch(() => drivers.delete(key));
       }
     });
   }
@@ -284,11 +343,12 @@ async function startSite() {
 
 /**
  * @param {Engine} engine
+ * @param {boolean} moves
  * @returns {Promise<WebDriver>}
  */
-async function startBrowser(engine) {
-  const screen = engine.name === 'webkit' ? await startScreen() : {};
-  const builder = new Builder().withCapabilities(capabilities(engine));
+async function startBrowser(engine, moves) {
+  const screen = engine.name === 'webkit' ? await startScreen(moves) : {};
+  const builder = new Builder().withCapabilities(capabilities(engine, moves));
   if (engine.driver !== null) {
     const service = new DriverService.Builder(engine.driver)
       .setLoopback(true)
@@ -305,14 +365,16 @@ async function startBrowser(engine) {
 
 /**
  * @param {Engine} engine
+ * @param {boolean} moves
  * @returns {Record<string, unknown>}
  */
-function capabilities({ name, browser }) {
+function capabilities({ name, browser }, moves) {
   const asRoot = process.getuid?.() === 0;
   switch (name) {
     case 'chromium': {
       const args = ['--headless=new', '--disable-gpu', '--disable-background-networking', '--no-first-run'];
       args.push('--accept-lang=en');
+      if (!moves) args.push('--force-prefers-reduced-motion');
       // Its sandbox does not run as root, which is who runs in most containers.
       if (asRoot) args.push('--no-sandbox');
       return { browserName: 'chrome', 'goog:chromeOptions': { binary: browser, args } };
@@ -323,7 +385,7 @@ function capabilities({ name, browser }) {
         'moz:firefoxOptions': {
           binary: browser,
           args: ['-headless'],
-          prefs: { 'intl.accept_languages': 'en' },
+          prefs: { 'intl.accept_languages': 'en', 'ui.prefersReducedMotion': moves ? 0 : 1 },
         },
       };
     case 'webkit':
@@ -337,9 +399,10 @@ function capabilities({ name, browser }) {
 
 /**
  * WebKitGTK has no headless mode: it gets a screen that nobody sees.
+ * @param {boolean} moves
  * @returns {Promise<Record<string, string>>} what its programs have to know
  */
-async function startScreen() {
+async function startScreen(moves) {
   const program = findProgram(['Xvfb']);
   if (program === null) return {};
   const args = ['-displayfd', '3', '-screen', '0', '1600x1200x24', '-nolisten', 'tcp'];
@@ -358,7 +421,20 @@ async function startScreen() {
     LC_ALL: 'en_US.UTF-8',
     // This screen has no graphics card, without which that renderer needs a third of a second for a frame.
     WEBKIT_DISABLE_DMABUF_RENDERER: '1',
+    XDG_CONFIG_HOME: await writeDesktopSettings(moves),
   };
   if (process.getuid?.() === 0) environment.WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS = '1';
   return environment;
+}
+
+/** WebKitGTK asks the desktop whether things may move. @param {boolean} moves @returns {Promise<string>} the folder of its settings */
+async function writeDesktopSettings(moves) {
+  const folder = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
+  endings.push(() => rm(folder, { recursive: true }));
+  for (const version of ['gtk-3.0', 'gtk-4.0']) {
+    await mkdir(join(folder, version));
+    const text = `[Settings]\ngtk-enable-animations=${moves}\n`;
+    await writeFile(join(folder, version, 'settings.ini'), text);
+  }
+  return folder;
 }

@@ -2,19 +2,23 @@
 import { readFile } from 'node:fs/promises';
 import init, {
   Evolution,
+  errorParts,
   evaluate,
   experiment,
   fares,
   fields,
   landscape,
+  learningRates,
   paper,
   remainingErrors,
   robustness,
   seedRuns,
+  Simulation,
   simulate,
   simulateAll,
   stability,
   startsOnCircle,
+  version,
 } from '../../pkg/ep_locomotion.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
@@ -27,18 +31,23 @@ await init({ module_or_path: await readFile(wasm) });
 
 export {
   Evolution,
+  errorParts,
   evaluate,
   experiment,
   fares,
   fields,
   landscape,
+  learningRates,
+  paper,
   remainingErrors,
   robustness,
   seedRuns,
+  Simulation,
   simulate,
   simulateAll,
   stability,
   startsOnCircle,
+  version,
 };
 
 /** A cost as it is shown. @param {number} cost */

@@ -104,7 +104,7 @@ pageTest('every number of the history is the same here and in Node', async (page
   await writeFile(join(folder, 'index.html'), '<head><script type="module" src="hash.js"></script></head>');
   const site = await serve(folder);
   try {
-    await page.driver.get(site.address);
+    await page.visit(site.address);
     const hash = await page.until('the evolution is done', () => document.documentElement.dataset.hash);
     assert.equal(hash, evolve(velocityLimits, 20).hash);
   } finally {

@@ -9,7 +9,7 @@ import * as en from '../../www/words/en/index.js';
 import * as ko from '../../www/words/ko/index.js';
 import { languageOf } from '../../www/words/language.js';
 import { Key, pageTest } from './browsers.js';
-import { read } from './reading.js';
+import { checked, read } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 
@@ -19,7 +19,7 @@ const source = fileURLToPath(new URL('../../www/', import.meta.url));
 const latinWord = /[A-Za-z]{3,}/;
 /** Names, keys, units and functions that stay as they are. */
 const names =
-  /\b(CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|max|rad|cos|sin|WebAssembly|[0-9a-f]{8,})\b/g;
+  /\b(CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
 
 /** Every text of a language by its place; functions are named. @param {unknown} value @param {string} place @returns {[string, string][]} */
 function textsOf(value, place) {
@@ -130,7 +130,10 @@ pageTest('what is opened, refused and computed is Korean', async (page) => {
   await page.click('#keys-close');
   await page.click('#keep-button');
   await isKorean(page, 'the dialog that keeps a run');
-  await page.click('#keep-close');
+  await page.click('#keep-checks');
+  await checked(page);
+  await isKorean(page, 'the checks');
+  await page.click('#checks-close');
   await page.click('#settings-button');
   await isKorean(page, 'the settings');
   await page.click('#settings-close');
@@ -287,6 +290,11 @@ for (const [width, height] of [
       await page.click(`#${button}-button`);
       problems[button] = await overflowing(page);
     }
+    await page.open();
+    await page.click('#keys-button');
+    await page.click('#keys-checks');
+    await checked(page);
+    problems.checks = await overflowing(page);
     const found = Object.entries(problems).filter(([, texts]) => texts.length > 0);
     assert.deepEqual(Object.fromEntries(found), {});
   });

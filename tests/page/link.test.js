@@ -86,6 +86,7 @@ test('every experiment comes back from its link to the bit', () => {
     /** @type {Linked} */
     const state = {
       page: 'robustness',
+      lesson: 0,
       preset: next() < 0.5 ? 'velocity-limits' : 'acceleration-limits',
       experiment: wild,
       generation: Math.floor(1000 * next()),

@@ -103,7 +103,7 @@ pageTest('the source of the page, served or opened as it is, says how to start i
   const site = await serve(top);
   try {
     for (const address of [site.address, new URL('../../index.html', import.meta.url).href]) {
-      await page.driver.get(address);
+      await page.visit(address);
       const text = await page.until('a sentence is there to read', () => {
         const unbuilt = document.getElementById('unbuilt');
         const isSeen = unbuilt?.checkVisibility({ visibilityProperty: true, opacityProperty: true });
@@ -125,7 +125,7 @@ pageTest('without its core the page says so', async (page) => {
     if (name.endsWith('.wasm')) await rm(join(folder, 'assets', name));
   const site = await serve(folder);
   try {
-    await page.driver.get(site.address);
+    await page.visit(site.address);
     await page.until('a message is there to read', () => {
       const message = document.getElementById('message');
       return message?.checkVisibility() && message.innerText;

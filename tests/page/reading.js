@@ -72,6 +72,13 @@ export function middleOf(page, id, within = 'plane-robots') {
   );
 }
 
+/** Waits until the page has checked its own numbers, or has said why it cannot. @param {Page} page */
+export const checked = (page) =>
+  page.until('the checks have ended', () => {
+    const { open } = /** @type {HTMLDialogElement} */ (document.getElementById('checks'));
+    return open && document.getElementById('checks-progress')?.hidden;
+  });
+
 /** What is read as a number. @param {string} text */
 export const numberOf = (text) => Number(text.replaceAll('−', '-').replace(/[^\d.e-]/g, ''));
 

@@ -8,6 +8,7 @@ import { fileURLToPath } from 'node:url';
 
 const folder = '/some/course/ep/';
 const collector = '/collector.js';
+const blank = '/blank';
 const reports = '/policy-reports';
 
 const policy = [
@@ -32,6 +33,7 @@ const types = {
 /**
  * @typedef {object} Site
  * @property {string} address where the page is
+ * @property {string} blank a page of the same site with nothing on it, from which a browser comes and to which it goes without starting a process
  * @property {string[]} problems requests that were refused or not found since the array was last emptied
  * @property {() => Promise<void>} close
  */
@@ -48,6 +50,7 @@ export async function serve(root = fileURLToPath(new URL('../../dist/', import.m
   /** @param {string} path @returns {Promise<string | Buffer | null>} the body, or null if there is none */
   async function body(path) {
     if (path === collector) return collectorText;
+    if (path === blank) return '<title>blank</title>';
     const inside = normalize(path.slice(folder.length) || 'index.html');
     if (!path.startsWith(folder) || inside.startsWith(`..${sep}`)) return null;
     const content = await readFile(join(root, inside)).catch(() => null);
@@ -84,6 +87,7 @@ export async function serve(root = fileURLToPath(new URL('../../dist/', import.m
   if (address === null || typeof address === 'string') throw new Error('the server has no port');
   return {
     address: `http://localhost:${address.port}${folder}`,
+    blank: `http://localhost:${address.port}${blank}`,
     problems,
     close: () =>
       new Promise((resolve) => {

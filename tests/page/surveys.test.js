@@ -8,7 +8,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'vite';
 import { pageTest } from './browsers.js';
 import { evolve, experiment, landscape } from './core.js';
-import { read } from './reading.js';
+import { checked, read } from './reading.js';
 import { serve } from './server.js';
 
 /** @typedef {import('../../www/engine.js').Engine} Engine */
@@ -43,7 +43,7 @@ const [served, offline] = [await buildEngine('production'), await buildEngine('o
 
 /** @param {Page} page @param {string} address */
 async function openEngine(page, address) {
-  await page.driver.get(address);
+  await page.visit(address);
   await page.until('the engine is there', () => 'engine' in window);
 }
 
@@ -53,7 +53,7 @@ async function openFile(page, file, change = (html) => html) {
   const copy = join(folder, 'opened.html');
   const html = (await readFile(file, 'utf8')).replace('<head>', () => `<head><script>${collector}</script>`);
   await writeFile(copy, change(html));
-  await page.driver.get(pathToFileURL(copy).href);
+  await page.visit(`${pathToFileURL(copy).href}#lab`);
 }
 
 /** What the page asked for since it was opened, and what went wrong. @param {Page} page */
@@ -180,5 +180,9 @@ pageTest('the whole page in one file from a disk drives, evolves and draws its l
   await page.until('the workers have computed the landscape', () =>
     /drives in \d/.test(document.getElementById('landscape-note')?.innerText ?? ''),
   );
+  await page.click('#keys-button');
+  await page.click('#keys-checks');
+  await checked(page);
+  assert.match(await page.text('#checks-summary'), /^All \d+ checks passed/);
   assert.deepEqual(await traffic(page), { requests: [], problems: [] });
 });

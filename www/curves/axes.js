@@ -21,6 +21,13 @@ export function endOf(driving, others) {
   return Math.ceil(end / step - 1e-9) * step;
 }
 
+/** As many as there is room to name. @param {Scale} time */
+function timeTicks(time) {
+  const [left, right] = time.range();
+  const count = [6, 4].find((most) => time.ticks(most).length * 36 <= right - left) ?? 2;
+  return time.ticks(count);
+}
+
 /** A straight line on the pixels. @param {CanvasRenderingContext2D} context @param {readonly [number, number]} from @param {readonly [number, number]} to */
 export function line(context, from, to) {
   context.moveTo(Math.round(from[0]) + 0.5, Math.round(from[1]) + 0.5);
@@ -35,7 +42,7 @@ export function drawGrid(context, { time, frame, scale }, ticks, texts) {
   context.lineWidth = 1;
   context.setLineDash([]);
   context.beginPath();
-  for (const t of time.ticks(6)) line(context, [time(t), frame.top], [time(t), frame.bottom]);
+  for (const t of timeTicks(time)) line(context, [time(t), frame.top], [time(t), frame.bottom]);
   for (const tick of ticks) line(context, [frame.left, scale(tick)], [frame.right, scale(tick)]);
   context.stroke();
   context.textAlign = 'right';
@@ -45,7 +52,7 @@ export function drawGrid(context, { time, frame, scale }, ticks, texts) {
 
 /** @param {CanvasRenderingContext2D} context @param {Scale} time @param {number} bottom */
 export function drawTimeAxis(context, time, bottom) {
-  const ticks = time.ticks(6);
+  const ticks = timeTicks(time);
   const texts = sameDigits(/** @type {any} */ (null), ticks);
   context.font = textFont;
   context.fillStyle = colour('--muted');

@@ -1,4 +1,4 @@
-// Where the five plots against time lie, and their scales.
+// Where the plots against time lie, and their scales.
 import { scaleLinear } from 'd3-scale';
 import { endOf } from './axes.js';
 import { paidAt } from './paid.js';
@@ -21,6 +21,9 @@ const shares = /** @type {readonly [PlotName, number][]} */ ([
   ['angular', 0.9],
   ['cost', 1.5],
 ]);
+/** Where there is no room for all. @type {readonly PlotName[]} */
+const foremost = ['position', 'linear', 'cost'];
+const roomForAll = 260;
 /** So many of its spans they may reach beyond it; a costly one would leave no room for the parts of J. */
 const reachOf = (/** @type {PlotName} */ name) => (name === 'cost' ? 1 : 2);
 
@@ -41,12 +44,13 @@ export const curvesOf = {
  */
 export function layoutOf({ width, height }, driving, others, limits) {
   const [left, right] = [margin.left, width - margin.right];
-  const free = height - margin.top - margin.bottom - gap * (shares.length - 1);
-  const all = shares.reduce((sum, [, share]) => sum + share, 0);
+  const shown = height < roomForAll ? shares.filter(([name]) => foremost.includes(name)) : shares;
+  const free = height - margin.top - margin.bottom - gap * (shown.length - 1);
+  const all = shown.reduce((sum, [, share]) => sum + share, 0);
   let top = margin.top;
   return {
     time: scaleLinear([0, endOf(driving, others)], [left, right]),
-    plots: shares.map(([name, share]) => {
+    plots: shown.map(([name, share]) => {
       const bottom = top + (free * share) / all;
       const frame = { left, right, top, bottom };
       top = bottom + gap;

@@ -2,8 +2,8 @@
 import { byId, followSize } from '../elements.js';
 import { sampleBefore } from '../plane.js';
 import { createSegmented } from '../segmented.js';
-import { gainsOf, watch } from '../state.js';
 import { createStability } from '../stability/view.js';
+import { gainsOf, remember, watch } from '../state.js';
 import { curves as words, lab } from '../words/index.js';
 import { followPointer, sampleTime } from './axes.js';
 import { createComparison } from './compare.js';
@@ -46,6 +46,13 @@ export function createCurvesPage(parts) {
     if (driving) actions.scrub(sampleTime(driving, plots.timeAt(px)));
   });
 
+  /** Whether nothing that drives differs from the paper's experiment. */
+  const isPapers = remember(
+    (/** @type {State['experiment']} */ own, /** @type {State['preset']} */ preset) => {
+      const text = (/** @type {State['experiment']} */ { evolution, ...rest }) => JSON.stringify(rest);
+      return text(own) === text(parts.engine.experiment(preset));
+    },
+  );
   const textsChanged = watch();
   /** @param {State} state @param {Scene} scene */
   const drawTexts = (state, scene) => {
@@ -67,7 +74,7 @@ export function createCurvesPage(parts) {
         state.pins.map(({ name }, i) => described(name, scene.pins[i])),
       ),
     );
-    const isPaper = state.driver === 'paper-ep' && scene.comparisonDriver === 'paper-arbitrary';
+    const isPaper = state.driver === 'paper-ep' && isPapers(state.experiment, state.preset);
     byId('curves-note').textContent = isPaper
       ? words.figureNote(state.preset === 'velocity-limits' ? '5' : '7')
       : '';

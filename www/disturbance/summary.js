@@ -23,7 +23,7 @@ import { typed } from '../words/numbers.js';
 export const parts = /** @type {const} */ (['x', 'y', 'theta']);
 
 /** Judged to the digits that are shown, so that nobody reads 0.031 outside of 0.031. @param {number} error @param {number} set */
-const isInside = (error, set) => Number(typed(error, 3)) <= Number(typed(set, 3));
+export const isInside = (error, set) => Number(typed(error, 3)) <= Number(typed(set, 3));
 
 /** The first start is that of the drive. @param {Float64Array} errors @returns {Sizes} */
 const sizesOf = (errors) => {

@@ -84,6 +84,13 @@ export function createAnatomy(recordOf) {
 export const phaseOf = ({ record }, phase) =>
   isInitial(record) && phase !== 'survivors' ? 'parents' : phase;
 
+/** The phase before or after one, among those that the generation has. @param {Anatomy} anatomy @param {Phase} phase @param {1 | -1} step @returns {Phase | undefined} */
+export function phaseAfter({ record }, phase, step) {
+  /** @type {readonly Phase[]} */
+  const there = isInitial(record) ? ['parents', 'survivors'] : phases;
+  return there[there.indexOf(phase) + step];
+}
+
 /** Whom the page is about: among the parents only a parent. @param {Anatomy} anatomy @param {GenerationState} state */
 export function chosenOf(anatomy, state) {
   const { count, all, record, upset } = anatomy;

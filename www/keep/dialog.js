@@ -1,9 +1,11 @@
 // The dialog that keeps what is on screen: as a link, as a file, as pictures, as tables.
 import { download } from '../download.js';
 import { byId } from '../elements.js';
+import { createEmbedDialog } from '../embed/dialog.js';
 import { linkOf } from '../link.js';
 import { messageOf } from '../messages.js';
 import { keep as words } from '../words/index.js';
+import { copy } from './copy.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
 import { pngOf } from './png.js';
 import { openRunFile, runFile } from './run-file.js';
@@ -31,12 +33,15 @@ export function createKeep({ engine, store, actions, sceneOf, redraw }) {
   const file = byId('keep-file');
   const status = byId('keep-status');
 
-  const address = () => `${location.href.split('#')[0]}#${linkOf(store.get(), engine.experiment)}`;
+  const linkNow = () => linkOf(store.get(), engine.experiment);
+  const embed = createEmbedDialog(store.get, linkNow);
+  const address = () => `${location.href.split('#')[0]}#${linkNow()}`;
   const origin = () => words.origin(engine.version(), address());
   const name = () => words.fileName(store.get().experiment.evolution.seed, store.get().generation);
 
   const show = (/** @type {string} */ text) => {
     link.value = address();
+    embed.draw();
     status.textContent = text;
     byId('keep-pictures').replaceChildren(...picturesOnScreen().map(rowOf));
     if (!dialog.open) dialog.showModal();
@@ -77,15 +82,7 @@ export function createKeep({ engine, store, actions, sceneOf, redraw }) {
   byId('keep-button').hidden = false;
   byId('keep-close').addEventListener('click', () => dialog.close());
   link.addEventListener('focus', () => link.select());
-  byId('keep-copy').addEventListener('click', async () => {
-    try {
-      await navigator.clipboard.writeText(link.value);
-      status.textContent = words.copied;
-    } catch {
-      link.focus();
-      status.textContent = words.notCopied;
-    }
-  });
+  byId('keep-copy').addEventListener('click', () => copy(link, status, words));
   byId('keep-save').addEventListener('click', () =>
     download(`${name()}.json`, 'application/json', runFile(store.get(), engine)),
   );

@@ -38,11 +38,13 @@ export const firstLandscape = {
   message: '',
 };
 
-const linearRange = {
+export const linearRange = {
   'velocity-limits': /** @type {const} */ ([0, 12]),
   'acceleration-limits': /** @type {const} */ ([0, 32]),
 };
 const logFloor = 0.01;
+/** Gains on an axis, from the coarse map that is short to the last. */
+export const counts = /** @type {const} */ ([64, 128]);
 
 /** @param {AxisChoice} axis @param {readonly [number, number]} range @returns {[number, number]} */
 export const endsOfAxis = ({ log }, [low, high]) => (log ? [logFloor, 10 * high] : [low, high]);
@@ -89,7 +91,7 @@ export function createLandscapeRequests(engine, store) {
     store.update({ landscape: { ...store.get().landscape, ...patch } });
 
   return createRefining({
-    counts: [64, 128],
+    counts,
     /** @param {Spec} spec @param {number} count @returns {Promise<Landscape>} */
     async compute(spec, count) {
       const began = performance.now();

@@ -43,7 +43,7 @@ export const firstRobustness = {
 
 /** Positions on an edge, of which one is the goal's. */
 const coarse = 25;
-const fine = 81;
+export const fine = 81;
 
 /** @param {Survey} survey */
 export const isFine = ({ grid }) => grid.x.count === fine;

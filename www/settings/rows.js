@@ -14,8 +14,8 @@ import { createQuantity, createSliderScale } from './quantity.js';
 /** On a text field that holds what nobody has confirmed yet. */
 export const typingMark = 'data-typing';
 
-/** @param {string} path */
-export const idOf = (path) => `setting-${path.replace(/\W+/g, '-').replace(/-$/, '')}`;
+/** The same setting can stand in two places of the page. @param {string} path @param {string} [place] */
+export const idOf = (path, place = 'setting') => `${place}-${path.replace(/\W+/g, '-').replace(/-$/, '')}`;
 
 /** @template {keyof HTMLElementTagNameMap} K @param {K} tag @param {Partial<HTMLElementTagNameMap[K]>} [properties] @returns {HTMLElementTagNameMap[K]} */
 const make = (tag, properties = {}) => Object.assign(document.createElement(tag), properties);
@@ -79,8 +79,8 @@ export function createChoice(row, actions) {
   };
 }
 
-/** @param {Row} row @param {Field} field @param {Actions} actions @param {number} fallback The limit for who switches it on. @returns {RowView} */
-export function createNumber(row, field, actions, fallback) {
+/** @param {Row} row @param {Field} field @param {Actions} actions @param {number} fallback The limit for who switches it on. @param {string} [place] @returns {RowView} */
+export function createNumber(row, field, actions, fallback, place) {
   const { path } = row;
   const { name, help } = words.settings[path];
   const quantity = createQuantity(field);
@@ -93,7 +93,7 @@ export function createNumber(row, field, actions, fallback) {
   const input = make('input', {
     type: 'text',
     inputMode: 'decimal',
-    id: idOf(path),
+    id: idOf(path, place),
     autocomplete: 'off',
     spellcheck: false,
   });
@@ -115,12 +115,13 @@ export function createNumber(row, field, actions, fallback) {
     row.slider &&
     createSlider(
       row,
+      input.id,
       field.min === 0,
       (shown, dragging) => actions.changeSetting(path, meant(shown), dragging),
       actions.releaseSetting,
     );
   const limit = field.nullable
-    ? createLimit(path, (on) => actions.changeSetting(path, on ? lastLimit : null, false))
+    ? createLimit(path, input.id, (on) => actions.changeSetting(path, on ? lastLimit : null, false))
     : null;
   let lastLimit = fallback;
   frame.error.before(...(limit ? [limit.element] : []), ...(slider ? [slider.element] : []));
@@ -165,12 +166,12 @@ export function createNumber(row, field, actions, fallback) {
   };
 }
 
-/** Whether the limit is there. @param {string} path @param {(on: boolean) => void} onSwitch */
-function createLimit(path, onSwitch) {
+/** Whether the limit is there. @param {string} path @param {string} id @param {(on: boolean) => void} onSwitch */
+function createLimit(path, id, onSwitch) {
   const label = make('label', { className: 'check' });
   const box = make('input', {
     type: 'checkbox',
-    id: `${idOf(path)}-on`,
+    id: `${id}-on`,
     ariaLabel: words.limitLabel(words.settings[path].name),
   });
   box.addEventListener('change', () => onSwitch(box.checked));
@@ -184,14 +185,14 @@ function createLimit(path, onSwitch) {
   };
 }
 
-/** @param {Row} row @param {boolean} hasZero @param {(shown: number, dragging: boolean) => void} onSlide @param {() => void} onSlid */
-function createSlider({ path, slider, symbol }, hasZero, onSlide, onSlid) {
+/** @param {Row} row @param {string} id @param {boolean} hasZero @param {(shown: number, dragging: boolean) => void} onSlide @param {() => void} onSlid */
+function createSlider({ path, slider, symbol }, id, hasZero, onSlide, onSlid) {
   const range = /** @type {import('./quantity.js').SliderRange} */ (slider);
   const scale = createSliderScale(range, hasZero);
   const { name } = words.settings[path];
   const element = make('input', {
     type: 'range',
-    id: `${idOf(path)}-slider`,
+    id: `${id}-slider`,
     className: symbol?.colour ?? '',
     min: String(scale.min),
     max: String(scale.max),

@@ -68,6 +68,30 @@ const testOn = (experiment, starts) => ({
   evolution: { ...experiment.evolution, population: 1 },
 });
 
+/**
+ * How robots fare from their own starts, from those that no evolution sees, and from the experiment's own.
+ * @param {Engine} engine @param {import('./sets.js').Sets} sets @param {Experiment} experiment @param {Robot[]} robots @param {SurveyOptions} [options]
+ * @returns {Promise<Record<string, Result>>}
+ */
+export async function testRobots(engine, { one, unseen }, experiment, robots, options) {
+  const drives = robots.flatMap(({ gains, starts }) =>
+    [starts, unseen, one].map((from) => /** @type {const} */ ([testOn(experiment, from), gains])),
+  );
+  const all = await engine.surveys.fares(drives, options);
+  const fares = all.map(({ arrived, cost }, i) => ({
+    starts: drives[i][0].starts,
+    arrived,
+    count: arrived.reduce((sum, one) => sum + one, 0),
+    cost: cost.reduce((sum, one) => sum + one, 0) / cost.length,
+  }));
+  return Object.fromEntries(
+    robots.map(({ name, gains }, i) => {
+      const [training, apart, own] = fares.slice(3 * i, 3 * i + 3);
+      return [name, { gains, training, unseen: apart, own: own.cost }];
+    }),
+  );
+}
+
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
 export function createTraining(engine, store, paper) {
   const setsOf = createSets(engine);
@@ -76,32 +100,12 @@ export function createTraining(engine, store, paper) {
   /** @type {ReturnType<Engine['surveys']['channel']> | null} */
   let channel = null;
 
-  /** @param {Experiment} experiment @param {Robot[]} robots @param {SurveyOptions} options @returns {Promise<Record<string, Result>>} */
-  async function test(experiment, robots, options) {
-    const { one, unseen } = setsOf(experiment);
-    const drives = robots.flatMap(({ gains, starts }) =>
-      [starts, unseen, one].map((from) => /** @type {const} */ ([testOn(experiment, from), gains])),
-    );
-    const all = await engine.surveys.fares(drives, options);
-    const fares = all.map(({ arrived, cost }, i) => ({
-      starts: drives[i][0].starts,
-      arrived,
-      count: arrived.reduce((sum, one) => sum + one, 0),
-      cost: cost.reduce((sum, one) => sum + one, 0) / cost.length,
-    }));
-    return Object.fromEntries(
-      robots.map(({ name, gains }, i) => {
-        const [training, apart, own] = fares.slice(3 * i, 3 * i + 3);
-        return [name, { gains, training, unseen: apart, own: own.cost }];
-      }),
-    );
-  }
-
   const given = createRefining({
     counts: [1],
     compute: async (/** @type {Spec} */ spec) => {
       channel ??= engine.surveys.channel();
-      return { spec, results: await test(spec.experiment, spec.robots, { channel }) };
+      const { experiment, robots } = spec;
+      return { spec, results: await testRobots(engine, setsOf(experiment), experiment, robots, { channel }) };
     },
     onResult: (result) => update(store, { given: result, message: '' }),
     onFailure: (message) => update(store, { message }),
@@ -150,7 +154,9 @@ export function createTraining(engine, store, paper) {
       ),
     );
     const robots = setNames.map((name, i) => ({ name, gains: champions[i].gains, starts: sets[name] }));
-    const results = /** @type {Record<SetName, Result>} */ (await test(experiment, robots, { signal }));
+    const results = /** @type {Record<SetName, Result>} */ (
+      await testRobots(engine, sets, experiment, robots, { signal })
+    );
     return {
       experiment,
       generations,

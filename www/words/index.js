@@ -15,13 +15,16 @@ import { language } from './language.js';
 const all = { en, ko };
 
 export const {
+  checks,
   curves,
   disturbance,
+  embed,
   generation,
   keep,
   keys,
   lab,
   landscape,
+  lesson,
   link,
   luck,
   messages,

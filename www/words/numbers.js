@@ -27,3 +27,13 @@ export const postureText = ({ x, y, theta }) => `${fixed(x, 2)} m, ${fixed(y, 2)
 /** What somebody has typed; NaN if it is no number. @param {string} text */
 export const numberOf = (text) =>
   text.trim() === '' ? Number.NaN : Number(text.trim().replaceAll('−', '-').replace(',', '.'));
+
+/** With a minus sign where it is below zero, within a formula. @param {number} value @param {number} digits */
+export function signed(value, digits) {
+  if (!Number.isFinite(value)) return value < 0 ? '−∞' : '∞';
+  const text = Math.abs(value) < 1e4 ? fixed(value, digits) : value.toExponential(1).replaceAll('-', '−');
+  return text;
+}
+
+/** @param {number} radians */
+export const degreesText = (radians) => `${fixed((radians * 180) / Math.PI, 1)}°`;

@@ -129,8 +129,8 @@ function driveText({ rows, seconds, disturbed }) {
 function othersText({ calm, starts, allInside, worst, disturbed }) {
   const most = `up to ${amount(worst, calm[worst].largest)} of ${formulaText(worst)}`;
   if (!disturbed)
-    return `From ${starts} other starts, ${most} remain: the theorem knows no limits and no samples.`;
-  return `Of ${starts} other starts, ${allInside} stay inside all three; even undisturbed, ${most} remain: the theorem knows no limits and no samples.`;
+    return `From ${starts} other starts, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
+  return `Of ${starts} other starts, ${allInside} stay inside all three; even undisturbed, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
 }
 
 /** A set so wide that it says nothing. @param {Summary} summary */

@@ -1,5 +1,6 @@
 // Every word of the lab and of what all pages share.
 import { isTracking } from '../../reference.js';
+import { phaseByPhase } from '../../state.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
 export * from './numbers.js';
@@ -29,7 +30,7 @@ export const texts = {
   oneGeneration: '1 generation',
   oneBack: '1 generation back',
   timeline: 'Generation',
-  pace: 'Generations a second',
+  pace: 'Pace of evolution',
   until: 'When evolution pauses',
   untilValue: 'Generation or J at which evolution pauses',
   reset: 'Reset',
@@ -187,7 +188,8 @@ export const run = 'Run';
 export const pauseEvolution = 'Pause';
 
 /** @param {number} pace */
-export const paceText = (pace) => (Number.isFinite(pace) ? `${pace}/s` : 'fastest');
+export const paceText = (pace) =>
+  pace === phaseByPhase ? 'one phase at a time' : Number.isFinite(pace) ? `${pace}/s` : 'fastest';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [

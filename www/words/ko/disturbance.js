@@ -106,7 +106,7 @@ function driveText({ rows, seconds, disturbed }) {
 
 /** @param {Summary} summary */
 function othersText({ calm, starts, allInside, worst, disturbed }) {
-  const most = `최대 오차는 ${formulaText(worst)} ${amount(worst, calm[worst].largest)}입니다. 정리는 제한과 샘플링을 고려하지 않기 때문입니다.`;
+  const most = `최대 오차는 ${formulaText(worst)} ${amount(worst, calm[worst].largest)}입니다. 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 제한과 샘플링도 고려하지 않습니다.`;
   if (!disturbed) return `다른 출발점 ${starts}개에서 남는 ${most}`;
   return `다른 출발점 ${starts}개 중 ${allInside}개가 세 집합 안에 머뭅니다. 외란이 없어도 남는 ${most}`;
 }

@@ -1,5 +1,6 @@
 // Every word of the lab and of what all pages share, in Korean.
 import { isTracking } from '../../reference.js';
+import { phaseByPhase } from '../../state.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
 export { costSymbol, gains, speeds } from '../en/lab.js';
@@ -30,7 +31,7 @@ export const texts = {
   oneGeneration: '1세대 진행',
   oneBack: '1세대 뒤로',
   timeline: '세대',
-  pace: '초당 세대 수',
+  pace: '진화 속도',
   until: '진화를 멈출 때',
   untilValue: '진화를 멈출 세대 또는 J',
   reset: '처음으로',
@@ -174,7 +175,8 @@ export const run = '진화 시작';
 export const pauseEvolution = '멈춤';
 
 /** @param {number} pace */
-export const paceText = (pace) => (Number.isFinite(pace) ? `초당 ${pace}` : '최대 속도');
+export const paceText = (pace) =>
+  pace === phaseByPhase ? '한 단계씩' : Number.isFinite(pace) ? `초당 ${pace}` : '최대 속도';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [

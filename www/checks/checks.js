@@ -1,0 +1,29 @@
+// The list of all checks: pure functions of the core and of the known values. It runs in a worker of the page, and in Node.
+import { bitChecks } from './bits.js';
+import { resultOf } from './check.js';
+import { costChecks } from './cost.js';
+import { evolutionChecks } from './evolution.js';
+import { motionChecks } from './motion.js';
+
+/** @typedef {import('./check.js').Check} Check */
+/** @typedef {import('./check.js').Core} Core */
+/** @typedef {import('./check.js').Golden} Golden */
+/** @typedef {import('./check.js').Result} Result */
+/** @typedef {import('./check.js').Group} Group */
+
+/** @type {Record<Group, (golden: Golden) => Check[]>} */
+const groups = {
+  motion: motionChecks,
+  cost: costChecks,
+  evolution: evolutionChecks,
+  bits: bitChecks,
+};
+
+/** All checks of a group, one after the other. @param {Core} core @param {Group} group @param {Golden} golden @param {(done: number) => void} [onProgress] @returns {Result[]} */
+export function resultsOf(core, group, golden, onProgress) {
+  return groups[group](golden).map((one, i, all) => {
+    const result = resultOf(one, core);
+    onProgress?.((i + 1) / all.length);
+    return result;
+  });
+}

@@ -1,0 +1,47 @@
+// The part of the dialog that writes what is on screen as a frame for another page.
+import { byId } from '../elements.js';
+import { copy } from '../keep/copy.js';
+import { createSegmented } from '../segmented.js';
+import { embed as words, lab, lesson as lessonWords } from '../words/index.js';
+import { addressOf } from './embedded.js';
+import { frameText, sizes } from './frame.js';
+import { steps } from '../lesson/steps.js';
+
+/** @typedef {import('../state.js').State} State */
+
+/** @param {() => State} stateOf @param {() => string} linkNow */
+export function createEmbedDialog(stateOf, linkNow) {
+  /** @type {HTMLTextAreaElement} */
+  const field = byId('embed-text');
+  const named = sizes.map(([width, height]) => ({ value: `${width}x${height}`, width, height }));
+  let chosen = named[1];
+
+  const choice = createSegmented(
+    byId('embed-size'),
+    words.sizeLegend,
+    named.map(({ value, width, height }) => ({ value, text: words.sizeText(width, height) })),
+    (value) => {
+      chosen = named.find((one) => one.value === value) ?? chosen;
+      draw();
+    },
+  );
+
+  const draw = () => {
+    const { page, lesson } = stateOf();
+    const part = lesson > 0 ? lessonWords.steps[steps[lesson - 1].name].title : lab.pages[page];
+    const isOnDisk = location.protocol === 'file:';
+    const address = addressOf(location.href, linkNow(), true);
+    choice.draw(chosen.value);
+    field.value = frameText({
+      // A path on this disk is none on another.
+      address: isOnDisk ? address.slice(address.split('?')[0].lastIndexOf('/') + 1) : address,
+      title: words.frameTitle(part),
+      ...chosen,
+    });
+    byId('embed-disk').hidden = !isOnDisk;
+  };
+
+  field.addEventListener('focus', () => field.select());
+  byId('embed-copy').addEventListener('click', () => copy(field, byId('keep-status'), words));
+  return { draw };
+}

@@ -1,0 +1,203 @@
+// What an embedded figure and the page around it say to each other with postMessage.
+//
+// Every message is an object with ep: 1, the version, and a type. The page around the figure may send
+//
+//   { ep: 1, type: 'set', link }                                  opens a link: an address of this page, or what follows its #
+//   { ep: 1, type: 'set', experiment, gains, generation }         begins an experiment, in which any field may be left out
+//   { ep: 1, type: 'step', generations }                          so many generations on, at once; 1 when left out
+//   { ep: 1, type: 'run' }   { ep: 1, type: 'pause' }             as the figure's own button does
+//   { ep: 1, type: 'read' }
+//
+// and each is answered with a state, or with { ep: 1, type: 'error', message }; an id that was sent comes back in the answer.
+// By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
+// statistics of each generation once it is there, and { type: 'height' } when it would like another height.
+import { linkOf, openLink } from '../link.js';
+import { messageOf } from '../messages.js';
+import { atEnd, gainsOf, noTrial } from '../state.js';
+import { embed as words } from '../words/index.js';
+
+/** @typedef {import('../actions.js').Actions} Actions */
+/** @typedef {import('../engine.js').Engine} Engine */
+/** @typedef {import('../engine.js').Experiment} Experiment */
+/** @typedef {import('../engine.js').PaperResult} PaperResult */
+/** @typedef {import('../engine.js').Run} Run */
+/** @typedef {import('../engine.js').Statistics} Statistics */
+/** @typedef {import('../state.js').State} State */
+/** @typedef {import('../state.js').Store} Store */
+/** @typedef {import('../state.js').Triple} Triple */
+/**
+ * What a figure answers.
+ * @typedef {object} Report
+ * @property {string} link The run, as the address of the whole page has it after its #.
+ * @property {Experiment} experiment
+ * @property {number} generation The one that is shown.
+ * @property {number} generations How many there are after generation 0.
+ * @property {boolean} evolving
+ * @property {Statistics} statistics Of the generation that is shown.
+ * @property {{ gains: Triple, cost: Run['cost'], arrived: boolean, finalTime: number }} drive Of the robot in ink.
+ * @property {string} hash Digits over every number of the history, the same wherever it ran.
+ * @property {readonly string[]} problems What a link had wrong, in words.
+ */
+
+export const version = 1;
+/** At once, so that the answer is not long in coming. */
+export const mostGenerations = 10_000;
+/** As long as a frame that still looks smooth. */
+const sliceMilliseconds = 12;
+
+/**
+ * @param {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], drivingOf: () => Run }} parts
+ * @param {(message: object) => void} send To the page around.
+ */
+export function createMessages({ engine, store, actions, paper, drivingOf }, send) {
+  /** @type {Statistics[]} */
+  let announced = [];
+
+  /** Tells the generations that are new. */
+  const announce = () => {
+    const { history } = store.get();
+    const known = history[0] === announced[0] ? announced.length : 0;
+    announced = history;
+    for (const statistics of history.slice(known)) send({ type: 'generation', ...statistics });
+  };
+
+  /** @param {readonly string[]} problems @returns {Report} */
+  const report = (problems) => {
+    const state = store.get();
+    const { experiment, generation, history, evolving } = state;
+    const { cost, arrived, finalTime } = drivingOf();
+    return {
+      link: linkOf(state, engine.experiment),
+      experiment,
+      generation,
+      generations: history.length - 1,
+      evolving,
+      statistics: history[generation],
+      drive: { gains: [...gainsOf(state, state.driver, paper)], cost, arrived, finalTime },
+      hash: engine.hash(),
+      problems,
+    };
+  };
+
+  /** @param {Parameters<Actions['openLinked']>[0]} opened */
+  const open = (opened) => {
+    // What stood in the way before is no answer to this.
+    store.update({ message: '' });
+    actions.openLinked(opened, []);
+    if (store.get().experiment !== opened.experiment) throw new Error(store.get().message);
+    store.update({ robot: atEnd });
+    announce();
+  };
+
+  /** @type {Readonly<Record<string, (message: Record<string, unknown>) => readonly string[] | Promise<readonly string[]>>>} */
+  const answers = {
+    set({ link, experiment, gains, generation = 0 }) {
+      if (typeof link === 'string') {
+        const { opened, problems } = openLink(link.slice(link.indexOf('#') + 1), engine);
+        open(opened);
+        return problems;
+      }
+      if (experiment === null || typeof experiment !== 'object') throw new Error(words.linkOrExperiment);
+      const { page, lesson, preset, pins, anatomy, curves, landscape, robustness } = store.get();
+      const whole = engine.experiment(/** @type {Experiment} */ (experiment));
+      const handGains = gains === undefined ? null : gainsIn(gains);
+      // The core knows which gains cannot be driven.
+      if (handGains) engine.drive(whole, [handGains]);
+      open({
+        page,
+        lesson,
+        preset,
+        experiment: whole,
+        generation: wholeNumber('generation', 0, mostGenerations, generation),
+        driver: handGains ? 'hand' : 'evolved',
+        handGains,
+        trial: noTrial,
+        pins,
+        view: { anatomy, curves, landscape, robustness },
+      });
+      return [];
+    },
+
+    async step({ generations = 1 }) {
+      const count = wholeNumber('generations', 1, mostGenerations, generations);
+      const { history } = store.get();
+      actions.showGeneration(history.length - 1);
+      let end = performance.now() + sliceMilliseconds;
+      for (let i = 0; i < count; i += 1) {
+        actions.forward();
+        if (performance.now() < end) continue;
+        announce();
+        await pause();
+        // Someone has begun anew, or goes on by hand.
+        if (store.get().history[0] !== history[0] || store.get().evolving) break;
+        end = performance.now() + sliceMilliseconds;
+      }
+      announce();
+      return [];
+    },
+
+    run: () => evolving(true),
+    pause: () => evolving(false),
+    read: () => [],
+  };
+
+  const evolving = (/** @type {boolean} */ wanted) => {
+    if (store.get().evolving !== wanted) actions.toggleEvolution();
+    return [];
+  };
+
+  return {
+    announce,
+
+    ready: () => send({ type: 'ready', ...report([]) }),
+
+    /** @param {unknown} message Whatever came. */
+    async hear(message) {
+      if (message === null || typeof message !== 'object' || !('ep' in message)) return;
+      const { ep, type, id, ...rest } = /** @type {Record<string, unknown>} */ (message);
+      const named = id === undefined ? {} : { id };
+      try {
+        if (ep !== version) throw new Error(words.otherVersion(told(ep), version));
+        if (typeof type !== 'string' || !Object.hasOwn(answers, type))
+          throw new Error(words.unknownType(told(type), Object.keys(answers)));
+        const problems = await answers[type](rest);
+        send({ type: 'state', ...named, ...report(problems) });
+      } catch (error) {
+        send({ type: 'error', ...named, message: messageOf(error) });
+      }
+    },
+  };
+}
+
+/** Lets what waits have its turn, also where no frame is drawn. */
+const pause = () =>
+  new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve(undefined);
+    };
+    port2.postMessage(null);
+  });
+
+/** @param {unknown} value */
+const told = (value) =>
+  typeof value === 'string'
+    ? `“${value.slice(0, 40)}”`
+    : typeof value === 'object'
+      ? typeof value
+      : String(value);
+
+/** @param {string} field @param {number} least @param {number} most @param {unknown} value */
+function wholeNumber(field, least, most, value) {
+  if (typeof value !== 'number' || !Number.isInteger(value) || value < least || value > most)
+    throw new Error(words.wholeNumber(field, least, most, told(value)));
+  return value;
+}
+
+/** @param {unknown} value @returns {Triple} */
+function gainsIn(value) {
+  const gains = Array.isArray(value) || value instanceof Float64Array ? [...value] : [];
+  if (gains.length !== 3 || !gains.every(Number.isFinite)) throw new Error(words.threeGains(told(value)));
+  return /** @type {[number, number, number]} */ (gains);
+}

@@ -1,0 +1,107 @@
+// The page as a figure in a frame of another page: its foot, the height it asks for, and what it says to its host.
+import { create } from '../elements.js';
+import { linkOf } from '../link.js';
+import { watch } from '../state.js';
+import { embed as words, texts } from '../words/index.js';
+import { addressOf } from './embedded.js';
+import { wantedHeight } from './frame.js';
+import { createMessages, version } from './messages.js';
+
+/** @typedef {import('../state.js').State} State */
+/** @typedef {Parameters<typeof createMessages>[0]} Parts */
+
+/** @param {Parts} parts */
+export function createEmbed(parts) {
+  const { engine, store } = parts;
+  /** A figure holds nothing that its host may not know, whoever that is. @param {object} message */
+  const post = (message) => {
+    if (parent !== window) parent.postMessage(message, '*');
+  };
+  const messages = createMessages(parts, (message) => post({ ep: version, ...message }));
+  const foot = createFoot(() => addressOf(location.href, linkOf(store.get(), engine.experiment), false));
+  const linkChanged = watch();
+  const shapeChanged = watch();
+  const heightChanged = watch();
+
+  document.body.append(foot.element);
+  addEventListener('message', (event) => {
+    // Only who holds the frame has a say in it.
+    if (event.source === parent && parent !== window) messages.hear(event.data);
+  });
+
+  const tellHeight = () => {
+    const { page, lesson } = store.get();
+    if (innerWidth === 0) return;
+    const height = wantedHeight(page, lesson, innerWidth);
+    if (!heightChanged(height)) return;
+    post({ ep: version, type: 'height', height });
+    // The same for Canvas, whose frames know this one.
+    post({ subject: 'lti.frameResize', height });
+  };
+  addEventListener('resize', tellHeight);
+
+  return {
+    /** Once the address is opened. */
+    begin() {
+      messages.ready();
+      messages.announce();
+    },
+
+    /** @param {State} state */
+    draw(state) {
+      if (shapeChanged(state.page, state.lesson)) tellHeight();
+      messages.announce();
+      if (!state.evolving && !state.dragging && linkChanged(state.experiment, state.generation, state.page))
+        foot.follow();
+    },
+  };
+}
+
+/** The way to the whole page, and to a larger figure. @param {() => string} fullAddress */
+function createFoot(fullAddress) {
+  const link = /** @type {HTMLAnchorElement} */ (create('a', '', words.openFull));
+  Object.assign(link, { id: 'embed-full', target: '_blank', rel: 'noopener' });
+  const follow = () => link.setAttribute('href', fullAddress());
+  // What moves is written into no address: only who is about to press takes it along as it is now.
+  for (const type of ['pointerdown', 'focus', 'click']) link.addEventListener(type, follow);
+  const element = create('footer', 'embed-foot', create('h1', '', texts.pageTitle), link);
+  if (document.fullscreenEnabled) element.append(createFullScreen());
+  return { element, follow };
+}
+
+const icons = {
+  enter: 'M2 2h5v2H4v3H2zM9 2h5v5h-2V4H9zM2 9h2v3h3v2H2zM12 9h2v5H9v-2h3z',
+  leave: 'M5 2h2v5H2V5h3zM9 2h2v3h3v2H9zM2 9h5v5H5v-3H2zM9 9h5v2h-3v3H9z',
+};
+
+function createFullScreen() {
+  const button = /** @type {HTMLButtonElement} */ (create('button', 'icon'));
+  Object.assign(button, { type: 'button', id: 'embed-screen' });
+  const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+  const picture = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  for (const [name, value] of [
+    ['viewBox', '0 0 16 16'],
+    ['width', '14'],
+    ['height', '14'],
+    ['aria-hidden', 'true'],
+  ])
+    picture.setAttribute(name, value);
+  picture.append(path);
+  button.append(picture);
+  const draw = () => {
+    const isFull = document.fullscreenElement !== null;
+    path.setAttribute('d', isFull ? icons.leave : icons.enter);
+    button.setAttribute('aria-label', isFull ? words.leaveFullScreen : words.fullScreen);
+    button.title = isFull ? words.leaveFullScreen : words.fullScreen;
+  };
+  draw();
+  document.addEventListener('fullscreenchange', draw);
+  button.addEventListener('click', () => {
+    // A host may forbid it, and then nothing changes.
+    const done = document.fullscreenElement
+      ? document.exitFullscreen()
+      : document.documentElement.requestFullscreen();
+    done.catch(() => {});
+  });
+  return button;
+}

@@ -1,0 +1,34 @@
+// The generation that is shown, taken apart for the lesson, and the pair that is in question there.
+import { chosenOf, dissect, isInitial } from '../generation/record.js';
+import { remember } from '../state.js';
+
+/** @typedef {import('../engine.js').Engine} Engine */
+/** @typedef {import('../engine.js').GenerationRecord} GenerationRecord */
+/** @typedef {import('../engine.js').Individual} Individual */
+/** @typedef {import('../engine.js').Statistics} Statistics */
+/** @typedef {import('../generation/record.js').Anatomy} Anatomy */
+/** @typedef {import('./page.js').Live} Live */
+/** @typedef {{ parent: Individual, child: Individual, draws: GenerationRecord['mutations'][number] }} Birth */
+
+const dissected = remember((/** @type {Engine} */ engine, /** @type {Statistics} */ { generation }) =>
+  dissect(engine.record(generation)),
+);
+
+/** @param {Pick<Live, 'engine' | 'state'>} live */
+export const anatomyOf = ({ engine, state }) => dissected(engine, state.history[state.generation]);
+
+/** The number of the individual that is chosen in the figure, whatever the phase. @param {Live} live */
+export const chosenIn = (live) =>
+  chosenOf(anatomyOf(live), {
+    ...live.state.anatomy,
+    phase: isInitial(anatomyOf(live).record) ? 'parents' : 'survivors',
+  });
+
+/** How a parent had its offspring; null in generation 0, which has none. @param {Anatomy} anatomy @param {number} pair @returns {Birth | null} */
+export const birthOf = ({ record }, pair) =>
+  isInitial(record)
+    ? null
+    : { parent: record.parents[pair], child: record.offspring[pair], draws: record.mutations[pair] };
+
+/** The place by J alone, from 1. @param {Anatomy} anatomy @param {number} number */
+export const placeByCost = ({ all }, number) => 1 + all.filter(({ cost }) => cost < all[number].cost).length;

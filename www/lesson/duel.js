@@ -1,0 +1,113 @@
+// You against evolution and random search: who has the lowest J after as many drives?
+
+import { taskText } from './tally.js';
+
+/** @typedef {import('../engine.js').Engine} Engine */
+/** @typedef {import('../engine.js').Experiment} Experiment */
+/** @typedef {import('./tally.js').Tally} Tally */
+/**
+ * The best J of each generation, and what random search had found by then.
+ * @typedef {{ seed: number, evolution: ArrayLike<number>, random: ArrayLike<number> }} Round
+ */
+/**
+ * What was locked in, and what the others have done since.
+ * @typedef {object} Duel
+ * @property {Experiment} experiment In which all three drive.
+ * @property {readonly number[]} costs J of each drive by hand.
+ * @property {readonly Round[]} rounds One for each seed; the newest is shown.
+ * @property {boolean} goesOn The others are shown beyond as many drives.
+ */
+/** @typedef {ReturnType<typeof judge>} Verdict */
+
+/** The choices of the prediction, and who can win. */
+export const winners = /** @type {const} */ (['you', 'evolution', 'random', 'both']);
+
+/** So far the others go on, or twice as far as you. */
+const fewestDrives = 1000;
+
+/** Only J counts, whether a robot arrived or not: as for evolution. @param {readonly number[]} costs */
+export const lowestOf = (costs) =>
+  costs.reduce((lowest, cost) => Math.min(lowest, cost), Number.POSITIVE_INFINITY);
+
+/** @param {Tally} tally @param {Experiment} experiment @returns {Duel} */
+export const lockedIn = ({ costs }, experiment) => ({
+  experiment: byHand(experiment),
+  costs,
+  rounds: [],
+  goesOn: false,
+});
+
+/** A drive by hand is one from the first start. @param {Experiment} experiment @returns {Experiment} */
+const byHand = (experiment) => ({ ...experiment, starts: [experiment.starts[0]] });
+
+/** Whether a duel was about what is driven now. @param {Duel} duel @param {Experiment} experiment */
+export const isDuelOf = (duel, experiment) => taskText(duel.experiment) === taskText(byHand(experiment));
+
+/** The last generation of an evolution that has no more drives than that; at least the first population. @param {number} drives @param {number} population */
+export const generationsIn = (drives, population) => Math.max(0, Math.floor(drives / population) - 1);
+
+/** How many drives a generation ends with. @param {number} generation @param {number} population */
+export const drivesUntil = (generation, population) => population * (generation + 1);
+
+/** How far the others go on. @param {Duel} duel */
+export const longestOf = ({ costs, experiment }) => {
+  const { population } = experiment.evolution;
+  const drives = Math.max(fewestDrives, 2 * costs.length);
+  return drivesUntil(generationsIn(drives, population), population);
+};
+
+/** Evolution and random search with a seed, both from the same first population. @param {Engine} engine @param {Duel} duel @param {number} seed @returns {Promise<Round>} */
+export async function roundOf(engine, duel, seed) {
+  const { experiment } = duel;
+  const generations = generationsIn(longestOf(duel), experiment.evolution.population);
+  const [{ best, random }] = await engine.surveys.seedRuns(experiment, {
+    first: seed,
+    count: 1,
+    generations,
+  });
+  return { seed, evolution: best, random };
+}
+
+/** The seed of the next round: the experiment's own, then those that follow it. @param {Duel} duel */
+export const nextSeed = ({ experiment, rounds }) =>
+  (rounds.at(-1)?.seed ?? experiment.evolution.seed - 1) + 1;
+
+/** @param {Duel} duel @param {Round} round */
+export function judge(duel, { seed, evolution, random }) {
+  const { costs, experiment } = duel;
+  const { population } = experiment.evolution;
+  const drives = costs.length;
+  const generation = generationsIn(drives, population);
+  const own = lowestOf(costs);
+  const last = evolution.length - 1;
+  const others = { evolution: evolution[generation], random: random[generation] };
+  const passedAt = Array.from(evolution).findIndex((cost) => cost < own);
+  return {
+    seed,
+    drives,
+    population,
+    generation,
+    /** What each of the other two has driven. */
+    given: drivesUntil(generation, population),
+    costs: { you: own, ...others },
+    winner: winnerOf(own, others),
+    longest: drivesUntil(last, population),
+    later: { evolution: evolution[last], random: random[last] },
+    /** With so many drives evolution is below your best; null: not so far. */
+    passed: passedAt < 0 ? null : drivesUntil(passedAt, population),
+  };
+}
+
+/** @param {number} own @param {{ evolution: number, random: number }} others @returns {typeof winners[number]} */
+function winnerOf(own, { evolution, random }) {
+  if (own <= evolution && own <= random) return 'you';
+  if (evolution === random) return 'both';
+  return evolution < random ? 'evolution' : 'random';
+}
+
+/** How many of the rounds each has won. @param {Duel} duel @returns {Record<typeof winners[number], number>} */
+export function scoreOf(duel) {
+  const score = { you: 0, evolution: 0, random: 0, both: 0 };
+  for (const round of duel.rounds) score[judge(duel, round).winner] += 1;
+  return score;
+}

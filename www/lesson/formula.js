@@ -1,0 +1,61 @@
+// Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
+import { create } from '../elements.js';
+import { lesson as words } from '../words/index.js';
+import { isSymbol, mathml, symbol } from './symbols.js';
+
+/** @typedef {import('./page.js').Live} Live */
+/** @typedef {import('./notation.js').Formula} Formula */
+/** @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
+
+/** On a small screen a long formula scrolls, also by keyboard. @param {string} className @param {Element} math */
+function scroller(className, math) {
+  const element = create('div', className, math);
+  element.tabIndex = 0;
+  element.setAttribute('role', 'group');
+  element.setAttribute('aria-label', words.formula);
+  return element;
+}
+
+/** @param {Formula} formula @returns {Block} */
+export function createFormula({ label, build, filled = build, numbers }) {
+  const lines = mathml('mtable', ...build(symbol));
+  lines.setAttribute('displaystyle', 'true');
+  const math = mathml('math', lines);
+  math.setAttribute('display', 'block');
+  const number = create('span', 'formula-number', label);
+  const element = create('div', 'formula', scroller('formula-lines', math), number);
+  if (!numbers) return { element, draw() {} };
+
+  /** @type {Map<string, Element[]>} */
+  const leaves = new Map();
+  const numbersIn = mathml(
+    'mtable',
+    ...filled((/** @type {string} */ term) => {
+      const leaf = mathml('mn', '–');
+      leaf.setAttribute('data-term', term);
+      leaf.setAttribute('class', `live ${(isSymbol(term) && symbol(term).getAttribute('class')) || ''}`);
+      leaves.set(term, [...(leaves.get(term) ?? []), leaf]);
+      return leaf;
+    }),
+  );
+  const filledMath = mathml('math', numbersIn);
+  filledMath.setAttribute('display', 'block');
+  const now = scroller('formula-lines formula-now', filledMath);
+  now.hidden = true;
+  const button = create('button', 'link formula-button', words.showNumbers);
+  button.setAttribute('type', 'button');
+  button.setAttribute('aria-expanded', 'false');
+  button.addEventListener('click', () => {
+    now.hidden = !now.hidden;
+    button.setAttribute('aria-expanded', String(!now.hidden));
+    button.textContent = now.hidden ? words.showNumbers : words.hideNumbers;
+  });
+  element.append(now, button);
+  return {
+    element,
+    draw(live) {
+      for (const [term, text] of Object.entries(numbers(live)))
+        for (const leaf of leaves.get(term) ?? []) if (leaf.textContent !== text) leaf.textContent = text;
+    },
+  };
+}

@@ -1,0 +1,69 @@
+// How formulas are put together. A leaf is drawn as its symbol or as its present number; all else is the same in both.
+import { mathml } from './symbols.js';
+
+/** @typedef {import('./page.js').Live} Live */
+/** @typedef {import('./symbols.js').SymbolName} SymbolName */
+/** @typedef {(name: SymbolName) => Element} Leaf */
+/**
+ * @typedef {object} Formula
+ * @property {string} label Its number in the paper.
+ * @property {(leaf: Leaf) => Element[]} build
+ * @property {(leaf: (name: string) => Element) => Element[]} [filled] What the numbers stand in, where they do not stand in place of the symbols.
+ * @property {(live: Live) => Record<string, string>} [numbers] By the leaves' names.
+ */
+
+/** @typedef {Element | string} Part A string of letters is a word, of anything else an operator. */
+
+/** @param {Part} part */
+function node(part) {
+  if (typeof part !== 'string') return part;
+  const element = mathml(/^[\p{L}]+$/u.test(part) ? 'mi' : /^\d/.test(part) ? 'mn' : 'mo', part);
+  // An index alone would make them taller.
+  if (part === '(' || part === ')') element.setAttribute('stretchy', 'false');
+  return element;
+}
+
+/** @param {Part[]} parts */
+export const row = (...parts) => mathml('mrow', ...parts.map(node));
+/** What stands for one thing and lights up as one. @param {string} name @param {Part[]} parts */
+export const term = (name, ...parts) => {
+  const group = row(...parts);
+  group.setAttribute('data-term', name);
+  group.setAttribute('tabindex', '0');
+  return group;
+};
+/** @param {Part} above @param {Part} below */
+export const frac = (above, below) => mathml('mfrac', node(above), node(below));
+/** @param {Part} base @param {Part} power */
+export const sup = (base, power) => mathml('msup', node(base), node(power));
+/** @param {Part} base @param {Part} index */
+export const sub = (base, index) => mathml('msub', node(base), node(index));
+/** @param {Part} from @param {Part} to */
+export const integral = (from, to) => mathml('msubsup', node('∫'), node(from), node(to));
+/** @param {Part} inside */
+export const root = (inside) => mathml('msqrt', node(inside));
+/** @param {Part} of */
+export const size = (of) => row('|', of, '|');
+/** One line of a formula: what it is, an equals sign, and the rest. @param {Part} left @param {Part[]} right */
+export const line = (left, ...right) => relation(left, '=', ...right);
+/** The same with another sign. @param {Part} left @param {string} sign @param {Part[]} right */
+export const relation = (left, sign, ...right) =>
+  mathml('mtr', cell('right', node(left)), cell('left', row(sign, ...right)));
+/** A line that goes on. @param {Part[]} right */
+export const further = (...right) => mathml('mtr', cell('right'), cell('left', row(...right)));
+
+/** @param {'left' | 'right'} side @param {Element[]} parts */
+function cell(side, ...parts) {
+  const element = mathml('mtd', ...parts);
+  element.setAttribute('class', side);
+  return element;
+}
+
+/** @param {string} name */
+const ofAngle =
+  (name) =>
+  (/** @type {Part} */ angle, /** @type {Part | undefined} */ power = undefined) =>
+    row(power ? sup(name, power) : name, '\u2061', angle);
+export const sin = ofAngle('sin');
+export const cos = ofAngle('cos');
+export const dot = '·';

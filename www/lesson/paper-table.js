@@ -1,0 +1,104 @@
+// What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
+import { create } from '../elements.js';
+import { costText, degrees, fixed, postureText } from '../words/numbers.js';
+
+/** @typedef {import('../engine.js').Experiment} Experiment */
+/** @typedef {import('./page.js').Live} Live */
+/** @typedef {import('./page.js').Block} Block */
+/** @typedef {import('./page.js').Tools} Tools */
+
+const generations = 200;
+
+/** @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
+function tableOf(className, head, rows) {
+  const cell = (/** @type {string} */ tag, /** @type {Node | string} */ content) => create(tag, '', content);
+  const headRow = create('tr', '', ...head.map((text) => cell('th', text)));
+  for (const th of headRow.children) th.setAttribute('scope', 'col');
+  const body = rows.map(([first, ...rest]) => {
+    const name = cell('th', first);
+    name.setAttribute('scope', 'row');
+    return create('tr', '', name, ...rest.map((content) => cell('td', content)));
+  });
+  return create('table', className, create('thead', '', headRow), create('tbody', '', ...body));
+}
+
+const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) => fixed(gain, 2)).join(', ');
+
+/** @param {Tools} tools @param {any} words @returns {Block} */
+export function createPaperTable({ engine }, words) {
+  const element = create('div', 'paper-table');
+  element.id = 'paper-table';
+  /** What evolution finds with the first seed, in each preset. @type {Map<string, import('../engine.js').Individual> | 'asked' | null} */
+  let found = null;
+  const draw = (/** @type {import('../engine.js').PaperResult[]} */ paper) => {
+    const rows = paper.map(({ preset, figure, method, gains, cost }) => {
+      const [run] = engine.drive(engine.experiment(preset), [gains]);
+      return [words.row(figure, method), gainsText(gains), String(cost), costText(run.cost.total)];
+    });
+    for (const [i, preset] of /** @type {const} */ (['velocity-limits', 'acceleration-limits']).entries()) {
+      const best = found instanceof Map ? found.get(preset) : null;
+      rows.splice(3 * i + (i === 0 ? 2 : 2), 0, [
+        words.ours(generations),
+        best ? gainsText(best.gains) : '…',
+        '',
+        best ? costText(best.cost) : '…',
+      ]);
+    }
+    const wrapper = create('div', 'lesson-scroll', tableOf('lesson-table', words.head, rows));
+    wrapper.tabIndex = 0;
+    element.replaceChildren(wrapper);
+  };
+  return {
+    element,
+    draw({ paper }) {
+      if (found) return;
+      found = 'asked';
+      draw(paper);
+      const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
+      engine.surveys
+        .evolveAll(presets.map(engine.experiment), generations)
+        .then((results) => {
+          found = new Map(presets.map((preset, i) => [preset, results[i]]));
+          draw(paper);
+        })
+        // Without workers the rows of our own stay open.
+        .catch(() => {});
+    },
+  };
+}
+
+/** @param {Tools} tools @param {any} words @returns {Block} */
+export function createChoicesTable({ engine }, words) {
+  const e = engine.experiment('velocity-limits');
+  const a = engine.experiment('acceleration-limits');
+  const rows = words.choices(textsOf(e, a));
+  const wrapper = create(
+    'div',
+    'lesson-scroll',
+    tableOf('lesson-table choices-table', words.choicesHead, rows),
+  );
+  wrapper.tabIndex = 0;
+  const element = create('section', '', create('h3', '', words.choicesTitle), wrapper);
+  return { element, draw() {} };
+}
+
+/** The choices as the core has them. @param {Experiment} e @param {Experiment} a */
+export const textsOf = (e, a) => ({
+  start: postureText(e.starts[0]),
+  goal: postureText(e.goal),
+  speed: fixed(e.limits.speed ?? 0, 0),
+  turnRate: fixed((e.limits.turnRate ?? 0) / Math.PI, 0),
+  acceleration: fixed(a.limits.acceleration ?? 0, 0),
+  turnAcceleration: fixed((a.limits.turnAcceleration ?? 0) / Math.PI, 0),
+  weights: e.weights.final.map(String).join(', '),
+  velocityWeights: e.weights.velocity.map(String).join(', '),
+  penalty: String(e.weights.penalty),
+  position: fixed(100 * e.tolerance.position, 0),
+  heading: degrees(e.tolerance.heading),
+  horizon: fixed(e.horizon, 0),
+  population: String(e.evolution.population),
+  opponents: String(e.evolution.opponents),
+  range: e.evolution.initialRange.map(String),
+  sigma: String(e.evolution.initialSigma),
+  sampleTime: String(e.sampleTime),
+});

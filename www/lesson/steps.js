@@ -1,0 +1,71 @@
+// The path of the lesson: its steps in their order, each with the link that sets its figure up.
+import { language, usualLanguage } from '../words/language.js';
+import { drive } from './steps/drive.js';
+import { error } from './steps/error.js';
+import { law } from './steps/law.js';
+import { stability } from './steps/stability.js';
+import { limits } from './steps/limits.js';
+import { cost } from './steps/cost.js';
+import { generation } from './steps/generation.js';
+import { sigma } from './steps/sigma.js';
+import { duel } from './steps/duel.js';
+import { landscape } from './steps/landscape.js';
+import { task } from './steps/task.js';
+import { disturbance } from './steps/disturbance.js';
+import { paper } from './steps/paper.js';
+import { lecturers } from './steps/lecturers.js';
+
+/** @typedef {import('./page.js').Live} Live */
+/** @typedef {import('./page.js').Block} Block */
+/** @typedef {import('./page.js').Tools} Tools */
+/** @typedef {import('./quiz.js').Quiz} Quiz */
+/** @typedef {keyof typeof import('../words/en/lesson.js').steps} StepName */
+/** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step. */
+/**
+ * @typedef {{ kind: 'text', name: string }
+ *   | { kind: 'formula', formula: import('./notation.js').Formula }
+ *   | { kind: 'notice' }
+ *   | { kind: 'tries', tries: readonly (readonly [name: string, link: string])[] }
+ *   | { kind: 'quiz', name: string, quiz: Quiz }
+ *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block }} Content
+ */
+/**
+ * @typedef {object} Step
+ * @property {StepName} name
+ * @property {string} link What is on screen when the step is opened.
+ * @property {'drive' | 'evolve' | 'plane'} figure What stands under the plane while the link opens the lab: J and the gains, J and evolution, or the gains alone. Another part stands there by itself.
+ * @property {number} [time] Where the robots' clock stands, in seconds; without it they drive.
+ * @property {boolean} [overlay] The error posture is drawn on the plane.
+ * @property {readonly Content[]} blocks
+ * @property {(live: Live) => Record<string, string>} [values] The numbers in its texts.
+ */
+
+/** @type {readonly Step[]} */
+export const steps = [
+  drive,
+  error,
+  law,
+  stability,
+  limits,
+  cost,
+  generation,
+  sigma,
+  duel,
+  landscape,
+  task,
+  disturbance,
+  paper,
+  lecturers,
+];
+
+/** The link with the step of the lesson in it. @param {string} link @param {number} number @returns {string} */
+export function hrefOf(link, number) {
+  const step = /^lesson&step=(\d+)$/.exec(link);
+  if (step) return `#${linkOfStep(Number(step[1]))}`;
+  const [part, ...pairs] = link.split('&');
+  const read = language === usualLanguage ? [] : [`lang=${language}`];
+  return `#${[part, 'v=1', ...read, ...pairs, `lesson=${number}`].join('&')}`;
+}
+
+/** The same from the number of a step alone. @param {number} number */
+export const linkOfStep = (number) => hrefOf(steps[number - 1].link, number).slice(1);

@@ -1,0 +1,47 @@
+// Step 1: drive it yourself. No theory yet.
+import { createTallyLine } from '../tally-line.js';
+import { costText, fixed } from '../../words/numbers.js';
+
+/** @type {import('../steps.js').Step} */
+export const drive = {
+  name: 'drive',
+  link: 'lab&drives=hand&gains=3,0,0',
+  figure: 'drive',
+  blocks: [
+    { kind: 'text', name: 'begin' },
+    { kind: 'view', create: createTallyLine },
+    {
+      kind: 'quiz',
+      name: 'bolder',
+      quiz: {
+        shows: 'lab&drives=hand&gains=10,10,10',
+        // The drive that the prediction is about, beside a gentler one.
+        answer({ engine, state, scene }) {
+          const [gentle] = engine.drive(state.experiment, [[5, 5, 5]]);
+          const bold = scene.driving;
+          const faster = bold.finalTime < gentle.finalTime;
+          const cheaper = bold.cost.total < gentle.cost.total;
+          return { right: faster ? (cheaper ? 0 : 1) : 2, gentle, bold };
+        },
+      },
+    },
+    {
+      kind: 'tries',
+      tries: [
+        ['onlySecond', 'lab&drives=hand&gains=0,5,0'],
+        ['noDrive', 'lab&drives=hand&gains=0,0,5'],
+        ['negative', 'lab&drives=hand&gains=-1,1,5'],
+        ['paper', 'lab&drives=paper-ep'],
+      ],
+    },
+    { kind: 'notice' },
+    { kind: 'text', name: 'next' },
+  ],
+  values: ({ engine, state, paper }) => {
+    const arbitrary = paper.find(({ preset, method }) => preset === state.preset && method === 'arbitrary');
+    const [run, first] = engine.drive(state.experiment, [arbitrary?.gains ?? [10, 10, 10], [3, 0, 0]]);
+    const { goal } = state.experiment;
+    const miss = Math.hypot(first.x[first.x.length - 1] - goal.x, first.y[first.y.length - 1] - goal.y);
+    return { arbitrary: costText(run.cost.total), miss: fixed(miss, 2) };
+  },
+};

@@ -1,0 +1,43 @@
+// Step 2: where the goal is, seen from the robot.
+import { errorFormula } from '../formulas.js';
+import { degreesText, signed } from '../../words/numbers.js';
+
+/** @type {import('../steps.js').Step} */
+export const error = {
+  name: 'error',
+  link: 'lab&drives=hand&gains=3,5,5&start=1,0,90deg',
+  figure: 'plane',
+  overlay: true,
+  time: 0,
+  blocks: [
+    { kind: 'text', name: 'three' },
+    { kind: 'formula', formula: errorFormula },
+    { kind: 'text', name: 'signs' },
+    {
+      kind: 'quiz',
+      name: 'largest',
+      quiz: {
+        shows: 'lab&drives=hand&gains=3,5,5&start=0,2,90deg',
+        answer({ engine, scene }) {
+          const { x, y, theta } = engine.samples(scene.experiment, [3, 5, 5])[0].error;
+          const difference = Math.abs(x) - Math.abs(y);
+          return { right: Math.abs(difference) < 0.005 ? 2 : difference > 0 ? 0 : 1, x, y, theta };
+        },
+      },
+    },
+    {
+      kind: 'tries',
+      tries: [
+        ['beside', 'lab&drives=hand&gains=3,5,5&start=3,1,45deg'],
+        ['beyond', 'lab&drives=hand&gains=3,5,5&start=3,3,45deg'],
+        ['round', 'lab&drives=hand&gains=3,5,5&start=2,2,-135deg'],
+      ],
+    },
+    { kind: 'notice' },
+  ],
+  values: ({ sample }) => ({
+    xe: signed(sample.error.x, 2),
+    ye: signed(sample.error.y, 2),
+    te: degreesText(sample.error.theta),
+  }),
+};

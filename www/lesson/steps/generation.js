@@ -1,0 +1,87 @@
+// Step 7: one generation by hand.
+import { generation as words, lesson } from '../../words/index.js';
+import { anatomyOf, birthOf, chosenIn, placeByCost } from '../anatomy.js';
+import { gainFormula } from '../formulas.js';
+
+/** The two whose fates the first question is about: offspring 6 and parent 12 of generation 1. */
+export const question = { better: 25, worse: 11 };
+
+/** @type {import('../steps.js').Step} */
+export const generation = {
+  name: 'generation',
+  link: 'generation&generation=1&phase=parents&individual=26',
+  figure: 'evolve',
+  blocks: [
+    { kind: 'text', name: 'begin' },
+    { kind: 'text', name: 'mutate' },
+    { kind: 'formula', formula: gainFormula },
+    { kind: 'text', name: 'select' },
+    {
+      kind: 'quiz',
+      name: 'luck',
+      quiz: {
+        shows: 'generation&generation=1&phase=ranking&individual=25',
+        answer(live) {
+          const anatomy = anatomyOf(live);
+          const fate = (/** @type {number} */ number) => ({
+            stays: anatomy.record.survivors.includes(number),
+            cost: anatomy.all[number].cost,
+            wins: anatomy.record.wins[number],
+            place: placeByCost(anatomy, number),
+          });
+          const [better, worse] = [fate(question.better), fate(question.worse)];
+          const right = better.stays ? (worse.stays ? 2 : 0) : worse.stays ? 1 : 3;
+          return { right, better, worse, bouts: anatomy.record.opponents[0].length };
+        },
+      },
+    },
+    {
+      kind: 'quiz',
+      name: 'best',
+      quiz: {
+        shows: 'lab&generation=60',
+        answer({ state }) {
+          const costs = state.history.slice(0, state.generation + 1).map(({ best }) => best.cost);
+          const steps = costs.slice(1).map((cost, i) => cost - costs[i]);
+          const rose = steps.filter((step) => step > 0).length;
+          const fell = steps.filter((step) => step < 0).length;
+          return { right: rose > 0 ? 0 : 2, rose, fell, generations: state.generation };
+        },
+      },
+    },
+    {
+      kind: 'tries',
+      tries: [
+        ['lucky', 'generation&seed=3&generation=1&phase=tournament&individual=12'],
+        ['below', 'generation&generation=1&phase=drive&individual=34'],
+        ['bouts', 'generation&opponents=200&generation=1&phase=survivors'],
+        ['late', 'generation&generation=60&phase=drive'],
+      ],
+    },
+    { kind: 'notice' },
+    { kind: 'text', name: 'next' },
+  ],
+  values: (live) => {
+    const anatomy = anatomyOf(live);
+    const { record, all, count } = anatomy;
+    const chosen = chosenIn(live);
+    const pair = chosen % count;
+    const birth = birthOf(anatomy, pair);
+    const name = (/** @type {number} */ number) => words.capital(words.nameOf(anatomy, number));
+    const known = { count: String(count), parent: name(pair) };
+    if (!birth) return known;
+    const cost = words.costWriter(anatomy);
+    return {
+      ...known,
+      child: name(pair + count),
+      childCost: cost(birth.child.cost),
+      parentCost: cost(birth.parent.cost),
+      better: String(record.offspring.filter((one, i) => one.cost < record.parents[i].cost).length),
+      all: String(all.length),
+      bouts: String(record.opponents[chosen].length),
+      chosen: name(chosen),
+      wins: String(record.wins[chosen]),
+      fate: lesson.steps.generation.fate(words.nameOf(anatomy, chosen), words.fateText(anatomy, chosen)),
+    };
+  },
+};

@@ -1,0 +1,83 @@
+// Step 10: J as a landscape, and where evolution walked in it.
+import { remember } from '../../state.js';
+import { lab } from '../../words/index.js';
+import { fixed } from '../../words/numbers.js';
+import { lowestPoint } from '../lowest.js';
+
+/** As dear as this times the lowest point is still the floor of the valley. */
+const floor = 1.05;
+
+/** The share of a map that is floor. */
+const floorShare = remember((/** @type {Float64Array} */ costs) => {
+  const least = costs.reduce((a, b) => Math.min(a, b));
+  return costs.filter((cost) => cost < floor * least).length / costs.length;
+});
+
+/** @type {import('../steps.js').Step} */
+export const landscape = {
+  name: 'landscape',
+  link: 'landscape&third=0.05',
+  figure: 'evolve',
+  blocks: [
+    { kind: 'text', name: 'map' },
+    { kind: 'text', name: 'shape' },
+    {
+      kind: 'quiz',
+      name: 'turn',
+      quiz: {
+        shows: 'landscape&drives=paper-ep&generation=60&goal.theta=90deg',
+        async answer({ engine, state, gains }) {
+          const { preset, experiment } = state;
+          const [old, now] = await Promise.all(
+            [engine.experiment(preset), experiment].map((one) =>
+              lowestPoint(engine, { experiment: one, preset, x: 'kx', y: 'ktheta', gains }),
+            ),
+          );
+          const [left] = engine.drive(experiment, [old.gains]);
+          const stays = old.gains.every((gain, i) => gain === now.gains[i]);
+          return { right: !left.arrived ? 2 : stays ? 0 : 1, old, now, left };
+        },
+      },
+    },
+    {
+      kind: 'quiz',
+      name: 'ky',
+      quiz: {
+        shows: 'landscape&x=kx&y=ky&generation=100',
+        async answer({ engine, state, gains }) {
+          const { preset, experiment } = state;
+          const lowest = await lowestPoint(engine, { experiment, preset, x: 'kx', y: 'ky', gains });
+          const { most } = lowest;
+          const [kx, ky, ktheta] = lowest.gains;
+          const [middle, wall] = engine.drive(experiment, [
+            [kx, most / 2, ktheta],
+            [kx, -0.01, ktheta],
+          ]);
+          return { right: ky < 0.05 * most ? 1 : ky > 0.95 * most ? 2 : 0, lowest, middle, wall };
+        },
+      },
+    },
+    {
+      kind: 'tries',
+      tries: [
+        ['walked', 'landscape&generation=100'],
+        ['smooth', 'landscape&third=0'],
+        ['deep', 'landscape&x=kx&y=ky-log&generation=100'],
+        ['stuck', 'landscape&generation=200&goal.theta=0deg&seed=3'],
+      ],
+    },
+    { kind: 'notice' },
+    { kind: 'text', name: 'next' },
+  ],
+  values({ state }) {
+    const { history, generation, experiment } = state;
+    const { result } = state.landscape;
+    return {
+      drives: result ? lab.grouped(result.costs.length) : '…',
+      floor: result ? fixed(100 * floorShare(result.costs), 0) : '…',
+      generation: String(generation),
+      spent: String(history[generation].evaluations),
+      horizon: fixed(experiment.horizon, 0),
+    };
+  },
+};

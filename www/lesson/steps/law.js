@@ -1,0 +1,86 @@
+// Step 3: the control law, term by term, and what each gain does alone.
+import { remember } from '../../state.js';
+import { degreesText, fixed, signed } from '../../words/numbers.js';
+import { lawFormula } from '../formulas.js';
+import { createPushes } from '../pushes.js';
+
+/** @typedef {import('../../engine.js').Engine} Engine */
+/** @typedef {import('../../engine.js').Triple} Triple */
+
+/** From here each gain alone brings its own error to zero and leaves the others. */
+const start = { x: 1.5, y: 0.5, theta: 0 };
+const below = `start=${Object.values(start).join(',')}`;
+/** Beside the goal, and turned as it is. */
+const beside = 'start=2.5,1.5,45deg';
+/** @type {Triple} */
+const kxAlone = [3, 0, 0];
+/** @type {Triple} */
+const withoutKy = [3, 0, 5];
+/** @type {Triple} */
+const allThree = [3, 8, 5];
+
+/** @param {Triple} gains @param {string} rest */
+const byHand = (gains, rest) => `lab&drives=hand&gains=${gains.join(',')}&${rest}`;
+
+/** Where the step's own drives end, and what they ask for on the way. */
+const numbersOf = remember((/** @type {Engine} */ engine) => {
+  const experiment = engine.experiment({ starts: [start] });
+  const alone = engine.samples(experiment, kxAlone);
+  const { error } = alone[alone.length - 1];
+  const most = engine
+    .samples(experiment, allThree)
+    .reduce((a, b) => (Math.abs(b.command.angular) > Math.abs(a.command.angular) ? b : a));
+  return {
+    side: fixed(Math.abs(error.y), 2),
+    turned: degreesText(Math.abs(error.theta)),
+    most: signed(Math.abs(most.command.angular), 0),
+    leaves: signed(Math.abs(most.velocity.angular), 2),
+  };
+});
+
+/** How a drive without ky ends. @param {import('../page.js').Live} live */
+function withoutKyFrom({ engine, scene }) {
+  const samples = engine.samples(scene.experiment, withoutKy);
+  const { error, outcome, time } = samples[samples.length - 1];
+  const arrived = outcome === 'arrived';
+  const right = arrived ? 0 : Math.abs(error.theta) < 0.05 ? 1 : 2;
+  return { right, arrived, error, time, farthest: Math.max(...samples.map((one) => Math.abs(one.error.y))) };
+}
+
+/** @type {import('../steps.js').Step} */
+export const law = {
+  name: 'law',
+  link: byHand(kxAlone, below),
+  figure: 'plane',
+  overlay: true,
+  blocks: [
+    { kind: 'text', name: 'one' },
+    { kind: 'view', create: createPushes },
+    { kind: 'text', name: 'written' },
+    { kind: 'formula', formula: lawFormula },
+    {
+      kind: 'tries',
+      tries: [
+        ['onlyKx', byHand(kxAlone, below)],
+        ['onlyKt', byHand([0, 0, 5], below)],
+        ['onlyKy', byHand([0, 8, 0], below)],
+      ],
+    },
+    { kind: 'text', name: 'each' },
+    { kind: 'quiz', name: 'beside', quiz: { shows: byHand(withoutKy, below), answer: withoutKyFrom } },
+    { kind: 'quiz', name: 'ahead', quiz: { shows: byHand(withoutKy, 'start=0,0,0'), answer: withoutKyFrom } },
+    { kind: 'text', name: 'sideways' },
+    {
+      kind: 'tries',
+      tries: [
+        ['all', byHand(allThree, below)],
+        ['stuck', byHand(withoutKy, beside)],
+        ['shuffle', byHand(allThree, beside)],
+        ['unlimited', byHand(allThree, `${below}&limits.speed=off&limits.turnRate=off`)],
+      ],
+    },
+    { kind: 'notice' },
+    { kind: 'text', name: 'next' },
+  ],
+  values: ({ engine }) => numbersOf(engine),
+};

@@ -1,0 +1,61 @@
+// Step 13: the paper's numbers beside ours, and what lies between them.
+import { fixed } from '../../words/numbers.js';
+import { createChoicesTable, createPaperTable } from '../paper-table.js';
+
+/** @typedef {import('../page.js').Live} Live */
+
+/** The run of one row of the paper, in its own preset. @param {Live} live @param {number} row */
+function runOf({ engine, paper }, row) {
+  const { preset, gains } = paper[row];
+  return engine.drive(engine.experiment(preset), [gains])[0];
+}
+
+/** @param {Live} live */
+const costsOf = (live) => live.paper.map((_, row) => runOf(live, row).cost.total);
+
+/** @type {import('../steps.js').Step} */
+export const paper = {
+  name: 'paper',
+  link: 'curves&drives=paper-ep',
+  figure: 'plane',
+  blocks: [
+    { kind: 'text', name: 'same' },
+    {
+      kind: 'quiz',
+      name: 'lower',
+      quiz: {
+        shows: 'curves&drives=paper-ep',
+        answer(live) {
+          const here = live.scene.paperEp.cost.total;
+          const there = live.paper[0].cost;
+          const ratio = here / there;
+          return { right: Math.abs(ratio - 1) < 0.005 ? 0 : ratio > 1 ? 1 : 2, here, there };
+        },
+      },
+    },
+    { kind: 'view', create: createPaperTable },
+    { kind: 'text', name: 'order' },
+    { kind: 'view', create: createChoicesTable },
+    {
+      kind: 'tries',
+      tries: [
+        ['horizon', 'lab&horizon=3&tolerance.position=0&tolerance.heading=0&generation=100'],
+        ['weights', 'lab&drives=paper-ep&weights.velocity=2,2'],
+        ['figure7', 'curves&preset=acceleration-limits&drives=paper-arbitrary'],
+      ],
+    },
+    { kind: 'text', name: 'figure7' },
+    { kind: 'notice' },
+  ],
+  values(live) {
+    const costs = costsOf(live);
+    const swing = Math.max(...runOf(live, 3).theta) * (180 / Math.PI);
+    return {
+      velocity: fixed(costs[1] / costs[0], 2),
+      paperVelocity: fixed(live.paper[1].cost / live.paper[0].cost, 2),
+      acceleration: fixed(costs[3] / costs[2], 2),
+      paperAcceleration: fixed(live.paper[3].cost / live.paper[2].cost, 2),
+      swing: `${fixed(swing, 0)}°`,
+    };
+  },
+};

@@ -1,0 +1,80 @@
+// Step 8: the step size that adapts itself, and its collapse.
+import { generation as words } from '../../words/index.js';
+import { costText, fixed } from '../../words/numbers.js';
+import { sigmaFormula } from '../formulas.js';
+
+/** What counts as the same J in the answers: nothing that one sees of a drive. */
+const same = 0.01;
+const usualSigma = 1;
+
+/** @type {import('../steps.js').Step} */
+export const sigma = {
+  name: 'sigma',
+  link: 'lab&generation=60&curve=sigmas',
+  figure: 'evolve',
+  blocks: [
+    { kind: 'text', name: 'begin' },
+    { kind: 'formula', formula: sigmaFormula },
+    { kind: 'text', name: 'rates' },
+    {
+      kind: 'quiz',
+      name: 'small',
+      quiz: {
+        shows: 'lab&evolution.initialSigma=0.01&generation=60&curve=sigmas',
+        async answer({ engine, state }) {
+          const { experiment, generation, history } = state;
+          const usual = {
+            ...experiment,
+            evolution: { ...experiment.evolution, initialSigma: usualSigma },
+          };
+          const { cost } = await engine.surveys.evolve(usual, generation);
+          const own = history[generation].best.cost;
+          const right = Math.abs(own - cost) < same ? 1 : own < cost ? 0 : 2;
+          return { right, own, usual: cost, generation, sigma: experiment.evolution.initialSigma };
+        },
+      },
+    },
+    {
+      kind: 'quiz',
+      name: 'further',
+      quiz: {
+        shows: 'lab&generation=300&curve=sigmas',
+        answer({ state }) {
+          const { history, generation } = state;
+          const half = Math.floor(generation / 2);
+          const [first, middle, last] = [0, half, generation].map((g) => history[g].best.cost);
+          const [before, after] = [first - middle, middle - last];
+          const right = after < same ? 2 : after < before / 2 ? 1 : 0;
+          const sigmas = history[generation].meanSigmas.map(words.sigmaText);
+          return { right, before, after, half, generation, sigmas };
+        },
+      },
+    },
+    { kind: 'text', name: 'collapse' },
+    {
+      kind: 'tries',
+      tries: [
+        ['stuck', 'lab&seed=7&generation=300&curve=sigmas'],
+        ['none', 'lab&evolution.initialSigma=0&generation=60'],
+        ['large', 'lab&evolution.initialSigma=100&generation=100&curve=sigmas'],
+        ['late', 'generation&generation=300&phase=mutation&individual=0'],
+      ],
+    },
+    { kind: 'notice' },
+    { kind: 'text', name: 'next' },
+  ],
+  values: ({ engine, state }) => {
+    const { own, common } = engine.learningRates();
+    const { meanSigmas, best } = state.history[state.generation];
+    const [sx, sy, st] = meanSigmas.map(words.sigmaText);
+    return {
+      own: fixed(own, 3),
+      common: fixed(common, 3),
+      generation: String(state.generation),
+      cost: costText(best.cost),
+      sx,
+      sy,
+      st,
+    };
+  },
+};

@@ -1,0 +1,73 @@
+// Step 4: why it gets there. The Lyapunov function and its rate.
+import { fixed, signed } from '../../words/numbers.js';
+import { lyapunovFormula, rateFormula } from '../formulas.js';
+
+/** @typedef {import('../page.js').Live} Live */
+
+const unlimited = 'limits.speed=off&limits.turnRate=off';
+
+/** V at every sample of what drives. @param {Live} live */
+const valuesOf = ({ engine, scene, gains }) =>
+  engine.samples(scene.experiment, gains).map(({ lyapunov }) => lyapunov);
+
+/** @type {import('../steps.js').Step} */
+export const stability = {
+  name: 'stability',
+  link: `curves&view=stability&drives=hand&gains=3,1,5&${unlimited}`,
+  figure: 'plane',
+  blocks: [
+    { kind: 'text', name: 'bowl' },
+    { kind: 'formula', formula: lyapunovFormula },
+    { kind: 'text', name: 'falls' },
+    { kind: 'formula', formula: rateFormula },
+    { kind: 'text', name: 'parts' },
+    {
+      kind: 'quiz',
+      name: 'negative',
+      quiz: {
+        shows: 'curves&view=stability&drives=hand&gains=3,-1,5',
+        answer(live) {
+          const values = valuesOf(live);
+          const [first, last, most] = [values[0], values[values.length - 1], Math.max(...values)];
+          const { arrived } = live.scene.driving;
+          return { right: arrived ? 0 : last > first ? 2 : 1, first, last, most };
+        },
+      },
+    },
+    { kind: 'text', name: 'before' },
+    {
+      kind: 'quiz',
+      name: 'kanayama',
+      quiz: {
+        shows: 'curves&view=stability&law=kanayama&drives=hand&gains=3,5,5',
+        answer({ scene }) {
+          const { driving, experiment } = scene;
+          const end = driving.time.length - 1;
+          const { goal } = experiment;
+          const away = Math.hypot(driving.x[end] - goal.x, driving.y[end] - goal.y);
+          const turned = Math.max(...driving.angular.map(Math.abs));
+          return { right: driving.arrived ? 0 : away < 0.05 ? 1 : 2, away, turned };
+        },
+      },
+    },
+    {
+      kind: 'tries',
+      tries: [
+        ['other', `curves&view=stability&drives=hand&gains=3,1,5&${unlimited}&start=-1,-1,180deg`],
+        ['negativeTurn', 'curves&view=stability&drives=hand&gains=3,1,-2'],
+        ['track', 'curves&view=stability&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5'],
+        [
+          'kanayamaTracks',
+          'curves&view=stability&law=kanayama&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5',
+        ],
+      ],
+    },
+    { kind: 'notice' },
+    { kind: 'text', name: 'next' },
+  ],
+  values: ({ sample }) => ({
+    V: fixed(sample.lyapunov, 3),
+    time: fixed(sample.time, 2),
+    rate: signed(sample.lyapunovRate, 2),
+  }),
+};

@@ -1,0 +1,94 @@
+// Step 11: the gains that were evolved on one start, from everywhere else.
+import { gridAround, headings } from '../../robustness/grid.js';
+import { fine } from '../../robustness/request.js';
+import { gainsOf } from '../../state.js';
+import { lab } from '../../words/index.js';
+import { costText, fixed } from '../../words/numbers.js';
+import { mapsAreDone, shareOfStarts, trainedOn } from '../robust.js';
+
+/** @type {import('../steps.js').Step} */
+export const task = {
+  name: 'task',
+  link: 'lab&generation=100',
+  figure: 'evolve',
+  blocks: [
+    { kind: 'text', name: 'good' },
+    {
+      kind: 'quiz',
+      name: 'share',
+      quiz: {
+        shows: 'robustness&generation=100',
+        ready: ({ state }) => mapsAreDone(state),
+        async answer({ engine, state }) {
+          const found = await shareOfStarts(engine, state, state.population[0].gains);
+          // The middles of the choices: all, three quarters, half, one quarter.
+          const right = [1, 0.75, 0.5, 0.25].findIndex((middle) => found.share > middle - 0.125);
+          return { right: right < 0 ? 3 : right, ...found };
+        },
+      },
+    },
+    { kind: 'text', name: 'beside' },
+    { kind: 'text', name: 'asked' },
+    {
+      kind: 'quiz',
+      name: 'arbitrary',
+      quiz: {
+        shows: 'robustness&generation=100&drives=paper-arbitrary',
+        ready: ({ state }) => mapsAreDone(state),
+        async answer({ engine, state, paper }) {
+          const robots = /** @type {const} */ (['evolved', 'paper-arbitrary']).map((driver) =>
+            gainsOf(state, driver, paper),
+          );
+          const [own, other] = await Promise.all(robots.map((one) => shareOfStarts(engine, state, one)));
+          const [best, dear] = engine.drive(state.experiment, robots);
+          const right = other.share < 0.9 * own.share ? 0 : other.share > 1.1 * own.share ? 2 : 1;
+          return { right, own, other, best, dear };
+        },
+      },
+    },
+    { kind: 'text', name: 'many' },
+    {
+      kind: 'quiz',
+      name: 'price',
+      quiz: {
+        shows: 'training&generation=100',
+        async answer({ engine, state }) {
+          const [one, many] = await trainedOn(engine, state, ['one', 'circle']);
+          const right = many.own < 0.99 * one.own ? 0 : many.own > 1.01 * one.own ? 2 : 1;
+          return { right, one, many };
+        },
+      },
+    },
+    {
+      kind: 'tries',
+      tries: [
+        ['beside', 'robustness&generation=100&from=2,0,0deg'],
+        ['withKy', 'robustness&generation=100&drives=hand&gains=3.2,10,4.3&from=2,0,0deg'],
+        ['training', 'training&generation=100'],
+        ['cheap', 'training&generation=100&seed=3'],
+      ],
+    },
+    { kind: 'notice' },
+    { kind: 'text', name: 'next' },
+  ],
+  values({ engine, state, paper }) {
+    const { experiment, population, generation } = state;
+    const { gains } = population[0];
+    const given = paper.find(({ preset, method }) => preset === state.preset && method === 'ep');
+    const [best, ep] = engine.drive(experiment, [gains, given?.gains ?? gains]);
+    const grid = gridAround(experiment.goal, state.robustness.half, fine);
+    const places = grid.x.count * grid.y.count;
+    return {
+      generation: String(generation),
+      time: fixed(best.finalTime, 2),
+      cost: costText(best.cost.total),
+      paper: costText(ep.cost.total),
+      places: lab.grouped(places),
+      side: fixed(2 * state.robustness.half, 0),
+      headings: String(headings),
+      starts: lab.grouped(places * headings),
+      ky: fixed(gains[1], 4),
+      ye: fixed(engine.samples(experiment, gains)[0].error.y, 2),
+    };
+  },
+};

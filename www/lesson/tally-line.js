@@ -1,0 +1,18 @@
+// The best by hand so far, in one line.
+import { create } from '../elements.js';
+import { watch } from '../state.js';
+
+/** @typedef {import('./tally.js').Tally} Tally */
+
+/** @param {import("./page.js").Tools} _tools @param {{ tally: (tally: Tally) => string }} words @returns {import('./page.js').Block} */
+export function createTallyLine(_tools, words) {
+  const element = create('p', 'tally');
+  element.id = 'tally';
+  const changed = watch();
+  return {
+    element,
+    draw({ state }) {
+      if (changed(state.progress.tally)) element.textContent = words.tally(state.progress.tally);
+    },
+  };
+}

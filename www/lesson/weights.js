@@ -1,0 +1,51 @@
+// The weights of J where the lesson speaks of them: the settings' own rows.
+import { create } from '../elements.js';
+import { remember, watch } from '../state.js';
+import { fieldPath, valueAt } from '../settings/paths.js';
+import { createNumber } from '../settings/rows.js';
+import { table } from '../settings/table.js';
+
+/** The part of J that a weight weighs. @param {string} path */
+const partOf = (path) =>
+  path.startsWith('weights.velocity')
+    ? 'energy'
+    : path.startsWith('weights.final')
+      ? 'finalError'
+      : 'penalty';
+
+/** @param {import('./page.js').Tools} tools @param {{ otherWeights: string }} words @returns {import('./page.js').Block} */
+export function createWeights({ engine, actions }, words) {
+  const fields = engine.fields();
+  const rows = table.weights.map((row) => {
+    const field = fields.find(({ path }) => path === fieldPath(row.path));
+    if (!field) throw new Error(`weights: the core has no field ${row.path}`);
+    const view = createNumber(row, field, actions, 0, 'lesson');
+    view.element.dataset.term = partOf(row.path);
+    return { path: row.path, ...view };
+  });
+  const isMain = (/** @type {{ path: string }} */ { path }) => partOf(path) === 'energy';
+  const elementsOf = (/** @type {typeof rows} */ some) => some.map(({ element }) => element);
+  const others = create(
+    'details',
+    '',
+    create('summary', '', words.otherWeights),
+    ...elementsOf(rows.filter((row) => !isMain(row))),
+  );
+  const element = create('div', 'weights', ...elementsOf(rows.filter(isMain)), others);
+  element.id = 'weights';
+  const originalOf = remember(engine.experiment);
+  const changed = watch();
+  return {
+    element,
+    draw({ state: { experiment, preset, settings } }) {
+      if (!changed(experiment, preset, settings.error)) return;
+      for (const { path, draw } of rows)
+        draw({
+          experiment,
+          value: valueAt(experiment, path),
+          original: valueAt(originalOf(preset), path),
+          error: settings.error?.path === path ? settings.error.text : '',
+        });
+    },
+  };
+}

@@ -1,0 +1,77 @@
+// Step 12 in English.
+import { fixed } from '../numbers.js';
+
+export const disturbance = {
+  title: 'When the ground pushes',
+  texts: {
+    slip: `Until now the wheels did exactly what they were told. Now the ground slips: {=push}\u00a0m/s is added to whatever speed the robot drives. It runs past the goal, and there it stands, {=distance}\u00a0m away, for good.`,
+    why: `Why just there? At this place the law commands {=command}\u00a0m/s: backwards, just as fast as the ground slides forwards. Nearer to the goal the command {kx} {xe} cos {te} would be weaker than the ground.`,
+    theorem: `Steady or random, what the two have in common is a *bound*. Of the ground, Theorem 2 asks for nothing else: |{d1}| ≤ {e1} and |{d2}| ≤ {e2}, whatever happens within. As long as these three inequalities hold, {V} falls:`,
+    sets: `Near the goal they cannot all hold, for the right sides grow without end. So an error may remain. Solved for the error they give three *sets*: the coloured bands under the curves, the strips in the small picture. *Larger gains, smaller sets*: in this way, says the paper, one chooses gains for an error that one allows. The price is a harder drive.`,
+    unknown: `And what does the theorem not know? *Limits* and *samples*: a robot that looks 100 times a second cannot keep up with gains of 250, it trembles. And *time*: without a disturbance, it says, the error goes to 0, but not how soon. With {ky} = {=ky}, from {=starts} other starts, up to {=left}\u00a0m of {ye} are still left in the last two of {=horizon} seconds, and nothing has pushed.`,
+    next: `So much for what can be proved, and what can be seen. How much of all this is in the paper, and do our numbers agree with its own?`,
+  },
+  near: {
+    again: 'Drive again',
+    /** @param {number} across @param {number} time @param {number} distance */
+    caption: (across, time, distance) =>
+      `Seen from above, ${metres(across)} m wide. After ${fixed(time, 2)} s the robot is ${fixed(distance, 3)} m from the goal.`,
+    /** @param {number} across @param {number} distance */
+    label: (across, distance) =>
+      `The goal from above, ${metres(across)} m wide. In the end the robot is ${fixed(distance, 3)} m from it.`,
+  },
+  holds: {
+    /** @param {boolean} holds @param {string} formula @param {string} size @param {string | null} set Null: nothing pushes against it. */
+    one: (holds, formula, size, set) =>
+      set === null
+        ? 'holds: nothing pushes'
+        : holds
+          ? `holds: ${formula} is ${size}, outside its set of ${set}`
+          : `does not hold: ${formula} is ${size}, in its set of ${set}`,
+    /** @param {number} time @param {number} count */
+    all: (time, count) =>
+      count === 3
+        ? `After ${fixed(time, 2)} s all three hold: by the theorem, V falls.`
+        : `After ${fixed(time, 2)} s not all three hold: the theorem promises nothing here.`,
+  },
+  quizzes: {
+    double: {
+      question: 'All three gains twice as large. Where does the robot stand then?',
+      choices: [
+        'In the same place: the ground slips as before',
+        'About half as far from the goal',
+        'On the goal',
+      ],
+      /** @param {{ before: number, after: number }} outcome */
+      why: ({ before, after }) =>
+        `${fixed(after, 3)} m away instead of ${fixed(before, 3)} m. With twice the gain, half the error is enough for the same command. But no gain makes it zero: without an error there is no command, and the ground slips on.`,
+    },
+    random: {
+      question:
+        'Now *random pushes*: 100 times a second a new one, anything between −0.1 and 0.1 m/s. How far from the goal does the robot of the paper stay in the end?',
+      choices: [
+        'Further than with the slip: nobody can get used to them',
+        'As far: they are as strong as the slip',
+        'Nearer than with the slip',
+      ],
+      /** @param {{ steady: number, random: number }} outcome */
+      why: ({ steady, random }) =>
+        `Within ${fixed(random, 3)} m in the last two seconds; with the slip it was ${fixed(steady, 3)} m. Pushes to and fro largely cancel each other, a slip adds up. It is the steady disturbance that is the hard one.`,
+    },
+  },
+  tries: {
+    turning: 'A slip that turns the robot, too: 0.2 rad/s',
+    aside: 'From a start to the side: do the three hold?',
+    evolved: 'The turning slip and the gains evolved on one start',
+    huge: 'Gains of 250, and the slip of 0.1 m/s',
+  },
+  notice: [
+    'Under the slip straight ahead the robot ends just on the edge of the set of (6): a smaller one would be wrong.',
+    'Under the slip that turns, |sin θₑ| stays a little outside its set, and it may: the theorem promises something only outside *all three*.',
+    'With {ky} near zero the set of (7) is metres wide. What evolution saved is missing here.',
+    'Random pushes stay far inside the sets. The theorem reckons with the worst.',
+  ],
+};
+
+/** @param {number} value */
+const metres = (value) => String(Number(value.toFixed(1)));
