@@ -115,11 +115,10 @@ pageTest('weights in the lesson change J and the winner, and are those of the se
   assert.deepEqual(await standings(page), { totals: totals(heavy), winner: 2, drives: 3 });
   assert.equal(await page.evaluate(() => document.getElementById('cost-total')?.innerText), totals(heavy)[3]);
   await page.click('#settings-button');
-  assert.equal(
-    await page.evaluate(
-      () => /** @type {HTMLInputElement} */ (document.getElementById('setting-weights-velocity-0')).value,
-    ),
-    '5',
+  await page.until(
+    'the settings show the same weight',
+    () =>
+      /** @type {HTMLInputElement} */ (document.getElementById('setting-weights-velocity-0')).value === '5',
   );
   await page.click('#settings-close');
   await page.focus('#lesson-weights-velocity-1');
