@@ -44,14 +44,31 @@ const expected = (run, i) => [amount(run.lyapunov[i]), ...amounts(ratesAt(run, i
 
 /** @param {Page} page @param {Stability} driving @param {Stability[]} others @param {boolean} [isLog] */
 async function layoutOn(page, driving, others, isLog = false) {
-  const size = await page.evaluate(() => {
-    const { clientWidth, clientHeight } = /** @type {HTMLElement} */ (
+  const size = await page.until('the picture has its size', async () => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    const { clientWidth: width, clientHeight: height } = /** @type {HTMLElement} */ (
       document.getElementById('stability-picture')
     );
-    return { width: clientWidth, height: clientHeight };
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('stability-lines'));
+    const isDrawn = [
+      canvas.width - width * devicePixelRatio,
+      canvas.height - height * devicePixelRatio,
+    ].every((difference) => Math.abs(difference) < 1);
+    return isDrawn && { width, height };
   });
   return layoutOf(size, driving, others, isLog);
 }
+
+/** Red, green, blue and alpha of places of the picture. @param {Page} page @param {{ x: number, y: number }[]} places */
+const pixelsAt = (page, places) =>
+  page.evaluate((all) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('stability-lines'));
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    return all.map(({ x, y }) => {
+      const [left, top] = [x, y].map((place) => Math.round(place * devicePixelRatio));
+      return [...context.getImageData(left, top, 1, 1).data];
+    });
+  }, places);
 
 /** @param {Page} page */
 const note = (page) => textOf(page, '#stability-note');
@@ -96,35 +113,19 @@ for (const isLog of [false, true])
         isLog ? values[i] / ep.lyapunov[i] : values[i];
       const [own, promised] = [scaled(ep.rate), scaled(ep.promisedX)];
       const samples = [10, 25, 45, 65, 80, 95];
-      const at = (
-        /** @type {(i: number) => number} */ value,
-        /** @type {typeof rate} */ axes,
-        /** @type {string} */ token,
-      ) => samples.map((i) => ({ x: time(ep.time[i]), y: axes.scale(value(i)), token }));
-      const lines = {
-        V: at((i) => ep.lyapunov[i], lyapunov, '--ink'),
-        rate: at(own, rate, '--ink'),
-      };
+      const at = (/** @type {(i: number) => number} */ value, /** @type {typeof rate} */ { scale }) =>
+        samples.map((i) => ({ x: time(ep.time[i]), y: scale(value(i)), token: '--ink' }));
+      const lines = { V: at((i) => ep.lyapunov[i], lyapunov), rate: at(own, rate) };
       for (const [name, points] of Object.entries(lines)) {
         const found = await coloured(page, '#stability-lines', points);
         assert.ok(found >= samples.length - 1, `${name}: ${found} of ${samples.length}`);
         const wrong = points.map((point) => ({ ...point, y: point.y - 14 }));
         assert.ok((await coloured(page, '#stability-lines', wrong)) <= 1, `${name} is elsewhere too`);
       }
-      // Between its edges a part has a tint of its own colour: more blue than red, more green than red.
-      const tint = await page.evaluate(
-        (places) => {
-          const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('stability-lines'));
-          const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-          return places.map(({ x, y }) => [
-            ...context.getImageData(Math.round(x * devicePixelRatio), Math.round(y * devicePixelRatio), 1, 1)
-              .data,
-          ]);
-        },
-        samples.map((i) => ({
-          x: time(ep.time[i]) + 3,
-          y: rate.scale((promised(i) + own(i)) / 2),
-        })),
+      // Between the robot's rate and what x_e promises there is blue.
+      const tint = await pixelsAt(
+        page,
+        samples.map((i) => ({ x: time(ep.time[i]) + 3, y: rate.scale((promised(i) + own(i)) / 2) })),
       );
       for (const [red, , blue] of tint) assert.ok(blue - red > 25, `${red} red and ${blue} blue`);
       assert.deepEqual(await page.obstacles(), []);
@@ -181,15 +182,8 @@ pageTest('a gain below zero is moved here, and V rises in sight', async (page) =
   assert.ok(numberOf(values[4]) > 0);
   // Its area stands on the zero line.
   const { time, rate } = await layoutOn(page, run, []);
-  const [above, below] = await page.evaluate(
-    (places) => {
-      const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('stability-lines'));
-      const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-      return places.map(({ x, y }) => [
-        ...context.getImageData(Math.round(x * devicePixelRatio), Math.round(y * devicePixelRatio), 1, 1)
-          .data,
-      ]);
-    },
+  const [above, below] = await pixelsAt(
+    page,
     [12, -8].map((up) => ({ x: time(9.5), y: rate.scale(0) - up })),
   );
   assert.ok(above[0] - above[2] > 25, `above zero: ${above}`);
