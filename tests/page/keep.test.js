@@ -175,26 +175,26 @@ pageTest('a run is saved, and opened again as it was', async (page) => {
 
 pageTest('a long run is opened at the generation that was shown when it was saved', async (page) => {
   const many = { ...velocityLimits, evolution: { ...velocityLimits.evolution, population: 1000 } };
-  const { engine, state } = evolved(many, 300);
-  const text = runFile({ ...state, generation: 120 }, engine);
+  const { engine, state } = evolved(many, 150);
+  const text = runFile({ ...state, generation: 60 }, engine);
   await page.click('#keep-button');
-  assert.match(await choose(page, 'long.json', text), /“long.json” is open: all 300 generations/);
+  assert.match(await choose(page, 'long.json', text), /“long.json” is open: all 150 generations/);
   await page.click('#keep-close');
   await page.until('evolution rests', () => document.getElementById('run')?.textContent === 'Run');
   assert.deepEqual(await readEvolution(page), {
-    generation: '120',
+    generation: '60',
     seed: '1',
-    ...evolve(many, 120).shown,
+    ...evolve(many, 60).shown,
   });
   // The whole run is there, the link is that of what is shown, and how to go on is still as it was chosen.
-  await page.until('the link', () => /generation=120(&|$)/.test(location.hash));
+  await page.until('the link', () => /generation=60(&|$)/.test(location.hash));
   const { last, pace, until } = await page.evaluate(() => {
     const value = (/** @type {string} */ id) =>
       /** @type {HTMLSelectElement} */ (document.getElementById(id)).value;
     const timeline = /** @type {HTMLInputElement} */ (document.getElementById('timeline'));
     return { last: timeline.max, pace: value('pace'), until: value('until') };
   });
-  assert.deepEqual([last, pace, until], ['300', '8', 'every']);
+  assert.deepEqual([last, pace, until], ['150', '8', 'every']);
   await page.click('#keep-button');
   assert.match(await page.text('#keep-status'), new RegExp(engine.hash()));
 });

@@ -145,9 +145,11 @@ pageTest('no key acts while one types in a field or chooses from a list', async 
 
 pageTest('a key presses only what is in sight', async (page) => {
   await page.click('#page-luck');
+  await page.until('the part is open', () => document.body.dataset.open === 'luck');
   await page.press('n', 'r');
   assert.equal((await stateOf(page)).evolving, false);
   await page.click('#page-lab');
+  await page.until('the lab is open', () => document.body.dataset.open === 'lab');
   assert.deepEqual(await readEvolution(page), expected(0));
 });
 
