@@ -267,7 +267,7 @@ export const costSymbol = 'J';
 export const gainsNote = (driver, evolved) =>
   ({
     evolved: 'move one to drive by hand',
-    hand: `can you get below ${costText(evolved)}, evolution’s best?`,
+    hand: `can you beat evolution’s ${costText(evolved)}?`,
     'paper-ep': 'found by evolution in the paper',
     'paper-arbitrary': 'chosen without evolution',
   })[driver];
