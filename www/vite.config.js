@@ -2,8 +2,11 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { oneFile } from '../.tasks/offline.mjs';
 
+/** @param {string} path */
+const fileOf = (path) => fileURLToPath(new URL(path, import.meta.url));
+
 export default defineConfig(({ mode }) => ({
-  root: fileURLToPath(new URL('..', import.meta.url)),
+  root: fileOf('..'),
   base: './',
   publicDir: false,
   server: { watch: { ignored: ['**/target/**', '**/dist/**', '**/.tools/**'] } },
@@ -12,6 +15,16 @@ export default defineConfig(({ mode }) => ({
     // Nothing inline, so that the strictest content security policy lets the page run.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    rolldownOptions:
+      mode === 'offline'
+        ? {}
+        : {
+            input: { index: fileOf('../index.html'), embed: fileOf('embed/element.js') },
+            // Other pages include the element: by a name that stays.
+            output: {
+              entryFileNames: ({ name }) => (name === 'embed' ? 'embed.js' : 'assets/[name]-[hash].js'),
+            },
+          },
   },
   // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.
   worker: { format: 'iife' },

@@ -76,14 +76,18 @@ const isReady = (frame) =>
     (one) => one.frame === frame && one.data.type === 'ready',
   );
 
-/** All that a frame has said. @param {Page} page @param {number} frame @returns {Promise<any[]>} */
-export const heardFrom = (page, frame) =>
-  page.evaluate(
-    (number) =>
-      /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window)).heard
-        .filter((one) => one.frame === number)
-        .map(({ data }) => data),
-    frame,
+/** All that a frame has said. As text, for one driver changes the last digit of some numbers. @param {Page} page @param {number} frame @returns {Promise<any[]>} */
+export const heardFrom = async (page, frame) =>
+  JSON.parse(
+    await page.evaluate(
+      (number) =>
+        JSON.stringify(
+          /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window)).heard
+            .filter((one) => one.frame === number)
+            .map(({ data }) => data),
+        ),
+      frame,
+    ),
   );
 
 /** Sends a message to a frame and waits for its answer. @param {Page} page @param {number} frame @param {object} message @returns {Promise<any>} */
@@ -99,14 +103,17 @@ export async function ask(page, frame, message) {
     frame,
     JSON.stringify(message),
   )}`;
-  return page.until(
+  const answer = await page.until(
     `frame ${frame} answers ${JSON.stringify(message)}`,
     (question) =>
-      /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window)).heard.find(
-        ({ data }) => data.id === question,
-      )?.data,
+      JSON.stringify(
+        /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window)).heard.find(
+          ({ data }) => data.id === question,
+        )?.data,
+      ),
     id,
   );
+  return JSON.parse(answer);
 }
 
 /** Does something within a frame, scrolled into sight, where everything of a page is that of the frame. @template T @param {Page} page @param {number} frame @param {() => Promise<T>} body */

@@ -45,6 +45,7 @@ export function createEmbed(parts) {
     begin() {
       messages.ready();
       messages.announce();
+      tellHeight();
     },
 
     /** @param {State} state */
