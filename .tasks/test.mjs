@@ -3,12 +3,11 @@
 //   npm test -- page               only the page, in the browsers of this machine
 //   npm test -- --require-engines  an absent browser is a failure
 //   ENGINES=firefox npm test       only these browsers
-import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { findEngines } from '../tests/page/engines.js';
 import { buildCore, buildSite } from './build.mjs';
-import { Failure, run, runPackage, step, task, top } from './run.mjs';
+import { Failure, run, runPackage, step, task } from './run.mjs';
 import { installTools } from './tools.mjs';
 
 const count = { passed: 0, failed: 0 };
@@ -33,7 +32,7 @@ await task(async () => {
   await buildCore();
   if (positionals.length === 0) await testTypes();
   await buildSite();
-  if (found.length > 0) await testPage(found.map(({ name }) => name));
+  await testPage(found.map(({ name }) => name));
   console.log(`\nEngines that ran: ${found.map(({ name }) => name).join(', ') || 'none'}${advice}`);
 }).finally(() => console.log(`\n${count.passed} passed, ${count.failed} failed`));
 
@@ -61,14 +60,16 @@ function testTypes() {
   return step('types of the JavaScript', () => runPackage('typescript/bin/tsc', ['-p', 'www']));
 }
 
-/** The engines side by side, for each spends most of its time waiting. @param {string[]} engines */
+/** The engines side by side, for each spends much of its time waiting; beside them, once, what needs no browser. @param {string[]} engines */
 function testPage(engines) {
-  const folder = join('tests', 'page');
-  const files = readdirSync(join(top, folder)).filter((name) => name.endsWith('.test.js'));
-  const options = ['--test', '--test-concurrency=1', '--test-reporter=spec'];
+  const args = ['--test-reporter=spec', join('tests', 'page', 'every.js')];
   return step('tests of the built page in real browsers', async () => {
-    const args = [...options, ...files.map((name) => join(folder, name))];
-    const runs = engines.map((engine) => counted(process.execPath, args, { ENGINES: engine }));
+    const runs = [
+      counted(process.execPath, args, { PAGE_TESTS: 'without browsers' }),
+      ...engines.map((engine) =>
+        counted(process.execPath, args, { PAGE_TESTS: 'in browsers', ENGINES: engine }),
+      ),
+    ];
     const failed = (await Promise.allSettled(runs)).find(({ status }) => status === 'rejected');
     if (failed?.status === 'rejected') throw failed.reason;
   });

@@ -10,11 +10,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
-import axe from 'axe-core';
 import { Builder, Key } from 'selenium-webdriver';
 import { Command, Name } from 'selenium-webdriver/lib/command.js';
 import { findEngines, findProgram } from './engines.js';
-import { serve } from './server.js';
+import { isForBrowsers } from './once.js';
+import { axeAddress, serve } from './server.js';
 
 export { Key };
 
@@ -122,9 +122,9 @@ export class Page {
   async problems() {
     const collected = await this.evaluate(
       () =>
-        /** @type {{ collectedProblems: string[] }} */ (/** @type {unknown} */ (window)).collectedProblems,
+        /** @type {{ collectedProblems?: string[] }} */ (/** @type {unknown} */ (window)).collectedProblems,
     );
-    return [...collected, ...this.site.problems];
+    return [...(collected ?? []), ...this.site.problems];
   }
 
   /**
@@ -132,15 +132,23 @@ export class Page {
    * @returns {Promise<string[]>}
    */
   async obstacles() {
-    await this.#begin();
-    await this.driver.executeScript(axe.source);
-    return this.evaluate(async () => {
-      const runner = /** @type {{ axe: typeof axe }} */ (/** @type {unknown} */ (window)).axe;
-      const { violations } = await runner.run();
+    return this.evaluate(async (address) => {
+      const own = /** @type {{ axe?: typeof import('axe-core') }} */ (/** @type {unknown} */ (window));
+      if (!own.axe)
+        await new Promise((resolve, reject) => {
+          const script = document.createElement('script');
+          Object.assign(script, { src: address, onload: resolve, onerror: reject });
+          document.head.append(script);
+        });
+      const { violations } = await /** @type {typeof import('axe-core')} */ (own.axe).run({
+        // What is read below names no selector, which takes time to find.
+        selectors: false,
+        resultTypes: ['violations'],
+      });
       return violations.map(
         ({ id, help, nodes }) => `${id}: ${help}: ${nodes.map(({ html }) => html).join(' ')}`,
       );
-    });
+    }, axeAddress);
   }
 
   /**
@@ -304,7 +312,7 @@ async function look(longest, condition, args) {
   }
 }
 
-const { found } = findEngines();
+const found = isForBrowsers ? findEngines().found : [];
 /** @type {Promise<import('./server.js').Site> | undefined} */
 let site;
 /** @type {Map<string, Promise<WebDriver>>} */

@@ -3,7 +3,6 @@ import assert from 'node:assert/strict';
 import { cp, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { browserOf } from '../../www/checks/browser.js';
 import { groupNames } from '../../www/checks/check.js';
@@ -13,6 +12,7 @@ import * as en from '../../www/words/en/checks.js';
 import * as ko from '../../www/words/ko/checks.js';
 import { Key, pageTest } from './browsers.js';
 import * as core from './core.js';
+import { test } from './once.js';
 import { checked } from './reading.js';
 import { serve } from './server.js';
 

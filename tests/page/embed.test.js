@@ -3,7 +3,6 @@ import assert from 'node:assert/strict';
 import { mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { addressOf } from '../../www/embed/embedded.js';
 import { frameText, sizes, wantedHeight } from '../../www/embed/frame.js';
@@ -11,6 +10,7 @@ import { pageNames } from '../../www/state.js';
 import { pageTest } from './browsers.js';
 import { Evolution, evolve, experiment, simulate } from './core.js';
 import { ask, heardFrom, inHost, within } from './host.js';
+import { test } from './once.js';
 import { read } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */

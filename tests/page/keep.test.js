@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { openRunFile, runFile } from '../../www/keep/run-file.js';
 import { openLink } from '../../www/link.js';
 import { driveCsv, generationsCsv } from '../../www/keep/tables.js';
 import { pageTest } from './browsers.js';
 import { Evolution, evolve, experiment, simulate, simulateAll, stability } from './core.js';
+import { test } from './once.js';
 import { readEvolution } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */

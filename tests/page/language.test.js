@@ -2,13 +2,15 @@
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { pageNames } from '../../www/state.js';
 import * as en from '../../www/words/en/index.js';
 import * as ko from '../../www/words/ko/index.js';
 import { languageOf } from '../../www/words/language.js';
+import { linkOfStep, steps } from '../../www/lesson/steps.js';
 import { Key, pageTest } from './browsers.js';
+import { within } from './host.js';
+import { test } from './once.js';
 import { checked, read } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
@@ -17,9 +19,9 @@ const source = fileURLToPath(new URL('../../www/', import.meta.url));
 
 /** Shorter ones are symbols and units. */
 const latinWord = /[A-Za-z]{3,}/;
-/** Names, keys, units and functions that stay as they are. */
+/** Names, keys, units and functions that stay as they are, and the title of the paper. */
 const names =
-  /\b(CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
+  /Kim and H\.-S\. Shim, “Evolutionary Programming-Based [^”]*”, Proceedings [^,]*, MIT Press|\b(CITATION\.cff|CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
 
 /** Every text of a language by its place; functions are named. @param {unknown} value @param {string} place @returns {[string, string][]} */
 function textsOf(value, place) {
@@ -55,6 +57,29 @@ test('no view has words of its own language', () => {
     assert.doesNotMatch(readFileSync(join(source, name), 'utf8'), /from '[^']*words\/(en|ko)\//, name);
 });
 
+test('every word of index.html comes from the languages, which have one for each of its places', () => {
+  const html = readFileSync(join(source, '../index.html'), 'utf8');
+  // What is there before the page runs cannot know the language: it is told in both.
+  const built = html.replace(/<(title|noscript)>.*?<\/\1>|<p id="unbuilt".*?<\/p>/gs, '');
+  const tags = [...built.matchAll(/<[a-z][^>]*>([^<]*)/g)];
+  assert.ok(tags.length > 200);
+  for (const [tag, text] of tags) {
+    assert.ok(!/\p{L}/u.test(text) || /^<[^>]* data-text="/.test(tag), tag);
+    assert.doesNotMatch(
+      tag,
+      /^<[^>]* (aria-(label|description|valuetext|roledescription)|title|placeholder|alt)="/,
+    );
+  }
+  const keys = [...built.matchAll(/ data-(?:text|label|content)="([^"]*)"/g)].map(([, key]) => key);
+  for (const [language, words] of Object.entries({ en, ko })) {
+    const texts = Object.assign(
+      {},
+      ...Object.values(words).map((part) => ('texts' in part ? part.texts : {})),
+    );
+    for (const key of keys) assert.match(texts[key] ?? '', /\p{L}/u, `${language} has nothing for ${key}`);
+  }
+});
+
 test('the link says the language; without a link the browser does', () => {
   for (const [link, preferred, language] of /** @type {const} */ ([
     ['', ['en-GB'], 'en'],
@@ -75,8 +100,9 @@ test('the link says the language; without a link the browser does', () => {
 async function english(page) {
   const texts = await page.evaluate(() => {
     for (const details of document.querySelectorAll('details')) details.open = true;
+    const description = document.querySelector('meta[name=description]')?.getAttribute('content') ?? '';
     /** @type {string[]} */
-    const found = [document.title];
+    const found = [document.title, description];
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     while (walker.nextNode()) {
       const parent = walker.currentNode.parentElement;
@@ -84,17 +110,24 @@ async function english(page) {
       if ((parent.closest('select') ?? parent).checkVisibility())
         found.push(walker.currentNode.nodeValue ?? '');
     }
-    for (const element of document.body.querySelectorAll('*'))
-      if (element.checkVisibility() && element.id !== 'language')
-        for (const name of [
-          'aria-label',
-          'aria-valuetext',
-          'aria-description',
-          'title',
-          'placeholder',
-          'alt',
-        ])
-          found.push(element.getAttribute(name) ?? '');
+    for (const element of document.body.querySelectorAll('*')) {
+      if (!element.checkVisibility() || element.id === 'language') continue;
+      for (const name of [
+        'aria-label',
+        'aria-valuetext',
+        'aria-description',
+        'aria-roledescription',
+        'title',
+        'placeholder',
+        'alt',
+        'label',
+      ])
+        found.push(element.getAttribute(name) ?? '');
+      // Read aloud although it may be out of sight.
+      for (const name of ['aria-labelledby', 'aria-describedby'])
+        for (const id of element.getAttribute(name)?.split(' ') ?? [])
+          found.push(document.getElementById(id)?.textContent ?? '');
+    }
     return found;
   });
   return texts.filter((text) => latinWord.test(text.replaceAll(names, '')));
@@ -106,21 +139,63 @@ async function isKorean(page, where) {
   assert.equal(await page.evaluate(() => document.documentElement.lang), 'ko');
 }
 
-pageTest('every part is Korean with lang=ko', async (page) => {
-  for (const name of pageNames) {
-    await page.open(`#${name}&v=1&lang=ko&generation=2&pin1=${encodeURIComponent('가~5,1,5')}`);
-    await isKorean(page, name);
-  }
-  for (const view of ['stability', 'compare', 'numbers']) {
-    await page.open(`#curves&v=1&lang=ko&view=${view}&preset=acceleration-limits&seed=2`);
-    await isKorean(page, view);
-  }
-  for (const phase of ['mutation', 'drive', 'tournament', 'ranking', 'survivors']) {
-    await page.open(`#generation&v=1&lang=ko&generation=2&phase=${phase}`);
-    await isKorean(page, phase);
-  }
-  await page.click('#generation-table');
-  await isKorean(page, 'the table of a generation');
+/** The link of every part, of all that it can show without a press, and of every step of the lesson. @type {readonly string[]} */
+const links = [
+  ...pageNames.map((name) => `${name}&v=1&generation=2&pin1=${encodeURIComponent('가~5,1,5')}`),
+  ...['stability', 'compare', 'numbers'].map(
+    (view) => `curves&v=1&view=${view}&generation=2&preset=acceleration-limits&seed=2`,
+  ),
+  ...['mutation', 'drive', 'tournament', 'ranking', 'survivors'].map(
+    (phase) => `generation&v=1&generation=2&phase=${phase}`,
+  ),
+  ...steps.map((_, i) => linkOfStep(i + 1)),
+];
+
+/** The page in a frame, which can be as small as a telephone where a window cannot. @param {Page} page @param {string} language @param {() => Promise<void>} body */
+async function inFrame(page, language, body) {
+  await page.visit(page.site.blank);
+  await page.evaluate((src) => {
+    const frame = document.createElement('iframe');
+    Object.assign(frame, { src, width: '1024', height: '768', frameBorder: '0' });
+    document.body.append(frame);
+  }, `${page.site.address}#lab&v=1&lang=${language}`);
+  await within(page, 0, async () => {
+    await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+    await body();
+  });
+}
+
+/** Follows a link of the page, which does not load it again. @param {Page} page @param {string} link @param {string} language */
+async function follow(page, link, language) {
+  const wanted = `#${link}&lang=${language}`;
+  await page.evaluate(async (hash) => {
+    const opened = new Promise((resolve) => addEventListener('popstate', resolve, { once: true }));
+    location.replace(hash);
+    await opened;
+    for (let i = 0; i < 2; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+  }, wanted);
+  const [, name, value] = /^(?:(lesson)&step=)?(\w+)/.exec(link) ?? [];
+  const open = await page.evaluate(() => ({
+    part: document.body.dataset.open,
+    lesson: document.body.hasAttribute('data-lesson'),
+    message: document.getElementById('message')?.textContent,
+  }));
+  assert.equal(open.message, '', link);
+  assert.equal(name ? open.lesson : open.part, name ? true : value, link);
+}
+
+pageTest('every part and every step is Korean with lang=ko', async (page) => {
+  await inFrame(page, 'ko', async () => {
+    for (const link of links) {
+      await follow(page, link, 'ko');
+      await isKorean(page, link);
+    }
+    for (const [part, button] of Object.entries(tableButtons)) {
+      await openTable(page, part, button, 'ko');
+      await isKorean(page, button);
+      await page.press(Key.ESCAPE);
+    }
+  });
 });
 
 pageTest('what is opened, refused and computed is Korean', async (page) => {
@@ -221,80 +296,125 @@ pageTest(
   },
 );
 
-/** Makes every text on the page 40 % longer, and says what then finds no place. @param {Page} page */
-const overflowing = (page) =>
-  page.evaluate(() => {
-    for (const details of document.querySelectorAll('details')) details.open = true;
-    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-    while (walker.nextNode()) {
-      const node = walker.currentNode;
-      const text = (node.nodeValue ?? '').trim();
-      if (/\p{L}{3}/u.test(text)) node.nodeValue = `${text}${text.slice(0, Math.ceil(0.4 * text.length))}`;
-    }
-    const width = document.documentElement.clientWidth;
-    const problems = [];
-    const whole = document.documentElement.scrollWidth;
-    if (whole > width) {
-      const last = [...document.body.querySelectorAll('*')].filter(
-        (element) => Math.ceil(element.getBoundingClientRect().right) >= whole,
-      );
-      const name = last.map(({ tagName, id, className }) => `${tagName}#${id}.${className}`).join(', ');
-      problems.push(`the page is ${whole} px wide, not ${width}: ${name}`);
-    }
-    for (const face of document.querySelectorAll('button, .segmented span, nav a, #language')) {
-      if (!face.checkVisibility() || !face.textContent?.trim()) continue;
-      // What is only read aloud has no place to find.
-      const end = face.querySelector('span:not(.symbol)');
-      const range = document.createRange();
-      range.selectNodeContents(face);
-      if (end && getComputedStyle(end).clipPath !== 'none') range.setEndBefore(end);
-      const [text, box] = [range.getBoundingClientRect(), face.getBoundingClientRect()];
-      const scrolls = face.closest('nav, .generation-scroll, .curves-scroll, .luck-scroll');
-      const cut = text.left < box.left - 1 || text.right > box.right + 1;
-      if (cut || (!scrolls && (text.left < 0 || text.right > width)))
-        problems.push(`${face.id || face.parentElement?.id || face.className}: ${face.textContent}`);
-    }
-    for (const box of document.querySelectorAll('select, .bar, .heading, .segmented, p, ul, table')) {
-      const { left, right } = box.getBoundingClientRect();
-      const scrolls = box.closest('nav, .generation-scroll, .curves-scroll, .luck-scroll, .visually-hidden');
-      if (!scrolls && box.checkVisibility() && (left < -1 || right > width + 1))
-        problems.push(`${box.id || box.className} ends at ${right}, the page at ${width}`);
-    }
-    return problems;
-  });
+/** At each of these sizes: makes every text on the page 40 % longer, and says what then finds no place. @param {Page} page @param {string} where */
+const overflowing = (page, where) =>
+  page.evaluate(
+    async (place, sizes) => {
+      for (const details of document.querySelectorAll('details')) details.open = true;
+      /** What is longer already, and what it then says. */
+      const own = /** @type {{ longer?: WeakMap<Node, string | null> }} */ (/** @type {unknown} */ (window));
+      own.longer ??= new WeakMap();
+      /** @type {string[]} */
+      const problems = [];
+      for (const [width, height] of sizes) {
+        Object.assign(/** @type {object} */ (frameElement), { width, height });
+        // The page learns its size, then draws for it.
+        for (let i = 0; i < 3; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+        lengthen(own.longer);
+        for (const problem of whatHasNoPlace(width))
+          problems.push(`${place} at ${width} × ${height}: ${problem}`);
+      }
+      return problems;
 
-for (const [width, height] of [
-  [1440, 900],
-  [1024, 768],
-  [390, 844],
-])
-  pageTest(`words that are 40 % longer find their place at ${width} × ${height}`, async (page) => {
-    // Two engines stop at a somewhat greater width.
-    await page.resize(width, height);
-    /** @type {Record<string, string[]>} */
-    const problems = {};
-    for (const name of pageNames) {
-      await page.open(`#${name}&v=1&generation=2&pin1=${encodeURIComponent('first~5,1,5')}`);
-      problems[name] = await overflowing(page);
-    }
-    for (const view of ['stability', 'compare']) {
-      await page.open(`#curves&v=1&view=${view}&generation=2`);
-      problems[view] = await overflowing(page);
-    }
-    for (const phase of ['mutation', 'drive', 'tournament', 'ranking', 'survivors']) {
-      await page.open(`#generation&v=1&generation=2&phase=${phase}`);
-      problems[phase] = await overflowing(page);
-    }
-    for (const button of ['keys', 'keep', 'settings']) {
-      await page.open();
-      await page.click(`#${button}-button`);
-      problems[button] = await overflowing(page);
-    }
-    await page.open();
-    await page.click('#keys-button');
-    await page.click('#keys-checks');
-    await checked(page);
-    problems.checks = await overflowing(page);
-    const found = Object.entries(problems).filter(([, texts]) => texts.length > 0);
-    assert.deepEqual(Object.fromEntries(found), {});
+      /** @param {WeakMap<Node, string | null>} longer */
+      function lengthen(longer) {
+        const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+        while (walker.nextNode()) {
+          const node = walker.currentNode;
+          if (longer.get(node) === node.nodeValue) continue;
+          const text = (node.nodeValue ?? '').trim();
+          // Korean has words of two letters.
+          if (!/\p{L}{3}|\p{Script=Hangul}{2}/u.test(text)) continue;
+          node.nodeValue = `${text}${text.slice(0, Math.ceil(0.4 * text.length))}`;
+          longer.set(node, node.nodeValue);
+        }
+      }
+
+      /** @param {number} width */
+      function* whatHasNoPlace(width) {
+        const { clientWidth, scrollWidth: whole } = document.documentElement;
+        if (clientWidth > width || innerWidth !== width) yield `the window is ${innerWidth} px wide`;
+        if (whole > clientWidth) {
+          const last = [...document.body.querySelectorAll('*')].filter(
+            (element) => Math.ceil(element.getBoundingClientRect().right) >= whole,
+          );
+          const name = last.map(({ tagName, id, className }) => `${tagName}#${id}.${className}`).join(', ');
+          yield `the page is ${whole} px wide: ${name}`;
+        }
+        const scrolling = 'nav, .generation-scroll, .curves-scroll, .luck-scroll, .table-scroll';
+        for (const face of document.querySelectorAll('button, .segmented span, nav a, #language')) {
+          if (!face.checkVisibility() || !face.textContent?.trim()) continue;
+          // What is only read aloud has no place to find.
+          const end = face.querySelector('span:not(.symbol)');
+          const range = document.createRange();
+          range.selectNodeContents(face);
+          if (end && getComputedStyle(end).clipPath !== 'none') range.setEndBefore(end);
+          const [text, box] = [range.getBoundingClientRect(), face.getBoundingClientRect()];
+          const cut = text.left < box.left - 1 || text.right > box.right + 1;
+          if (cut || (!face.closest(scrolling) && (text.left < 0 || text.right > clientWidth)))
+            yield `${face.id || face.parentElement?.id || face.className}: ${face.textContent}`;
+        }
+        for (const box of document.querySelectorAll('select, .bar, .heading, .segmented, p, ul, table')) {
+          const { left, right } = box.getBoundingClientRect();
+          if (box.closest(`${scrolling}, .visually-hidden`) || !box.checkVisibility()) continue;
+          if (left < -1 || right > clientWidth + 1) yield `${box.id || box.className} ends at ${right}`;
+        }
+      }
+    },
+    where,
+    /** @type {const} */ ([
+      [1440, 900],
+      [1024, 768],
+      [390, 844],
+    ]),
+  );
+
+/** What opens a table, by its part. */
+const tableButtons = {
+  lab: 'fitness-table',
+  generation: 'generation-table',
+  landscape: 'landscape-table',
+  robustness: 'robustness-table',
+  'curves&view=stability': 'stability-table',
+};
+
+/** Opens a table as soon as there is something to fill it with. @param {Page} page @param {string} part @param {string} button @param {string} language */
+async function openTable(page, part, button, language) {
+  await follow(page, `${part}&generation=2`, language);
+  await page.until(
+    `the table of ${part} is open`,
+    (id) => {
+      if (!document.querySelector('dialog[open]')) document.getElementById(id)?.click();
+      return document.querySelector('dialog[open] tbody tr');
+    },
+    button,
+  );
+}
+
+for (const [language, name] of Object.entries({ en: 'English', ko: 'Korean' }))
+  pageTest(`${name} words that are 40 % longer find their place on every screen`, async (page) => {
+    await inFrame(page, language, async () => {
+      /** @type {string[]} */
+      const problems = [];
+      for (const link of links) {
+        await follow(page, link, language);
+        problems.push(...(await overflowing(page, link)));
+      }
+      for (const button of ['keys', 'keep', 'settings']) {
+        await page.click(`#${button}-button`);
+        problems.push(...(await overflowing(page, button)));
+        if (button === 'keys') {
+          await page.click('#keys-checks');
+          await checked(page);
+          problems.push(...(await overflowing(page, 'checks')));
+        }
+        await page.click(button === 'keys' ? '#checks-close' : `#${button}-close`);
+      }
+      for (const [part, button] of Object.entries(tableButtons)) {
+        await openTable(page, part, button, language);
+        problems.push(...(await overflowing(page, button)));
+        await page.press(Key.ESCAPE);
+      }
+      assert.deepEqual(problems, []);
+    });
   });

@@ -1,5 +1,4 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { gentle } from '../../www/lesson/standings.js';
 import { cost as step, withKy } from '../../www/lesson/steps/cost.js';
 import { cost as words } from '../../www/words/en/lesson/cost.js';
@@ -7,6 +6,7 @@ import { costText } from '../../www/words/numbers.js';
 import { Key, pageTest } from './browsers.js';
 import { experiment, paper, paperGains, simulate } from './core.js';
 import { answerOf, driven, engine, linkOf, opened } from './lesson-links.js';
+import { test } from './once.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 /** @typedef {import('./core.js').Experiment} Experiment */

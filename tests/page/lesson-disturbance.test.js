@@ -1,6 +1,5 @@
 // Step 12: what it says of a ground that pushes is so, and its own views show what the core gives.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { disturbance as step } from '../../www/lesson/steps/disturbance.js';
 import { withDisturbance } from '../../www/state.js';
 import { pageTest } from './browsers.js';
@@ -15,6 +14,7 @@ import {
 } from './core.js';
 import { opened } from './lesson-links.js';
 import { answered, tryOf } from './lesson-live.js';
+import { test } from './once.js';
 
 /** @typedef {import('./core.js').Experiment} Experiment */
 

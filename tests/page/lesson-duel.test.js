@@ -1,5 +1,4 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import {
   generationsIn,
   isDuelOf,
@@ -17,6 +16,7 @@ import { Key, pageTest } from './browsers.js';
 import { Evolution, evaluate, experiment, seedRuns, shown } from './core.js';
 import { opened } from './lesson-links.js';
 import { answered, liveOf, tryOf } from './lesson-live.js';
+import { test } from './once.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 /** @typedef {import('./core.js').Experiment} Experiment */

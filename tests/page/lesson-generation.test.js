@@ -1,5 +1,4 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { dissect } from '../../www/generation/record.js';
 import { placeByCost } from '../../www/lesson/anatomy.js';
 import { generation as step, question } from '../../www/lesson/steps/generation.js';
@@ -8,6 +7,7 @@ import { Key, pageTest } from './browsers.js';
 import { Evolution, experiment, simulate } from './core.js';
 import { evolved, opened } from './lesson-links.js';
 import { answered, tryOf } from './lesson-live.js';
+import { test } from './once.js';
 
 /** @typedef {import('../../www/engine.js').Individual} Individual */
 

@@ -1,11 +1,11 @@
 // Step 10: what it says of the landscape is so.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { landscape as step } from '../../www/lesson/steps/landscape.js';
 import { pageTest } from './browsers.js';
 import { Evolution, evaluate, experiment, landscape, paperGains, simulate } from './core.js';
 import { opened } from './lesson-links.js';
 import { answered, tryOf } from './lesson-live.js';
+import { test } from './once.js';
 
 const { experiment: own, view } = opened(step.link);
 const ky = view.landscape.third ?? Number.NaN;

@@ -1,5 +1,4 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { pushesOf } from '../../www/lesson/pushes.js';
 import { law as step } from '../../www/lesson/steps/law.js';
 import { law as words } from '../../www/words/en/lesson/law.js';
@@ -7,6 +6,7 @@ import { signed } from '../../www/words/numbers.js';
 import { pageTest } from './browsers.js';
 import { paperGains } from './core.js';
 import { answerOf, driven, engine, linkOf, opened, samples } from './lesson-links.js';
+import { test } from './once.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 /** @typedef {import('../../www/engine.js').Sample} Sample */

@@ -1,5 +1,4 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { demonstration, exam, lab } from '../../www/lesson/steps/lecturers.js';
 import { createSets, setNames } from '../../www/training/sets.js';
 import * as en from '../../www/words/en/lesson.js';
@@ -16,6 +15,7 @@ import {
   startsOnCircle,
 } from './core.js';
 import { driven, opened } from './lesson-links.js';
+import { test } from './once.js';
 
 /** @typedef {import('./core.js').Experiment} Experiment */
 /** @typedef {import('./core.js').Gains} Gains */

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { paper as step } from '../../www/lesson/steps/paper.js';
 import { evolve, experiment, paperGains, simulate } from './core.js';
 import { driven, opened } from './lesson-links.js';
+import { test } from './once.js';
 
 const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
 const triesOf = step.blocks.flatMap((block) => (block.kind === 'tries' ? block.tries : []));

@@ -1,11 +1,11 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { sigma as step } from '../../www/lesson/steps/sigma.js';
 import { sigma as words } from '../../www/words/en/lesson/sigma.js';
 import { pageTest } from './browsers.js';
 import { Evolution, experiment, learningRates, seedRuns } from './core.js';
 import { evolved, opened } from './lesson-links.js';
 import { answered, tryOf } from './lesson-live.js';
+import { test } from './once.js';
 
 const usual = experiment('velocity-limits');
 

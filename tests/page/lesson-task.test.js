@@ -1,6 +1,5 @@
 // Step 11: what it says of starts that evolution did not see is so.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { task as step } from '../../www/lesson/steps/task.js';
 import { gridAround, sharesBySide, tally } from '../../www/robustness/grid.js';
 import { createSets } from '../../www/training/sets.js';
@@ -8,6 +7,7 @@ import { pageTest } from './browsers.js';
 import { Evolution, evaluate, fares, paperGains, robustness, simulate, startsOnCircle } from './core.js';
 import { driven, opened } from './lesson-links.js';
 import { answered, tryOf } from './lesson-live.js';
+import { test } from './once.js';
 
 /** @typedef {import('./core.js').Experiment} Experiment */
 /** @typedef {import('./core.js').Gains} Gains */

@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { limits } from '../../www/lesson/steps/limits.js';
 import { stability } from '../../www/lesson/steps/stability.js';
 import { paperGains, simulate } from './core.js';
 import { driven, linkOf, opened, samples } from './lesson-links.js';
+import { test } from './once.js';
 
 /** Every sample of the robot by hand or of the paper's EP gains. @param {string} link */
 function samplesOf(link) {

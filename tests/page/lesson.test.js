@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { hrefOf, linkOfStep, steps } from '../../www/lesson/steps.js';
 import * as en from '../../www/words/en/lesson.js';
 import * as ko from '../../www/words/ko/lesson.js';
 import { pageTest } from './browsers.js';
 import { driven, opened } from './lesson-links.js';
+import { test } from './once.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 /** @typedef {import('../../www/lesson/steps.js').Content} Content */

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { linkOf, openLink } from '../../www/link.js';
 import { Key, pageTest } from './browsers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate, simulateAll } from './core.js';
+import { test } from './once.js';
 import { read, readEvolution } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */

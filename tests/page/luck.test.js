@@ -1,10 +1,10 @@
 // Many seeds: the page shows what the core computes, its quartiles are right, and a seed can be opened in the lab.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { seedRuns } from '../../pkg/ep_locomotion.js';
 import { csvOf, quartilesOf } from '../../www/luck/statistics.js';
 import { Key, pageTest } from './browsers.js';
 import { experiment, paperGains, shown, shownGains, simulate } from './core.js';
+import { test } from './once.js';
 import { read } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */

@@ -4,12 +4,13 @@ import { execFileSync } from 'node:child_process';
 import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, sep } from 'node:path';
-import { after, test } from 'node:test';
+import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { npm, top } from '../../.tasks/run.mjs';
 import { pageTest } from './browsers.js';
 import { Evolution, evaluate, experiment, landscape, simulate, version, wasm } from './core.js';
+import { onceOnly, test } from './once.js';
 import { serve } from './server.js';
 
 const project = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
@@ -17,22 +18,26 @@ after(() => rm(project, { recursive: true }));
 const installed = join(project, 'node_modules', 'ep-locomotion');
 const manifest = JSON.parse(await readFile(join(top, 'package.json'), 'utf8'));
 
-await writeFile(join(project, 'package.json'), '{ "type": "module" }');
-// The core is built already.
-await npm(['pack', '--ignore-scripts', '--silent', '--pack-destination', project], { keepColours: false });
-await npm(
-  [
-    ...['install', '--prefix', project, '--offline', '--no-audit', '--no-fund', '--silent'],
-    join(project, `ep-locomotion-${manifest.version}.tgz`),
-  ],
-  { keepColours: false },
-);
+/** Installs the package; what comes back is the example of its README. */
+const install = onceOnly(async () => {
+  await writeFile(join(project, 'package.json'), '{ "type": "module" }');
+  // The core is built already.
+  await npm(['pack', '--ignore-scripts', '--silent', '--pack-destination', project], { keepColours: false });
+  await npm(
+    [
+      ...['install', '--prefix', project, '--offline', '--no-audit', '--no-fund', '--silent'],
+      join(project, `ep-locomotion-${manifest.version}.tgz`),
+    ],
+    { keepColours: false },
+  );
+  return /```js\n(.*?)```/s.exec(await readFile(join(installed, 'README.md'), 'utf8'))?.[1] ?? '';
+});
 
-const example = /```js\n(.*?)```/s.exec(await readFile(join(installed, 'README.md'), 'utf8'))?.[1] ?? '';
-await writePage('plain', '../node_modules/ep-locomotion/pkg/ep_locomotion.js');
-const bundled = await writePage('bundled', 'ep-locomotion');
-await build({ root: bundled, base: './', logLevel: 'warn', build: { target: 'es2022' } });
-const expected = expectedLines();
+const writePages = onceOnly(async () => {
+  await writePage('plain', '../node_modules/ep-locomotion/pkg/ep_locomotion.js');
+  const bundled = await writePage('bundled', 'ep-locomotion');
+  await build({ root: bundled, base: './', logLevel: 'warn', build: { target: 'es2022' } });
+});
 
 /** A page that keeps what the example prints. @param {string} folder @param {string} specifier where the package is */
 async function writePage(folder, specifier) {
@@ -49,6 +54,7 @@ async function writePage(folder, specifier) {
      await import('./example.js');
      window.printed = lines;`,
   );
+  const example = await install();
   await writeFile(join(page, 'example.js'), example.replace("'ep-locomotion'", `'${specifier}'`));
   return page;
 }
@@ -76,6 +82,7 @@ function expectedLines() {
 }
 
 test('the package holds what it needs, and nothing of the machine that built it', async () => {
+  await install();
   const entries = await readdir(installed, { recursive: true, withFileTypes: true });
   const files = entries
     .filter((entry) => entry.isFile())
@@ -112,15 +119,15 @@ test('every file tells the same version', async () => {
 });
 
 test("under Node the README's example prints the core's numbers", async () => {
-  await writeFile(join(project, 'example.js'), example);
+  await writeFile(join(project, 'example.js'), await install());
   const printed = execFileSync(process.execPath, [join(project, 'example.js')], { encoding: 'utf8' });
-  assert.deepEqual(printed.trim().split('\n'), expected);
+  assert.deepEqual(printed.trim().split('\n'), expectedLines());
 });
 
 test('a strict TypeScript project has the types of all of it', async () => {
   const fixture = fileURLToPath(new URL('package/consumer.ts', import.meta.url));
   await cp(fixture, join(project, 'consumer.ts'));
-  await writeFile(join(project, 'example.ts'), example);
+  await writeFile(join(project, 'example.ts'), await install());
   const files = ['consumer.ts', 'example.ts'];
   // As old as the language may be, and with the package's own declarations checked too.
   const compilerOptions = { strict: true, noEmit: true, target: 'es2022', module: 'nodenext', types: [] };
@@ -138,11 +145,12 @@ for (const [how, path] of [
   ['in a page that Vite bundled', 'bundled/dist/index.html'],
 ]) {
   pageTest(`${how} the README's example prints the core's numbers`, async (page) => {
+    await writePages();
     const site = await serve(project);
     try {
       await page.visit(site.address + path);
       const printed = await page.until('the example has ended', () => Reflect.get(window, 'printed'));
-      assert.deepEqual(printed, expected);
+      assert.deepEqual(printed, expectedLines());
       assert.deepEqual([...(await page.problems()), ...site.problems], []);
     } finally {
       await site.close();

@@ -1,11 +1,11 @@
 // The pool without a browser: first with workers whose answers the test gives, then with threads that have the core.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { test } from 'node:test';
 import binaryen from 'binaryen';
 import { createPool } from '../../www/pool.js';
 import { createSurveys } from '../../www/surveys.js';
 import { Evolution, evaluate, experiment, landscape, robustness, seedRuns, wasm } from './core.js';
+import { test } from './once.js';
 import { Thread } from './threads.js';
 
 /** @typedef {import('../../www/worker.js').Answer} Answer */

@@ -5,10 +5,14 @@ import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import axe from 'axe-core';
 
 const folder = '/some/course/ep/';
 const collector = '/collector.js';
 const blank = '/blank';
+const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
+/** Where pages find axe-core. */
+export const axeAddress = '/axe.js';
 const reports = '/policy-reports';
 
 const policy = [
@@ -42,7 +46,7 @@ const types = {
  * @param {string} [root] the folder to serve
  * @returns {Promise<Site>}
  */
-export async function serve(root = fileURLToPath(new URL('../../dist/', import.meta.url))) {
+export async function serve(root = dist) {
   /** @type {string[]} */
   const problems = [];
   const collectorText = readFileSync(new URL('collector.js', import.meta.url));
@@ -51,6 +55,7 @@ export async function serve(root = fileURLToPath(new URL('../../dist/', import.m
   async function body(path) {
     if (path === collector) return collectorText;
     if (path === blank) return '<title>blank</title>';
+    if (path === axeAddress) return axe.source;
     const inside = normalize(path.slice(folder.length) || 'index.html');
     if (!path.startsWith(folder) || inside.startsWith(`..${sep}`)) return null;
     const content = await readFile(join(root, inside)).catch(() => null);
@@ -78,7 +83,9 @@ export async function serve(root = fileURLToPath(new URL('../../dist/', import.m
     response.writeHead(content === null ? 404 : 200, {
       'Content-Type': type,
       'Content-Security-Policy': policy,
-      'Cache-Control': 'no-store',
+      // A name in assets/ has a hash of what is in it; in a copy of the site that may have been changed.
+      'Cache-Control':
+        root === dist && path.includes('/assets/') ? 'max-age=31536000, immutable' : 'no-store',
     });
     response.end(content);
   });

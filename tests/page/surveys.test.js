@@ -8,6 +8,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'vite';
 import { pageTest } from './browsers.js';
 import { evolve, experiment, landscape } from './core.js';
+import { onceOnly } from './once.js';
 import { checked, read } from './reading.js';
 import { serve } from './server.js';
 
@@ -39,7 +40,10 @@ async function buildEngine(mode) {
   });
   return outDir;
 }
-const [served, offline] = [await buildEngine('production'), await buildEngine('offline')];
+const builds = {
+  served: onceOnly(() => buildEngine('production')),
+  offline: onceOnly(() => buildEngine('offline')),
+};
 
 /** @param {Page} page @param {string} address */
 async function openEngine(page, address) {
@@ -90,7 +94,7 @@ function checkSurvey({ costs, hash, told }) {
 }
 
 pageTest('one, two and eight workers compute the same bits as Node', async (page) => {
-  const site = await serve(served);
+  const site = await serve(await builds.served());
   try {
     for (const size of [1, 2, 8]) {
       await openEngine(page, site.address);
@@ -112,7 +116,7 @@ pageTest('one, two and eight workers compute the same bits as Node', async (page
 });
 
 pageTest('requests are superseded, aborted and refused, and the workers go on', async (page) => {
-  const site = await serve(served);
+  const site = await serve(await builds.served());
   try {
     await openEngine(page, site.address);
     const ends = await page.evaluate(async (landscapeOf) => {
@@ -148,7 +152,7 @@ pageTest('requests are superseded, aborted and refused, and the workers go on', 
 });
 
 pageTest('one file from a disk computes in workers and asks nobody for anything', async (page) => {
-  await openFile(page, join(offline, 'ep-locomotion.html'));
+  await openFile(page, join(await builds.offline(), 'ep-locomotion.html'));
   await page.until('the engine is there', () => 'engine' in window);
   checkSurvey(await survey(page));
   assert.equal(await page.evaluate(() => document.title), '</script><!--<script>');
@@ -156,7 +160,7 @@ pageTest('one file from a disk computes in workers and asks nobody for anything'
 });
 
 pageTest('where workers are forbidden, a job says that they cannot be started', async (page) => {
-  await openFile(page, join(offline, 'ep-locomotion.html'), (html) =>
+  await openFile(page, join(await builds.offline(), 'ep-locomotion.html'), (html) =>
     html.replace('worker-src blob:', "worker-src 'none'"),
   );
   await page.until('the engine is there', () => 'engine' in window);
