@@ -53,7 +53,7 @@ export class Page {
    */
   async open(fragment = '#lab') {
     // Between two addresses that differ in the fragment alone, a browser would not load the page again.
-    if (this.#isOpen) await this.driver.get(this.site.blank);
+    if (this.#isOpen) await this.leave();
     await this.visit(this.site.address + fragment);
     await this.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
   }
@@ -63,6 +63,15 @@ export class Page {
     this.#isOpen = true;
     this.site.problems.length = 0;
     await this.driver.get(address);
+  }
+
+  /** Leaves whatever is open for a page with nothing on it. */
+  async leave() {
+    const { blank } = this.site;
+    await this.driver.get(blank);
+    // A page that writes its address while it is being left makes WebKit's driver answer too early.
+    this.#isOpen = true;
+    await this.until('the page is left', (address) => location.href === address, blank);
   }
 
   /** A test that has opened nothing looks at the page. */
@@ -337,7 +346,7 @@ export function pageTest(name, body, { moves = false } = {}) {
         await body(page);
       } finally {
         // A page that goes on moving would slow the tests of the other engines; a browser that is lost, fail all others.
-        await page.driver.get(page.site.blank).catch(() => drivers.delete(key));
+        await page.leave().catch(() => drivers.delete(key));
       }
     });
   }

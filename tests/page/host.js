@@ -65,7 +65,7 @@ export async function inHost(page, html, body) {
     for (let frame = 0; frame < count; frame += 1)
       assert.deepEqual(await within(page, frame, () => page.problems()), [], `frame ${frame}`);
   } finally {
-    await page.driver.get(page.site.blank);
+    await page.leave();
     host.close();
   }
 }

@@ -306,7 +306,9 @@ const overflowing = (page, where) =>
       own.longer ??= new WeakMap();
       /** @type {string[]} */
       const problems = [];
-      for (const [width, height] of sizes) {
+      // Beginning with the size that it has.
+      const order = sizes[0][0] === innerWidth ? sizes : [...sizes].reverse();
+      for (const [width, height] of order) {
         Object.assign(/** @type {object} */ (frameElement), { width, height });
         // The page learns its size, then draws for it.
         for (let i = 0; i < 3; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));

@@ -11,34 +11,38 @@ import { serve } from './server.js';
 
 const top = fileURLToPath(new URL('../../', import.meta.url));
 
-pageTest('the page opens and works without errors, and asks no other host', async (page) => {
-  assert.deepEqual(await page.problems(), []);
-  const { generation, cost, finalTime } = await read(page);
-  assert.equal(generation, '0');
-  assert.ok(Number(cost) > 0 && finalTime > 0);
-  const words = await page.evaluate(() => document.body.textContent);
-  assert.ok(!words.includes('npm start'), 'the page still tells how to start it');
-  for (const id of [
-    'run',
-    'run',
-    'new-seed',
-    'drives-paper-ep',
-    'drives-hand',
-    'preset-acceleration-limits',
-    'play',
-    'reset',
-  ])
-    await page.click(`#${id}`);
-  assert.deepEqual(await page.problems(), []);
-  const requests = await page.evaluate(() =>
-    performance.getEntriesByType('resource').map(({ name }) => name),
-  );
-  assert.ok(requests.length > 0);
-  assert.deepEqual(
-    requests.filter((address) => new URL(address).origin !== new URL(page.site.address).origin),
-    [],
-  );
-});
+pageTest(
+  'the page opens and works without errors, and asks no other host',
+  async (page) => {
+    assert.deepEqual(await page.problems(), []);
+    const { generation, cost, finalTime } = await read(page);
+    assert.equal(generation, '0');
+    assert.ok(Number(cost) > 0 && finalTime > 0);
+    const words = await page.evaluate(() => document.body.textContent);
+    assert.ok(!words.includes('npm start'), 'the page still tells how to start it');
+    for (const id of [
+      'run',
+      'run',
+      'new-seed',
+      'drives-paper-ep',
+      'drives-hand',
+      'preset-acceleration-limits',
+      'play',
+      'reset',
+    ])
+      await page.click(`#${id}`);
+    assert.deepEqual(await page.problems(), []);
+    const requests = await page.evaluate(() =>
+      performance.getEntriesByType('resource').map(({ name }) => name),
+    );
+    assert.ok(requests.length > 0);
+    assert.deepEqual(
+      requests.filter((address) => new URL(address).origin !== new URL(page.site.address).origin),
+      [],
+    );
+  },
+  { moves: true },
+);
 
 pageTest('Tab reaches every control in order and leaves the page, and each shows its focus', async (page) => {
   /** @type {Record<string, string>} */
