@@ -15,16 +15,6 @@ export default defineConfig(({ mode }) => ({
     // Nothing inline, so that the strictest content security policy lets the page run.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
-    rolldownOptions:
-      mode === 'offline'
-        ? {}
-        : {
-            input: { index: fileOf('../index.html'), embed: fileOf('embed/element.js') },
-            // Other pages include the element: by a name that stays.
-            output: {
-              entryFileNames: ({ name }) => (name === 'embed' ? 'embed.js' : 'assets/[name]-[hash].js'),
-            },
-          },
   },
   // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.
   worker: { format: 'iife' },

