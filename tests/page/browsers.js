@@ -27,7 +27,7 @@ const { DriverService } = createRequire(import.meta.url)('selenium-webdriver/rem
 /** @typedef {{ x: number, y: number }} Point CSS pixels from the top left corner of an element */
 
 /** Generous, because it bounds only failures: a page that works is never waited for this long. */
-const patience = 15_000;
+const patience = 45_000;
 const testTimeout = 180_000;
 /** A page that is left while something is awaited in it may never answer: then it is asked again. */
 const longestAnswer = 2000;

@@ -36,7 +36,8 @@ const complaint = (page, gain) =>
     await new Promise((resolve) => requestAnimationFrame(resolve));
     const [field, message] = [`gain-${id}`, `gain-${id}-error`].map((one) => document.getElementById(one));
     if (!field || !message) throw new Error(`${id} has no field or no message`);
-    const distance = message.getBoundingClientRect().top - field.getBoundingClientRect().bottom;
+    const [at, said] = [field, message].map((one) => one.getBoundingClientRect());
+    const distance = Math.max(said.top - at.bottom, at.top - said.bottom);
     return {
       text: message.checkVisibility() ? message.innerText : '',
       name: document.querySelector(`label[for=gain-${id}]`)?.textContent ?? '',
