@@ -61,7 +61,7 @@ Then evolution gets as many drives as you had, and so does a third player, *rand
   quizzes: {
     ahead: {
       question:
-        'You have driven {=drives} times, and your best J is {=best}. Who will have the lowest J after as many drives? (Your prediction locks your best in.)',
+        'Drives so far: {=drives}. Your best J: {=best}. Who will have the lowest J after as many drives? (Your prediction locks your best in.)',
       choices: ['I will', 'Evolution', 'Random search', 'Evolution and random search, with the same J'],
       /** @param {Verdict} verdict */
       why: (verdict) => {
