@@ -38,6 +38,11 @@ for (const part of [
       await read(page);
       assert.ok((await asOnPaper(page)) > 0);
       await page.resize(paper, 900);
+      await page.until('everything is drawn', () =>
+        [...document.querySelectorAll('canvas')].every(
+          (canvas) => !canvas.checkVisibility() || canvas.width !== 300 || canvas.height !== 150,
+        ),
+      );
       await read(page);
       const seen = await page.evaluate(() => {
         const all = (/** @type {string} */ selector) =>
@@ -94,12 +99,10 @@ pageTest('what is drawn gets the colours of paper before it is printed, and its 
   assert.equal(await reds(), 0);
   // A printer waits for no frame: this is all in one.
   await page.evaluate(() => {
-    const style = document.createElement('style');
-    style.textContent = '[data-printing] { --ink: #f00 !important }';
-    document.head.append(style);
+    document.styleSheets[0].insertRule('[data-printing] { --ink: #f00 !important }');
     dispatchEvent(new Event('beforeprint'));
   });
-  assert.equal(await reds(), -1);
+  assert.ok((await reds()) > 100);
   await page.evaluate(() => dispatchEvent(new Event('afterprint')));
   assert.equal(await reds(), 0);
 });
