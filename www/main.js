@@ -143,6 +143,15 @@ function followSurroundings(store, redraw) {
   // At once, because a printer does not wait for the next frame.
   for (const media of ['(prefers-color-scheme: dark)', 'print'])
     matchMedia(media).addEventListener('change', redraw);
+  // Not every browser tells the page itself that its media is paper.
+  for (const [name, prints] of /** @type {const} */ ([
+    ['beforeprint', true],
+    ['afterprint', false],
+  ]))
+    addEventListener(name, () => {
+      document.documentElement.toggleAttribute('data-printing', prints);
+      redraw();
+    });
 }
 
 /** @param {Views} views @param {Engine} engine @param {PaperResult[]} paper */

@@ -273,6 +273,21 @@ pageTest('the phases add up to exactly the recorded generation', async (page) =>
   }
 });
 
+pageTest('the rule of mutation stands in one line', async (page) => {
+  await openAt(page, 1);
+  await go(page, 'mutation');
+  await shownOn(page);
+  const [rule, exponent] = await page.evaluate(() =>
+    ['.rule', '.rule sup'].map((selector) => {
+      const { top, bottom } = /** @type {Element} */ (
+        document.querySelector(`#generation-details ${selector}`)
+      ).getBoundingClientRect();
+      return { top, height: bottom - top };
+    }),
+  );
+  assert.ok(rule.height < 30 && exponent.top < rule.top + rule.height / 2, JSON.stringify([rule, exponent]));
+});
+
 pageTest('any of them is chosen by a press, by keys, and by name', async (page) => {
   await openAt(page, 3);
   const record = recordOf(3);

@@ -227,7 +227,7 @@ function commonEquation({ common }, rates) {
 const formula = () =>
   create(
     'span',
-    'formula muted',
+    'rule muted',
     words.formula.gain,
     create('span', 'gap'),
     words.formula.sigma,
