@@ -313,6 +313,9 @@ const overflowing = (page, where) =>
         // The page learns its size, then draws for it.
         for (let i = 0; i < 3; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
         lengthen(own.longer);
+        // Pictures follow the new size within some frames.
+        for (let i = 0; i < 30 && [...whatHasNoPlace(width)].length > 0; i += 1)
+          await new Promise((resolve) => requestAnimationFrame(resolve));
         for (const problem of whatHasNoPlace(width))
           problems.push(`${place} at ${width} × ${height}: ${problem}`);
       }
