@@ -6,7 +6,7 @@ import { firstGeneration } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
 import { noTally } from './lesson/tally.js';
 import { firstLuck } from './luck/request.js';
-import { messageOf } from './messages.js';
+import { isLost, messageOf } from './messages.js';
 import { atEnd, endsOf, fromStart, gainsOf, noTrial, pausesAt, playsPhases } from './state.js';
 import { noPins } from './pins/pins.js';
 import { firstRobustness } from './robustness/page.js';
@@ -97,6 +97,7 @@ export function createActions(engine, store, paper, finalTime) {
     try {
       act();
     } catch (error) {
+      if (isLost(error)) throw error;
       store.update({ message: messageOf(error), evolving: false });
     }
   };

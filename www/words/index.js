@@ -20,6 +20,7 @@ export const {
   disturbance,
   embed,
   generation,
+  instead,
   keep,
   keys,
   lab,
