@@ -25,6 +25,8 @@ export const clearInstead = () => byId('instead').remove();
 /** Says why they do not, and keeps what there is to read. @param {unknown} error */
 export function showInstead(error) {
   byId('instrument').hidden = true;
+  // A figure would have its title in its foot.
+  document.body.removeAttribute('data-embed');
   showMessage(words.cannot(reasonOf(error)));
   const instead = byId('instead');
   instead.className = 'instead';
