@@ -21,7 +21,7 @@ export const stopped =
 
 /** @param {number} robots @param {number} generation @param {string} first @param {string} best */
 export const caption = (robots, generation, first, best) =>
-  `${robots} robots with random gains drive to the goal, the best of them with J ${first}. The dark line is the best after ${generation} generations of evolution, with J ${best}.`;
+  `${robots} robots with random gains drive to the goal, the best of them with J ${first}. The thick line is the best after ${generation} generations of evolution, with J ${best}.`;
 
 export const article = 'The lesson, to read';
 export const articleNote =
