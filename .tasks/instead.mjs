@@ -26,7 +26,7 @@ export async function writeInstead() {
   ].join('\n');
 }
 
-const source = /(<div id="instead"[^>]*>).*?(<\/div>)/s;
+const place = /(<div id="instead"[^>]*>).*?(<\/div>)/s;
 
 /** @returns {import('vite').Plugin} */
 export const instead = () => ({
@@ -35,9 +35,9 @@ export const instead = () => ({
   transformIndexHtml: {
     order: 'post',
     async handler(html) {
+      if (!place.test(html)) return html;
       const written = await writeInstead();
-      if (!source.test(html)) throw new Error('index.html has no place for what is there instead');
-      return html.replace(source, (_, begin, end) => begin + written + end);
+      return html.replace(place, (_, begin, end) => begin + written + end);
     },
   },
 });
