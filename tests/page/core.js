@@ -27,7 +27,8 @@ import init, {
 
 export const wasm = new URL('../../pkg/ep_locomotion_bg.wasm', import.meta.url);
 export const glue = new URL('../../pkg/ep_locomotion.js', import.meta.url);
-await init({ module_or_path: await readFile(wasm) });
+/** Of the one instance of the core. */
+export const { memory } = await init({ module_or_path: await readFile(wasm) });
 
 export {
   Evolution,
