@@ -71,7 +71,9 @@ function answer({ call, args }) {
   } catch (error) {
     const { name, message } = error instanceof Error ? error : new Error(String(error));
     // Only bad input, which the core refuses by a plain Error, leaves the instance as it was.
-    send({ error: message, lost: name !== 'Error' || message.includes('internal error') });
+    const lost = name !== 'Error' || message.includes('internal error');
+    if (lost) console.error(error);
+    send({ error: lost ? 'A worker was lost: an error in the core' : message, lost });
   }
 }
 

@@ -184,19 +184,23 @@ async function follow(page, link, language) {
   assert.equal(name ? open.lesson : open.part, name ? true : value, link);
 }
 
-pageTest('every part and every step is Korean with lang=ko', async (page) => {
-  await inFrame(page, 'ko', async () => {
-    for (const link of links) {
-      await follow(page, link, 'ko');
-      await isKorean(page, link);
-    }
-    for (const [part, button] of Object.entries(tableButtons)) {
-      await openTable(page, part, button, 'ko');
-      await isKorean(page, button);
-      await page.press(Key.ESCAPE);
-    }
-  });
-});
+pageTest(
+  'every part and every step is Korean with lang=ko, and the strictest policy refuses nothing',
+  async (page) => {
+    await inFrame(page, 'ko', async () => {
+      for (const link of links) {
+        await follow(page, link, 'ko');
+        await isKorean(page, link);
+      }
+      for (const [part, button] of Object.entries(tableButtons)) {
+        await openTable(page, part, button, 'ko');
+        await isKorean(page, button);
+        await page.press(Key.ESCAPE);
+      }
+      assert.deepEqual(await page.problems(), []);
+    });
+  },
+);
 
 pageTest('what is opened, refused and computed is Korean', async (page) => {
   await page.open('#lab&v=1&lang=ko');

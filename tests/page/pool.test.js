@@ -363,6 +363,6 @@ test('a worker whose core broke down fails its job; what one without a core cann
   const empty = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
 
   const surveys = threads(t, 1, [trap, empty, core]);
-  await assert.rejects(surveys.robustness(preset, grid), /unreachable/);
+  await assert.rejects(surveys.robustness(preset, grid), /^Error: A worker was lost: an error in the core$/);
   assert.deepEqual(await surveys.robustness(preset, grid), robustness(preset, grid));
 });
