@@ -3,7 +3,6 @@ import { execFile } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { languageNames } from '../www/words/language.js';
-import { picture } from './picture.mjs';
 
 /** @typedef {Record<'why' | 'caption' | 'article', string>} Texts */
 
@@ -16,6 +15,7 @@ const textsIn = async (language) =>
 
 /** All of it, as the built page has it. */
 export async function writeInstead() {
+  const { picture } = await import('./picture.mjs');
   const all = await Promise.all(languageNames.map(async (lang) => ({ lang, ...(await textsIn(lang)) })));
   const each = (/** @type {string} */ tag, /** @type {keyof Texts} */ part) =>
     all.map((texts) => `<${tag} lang="${texts.lang}">${texts[part]}</${tag}>`).join('\n');
