@@ -97,6 +97,8 @@ pageTest('without its scripts, or where they are forbidden, the page can be read
   }, page.site.address);
   const seen = await page.until('the frame is there', () => {
     const inside = document.querySelector('iframe')?.contentDocument;
+    // Firefox asks for its own setting, not for the frame's, whether there are scripts: it waits before it shows the rest.
+    for (const wait of inside?.getAnimations() ?? []) wait.finish();
     const text = /** @type {HTMLElement | null | undefined} */ (inside?.querySelector('noscript'))?.innerText;
     return (
       text && {
