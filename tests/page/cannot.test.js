@@ -67,7 +67,8 @@ pageTest('what the browser or the server lacks is said, above a picture and the 
       assert.match(articles[0], korean ? /^1\. [가-힣]/ : /^1\. Drive it yourself/);
       assert.equal(instrument, false, 'controls that nothing drives are to be seen');
       assert.doesNotMatch(all, /npm start/);
-      if (fragment.includes('embed')) assert.deepEqual(await page.obstacles(), []);
+      // Once, for it is long.
+      if (page.engine === 'chromium' && korean) assert.deepEqual(await page.obstacles(), []);
     });
 });
 
