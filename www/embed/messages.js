@@ -15,6 +15,7 @@ import { linkOf, openLink } from '../link.js';
 import { messageOf } from '../messages.js';
 import { atEnd, gainsOf, noTrial } from '../state.js';
 import { embed as words } from '../words/index.js';
+import { version } from './frame.js';
 
 /** @typedef {import('../actions.js').Actions} Actions */
 /** @typedef {import('../engine.js').Engine} Engine */
@@ -39,7 +40,6 @@ import { embed as words } from '../words/index.js';
  * @property {readonly string[]} problems What a link had wrong, in words.
  */
 
-export const version = 1;
 /** At once, so that the answer is not long in coming. */
 export const mostGenerations = 10_000;
 /** As long as a frame that still looks smooth. */
