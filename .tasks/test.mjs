@@ -1,12 +1,13 @@
 // npm test: every check of the project, stopping at the first that fails.
 //
 //   npm test -- page               only the page, in the browsers of this machine
-//   npm test -- --require-engines  an absent browser is a failure
+//   npm test -- --require-engines  an absent browser, or Python, is a failure
 //   ENGINES=firefox npm test       only these browsers
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { findEngines } from '../tests/page/engines.js';
 import { buildCore, buildSite } from './build.mjs';
+import { absentPython, findPython, finishExamples, prepareExamples } from './examples.mjs';
 import { Failure, run, runPackage, step, task } from './run.mjs';
 import { installTools } from './tools.mjs';
 
@@ -21,17 +22,25 @@ await task(async () => {
   if (strangers.length > 0) throw new Failure(`npm test knows only "page", not ${strangers.join(', ')}`);
 
   const { found, absent } = findEngines();
-  const advice = absent
-    .map(({ name, hint }) => `\nEngine that is absent: ${name}; to have it: ${hint}`)
+  const python = findPython();
+  const advice = [...absent, ...(python === null ? [absentPython] : [])]
+    .map(({ name, hint }) => `\nAbsent, and what needs it was not tested: ${name}; to have it: ${hint}`)
     .join('');
-  if (values['require-engines'] && absent.length > 0) throw new Failure(`every engine is required${advice}`);
+  if (values['require-engines'] && advice !== '') throw new Failure(`everything is required${advice}`);
 
   const undriven = found.some(({ name, driver }) => name === 'firefox' && driver === null);
   await installTools({ geckodriver: undriven });
+  // Much of it is waiting for a network. What fails is told when it is needed.
+  const prepared = python === null ? null : prepareExamples(python);
+  prepared?.catch(() => {});
   if (positionals.length === 0) await testSources();
   await buildCore();
-  if (positionals.length === 0) await testTypes();
-  await buildSite();
+  const site = buildSite().then(async () => {
+    if (prepared === null) return;
+    await prepared;
+    await finishExamples();
+  });
+  await Promise.all([site, ...(positionals.length === 0 ? [testTypes()] : [])]);
   await testPage(found.map(({ name }) => name));
   console.log(`\nEngines that ran: ${found.map(({ name }) => name).join(', ') || 'none'}${advice}`);
 }).finally(() => console.log(`\n${count.passed} passed, ${count.failed} failed`));

@@ -1,0 +1,79 @@
+// The figure in a notebook. The text of dist/embed.js stands before this one and defines the element <ep-locomotion>.
+
+/** A running evolution is told to Python no more often, in milliseconds. */
+const pause = 250;
+
+/** The page, which Python has sent along. @param {DataView} packed @returns {Promise<Blob>} */
+function unpacked(packed) {
+  const text = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(text, { headers: { 'Content-Type': 'text/html' } }).blob();
+}
+
+/** @param {{ model: any, el: HTMLElement }} view as anywidget gives it */
+async function render({ model, el }) {
+  const page = URL.createObjectURL(await unpacked(model.get('_page')));
+  const figure = document.createElement('ep-locomotion');
+  Object.assign(figure, { src: page, link: model.get('link') });
+
+  /** The statistics of every generation that the figure has. @type {any[]} */
+  const history = [];
+  let timer = 0;
+  const tell = () => {
+    clearTimeout(timer);
+    timer = 0;
+    model.set('_statistics', [...history]);
+    model.save_changes();
+  };
+
+  figure.addEventListener('generation', ({ detail }) => {
+    // Generation 0 begins anew.
+    history.length = detail.generation;
+    history.push(detail);
+    timer ||= setTimeout(tell, pause);
+  });
+  for (const type of ['ready', 'state'])
+    figure.addEventListener(type, ({ detail }) => {
+      model.set('state', detail);
+      model.set('error', detail.problems.join(' '));
+      tell();
+    });
+  figure.addEventListener('error', ({ detail }) => {
+    model.set('error', detail.message);
+    model.save_changes();
+  });
+
+  // One after the other: how many generations are missing is known once what was asked before is answered.
+  let last = Promise.resolve();
+  const inTurn = (task) => {
+    // What is refused is told as an error.
+    last = last.then(task).catch(() => {});
+  };
+  const advance = async () => {
+    const missing = model.get('_wanted') - (history.length - 1);
+    if (missing > 0) await figure.step(missing);
+  };
+  const begin = async () => {
+    await figure.set({ link: model.get('link') });
+    const experiment = model.get('experiment');
+    if (Object.keys(experiment).length > 0) await figure.set({ experiment });
+    await advance();
+  };
+  const beginInTurn = () => inTurn(begin);
+  const advanceInTurn = () => inTurn(advance);
+
+  el.append(figure);
+  beginInTurn();
+  model.on('change:link', beginInTurn);
+  model.on('change:experiment', beginInTurn);
+  model.on('change:_wanted', advanceInTurn);
+  return () => {
+    model.off('change:link', beginInTurn);
+    model.off('change:experiment', beginInTurn);
+    model.off('change:_wanted', advanceInTurn);
+    clearTimeout(timer);
+    figure.remove();
+    URL.revokeObjectURL(page);
+  };
+}
+
+export default { render };
