@@ -48,6 +48,8 @@ class EpLocomotion extends HTMLElement {
   /** What is asked and not yet answered, by its id. @type {Map<number, Question>} */
   #questions = new Map();
   #asked = 0;
+  /** Whether a figure of any version has spoken. */
+  #isHeard = false;
   #isReady = false;
   #wantedHeight = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -121,6 +123,8 @@ class EpLocomotion extends HTMLElement {
   /** @param {MessageEvent} event */
   handleEvent({ source, data }) {
     if (source !== this.#frame.contentWindow || typeof data?.ep !== 'number') return;
+    this.#isHeard = true;
+    clearTimeout(this.#silence);
     if (data.ep !== version) return this.#complain(this.#words.otherVersion(data.ep, version));
     const { ep, type, id, ...told } = data;
     const question = this.#questions.get(id);
@@ -160,13 +164,14 @@ class EpLocomotion extends HTMLElement {
 
   #close() {
     clearTimeout(this.#silence);
+    this.#isHeard = false;
     this.#isReady = false;
     this.#state = null;
   }
 
   /** The frame is loaded: whatever it is must speak. */
   #listen() {
-    if (this.#isReady || !this.#frame.hasAttribute('src')) return;
+    if (this.#isHeard || !this.#frame.hasAttribute('src')) return;
     clearTimeout(this.#silence);
     const complain = () => this.#complain(this.#words.silent(this.#frame.src.split('#')[0]));
     this.#silence = setTimeout(complain, longestSilence);
@@ -174,7 +179,6 @@ class EpLocomotion extends HTMLElement {
 
   /** The figure can hear: now, or again when it was loaded anew. */
   #begin() {
-    clearTimeout(this.#silence);
     this.#complain('');
     this.#dress();
     this.#isReady = true;
