@@ -76,7 +76,7 @@ export function evolve(from, generations = 0) {
   };
 }
 
-/** The statistics of generations 0 to `count`, as they come from a frame. @param {Experiment} from @param {number} count */
+/** The statistics of generations 0 to `count`, as they come from a frame. @param {Experiment} from @param {number} count @returns {import('../../www/engine.js').Statistics[]} */
 export function historyOf(from, count) {
   const evolution = new Evolution(from);
   const history = [evolution.statistics()];
