@@ -121,12 +121,15 @@ pageTest('an element shows a figure, does what its page asks, and tells what com
 
 pageTest('what the author of a page has wrong is said in sight', async (page) => {
   const old = `data:text/html,<script>parent.postMessage({ ep: 2, type: 'ready' }, '*')</script>`;
+  // Side by side, for what is far below loads later.
   const html = `
+    <div style="display: grid; grid-template-columns: repeat(5, 1fr); align-items: start">
     <ep-locomotion id="low" height="100"></ep-locomotion>
     <ep-locomotion id="nowhere" src="https://"></ep-locomotion>
     <ep-locomotion id="absent" src="/absent.html"></ep-locomotion>
     <ep-locomotion id="old" src="${old}"></ep-locomotion>
     <div lang="ko-KR"><ep-locomotion id="korean" height="high"></ep-locomotion></div>
+    </div>
     <script>
       const usual = setTimeout;
       // Nobody is to wait until the silence is long enough.

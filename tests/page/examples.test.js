@@ -119,6 +119,8 @@ pageTest('on slides the arrow keys are the deck’s until a figure is used', (pa
         (number) => Reflect.get(document.getElementById('figure') ?? {}, 'state')?.generation === number,
         wanted,
       );
+    // At the size of the slides nothing is scaled; one driver presses beside what is.
+    await page.resize(1120, 720);
     await page.until('the deck is ready', () => document.querySelector('.reveal.ready'));
     await page.press(Key.ARROW_RIGHT);
     await generation(0);
