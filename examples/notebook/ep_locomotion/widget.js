@@ -3,7 +3,7 @@
 /** A running evolution is told to Python no more often, in milliseconds. */
 const pause = 250;
 
-/** The page, which Python has sent along. @param {DataView} packed @returns {Promise<Blob>} */
+/** The page, which Python has sent along. @param {DataView<ArrayBuffer>} packed @returns {Promise<Blob>} */
 function unpacked(packed) {
   const text = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Response(text, { headers: { 'Content-Type': 'text/html' } }).blob();
@@ -12,39 +12,41 @@ function unpacked(packed) {
 /** @param {{ model: any, el: HTMLElement }} view as anywidget gives it */
 async function render({ model, el }) {
   const page = URL.createObjectURL(await unpacked(model.get('_page')));
+  /** @type {any} What it can do stands in www/embed/element.js. */
   const figure = document.createElement('ep-locomotion');
   Object.assign(figure, { src: page, link: model.get('link') });
 
   /** The statistics of every generation that the figure has. @type {any[]} */
   const history = [];
-  let timer = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
   const tell = () => {
     clearTimeout(timer);
-    timer = 0;
+    timer = undefined;
     model.set('_statistics', [...history]);
     model.save_changes();
   };
 
-  figure.addEventListener('generation', ({ detail }) => {
+  figure.addEventListener('generation', (/** @type {CustomEvent} */ { detail }) => {
     // Generation 0 begins anew.
     history.length = detail.generation;
     history.push(detail);
     timer ||= setTimeout(tell, pause);
   });
   for (const type of ['ready', 'state'])
-    figure.addEventListener(type, ({ detail }) => {
+    figure.addEventListener(type, (/** @type {CustomEvent} */ { detail }) => {
       model.set('state', detail);
       model.set('error', detail.problems.join(' '));
       tell();
     });
-  figure.addEventListener('error', ({ detail }) => {
+  figure.addEventListener('error', (/** @type {CustomEvent} */ { detail }) => {
     model.set('error', detail.message);
     model.save_changes();
   });
 
   // One after the other: how many generations are missing is known once what was asked before is answered.
   let last = Promise.resolve();
-  const inTurn = (task) => {
+  const inTurn = (/** @type {() => Promise<void>} */ task) => {
     // What is refused is told as an error.
     last = last.then(task).catch(() => {});
   };
