@@ -145,6 +145,12 @@ if (areBuilt())
       const wrong = await kernel.run('w.experiment = {"flavour": "red"}');
       await give(page, 'receive', wrong.traits);
       assert.match((await kernel.run('', await sentBy(page, 'sent.error'))).error, /flavour/);
+      const linked = await kernel.run(
+        'w.experiment = {}; w.link = "curves&v=1&seed=9&goal.x=1000000"; w.step()',
+      );
+      await give(page, 'receive', linked.traits);
+      const curves = await sentBy(page, `${has(1)} && /goal/.test(sent.error)`);
+      assert.equal(curves.state.link, 'curves&v=1&seed=9&generation=1');
 
       assert.equal(
         await page.evaluate(() => {

@@ -36,7 +36,6 @@ async function render({ model, el }) {
   for (const type of ['ready', 'state'])
     figure.addEventListener(type, (/** @type {CustomEvent} */ { detail }) => {
       model.set('state', detail);
-      model.set('error', detail.problems.join(' '));
       tell();
     });
   figure.addEventListener('error', (/** @type {CustomEvent} */ { detail }) => {
@@ -55,9 +54,11 @@ async function render({ model, el }) {
     if (missing > 0) await figure.step(missing);
   };
   const begin = async () => {
-    await figure.set({ link: model.get('link') });
+    model.set('error', '');
+    figure.link = model.get('link');
     const experiment = model.get('experiment');
-    if (Object.keys(experiment).length > 0) await figure.set({ experiment });
+    // The answer comes when the link is opened, whatever is asked.
+    await (Object.keys(experiment).length > 0 ? figure.set({ experiment }) : figure.read());
     await advance();
   };
   const beginInTurn = () => inTurn(begin);
