@@ -160,5 +160,7 @@ pageTest('what the author of a page has wrong is said in sight', async (page) =>
     await use(page, 'absent', `it.src = 'dist/index.html'`);
     await isReady(page, 'absent');
     assert.equal(await complaint(page, 'absent'), '');
+    // Who has spoken is not called silent.
+    assert.equal(await complaint(page, 'old'), `<ep-locomotion>: ${en.otherVersion(2, 1)}`);
   });
 });
