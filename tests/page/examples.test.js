@@ -73,6 +73,11 @@ pageTest('examples/plain/element.html asks its figure and says what it hears', (
       const text = `Generation ${generation}: J = ${shown(best.cost)} with ${shownGains(best.gains).join(', ')}`;
       await page.until(text, (wanted) => document.getElementById('best')?.innerText === wanted, text);
     };
+    // What is below the figure moves once more when the figure has said how high it wants to be.
+    await page.until(
+      'the figure has its height',
+      () => document.querySelector('ep-locomotion')?.shadowRoot?.querySelector('iframe')?.style.height,
+    );
     await press('#ten', seed7, 10);
     const goal = { x: 3, y: 1, theta: 0 };
     await press('#far', experiment({ goal, evolution: { seed: 7 } }), 0);
