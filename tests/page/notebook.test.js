@@ -145,6 +145,7 @@ if (areBuilt())
       const wrong = await kernel.run('w.experiment = {"flavour": "red"}');
       await give(page, 'receive', wrong.traits);
       assert.match((await kernel.run('', await sentBy(page, 'sent.error'))).error, /flavour/);
+      assert.match(await page.text('#cell > p'), /flavour/);
       const linked = await kernel.run(
         'w.experiment = {}; w.link = "curves&v=1&seed=9&goal.x=1000000"; w.step()',
       );

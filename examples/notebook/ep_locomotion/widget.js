@@ -16,6 +16,10 @@ async function render({ model, el }) {
   const figure = document.createElement('ep-locomotion');
   Object.assign(figure, { src: page, link: model.get('link') });
 
+  // What Python asks in vain is said in sight too.
+  const refusal = document.createElement('p');
+  refusal.setAttribute('role', 'alert');
+
   /** The statistics of every generation that the figure has. @type {any[]} */
   const history = [];
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -46,8 +50,9 @@ async function render({ model, el }) {
   // One after the other: how many generations are missing is known once what was asked before is answered.
   let last = Promise.resolve();
   const inTurn = (/** @type {() => Promise<void>} */ task) => {
-    // What is refused is told as an error.
-    last = last.then(task).catch(() => {});
+    last = last.then(task).catch(({ message }) => {
+      refusal.textContent = message;
+    });
   };
   const advance = async () => {
     const missing = model.get('_wanted') - (history.length - 1);
@@ -55,6 +60,7 @@ async function render({ model, el }) {
   };
   const begin = async () => {
     model.set('error', '');
+    refusal.textContent = '';
     figure.link = model.get('link');
     const experiment = model.get('experiment');
     // The answer comes when the link is opened, whatever is asked.
@@ -64,7 +70,7 @@ async function render({ model, el }) {
   const beginInTurn = () => inTurn(begin);
   const advanceInTurn = () => inTurn(advance);
 
-  el.append(figure);
+  el.append(refusal, figure);
   beginInTurn();
   model.on('change:link', beginInTurn);
   model.on('change:experiment', beginInTurn);
@@ -74,7 +80,7 @@ async function render({ model, el }) {
     model.off('change:experiment', beginInTurn);
     model.off('change:_wanted', advanceInTurn);
     clearTimeout(timer);
-    figure.remove();
+    el.replaceChildren();
     URL.revokeObjectURL(page);
   };
 }
