@@ -138,11 +138,12 @@ export class Page {
 
   /**
    * What axe-core finds to be an obstacle for people who use assistive technology.
+   * @param {string} [within] a selector; else the whole page is looked at
    * @returns {Promise<string[]>}
    */
-  async obstacles() {
+  async obstacles(within = 'html') {
     return this.evaluate(
-      async (address, contrast) => {
+      async (address, selector, contrast) => {
         const own = /** @type {{ axe?: typeof import('axe-core') }} */ (/** @type {unknown} */ (window));
         if (!own.axe)
           await new Promise((resolve, reject) => {
@@ -150,7 +151,7 @@ export class Page {
             Object.assign(script, { src: address, onload: resolve, onerror: reject });
             document.head.append(script);
           });
-        const { violations } = await /** @type {typeof import('axe-core')} */ (own.axe).run({
+        const { violations } = await /** @type {typeof import('axe-core')} */ (own.axe).run(selector, {
           // What is read below names no selector, which takes time to find.
           selectors: false,
           resultTypes: ['violations'],
@@ -161,6 +162,7 @@ export class Page {
         );
       },
       axeAddress,
+      within,
       // Half of the time, for colours that are the same in every engine.
       this.engine === 'chromium',
     );
