@@ -47,6 +47,8 @@
  * @property {import('./disturbance/request.js').DisturbanceState} disturbance
  * @property {import('./luck/request.js').LuckState} luck
  * @property {import('./settings/panel.js').SettingsState} settings
+ * @property {import('./exercise/exercise.js').Exercise} exercise What the link asks for, and what it locks and hides.
+ * @property {import('./exercise/exercise.js').MakerState} maker
  * @property {import('./undo.js').Versions} versions What the experiment was, and what was undone.
  * @property {RobotClock} robot
  * @property {number} speed

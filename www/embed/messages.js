@@ -11,6 +11,8 @@
 // and each is answered with a state, or with { ep: 1, type: 'error', message }; an id that was sent comes back in the answer.
 // By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height.
+// What a link locks is locked for who sits before the figure, not for the page around it: an experiment that it sets leaves
+// the locks as they are, and a link that it opens brings its own, or none.
 import { linkOf, openLink } from '../link.js';
 import { messageOf } from '../messages.js';
 import { atEnd, gainsOf, noTrial } from '../state.js';
@@ -98,7 +100,17 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
         return problems;
       }
       if (experiment === null || typeof experiment !== 'object') throw new Error(words.linkOrExperiment);
-      const { page, lesson, preset, pins, anatomy, curves, landscape, robustness } = store.get();
+      const {
+        page,
+        lesson,
+        preset,
+        pins,
+        exercise: own,
+        anatomy,
+        curves,
+        landscape,
+        robustness,
+      } = store.get();
       const whole = engine.experiment(/** @type {Experiment} */ (experiment));
       const handGains = gains === undefined ? null : gainsIn(gains);
       // The core knows which gains cannot be driven.
@@ -113,6 +125,7 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
         handGains,
         trial: noTrial,
         pins,
+        exercise: own,
         view: { anatomy, curves, landscape, robustness },
       });
       return [];
