@@ -69,6 +69,7 @@ export function firstState(engine, preset) {
     restart: 'begin',
     driver: 'evolved',
     handGains: null,
+    found: 'hand',
     trial: noTrial,
     landscape: firstLandscape,
     anatomy: firstGeneration,
@@ -185,11 +186,11 @@ export function createActions(engine, store, paper, finalTime) {
   const refuseSetting = (path, text) =>
     store.update({ settings: { ...store.get().settings, error: { path, text } } });
 
-  /** @param {readonly number[]} gains */
-  const driveByHand = (gains) => {
+  /** @param {readonly number[]} gains @param {State['found']} [found] */
+  const driveByHand = (gains, found = 'hand') => {
     const handGains = /** @type {Triple} */ (gains);
     engine.drive(store.get().experiment, [handGains]);
-    store.update({ handGains, driver: 'hand', gainErrors: noErrors, message: '' });
+    store.update({ handGains, found, driver: 'hand', gainErrors: noErrors, message: '' });
   };
 
   /** @param {number} index @param {string} error */
@@ -341,9 +342,9 @@ export function createActions(engine, store, paper, finalTime) {
       attempt(() => driveByHand(withGain(index, value)));
     },
 
-    /** Drives by hand with all three gains. @param {Triple} gains */
-    driveGains(gains) {
-      attempt(() => driveByHand(gains));
+    /** Drives by hand with all three gains. @param {Triple} gains @param {State['found']} [found] */
+    driveGains(gains, found) {
+      attempt(() => driveByHand(gains, found));
     },
 
     driveAgain,

@@ -103,6 +103,7 @@ const partsOf = ({ landscape, anatomy, curves, robustness, ...run }) => [
   run.generation,
   run.driver,
   run.handGains,
+  run.found,
   run.trial,
   run.pins,
   run.exercise,

@@ -27,7 +27,7 @@ import { messageOf } from './messages.js';
 import { noPins, styles } from './pins/pins.js';
 import { headings } from './robustness/grid.js';
 import { firstRobustness, halves } from './robustness/request.js';
-import { noTrial, pageNames } from './state.js';
+import { finds, noTrial, pageNames } from './state.js';
 import { link as words } from './words/index.js';
 import { language, languageNames, usualLanguage } from './words/language.js';
 
@@ -49,7 +49,7 @@ import { language, languageNames, usualLanguage } from './words/language.js';
  * @property {Pick<State['landscape'], 'x' | 'y' | 'third'>} landscape
  * @property {Pick<State['robustness'], 'quantity' | 'half' | 'heading'>} robustness
  */
-/** @typedef {Pick<State, 'page' | 'lesson' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'trial' | 'pins' | 'exercise'>} Run */
+/** @typedef {Pick<State, 'page' | 'lesson' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'found' | 'trial' | 'pins' | 'exercise'>} Run */
 /** What a link carries. @typedef {Run & View} Linked */
 /** @typedef {Run & { view: View }} Opened */
 
@@ -114,13 +114,14 @@ const pathOf = (name) => shortNames.find(([, short]) => short === name)?.[0] ?? 
 
 /** The text after # for a state. @param {Linked} state @param {ExperimentOf} experimentOf @param {Language} [read] The language of who opens it. */
 export function linkOf(state, experimentOf, read = language) {
-  const { page, lesson, preset, generation, driver, handGains, trial, pins } = state;
+  const { page, lesson, preset, generation, driver, handGains, found, trial, pins } = state;
   /** @type {[string, string][]} */
   const pairs = preset === presets[0] ? [] : [['preset', preset]];
   pairs.push(...changesOf(state.experiment, experimentOf(preset)));
   if (generation > 0) pairs.push(['generation', String(generation)]);
   if (driver !== 'evolved') pairs.push(['drives', driver]);
   if (handGains) pairs.push(['gains', handGains.map(numberText).join(',')]);
+  if (handGains && found !== 'hand') pairs.push(['found', found]);
   if (trial.start) pairs.push(['from', postureText(trial.start)]);
   if (trial.disturbance && page === 'disturbance') pairs.push(['under', disturbanceText(trial.disturbance)]);
   for (const { key, of, text } of viewKeys)
@@ -169,6 +170,7 @@ export function openLink(link, engine) {
     generation: 0,
     driver: 'evolved',
     handGains: null,
+    found: 'hand',
     trial: noTrial,
     pins: noPins,
     exercise: noExercise,
@@ -232,6 +234,8 @@ function read(opened, key, value, engine) {
       engine.drive(opened.experiment, [handGains]);
       return { ...opened, handGains };
     }
+    case 'found':
+      return { ...opened, found: oneOf(finds, value) };
     case 'lock':
       return { ...opened, exercise: { ...opened.exercise, locked: groupsOf(value) } };
     case 'hide':

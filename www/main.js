@@ -204,7 +204,11 @@ function createDraw(views, engine, paper) {
     views.drivers.draw(driver);
     drawPlane(state, scene, time);
     views.robotBar.draw({ time, finalTime: driving.finalTime, playing: robot.playing, speed: state.speed });
-    views.cost.draw({ title: strings.costTitle(driver), run: driving, note: costNote(scene, driver) });
+    views.cost.draw({
+      title: strings.costTitle(driver, state.found),
+      run: driving,
+      note: costNote(scene, driver),
+    });
     if (state.page === 'lab') drawCurve(state, scene);
     views.evolutionBar.draw({
       evolving,
@@ -226,6 +230,7 @@ function createDraw(views, engine, paper) {
       ...endsOf(state),
       scene,
       driver,
+      found: state.found,
       history,
       generation,
       population: state.population.length,
@@ -241,8 +246,8 @@ function createDraw(views, engine, paper) {
 /** @param {Scene} scene @param {State['driver']} driver */
 function costNote({ comparison, paperEp }, driver) {
   return driver === 'paper-ep'
-    ? strings.costNote(strings.driverName('paper-arbitrary', 0), comparison.cost.total)
-    : strings.costNote(strings.driverName('paper-ep', 0), paperEp.cost.total);
+    ? strings.costNote(strings.driverName('paper-arbitrary', 0, 'hand'), comparison.cost.total)
+    : strings.costNote(strings.driverName('paper-ep', 0, 'hand'), paperEp.cost.total);
 }
 
 /** @param {State} state */

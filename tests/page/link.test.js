@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { groupNames, noExercise, withWay } from '../../www/exercise/exercise.js';
 import { linkOf, openLink } from '../../www/link.js';
+import { finds } from '../../www/state.js';
 import { Key, pageTest } from './browsers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate, simulateAll } from './core.js';
 import { test } from './once.js';
@@ -103,6 +104,7 @@ test('every experiment comes back from its link to the bit', () => {
       generation: Math.floor(1000 * next()),
       driver: 'hand',
       handGains: gains,
+      found: finds[Math.floor(4 * next())],
       trial: { start: posture(), disturbance: null },
       pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
       exercise: wildExercise(next),

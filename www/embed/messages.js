@@ -123,6 +123,7 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
         generation: wholeNumber('generation', 0, mostGenerations, generation),
         driver: handGains ? 'hand' : 'evolved',
         handGains,
+        found: 'hand',
         trial: noTrial,
         pins,
         exercise: own,

@@ -130,10 +130,10 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
     if (!shown) return;
     const { experiment } = shown.duel;
     const { seed, generation } = shown.verdict;
-    const { page, lesson, preset, handGains, pins, exercise, ...view } = store.get();
+    const { page, lesson, preset, handGains, found, pins, exercise, ...view } = store.get();
     actions.openLinked(
       {
-        ...{ page, lesson, preset, handGains, pins, exercise, generation, view },
+        ...{ page, lesson, preset, handGains, found, pins, exercise, generation, view },
         experiment: { ...experiment, evolution: { ...experiment.evolution, seed } },
         driver: 'evolved',
         trial: noTrial,
