@@ -92,9 +92,9 @@ function start(engine) {
     lesson.draw(state, scene);
     for (const page of pages) if (page.name === state.page) page.draw(state, scene);
     address?.follow(state);
-    embed?.draw(state);
     settings.draw(state);
     exercise.draw(state);
+    embed?.draw(state);
     maker?.draw(state);
     pinButton.draw(state, scene);
   };

@@ -1,5 +1,6 @@
 // Exercises: a link with a task, in which controls are locked or hidden.
 import assert from 'node:assert/strict';
+import { sizes, wantedHeight } from '../../www/embed/frame.js';
 import {
   firstMaker,
   groupNames,
@@ -13,7 +14,7 @@ import { guarded } from '../../www/exercise/guard.js';
 import { withExercise } from '../../www/link.js';
 import { Key, pageTest } from './browsers.js';
 import { evolve, experiment } from './core.js';
-import { ask, inHost, within } from './host.js';
+import { ask, heardFrom, inHost, within } from './host.js';
 import { test } from './once.js';
 import { middleOf, read } from './reading.js';
 
@@ -147,7 +148,7 @@ pageTest('an exercise is made by pressing, and holds against pointer, keys and d
     'hidden',
   ]);
 
-  await page.open(new URL(link).hash);
+  await follow(page, new URL(link).hash);
   assert.equal(await page.text('#task'), task);
   assert.equal(await page.text('#task-label'), 'Task from this link');
   assert.match(await page.text('#exercise'), /Locked by this link: gains, start and goal, running evolution/);
@@ -258,7 +259,6 @@ pageTest('an exercise stays through parts, steps and undo, and maps hold to it',
     'hidden',
     'locked',
   ]);
-  assert.deepEqual(await page.obstacles(), []);
   await follow(page, `lab&v=1&lock=gains,doors&task=${'x'.repeat(mostOfTask + 1)}`);
   assert.match(await page.text('#message'), /lock was left out.*“doors”.*task was left out.*at most 300/);
   assert.deepEqual(await waysOf(page, '#slider-kx', '#exercise'), ['free', 'hidden']);
@@ -266,15 +266,15 @@ pageTest('an exercise stays through parts, steps and undo, and maps hold to it',
 
 pageTest('in a frame the task is beside the figure, and its host may do what is locked', async (page) => {
   const link = 'lab&v=1&seed=7&lock=run,postures&hide=clock&task=Wait%20for%20the%20lecture.';
-  const html = [
-    [640, 420],
-    [400, 300],
-  ]
+  const [small, medium] = sizes;
+  const html = [medium, small]
     .map(
       ([width, height]) =>
         `<iframe src="${page.site.address}?embed#${link.replaceAll('&', '&amp;')}" width="${width}" height="${height}"></iframe>`,
     )
     .join('');
+  /** @type {number[]} */
+  const heights = [];
   await inHost(page, html, async () => {
     for (const frame of [0, 1])
       await within(page, frame, async () => {
@@ -298,7 +298,9 @@ pageTest('in a frame the task is beside the figure, and its host may do what is 
           { fits: true, inOrder: true, large: true },
         );
         assert.equal(await page.text('#task'), 'Wait for the lecture.');
-        assert.deepEqual(await page.obstacles(), []);
+        const room = await page.evaluate(() => (document.getElementById('exercise')?.offsetHeight ?? 0) + 6);
+        heights.push(wantedHeight('lab', 0, await page.evaluate(() => innerWidth)) + room);
+        if (frame === 1) assert.deepEqual(await page.obstacles(), []);
         await page.click('#run');
         await page.press('n', 'r');
         await page.focus('#embed-full');
@@ -307,6 +309,12 @@ pageTest('in a frame the task is beside the figure, and its host may do what is 
         );
         assert.equal(new URL(whole).hash, '#lab&v=1&seed=7');
       });
+    // It asks for room for its task, too.
+    for (const frame of [0, 1])
+      assert.equal(
+        (await heardFrom(page, frame)).filter(({ type }) => type === 'height').at(-1).height,
+        heights[frame],
+      );
     assert.equal((await ask(page, 0, { type: 'read' })).generations, 0);
     assert.equal(
       (await ask(page, 0, { type: 'step', generations: 3 })).hash,

@@ -54,7 +54,7 @@ export function createEmbed(parts) {
 
     /** @param {State} state */
     draw(state) {
-      if (shapeChanged(state.page, state.lesson)) tellHeight();
+      if (shapeChanged(state.page, state.lesson, state.exercise)) tellHeight();
       messages.announce();
       if (!state.evolving && !state.dragging && linkChanged(state.experiment, state.generation, state.page))
         foot.follow();

@@ -89,10 +89,10 @@ function lock(element, locked) {
   if ('disabled' in element) element.disabled = locked;
   else if (locked) element.setAttribute('aria-disabled', 'true');
   else element.removeAttribute('aria-disabled');
-  const others = (element.getAttribute('aria-describedby') ?? '')
-    .split(' ')
-    .filter((id) => id !== '' && id !== 'exercise-locks');
-  element.setAttribute('aria-describedby', [...others, ...(locked ? ['exercise-locks'] : [])].join(' '));
+  const others = (element.getAttribute('aria-describedby') ?? '').replace(/ ?exercise-locks$/, '');
+  const described = locked ? `${others} exercise-locks`.trim() : others;
+  if (described) element.setAttribute('aria-describedby', described);
+  else element.removeAttribute('aria-describedby');
 }
 
 /** A link cannot be disabled. @param {Event} event */
