@@ -28,7 +28,7 @@ export function createMaker({ engine, store, actions }) {
   const rows = groupNames.map((group) => {
     const name = create('span', 'maker-name', words.groups[group]);
     name.setAttribute('aria-hidden', 'true');
-    const fieldset = /** @type {HTMLFieldSetElement} */ (create('fieldset', 'segmented small'));
+    const fieldset = /** @type {HTMLFieldSetElement} */ (create('fieldset', 'segmented'));
     fieldset.id = `maker-${group}`;
     const { draw } = createSegmented(fieldset, words.groups[group], words.ways, (way) =>
       change(withWay(draftNow(), group, way)),
