@@ -26,7 +26,7 @@ export const texts = {
 export const groups = {
   gains: 'gains',
   drives: 'what drives',
-  paper: 'the paper’s gains',
+  paper: 'paper’s gains',
   postures: 'start and goal',
   run: 'running evolution',
   seed: 'new seed',
