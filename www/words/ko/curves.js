@@ -120,3 +120,6 @@ export const sigmaLabel = (first, shown, gains) =>
   `${shown.generation}세대에 걸친 이득별 평균 σ, 로그 축. ${gains
     .map(({ name }, i) => `${name}: ${sigmaText(first.meanSigmas[i])} → ${sigmaText(shown.meanSigmas[i])}`)
     .join(', ')}.`;
+
+/** What stands before and after the name of a gain at its line. */
+export const sigmaOf = ['', '의 σ'];

@@ -11,7 +11,7 @@ export const law = {
 A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. What lies in the grey the wheels cannot do.`,
     written: `Stop the clock where the bars are long, and move a slider. The formula says the same: point at a term, and its slider, its bars and its errors light up.`,
     each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. Now two of them together.`,
-    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive. The less it has turned, the farther it must drive. Hardly turned at all, it would have to do the impossible: from below the goal 3, 8, 5 ask for up to {=most} rad/s, and the limits leave {=leaves}. (What to do at sin {te} = 0 the paper does not say. We never divide by less than 0.000001.)`,
+    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. Hardly turned at all, it would have to do the impossible: from below the goal 3, 8, 5 ask for up to {=most} rad/s, and the limits leave {=leaves}.`,
     next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and no limit stands in the way.`,
   },
   pushes: {
@@ -60,5 +60,6 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
     'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',
     'A bar with an arrow leaves the picture: then the limits drive, not the law.',
     'In {w} each gain has a term, in {v} only two.',
+    'What to do at sin {te} = 0 the paper does not say. We never divide by less than 0.000001.',
   ],
 };

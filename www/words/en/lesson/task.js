@@ -12,11 +12,11 @@ export const task = {
 
 Put it to the test: the same gains, other starts. {=places} places on a square of {=side}\u00a0m around the goal, in each {=headings} headings, make {=starts} starts.`,
     beside: `Press a hatched place of [the map](robustness&generation=100), and watch. The robot drives up, turns the right way, and stops *beside* the goal. All that fail end like this: {xe} and {te} are gone, {ye} is left. The gain against {ye} is {ky}, and evolution has left it at {=ky}.`,
-    asked: `Why so small? From the one start that evolution was given, the goal lies straight ahead, along its own direction: there {ye} is {=ye}\u00a0m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. It made no mistake. It was asked about *one* drive, and that drive it made cheap.
+    asked: `Why so small? From the one start that evolution was given, the goal lies straight ahead, along its own direction: there {ye} is {=ye}\u00a0m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and that drive it made cheap.
 
 *An optimiser gives what the cost asks for, not what you meant.*`,
-    many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. In [Training](training&generation=100) press *Evolve all three*: on the one start, on 32 on a circle, on 36 on a grid. Each is then tested on 1000 starts that none of them has seen.`,
-    next: `This holds far beyond robots: look at what the cost does *not* ask for. Ours has never asked for a floor that pushes.`,
+    many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. In [Training](training&generation=100) press *Evolve all three*: on one start, on 32 on a circle, on 36 on a grid. Each is then tested on 1000 starts that none has seen.`,
+    next: `This holds far beyond robots: look at what a cost does *not* ask for. Ours has never asked for a floor that pushes.`,
   },
   quizzes: {
     share: {
