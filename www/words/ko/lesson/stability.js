@@ -20,7 +20,7 @@ export const stability = {
       ],
       /** @param {{ first: number, last: number, most: number }} outcome */
       why: ({ first, last, most }) =>
-        `V의 값은 처음 ${fixed(first, 2)}, 마지막 ${fixed(last, 2)}, 가장 클 때 ${fixed(most, 2)}입니다. ky가 0보다 작으면 주황색 부분이 0보다 커져 로봇을 벽 위로 밀어 올립니다. 옆으로 벗어난 거리의 네제곱으로 세집니다.`,
+        `V의 값은 처음 ${fixed(first, 2)}, 마지막 ${fixed(last, 2)}, 가장 클 때 ${fixed(most, 2)}입니다. ky가 0보다 작으면 주황색 부분이 0보다 커져 로봇을 벽 위로 밀어 올립니다. 옆으로 벗어난 거리의 네제곱으로 강해집니다.`,
     },
     kanayama: {
       question:
