@@ -10,7 +10,7 @@ export const generation = {
     mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: a *step size* {s} times a draw {N} from the bell curve, which is rarely beyond −2 or 2.`,
     select: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.
 
-*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* All {=all} meet {=bouts} others each, drawn by lot. Whoever has the lower J, or the same, wins the bout. {=chosen} wins {=wins} of {=bouts}.
+*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* All {=all}, parents and offspring, meet {=bouts} others each, drawn by lot. Whoever has the lower J, or the same, wins the bout. {=chosen} wins {=wins} of {=bouts}.
 
 *4. [Survive](generation&generation=1&phase=survivors&individual=26).* The {=count} with the most wins stay as parents of the next generation, with their gains, step sizes and J. {=fate}`,
     next: `The four moves are the paper’s. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
