@@ -2,12 +2,13 @@
 // other begins.
 //
 //   npm test -- page               only the page, in the browsers of this machine
-//   npm test -- --require-engines  an absent browser is a failure
+//   npm test -- --require-engines  an absent browser, or Python, is a failure
 //   ENGINES=firefox npm test       only these browsers
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { findEngines } from '../tests/page/engines.js';
 import { buildCore, buildSite } from './build.mjs';
+import { absentPython, findPython, finishExamples, prepareExamples } from './examples.mjs';
 import { Failure, run, runPackage, step, stopSteps, task } from './run.mjs';
 import { installPackages, installTools } from './tools.mjs';
 
@@ -22,10 +23,11 @@ await task(async () => {
   if (strangers.length > 0) throw new Failure(`npm test knows only "page", not ${strangers.join(', ')}`);
 
   const { found, absent } = findEngines();
-  const advice = absent
-    .map(({ name, hint }) => `\nEngine that is absent: ${name}; to have it: ${hint}`)
+  const python = findPython();
+  const advice = [...absent, ...(python === null ? [absentPython] : [])]
+    .map(({ name, hint }) => `\nAbsent, and what needs it was not tested: ${name}; to have it: ${hint}`)
     .join('');
-  if (values['require-engines'] && absent.length > 0) throw new Failure(`every engine is required${advice}`);
+  if (values['require-engines'] && advice !== '') throw new Failure(`everything is required${advice}`);
 
   const undriven = found.some(({ name, driver }) => name === 'firefox' && driver === null);
   const pageOnly = positionals.length > 0;
@@ -33,15 +35,18 @@ await task(async () => {
   const tools = installTools({ geckodriver: undriven });
   const sources = pageOnly ? tools : testSources();
   const modules = Promise.all([tools, sources]).then(() => (pageOnly ? undefined : testModule()));
+  const examples = python === null ? tools : prepareExamples(python);
   const page = tools.then(async () => {
     await buildCore();
     if (!pageOnly) await testTypes();
     await buildSite();
+    await examples;
+    if (python !== null) await finishExamples();
     // What is wrong in the sources is known soon, the page's tests take the longest.
     await sources;
     await testPage(found.map(({ name }) => name));
   });
-  await together([sources, modules, page]);
+  await together([sources, modules, examples, page]);
   console.log(`\nEngines that ran: ${found.map(({ name }) => name).join(', ') || 'none'}${advice}`);
 }).finally(() => console.log(`\n${count.passed} passed, ${count.failed} failed`));
 

@@ -37,3 +37,11 @@ export function evolve(from, generations = 0) {
     hash: evolution.hash(),
   };
 }
+
+/** The statistics of generations 0 to `count`, as they come from a frame. @param {Experiment} from @param {number} count @returns {import('../../www/engine.js').Statistics[]} */
+export function historyOf(from, count) {
+  const evolution = new Evolution(from);
+  const history = [evolution.statistics()];
+  while (history.length <= count) history.push(evolution.step());
+  return JSON.parse(JSON.stringify(history));
+}
