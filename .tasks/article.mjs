@@ -2,11 +2,11 @@
 // as an article, with what the core comes to in the place of the running numbers. Writes the HTML of each.
 //
 //   node .tasks/article.mjs ko
-import { document } from './document.mjs';
+import { document, Element } from './document.mjs';
 
 const [language] = process.argv.slice(2);
-// The words ask for these when they are imported.
-Object.assign(globalThis, { document, location: { hash: `#lab&lang=${language}`, search: '' } });
+// What is imported below asks for these.
+Object.assign(globalThis, { document, Element, location: { hash: `#lab&lang=${language}`, search: '' } });
 globalThis.navigator ??= /** @type {Navigator} */ ({});
 
 const { createSpec, firstDisturbance } = await import('../www/disturbance/request.js');

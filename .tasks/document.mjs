@@ -6,7 +6,7 @@ const kept = ['class', 'scope', 'role', 'aria-label', 'display', 'displaystyle',
 /** @param {string} text */
 const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 
-class Element {
+export class Element {
   /** @type {(Element | string)[]} */
   nodes = [];
   /** @type {Map<string, string>} */
@@ -14,9 +14,9 @@ class Element {
   /** @type {Record<string, string>} */
   dataset = {};
 
-  /** @param {string} tag */
-  constructor(tag) {
-    this.tag = tag;
+  /** @param {string} localName */
+  constructor(localName) {
+    this.localName = localName;
   }
 
   get children() {
@@ -62,11 +62,11 @@ class Element {
         ? this.nodes.map((node) => (typeof node === 'string' ? escaped(node) : node.html(values))).join('')
         : escaped(values[value]);
     // Where nothing runs, no link leads anywhere.
-    if (this.tag === 'a') return inside;
+    if (this.localName === 'a') return inside;
     const attributes = kept
       .filter((name) => this.attributes.has(name))
       .map((name) => ` ${name}="${escaped(/** @type {string} */ (this.attributes.get(name)))}"`);
-    return `<${this.tag}${attributes.join('')}>${inside}</${this.tag}>`;
+    return `<${this.localName}${attributes.join('')}>${inside}</${this.localName}>`;
   }
 }
 
