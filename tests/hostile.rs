@@ -8,7 +8,7 @@ use ep_locomotion::disturbance::DisturbanceKind;
 use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
 use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::fields::FIELDS;
+use ep_locomotion::fields::{FIELDS, field_at};
 use ep_locomotion::posture::Posture;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -147,6 +147,83 @@ fn rules_between_fields_are_told_in_words() {
         ),
     ] {
         assert_eq!(refused(change), message);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_ends_of_every_range_are_allowed_and_nothing_beyond() {
+    for field in &FIELDS {
+        for value in [field.min, field.max] {
+            assert!(field.allows(value), "{} may be {value}", field.path);
+        }
+        for value in [field.min.next_down(), field.max.next_up(), f64::NAN] {
+            assert!(!field.allows(value), "{} may not be {value}", field.path);
+        }
+        assert_eq!(field.allows(field.min + 0.5), !field.integer, "{}", field.path);
+        let path = field.path.replace("[]", "[12]");
+        assert_eq!(field_at(&path).map(|found| found.path), Some(field.path));
+    }
+    assert!(field_at("goal").is_none());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_largest_experiments_are_allowed_and_no_larger() {
+    let check = |change: fn(&mut Experiment, u32), one_more| {
+        let mut experiment = Preset::VelocityLimits.experiment();
+        change(&mut experiment, one_more);
+        experiment.validate().map_err(|error| error.field)
+    };
+    let rules: [(fn(&mut Experiment, u32), &str); 5] = [
+        (|e, more| e.starts = vec![Posture::default(); 10_000 + more as usize], "starts"),
+        (|e, more| e.horizon = 1000.0 + f64::from(more), "horizon"),
+        (
+            |e, more| {
+                // 4·10⁸ samples in one call.
+                (e.horizon, e.starts) = (1000.0, vec![Posture::default(); 10]);
+                e.evolution.population = 400 + more;
+            },
+            "evolution.population",
+        ),
+        (
+            |e, more| {
+                e.disturbance.kind = DisturbanceKind::Random;
+                e.disturbance.angular = -1e-9 * f64::from(more);
+            },
+            "disturbance.angular",
+        ),
+        (
+            |e, more| e.evolution.initial_range = [1.0, 1.0 + 1e-9 * (1.0 - f64::from(more))],
+            "evolution.initialRange",
+        ),
+    ];
+    for (change, field) in rules {
+        assert_eq!(check(change, 0), Ok(()), "{field}");
+        assert_eq!(check(change, 1), Err(field.to_string()));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn numbers_in_messages_are_written_as_javascript_writes_them() {
+    for (value, written) in [
+        (f64::NAN, "NaN"),
+        (f64::INFINITY, "Infinity"),
+        (f64::NEG_INFINITY, "-Infinity"),
+        (0.0, "0"),
+        (-1.5, "-1.5"),
+        (1e-6, "0.000001"),
+        (1e-7, "1e-7"),
+        (-5e-324, "-5e-324"),
+        (1e20, "100000000000000000000"),
+        (1e21, "1e21"),
+        (-1e300, "-1e300"),
+    ] {
+        let mut experiment = Preset::VelocityLimits.experiment();
+        experiment.horizon = value;
+        let message = experiment.validate().expect_err("refused").to_string();
+        assert_eq!(
+            message,
+            format!("horizon must be a number from 0.00001 to 100000 s, but was {written}")
+        );
     }
 }
 

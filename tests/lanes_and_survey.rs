@@ -317,5 +317,47 @@ fn wrong_surveys_are_refused_by_name() {
         on_circle(Posture::default(), -1e4, 3, 1).expect_err("refused").to_string(),
         "radius must be a number from -1000 to 1000 m, but was -10000"
     );
-    assert!(on_circle(Posture::default(), 1.0, 0, 1).is_err());
+    assert_eq!(
+        on_circle(Posture::default(), 1.0, 0, 1).expect_err("refused").to_string(),
+        "count must be a whole number from 1 to 10000, but was 0"
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_largest_surveys_are_allowed_and_no_larger() {
+    let circle = |x, count| on_circle(Posture { x, ..Posture::default() }, 1000.0, count, 1);
+    assert_eq!(circle(-1000.0, 10_000).expect("valid").len(), 10_000);
+    assert!(circle(-1000.1, 1).is_err() && circle(0.0, 10_001).is_err());
+
+    // Of a run with 1000 samples, 400,000 are allowed; a robot at its goal needs none.
+    let mut resting = Preset::VelocityLimits.experiment();
+    resting.starts = vec![resting.goal];
+    let setting = Setting::new(resting.clone()).expect("valid");
+    let gains = vec![Gains::new(1.0, 1.0, 1.0); 400_001];
+    assert_eq!(evaluate(&setting, &gains[1..]).expect("valid").len(), 400_000);
+    assert!(evaluate(&setting, &gains).is_err());
+    resting.evolution.population = 2;
+    assert_eq!(seed_runs(&resting, [1, 1001], 99).expect("valid").len(), 1000);
+    assert!(seed_runs(&resting, [1, 1001], 100).is_err());
+
+    let range = Range { from: -1000.0, to: 1000.0, count: 1024 };
+    let grid = |count, headings| StartGrid { x: Range { count, ..range }, y: range, headings };
+    let rows = |grid| robustness(&setting, gains[0], &grid, [5, 5]).map(|ends| ends.len());
+    assert_eq!(rows(grid(1024, 1024)), Ok(0));
+    assert!(rows(grid(1025, 1)).is_err() && rows(grid(1, 1025)).is_err());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_start_beyond_the_streams_meets_the_disturbances_of_another() {
+    let mut experiment = Preset::VelocityLimits.experiment();
+    experiment.disturbance =
+        Disturbance { kind: DisturbanceKind::Random, linear: 0.2, angular: 0.3, seed: 4 };
+    let range = Range { from: -1.0, to: 3.0, count: 1024 };
+    let grid = StartGrid { x: range, y: range, headings: 1024 };
+    let (streams, k) = (1 << 29, Gains::new(3.0, 2.0, 5.0));
+    let setting = Setting::new(experiment.clone()).expect("valid");
+    let beyond = robustness(&setting, k, &grid, [streams - 1, streams + 2]).expect("valid");
+    // The starts of the experiment have the first streams.
+    experiment.starts = (0..2).map(|i| grid.posture(streams as usize + i)).collect();
+    assert_eq!(beyond[1..], fares(&Setting::new(experiment).expect("valid"), k));
 }
