@@ -325,3 +325,17 @@ fn the_papers_ordering_holds_here() {
         assert!(costs[0] < costs[1], "{costs:?}");
     }
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_start_that_is_not_there_is_refused() {
+    let mut experiment = velocity_limits();
+    experiment.starts = vec![experiment.goal; 3];
+    let setting = Setting::new(experiment).expect("valid");
+    assert_eq!([0.0, 2.0].map(|start| setting.validate_start(start)), [Ok(0), Ok(2)]);
+    for (start, found) in [(3.0, "3"), (-1.0, "-1"), (0.5, "0.5"), (f64::NAN, "NaN")] {
+        assert_eq!(
+            setting.validate_start(start).expect_err("refused").to_string(),
+            format!("start must be a whole number from 0 to 2, but was {found}")
+        );
+    }
+}

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Random, wild};
+use common::{Random, assert_close, wild};
 use ep_locomotion::control::Gains;
 use ep_locomotion::cost::Cost;
 use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
@@ -10,6 +10,7 @@ use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
 use ep_locomotion::experiment::{Experiment, Preset};
 use ep_locomotion::posture::Posture;
+use ep_locomotion::real::SMALL_TURN;
 use ep_locomotion::starts::{Range, StartGrid, on_circle};
 use ep_locomotion::survey::{Axis, Gain, Landscape, evaluate, fares, robustness, seed_runs};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -65,6 +66,18 @@ fn a_robot_that_starts_at_the_goal_is_there() {
     let mut experiment = Preset::VelocityLimits.experiment();
     experiment.starts = vec![experiment.goal, experiment.starts[0], experiment.goal];
     assert_same(experiment, &[Gains::new(3.0, 0.1, 5.0); 20]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn robots_that_turn_just_as_far_as_lanes_can_have_the_same_bits_too() {
+    let mut experiment = Preset::VelocityLimits.experiment();
+    // A power of 2, so that the product is exact.
+    experiment.sample_time = 0.0625;
+    for turn in [SMALL_TURN.next_down(), SMALL_TURN, SMALL_TURN.next_up(), -SMALL_TURN] {
+        experiment.limits.turn_rate = Some(turn.abs() / experiment.sample_time);
+        experiment.goal.y = 2f64.copysign(turn);
+        assert_same(experiment.clone(), &[Gains::new(3.0, 2.0, 50.0), Gains::new(1.0, 9.0, 9.0)]);
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -224,6 +237,11 @@ fn starts_on_a_circle_are_as_far_from_its_centre_and_head_anywhere() {
             [((start.theta + core::f64::consts::PI) / core::f64::consts::FRAC_PI_2) as usize] += 1;
     }
     assert!(quadrants.iter().all(|count| (90..160).contains(count)), "{quadrants:?}");
+    for (start, x, y) in [(0, 2.5, 0.0), (125, 0.0, 2.5), (250, -2.5, 0.0), (375, 0.0, -2.5)] {
+        let Posture { x: ahead, y: aside, .. } = starts[start];
+        assert_close(ahead, centre.x + x, 1e-12);
+        assert_close(aside, centre.y + y, 1e-12);
+    }
     assert_eq!(starts, on_circle(centre, 2.5, 500, 3).expect("valid"));
     assert_ne!(starts, on_circle(centre, 2.5, 500, 4).expect("valid"));
 }
