@@ -3,13 +3,18 @@
 mod common;
 
 use common::{Random, wild};
-use ep_locomotion::control::Gains;
+use ep_locomotion::control::{Gains, Law, lyapunov_rate_bound, robust_gains};
 use ep_locomotion::disturbance::DisturbanceKind;
 use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
 use ep_locomotion::experiment::{Experiment, Preset};
 use ep_locomotion::fields::{FIELDS, field_at};
-use ep_locomotion::posture::Posture;
+use ep_locomotion::limits::Limits;
+use ep_locomotion::posture::{ErrorPosture, Posture, Velocity};
+use ep_locomotion::remaining::{ErrorParts, error_parts, remaining_errors, theorem_2_sets};
+use ep_locomotion::stability::stability;
+use ep_locomotion::starts::{Range, StartGrid, on_circle};
+use ep_locomotion::survey::{Axis, Gain, Landscape, evaluate, robustness};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -50,6 +55,87 @@ fn wild_samples_are_finite_until_a_run_diverges() {
             assert!(sample.error.theta.abs() <= core::f64::consts::PI);
         }
     }
+}
+
+/// Any number that there is.
+fn any(random: &mut Random) -> f64 {
+    match random.below(12) {
+        0 => f64::NAN,
+        1 => f64::INFINITY,
+        2 => f64::NEG_INFINITY,
+        _ => random.hostile(),
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn functions_of_numbers_take_any() {
+    let mut random = Random::new(4);
+    for _ in 0..100_000 {
+        let mut next = || any(&mut random);
+        let e = ErrorPosture::new(next(), next(), next());
+        let k = Gains::new(next(), next(), next());
+        let p = Posture { x: next(), y: next(), theta: next() };
+        let [q, r] = [0, 1].map(|_| Velocity { linear: next(), angular: next() });
+        let dt = next();
+        for law in [Law::ShimKim, Law::Kanayama] {
+            law.command(&e, &k, r);
+            law.promised_rate(&e, &k, r);
+            if let Some(function) = law.lyapunov(&k) {
+                function.rate(&e, q, r);
+                function.value(&e);
+            }
+        }
+        lyapunov_rate_bound(&e, &k, q);
+        let robust = robust_gains(&e, q);
+        assert!(![robust.x, robust.y, robust.theta].iter().any(|gain| *gain < 0.0));
+        let sets = theorem_2_sets(&k, q, dt);
+        assert!(![sets.x, sets.y, sets.theta].iter().any(|reach| *reach < 0.0));
+        ErrorParts::new(&e);
+        e.posture(p).error_to(p);
+        p.advance(q, dt);
+        let speed = next().abs();
+        let limits = Limits { speed: Some(speed), ..Limits::NONE };
+        // NaN stays what it is; all else is limited.
+        assert!(limits.applied(q, r, dt).linear.abs() <= speed || (q.linear + speed).is_nan());
+        let [from, to] = [0, 1].map(|_| next());
+        for log in [false, true] {
+            Axis { gain: Gain::X, from, to, count: 3, log }.value(2);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn jobs_take_any_numbers_or_refuse_them_by_name() {
+    let mut random = Random::new(5);
+    let mut refused = 0;
+    for _ in 0..2_000 {
+        let setting = Setting::new(wild(&mut random)).expect("within the ranges");
+        let mut next = || any(&mut random);
+        let k = Gains::new(next(), next(), next());
+        let [x, y] = [0, 1].map(|_| Range { from: next(), to: next(), count: 2 });
+        let axis =
+            |gain, Range { from, to, count }: Range| Axis { gain, from, to, count, log: false };
+        let cells = Landscape { x: axis(Gain::X, x), y: axis(Gain::Theta, y), gains: k };
+        let grid = StartGrid { x, y, headings: 3 };
+        let centre = Posture { x: x.from, y: y.from, theta: 0.0 };
+        let errors = [
+            cells.costs(&setting, [0, 2]).err(),
+            robustness(&setting, k, &grid, [0, 12]).err(),
+            on_circle(centre, x.to, 3, 1).err(),
+            remaining_errors(&setting, &k, y.to).err(),
+            setting.validate_start(y.from).err(),
+        ];
+        for error in errors.into_iter().flatten() {
+            let told = error.to_string();
+            let names = ["x.", "y.", "x ", "y ", "radius ", "seconds ", "start "];
+            assert!(names.iter().any(|name| told.starts_with(name)), "{told}");
+            refused += 1;
+        }
+        assert!(!evaluate(&setting, &[k]).expect("one")[0].is_nan());
+        stability(&setting, &k, 0);
+        error_parts(&setting, &k, 1);
+    }
+    assert!(refused > 1000, "{refused}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
