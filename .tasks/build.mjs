@@ -49,12 +49,13 @@ const features = [
   '--enable-multivalue',
 ];
 
-/** The static site, which works from any folder of any host; with it the page as one file, which needs no host. */
+/** The static site, which works from any folder of any host; the page as one file, which needs no host; the element for other pages. */
 export const buildSite = () =>
   step('building the site', async () => {
     const build = ['build', '--config', 'www/vite.config.js', '--logLevel', 'warn'];
     await runPackage('vite/bin/vite.js', build);
     await runPackage('vite/bin/vite.js', [...build, '--mode', 'offline']);
+    await runPackage('vite/bin/vite.js', [...build, '--mode', 'element']);
   });
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {

@@ -29,6 +29,13 @@ export async function task(body) {
   }
 }
 
+let stopped = false;
+
+/** Lets no further step begin: another one has failed. */
+export function stopSteps() {
+  stopped = true;
+}
+
 /**
  * Runs one named step and tells how long it took.
  * @template T
@@ -38,6 +45,7 @@ export async function task(body) {
  * @returns {Promise<T>}
  */
 export async function step(name, body, usual) {
+  if (stopped) throw new Failure(`${name}: not begun`);
   console.log(`\n▸ ${name}${usual ? `, usually ${usual}` : ''}`);
   const start = performance.now();
   const seconds = () => `${((performance.now() - start) / 1000).toFixed(1)} s`;
@@ -48,6 +56,7 @@ export async function step(name, body, usual) {
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     error.message = `${name}: ${error.message} (after ${seconds()})`;
+    console.error(`✗ ${error.message}`);
     throw error;
   }
 }

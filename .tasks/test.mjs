@@ -1,14 +1,16 @@
-// npm test: every check of the project, stopping at the first that fails.
+// npm test: every check of the project, side by side as far as they do not need each other; when one fails, no
+// other begins.
 //
 //   npm test -- page               only the page, in the browsers of this machine
-//   npm test -- --require-engines  an absent browser is a failure
+//   npm test -- --require-engines  an absent browser, or Python, is a failure
 //   ENGINES=firefox npm test       only these browsers
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { findEngines } from '../tests/page/engines.js';
 import { buildCore, buildSite } from './build.mjs';
-import { Failure, run, runPackage, step, task } from './run.mjs';
-import { installTools } from './tools.mjs';
+import { absentPython, findPython, finishExamples, prepareExamples } from './examples.mjs';
+import { Failure, run, runPackage, step, stopSteps, task } from './run.mjs';
+import { installPackages, installTools } from './tools.mjs';
 
 const count = { passed: 0, failed: 0 };
 
@@ -21,37 +23,65 @@ await task(async () => {
   if (strangers.length > 0) throw new Failure(`npm test knows only "page", not ${strangers.join(', ')}`);
 
   const { found, absent } = findEngines();
-  const advice = absent
-    .map(({ name, hint }) => `\nEngine that is absent: ${name}; to have it: ${hint}`)
+  const python = findPython();
+  const advice = [...absent, ...(python === null ? [absentPython] : [])]
+    .map(({ name, hint }) => `\nAbsent, and what needs it was not tested: ${name}; to have it: ${hint}`)
     .join('');
-  if (values['require-engines'] && absent.length > 0) throw new Failure(`every engine is required${advice}`);
+  if (values['require-engines'] && advice !== '') throw new Failure(`everything is required${advice}`);
 
   const undriven = found.some(({ name, driver }) => name === 'firefox' && driver === null);
-  await installTools({ geckodriver: undriven });
-  if (positionals.length === 0) await testSources();
-  await buildCore();
-  if (positionals.length === 0) await testTypes();
-  await buildSite();
-  await testPage(found.map(({ name }) => name));
+  const pageOnly = positionals.length > 0;
+  await installPackages();
+  const tools = installTools({ geckodriver: undriven });
+  const sources = pageOnly ? tools : testSources();
+  const modules = Promise.all([tools, sources]).then(() => (pageOnly ? undefined : testModule()));
+  const examples = python === null ? tools : prepareExamples(python);
+  const page = tools.then(async () => {
+    await buildCore();
+    if (!pageOnly) await testTypes();
+    await buildSite();
+    await examples;
+    if (python !== null) await finishExamples();
+    // What is wrong in the sources is known soon, the page's tests take the longest.
+    await sources;
+    await testPage(found.map(({ name }) => name));
+  });
+  await together([sources, modules, examples, page]);
   console.log(`\nEngines that ran: ${found.map(({ name }) => name).join(', ') || 'none'}${advice}`);
 }).finally(() => console.log(`\n${count.passed} passed, ${count.failed} failed`));
 
+/** Waits for all of them, also when one has failed, because its programs would go on alone. @param {Promise<unknown>[]} lanes */
+async function together(lanes) {
+  /** @type {unknown[]} */
+  const reasons = [];
+  for (const lane of lanes)
+    lane.catch((reason) => {
+      reasons.push(reason);
+      stopSteps();
+    });
+  await Promise.allSettled(lanes);
+  if (reasons.length > 0) throw reasons[0];
+}
+
+/** @param {string[]} target */
+const clippy = (...target) => run('cargo', ['clippy', ...target, '--', '-D', 'warnings']);
+
+/** What needs nothing but cargo and the npm packages. */
 async function testSources() {
-  const clippy = (/** @type {string[]} */ ...target) =>
-    run('cargo', ['clippy', ...target, '--', '-D', 'warnings']);
   await step('format of the Rust (cargo fmt mends it)', () => run('cargo', ['fmt', '--check']));
   await step('format and lint of the JavaScript (npm run format mends it)', () =>
     runPackage('@biomejs/biome/bin/biome', ['check', '.']),
   );
   await step('lint of the Rust', () => clippy('--all-targets'));
-  await step('lint of the Rust for WebAssembly', () => clippy('--lib', '--target', 'wasm32-unknown-unknown'));
   await step('native tests', () => counted('cargo', ['test']));
+}
+
+/** The core as WebAssembly. With every optimisation the tests of the page run it, under Node and in the browsers. */
+async function testModule() {
+  await step('lint of the Rust for WebAssembly', () => clippy('--lib', '--target', 'wasm32-unknown-unknown'));
   await step('the same tests as WebAssembly under Node', () => counted('wasm-pack', ['test', '--node']));
   await step('the known values with every optimisation, natively', () =>
     counted('cargo', ['test', '--release', '--test', 'golden']),
-  );
-  await step('the known values with every optimisation, under Node', () =>
-    counted('wasm-pack', ['test', '--node', '--release', '--test', 'golden']),
   );
 }
 
@@ -70,8 +100,7 @@ function testPage(engines) {
         counted(process.execPath, args, { PAGE_TESTS: 'in browsers', ENGINES: engine }),
       ),
     ];
-    const failed = (await Promise.allSettled(runs)).find(({ status }) => status === 'rejected');
-    if (failed?.status === 'rejected') throw failed.reason;
+    await together(runs);
   });
 }
 

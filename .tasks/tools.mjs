@@ -7,13 +7,18 @@ import { ask, Failure, lastChange, npm, run, step, top } from './run.mjs';
 const bin = join(top, '.tools', 'bin');
 const build = join(top, '.tools', 'build');
 
+/** What checks and tests the sources natively: quick, beside the tools that are built. */
+export async function installPackages() {
+  preparePath();
+  await checkToolchain();
+  await installNpmPackages();
+}
+
 /**
  * Everything that builds the page.
  * @param {{ geckodriver?: boolean }} [also] the WebDriver of Firefox, which only the page tests need
  */
 export async function installTools({ geckodriver = false } = {}) {
-  preparePath();
-  await checkToolchain();
   await installPackages();
   await installWasmBindgen();
   await installWasmPack();
@@ -24,7 +29,7 @@ export async function installTools({ geckodriver = false } = {}) {
 
 /** Lets child processes find the tools, wasm-pack's own children included. */
 function preparePath() {
-  process.env.PATH = bin + delimiter + process.env.PATH;
+  if (!process.env.PATH?.startsWith(bin)) process.env.PATH = bin + delimiter + process.env.PATH;
   if (process.env.RUSTFLAGS === undefined) return;
   console.log('RUSTFLAGS is set aside, because it would replace the flags of .cargo/config.toml');
   delete process.env.RUSTFLAGS;
@@ -54,7 +59,7 @@ async function checkToolchain() {
   }
 }
 
-async function installPackages() {
+async function installNpmPackages() {
   if (lastChange('node_modules/.package-lock.json') >= lastChange('package-lock.json')) return;
   const install = () => npm(['ci', '--include=dev', '--no-audit', '--no-fund']);
   await step('installing the npm packages', install, '5 to 60 s');

@@ -5,6 +5,13 @@ import { oneFile } from '../.tasks/offline.mjs';
 /** @param {string} path */
 const fileOf = (path) => fileURLToPath(new URL(path, import.meta.url));
 
+/** The element for other pages: one file that stands alone, under a name that stays, beside the site. @type {import('vite').BuildOptions} */
+const element = {
+  target: 'es2022',
+  lib: { entry: fileOf('embed/element.js'), formats: ['es'], fileName: () => 'embed.js' },
+  emptyOutDir: false,
+};
+
 export default defineConfig(({ mode }) => ({
   root: fileOf('..'),
   base: './',
@@ -19,4 +26,5 @@ export default defineConfig(({ mode }) => ({
   // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.
   worker: { format: 'iife' },
   plugins: mode === 'offline' ? [oneFile()] : [],
+  ...(mode === 'element' && { build: element }),
 }));

@@ -1,25 +1,8 @@
 // The core under Node: what the page has to show is computed by the very module that the page was built with.
 import { readFile } from 'node:fs/promises';
-import init, {
-  Evolution,
-  errorParts,
-  evaluate,
-  experiment,
-  fares,
-  fields,
-  landscape,
-  learningRates,
-  paper,
-  remainingErrors,
-  robustness,
-  seedRuns,
-  Simulation,
-  simulate,
-  simulateAll,
-  stability,
-  startsOnCircle,
-  version,
-} from '../../pkg/ep_locomotion.js';
+import init, { Evolution, paper } from '../../pkg/ep_locomotion.js';
+
+export * from '../../pkg/ep_locomotion.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').Gains} Gains */
@@ -28,27 +11,6 @@ import init, {
 export const wasm = new URL('../../pkg/ep_locomotion_bg.wasm', import.meta.url);
 export const glue = new URL('../../pkg/ep_locomotion.js', import.meta.url);
 await init({ module_or_path: await readFile(wasm) });
-
-export {
-  Evolution,
-  errorParts,
-  evaluate,
-  experiment,
-  fares,
-  fields,
-  landscape,
-  learningRates,
-  paper,
-  remainingErrors,
-  robustness,
-  seedRuns,
-  Simulation,
-  simulate,
-  simulateAll,
-  stability,
-  startsOnCircle,
-  version,
-};
 
 /** A cost as it is shown. @param {number} cost */
 export const shown = (cost) => cost.toFixed(3);
@@ -74,4 +36,12 @@ export function evolve(from, generations = 0) {
     gains: best.gains,
     hash: evolution.hash(),
   };
+}
+
+/** The statistics of generations 0 to `count`, as they come from a frame. @param {Experiment} from @param {number} count @returns {import('../../www/engine.js').Statistics[]} */
+export function historyOf(from, count) {
+  const evolution = new Evolution(from);
+  const history = [evolution.statistics()];
+  while (history.length <= count) history.push(evolution.step());
+  return JSON.parse(JSON.stringify(history));
 }

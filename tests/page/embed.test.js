@@ -8,25 +8,16 @@ import { addressOf } from '../../www/embed/embedded.js';
 import { frameText, sizes, wantedHeight } from '../../www/embed/frame.js';
 import { pageNames } from '../../www/state.js';
 import { pageTest } from './browsers.js';
-import { Evolution, evolve, experiment, simulate } from './core.js';
+import { evolve, experiment, historyOf, simulate } from './core.js';
 import { ask, heardFrom, inHost, within } from './host.js';
 import { test } from './once.js';
 import { read } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
-/** @typedef {import('./core.js').Experiment} Experiment */
 
 /** @param {Page} page @param {string} link @param {number} width @param {number} height @param {string} [more] */
 const frameOf = (page, link, width, height, more = 'allow="fullscreen"') =>
   `<iframe src="${page.site.address}?embed#${link.replaceAll('&', '&amp;')}" width="${width}" height="${height}" style="border: 0" ${more}></iframe>`;
-
-/** The statistics of generations 0 to `count`. @param {Experiment} from @param {number} count */
-function historyOf(from, count) {
-  const evolution = new Evolution(from);
-  const history = [evolution.statistics()];
-  while (history.length <= count) history.push(evolution.step());
-  return JSON.parse(JSON.stringify(history));
-}
 
 test('the text of a frame says where, how large and what, and nothing in it ends a value', () => {
   const address = addressOf('https://host/ep/?lang=ko&embed#lab', 'lab&v=1&pin1=a"b<c', true);

@@ -12,7 +12,14 @@ import { By } from 'selenium-webdriver';
 const top = fileURLToPath(new URL('../../', import.meta.url));
 
 /** @type {Record<string, string>} */
-const types = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css' };
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.mjs': 'text/javascript',
+  '.css': 'text/css',
+  '.wasm': 'application/wasm',
+  '.svg': 'image/svg+xml',
+};
 
 /** Keeps every message that comes. */
 const listener = `<script>

@@ -6,6 +6,7 @@ import { pageTest } from './browsers.js';
 import { Evolution, evolve, experiment, simulate, simulateAll, stability } from './core.js';
 import { test } from './once.js';
 import { readEvolution } from './reading.js';
+import { saved } from './saved.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 /** @typedef {import('./core.js').Experiment} Experiment */
@@ -102,23 +103,6 @@ test('the tables have units in their headers and every digit of the numbers', ()
     ].map((column) => column[last]),
   );
 });
-
-/** Presses a button of the dialog and returns the text of the file that is saved. @param {Page} page @param {string} button */
-function saved(page, button) {
-  return page.evaluate(async (selector) => {
-    const create = URL.createObjectURL;
-    /** @type {Promise<string>} */
-    const text = new Promise((resolve) => {
-      URL.createObjectURL = (blob) => {
-        /** @type {Blob} */ (blob).text().then(resolve);
-        return create(blob);
-      };
-    });
-    /** @type {HTMLElement} */ (document.querySelector(selector)).click();
-    URL.createObjectURL = create;
-    return text;
-  }, button);
-}
 
 /** Opens a file as if it had been chosen. @param {Page} page @param {string} name @param {string} text */
 async function choose(page, name, text) {

@@ -1,7 +1,9 @@
-// Whether the page stands in a frame of another page, which its address says: ?embed.
+// Whether the page stands in a frame of another page, which its address says, ?embed, or the name of the frame.
+import { frameName } from './frame.js';
+
 const asked = new URLSearchParams(globalThis.location?.search);
 
-export const isEmbedded = asked.has('embed');
+export const isEmbedded = asked.has('embed') || globalThis.window?.name === frameName;
 
 let used = !isEmbedded;
 if (isEmbedded)

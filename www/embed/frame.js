@@ -2,6 +2,12 @@
 
 /** @typedef {import('../state.js').PageName} PageName */
 
+/** Of the messages between a figure and its host, which messages.js describes. */
+export const version = 1;
+
+/** A frame of this name holds a figure even if its address does not say ?embed, as that of a Blob cannot. */
+export const frameName = 'ep-locomotion figure';
+
 /** What the dialog offers, in CSS pixels. */
 export const sizes = /** @type {const} */ ([
   [400, 300],
@@ -10,7 +16,7 @@ export const sizes = /** @type {const} */ ([
 ]);
 
 /** No figure is of use in less. */
-const leastHeight = 300;
+export const leastHeight = 300;
 /** How high a figure looks best for its width, and the most that helps it. */
 const shapes = /** @type {const} */ ({
   lab: [0.64, 620],

@@ -8,13 +8,15 @@
 //   { ep: 1, type: 'run' }   { ep: 1, type: 'pause' }             as the figure's own button does
 //   { ep: 1, type: 'read' }
 //
-// and each is answered with a state, or with { ep: 1, type: 'error', message }; an id that was sent comes back in the answer.
+// and each is answered in its turn with a state, or with { ep: 1, type: 'error', message }; an id that was sent comes back in
+// the answer.
 // By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height.
 import { linkOf, openLink } from '../link.js';
 import { messageOf } from '../messages.js';
 import { atEnd, gainsOf, noTrial } from '../state.js';
 import { embed as words } from '../words/index.js';
+import { version } from './frame.js';
 
 /** @typedef {import('../actions.js').Actions} Actions */
 /** @typedef {import('../engine.js').Engine} Engine */
@@ -39,7 +41,6 @@ import { embed as words } from '../words/index.js';
  * @property {readonly string[]} problems What a link had wrong, in words.
  */
 
-export const version = 1;
 /** At once, so that the answer is not long in coming. */
 export const mostGenerations = 10_000;
 /** As long as a frame that still looks smooth. */
@@ -146,25 +147,32 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
     return [];
   };
 
+  /** @param {unknown} message */
+  async function answer(message) {
+    if (message === null || typeof message !== 'object' || !('ep' in message)) return;
+    const { ep, type, id, ...rest } = /** @type {Record<string, unknown>} */ (message);
+    const named = id === undefined ? {} : { id };
+    try {
+      if (ep !== version) throw new Error(words.otherVersion(told(ep), version));
+      if (typeof type !== 'string' || !Object.hasOwn(answers, type))
+        throw new Error(words.unknownType(told(type), Object.keys(answers)));
+      const problems = await answers[type](rest);
+      send({ type: 'state', ...named, ...report(problems) });
+    } catch (error) {
+      send({ type: 'error', ...named, message: messageOf(error) });
+    }
+  }
+
+  let answered = Promise.resolve();
+
   return {
     announce,
 
     ready: () => send({ type: 'ready', ...report([]) }),
 
-    /** @param {unknown} message Whatever came. */
-    async hear(message) {
-      if (message === null || typeof message !== 'object' || !('ep' in message)) return;
-      const { ep, type, id, ...rest } = /** @type {Record<string, unknown>} */ (message);
-      const named = id === undefined ? {} : { id };
-      try {
-        if (ep !== version) throw new Error(words.otherVersion(told(ep), version));
-        if (typeof type !== 'string' || !Object.hasOwn(answers, type))
-          throw new Error(words.unknownType(told(type), Object.keys(answers)));
-        const problems = await answers[type](rest);
-        send({ type: 'state', ...named, ...report(problems) });
-      } catch (error) {
-        send({ type: 'error', ...named, message: messageOf(error) });
-      }
+    /** In the order in which they came: many generations take a while. @param {unknown} message Whatever came. */
+    hear(message) {
+      answered = answered.then(() => answer(message));
     },
   };
 }

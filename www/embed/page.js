@@ -4,8 +4,8 @@ import { linkOf } from '../link.js';
 import { watch } from '../state.js';
 import { embed as words, texts } from '../words/index.js';
 import { addressOf } from './embedded.js';
-import { wantedHeight } from './frame.js';
-import { createMessages, version } from './messages.js';
+import { version, wantedHeight } from './frame.js';
+import { createMessages } from './messages.js';
 
 /** @typedef {import('../state.js').State} State */
 /** @typedef {Parameters<typeof createMessages>[0]} Parts */

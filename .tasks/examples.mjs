@@ -1,0 +1,84 @@
+// The examples that Python builds, beside those that run as they are: the book, and the widget for notebooks.
+//
+//   node .tasks/examples.mjs   after npm run build
+import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { ask, Failure, run, step, task, top } from './run.mjs';
+
+const requirements = 'examples/requirements.txt';
+const environment = '.tools/python';
+/** Holds what was installed. Written last, so that what was interrupted is done again. */
+const stamp = `${environment}/.complete`;
+const output = 'target/examples';
+
+/** The Python that has what the examples need, once it is installed. */
+export const python = join(
+  top,
+  environment,
+  ...(process.platform === 'win32' ? ['Scripts', 'python.exe'] : ['bin', 'python']),
+);
+/** The book, with the site beside it as ep/. */
+export const book = join(top, output, 'book', '_build', 'html');
+
+const isInstalled = () =>
+  existsSync(stamp) && readFileSync(stamp, 'utf8') === readFileSync(requirements, 'utf8');
+
+/** Whether the book and the widget are there to be tested. */
+export const areBuilt = () => existsSync(join(book, 'ep')) && existsSync(python);
+
+/** What to say where there is none. */
+export const absentPython = {
+  name: 'Python 3.11 or newer with venv',
+  hint: 'python.org; on Debian "apt install python3-venv"',
+};
+
+/** A Python that can install packages, or null. */
+export function findPython() {
+  const works = 'import sys, venv, ensurepip; assert sys.version_info >= (3, 11)';
+  return ['python3', 'python'].find((name) => ask(name, ['-c', works]) !== null) ?? null;
+}
+
+/** Installs what is missing, and builds the book, neither of which needs the site. @param {string} program */
+export async function prepareExamples(program) {
+  if (!isInstalled()) {
+    await step('installing the Python packages of the examples', () => install(program), '30 s');
+  }
+  await step('building the book', async () => {
+    rmSync(output, { recursive: true, force: true });
+    const to = ['--path-output', `${output}/book`];
+    const program = join(dirname(python), 'jupyter-book');
+    await run(program, ['build', 'examples/book', ...to, '--warningiserror', '--quiet'], {
+      keepColours: false,
+    });
+  });
+}
+
+/** @param {string} program */
+async function install(program) {
+  rmSync(environment, { recursive: true, force: true });
+  await run(program, ['-m', 'venv', environment]);
+  await pip('install', '--no-compile', '--no-deps', '--requirement', requirements);
+  writeFileSync(stamp, readFileSync(requirements));
+}
+
+/** What needs the site: the book shows its figures, the widget holds its page. */
+export const finishExamples = () =>
+  step('building the widget for notebooks', async () => {
+    cpSync('dist', join(book, 'ep'), { recursive: true });
+    await pip('wheel', '--no-deps', '--no-build-isolation', '--wheel-dir', output, 'examples/notebook');
+    const [wheel] = readdirSync(output).filter((name) => name.endsWith('.whl'));
+    await pip('install', '--no-deps', '--force-reinstall', join(output, wheel));
+  });
+
+/** @param {string[]} args */
+const pip = (...args) => run(python, ['-m', 'pip', '--quiet', '--disable-pip-version-check', ...args]);
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  await task(async () => {
+    const program = findPython();
+    if (program === null) throw new Failure(`${absentPython.name} is needed: ${absentPython.hint}`);
+    await prepareExamples(program);
+    await finishExamples();
+  });
+}

@@ -1,0 +1,88 @@
+// The figure in a notebook. The text of dist/embed.js stands before this one and defines the element <ep-locomotion>.
+
+/** A running evolution is told to Python no more often, in milliseconds. */
+const pause = 250;
+
+/** The page, which Python has sent along. @param {DataView<ArrayBuffer>} packed @returns {Promise<Blob>} */
+function unpacked(packed) {
+  const text = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(text, { headers: { 'Content-Type': 'text/html' } }).blob();
+}
+
+/** @param {{ model: any, el: HTMLElement }} view as anywidget gives it */
+async function render({ model, el }) {
+  const page = URL.createObjectURL(await unpacked(model.get('_page')));
+  /** @type {any} What it can do stands in www/embed/element.js. */
+  const figure = document.createElement('ep-locomotion');
+  Object.assign(figure, { src: page, link: model.get('link') });
+
+  // What Python asks in vain is said in sight too.
+  const refusal = document.createElement('p');
+  refusal.setAttribute('role', 'alert');
+
+  /** The statistics of every generation that the figure has. @type {any[]} */
+  const history = [];
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+  const tell = () => {
+    clearTimeout(timer);
+    timer = undefined;
+    model.set('_statistics', [...history]);
+    model.save_changes();
+  };
+
+  figure.addEventListener('generation', (/** @type {CustomEvent} */ { detail }) => {
+    // Generation 0 begins anew.
+    history.length = detail.generation;
+    history.push(detail);
+    timer ||= setTimeout(tell, pause);
+  });
+  for (const type of ['ready', 'state'])
+    figure.addEventListener(type, (/** @type {CustomEvent} */ { detail }) => {
+      model.set('state', detail);
+      tell();
+    });
+  figure.addEventListener('error', (/** @type {CustomEvent} */ { detail }) => {
+    model.set('error', detail.message);
+    model.save_changes();
+  });
+
+  // One after the other: how many generations are missing is known once what was asked before is answered.
+  let last = Promise.resolve();
+  const inTurn = (/** @type {() => Promise<void>} */ task) => {
+    last = last.then(task).catch(({ message }) => {
+      refusal.textContent = message;
+    });
+  };
+  const advance = async () => {
+    const missing = model.get('_wanted') - (history.length - 1);
+    if (missing > 0) await figure.step(missing);
+  };
+  const begin = async () => {
+    model.set('error', '');
+    refusal.textContent = '';
+    figure.link = model.get('link');
+    const experiment = model.get('experiment');
+    // The answer comes when the link is opened, whatever is asked.
+    await (Object.keys(experiment).length > 0 ? figure.set({ experiment }) : figure.read());
+    await advance();
+  };
+  const beginInTurn = () => inTurn(begin);
+  const advanceInTurn = () => inTurn(advance);
+
+  el.append(refusal, figure);
+  beginInTurn();
+  model.on('change:link', beginInTurn);
+  model.on('change:experiment', beginInTurn);
+  model.on('change:_wanted', advanceInTurn);
+  return () => {
+    model.off('change:link', beginInTurn);
+    model.off('change:experiment', beginInTurn);
+    model.off('change:_wanted', advanceInTurn);
+    clearTimeout(timer);
+    el.replaceChildren();
+    URL.revokeObjectURL(page);
+  };
+}
+
+export default { render };
