@@ -339,3 +339,16 @@ fn a_start_that_is_not_there_is_refused() {
         );
     }
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_horizon_is_the_first_sample_that_reaches_it() {
+    let mut random = Random::new(12);
+    for _ in 0..10_000 {
+        let mut experiment = velocity_limits();
+        experiment.sample_time = random.within(1e-5, 1.0);
+        experiment.horizon = experiment.sample_time * random.within(0.1, 500.0).ceil();
+        let n = f64::from(experiment.samples());
+        assert!(n * experiment.sample_time >= experiment.horizon);
+        assert!((n - 1.0) * experiment.sample_time < experiment.horizon);
+    }
+}
