@@ -246,6 +246,9 @@ fn the_ends_of_every_range_are_allowed_and_nothing_beyond() {
             assert!(!field.allows(value), "{} may not be {value}", field.path);
         }
         assert_eq!(field.allows(field.min + 0.5), !field.integer, "{}", field.path);
+        assert_eq!(field.nullable, field.path.starts_with("limits."));
+        let null = if field.nullable { ", or null for no limit" } else { "" };
+        assert!(field.expected().ends_with(null), "{}", field.expected());
         let path = field.path.replace("[]", "[12]");
         assert_eq!(field_at(&path).map(|found| found.path), Some(field.path));
     }
