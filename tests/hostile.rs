@@ -257,12 +257,13 @@ fn the_ends_of_every_range_are_allowed_and_nothing_beyond() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_largest_experiments_are_allowed_and_no_larger() {
-    let check = |change: fn(&mut Experiment, u32), one_more| {
+    type Change = fn(&mut Experiment, u32);
+    let check = |change: Change, one_more| {
         let mut experiment = Preset::VelocityLimits.experiment();
         change(&mut experiment, one_more);
         experiment.validate().map_err(|error| error.field)
     };
-    let rules: [(fn(&mut Experiment, u32), &str); 5] = [
+    let rules: [(Change, &str); 5] = [
         (|e, more| e.starts = vec![Posture::default(); 10_000 + more as usize], "starts"),
         (|e, more| e.horizon = 1000.0 + f64::from(more), "horizon"),
         (
