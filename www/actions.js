@@ -2,6 +2,7 @@
 import { firstCurves } from './curves/page.js';
 import { firstDisturbance } from './disturbance/request.js';
 import { standsStill } from './embed/embedded.js';
+import { firstMaker, noExercise, wayOf } from './exercise/exercise.js';
 import { firstGeneration } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
 import { noTally } from './lesson/tally.js';
@@ -68,6 +69,7 @@ export function firstState(engine, preset) {
     restart: 'begin',
     driver: 'evolved',
     handGains: null,
+    found: 'hand',
     trial: noTrial,
     landscape: firstLandscape,
     anatomy: firstGeneration,
@@ -78,6 +80,8 @@ export function firstState(engine, preset) {
     disturbance: firstDisturbance,
     luck: firstLuck,
     settings: firstSettings,
+    exercise: noExercise,
+    maker: firstMaker,
     versions: noVersions,
     robot: shown(),
     speed: 1,
@@ -182,11 +186,11 @@ export function createActions(engine, store, paper, finalTime) {
   const refuseSetting = (path, text) =>
     store.update({ settings: { ...store.get().settings, error: { path, text } } });
 
-  /** @param {readonly number[]} gains */
-  const driveByHand = (gains) => {
+  /** @param {readonly number[]} gains @param {State['found']} [found] */
+  const driveByHand = (gains, found = 'hand') => {
     const handGains = /** @type {Triple} */ (gains);
     engine.drive(store.get().experiment, [handGains]);
-    store.update({ handGains, driver: 'hand', gainErrors: noErrors, message: '' });
+    store.update({ handGains, found, driver: 'hand', gainErrors: noErrors, message: '' });
   };
 
   /** @param {number} index @param {string} error */
@@ -338,9 +342,9 @@ export function createActions(engine, store, paper, finalTime) {
       attempt(() => driveByHand(withGain(index, value)));
     },
 
-    /** Drives by hand with all three gains. @param {Triple} gains */
-    driveGains(gains) {
-      attempt(() => driveByHand(gains));
+    /** Drives by hand with all three gains. @param {Triple} gains @param {State['found']} [found] */
+    driveGains(gains, found) {
+      attempt(() => driveByHand(gains, found));
     },
 
     driveAgain,
@@ -419,7 +423,15 @@ export function createActions(engine, store, paper, finalTime) {
 
     /** @param {boolean} open */
     openSettings(open) {
-      store.update({ settings: { open, error: null } });
+      const { maker } = store.get();
+      // The two stand in the same place.
+      store.update({ settings: { open, error: null }, maker: { ...maker, open: maker.open && !open } });
+    },
+
+    /** @param {Partial<State['maker']>} patch */
+    makeExercise(patch) {
+      const { settings, maker } = store.get();
+      store.update({ maker: { ...maker, ...patch }, settings: { ...settings, open: false } });
     },
 
     /** Start and goal of the paper. */
@@ -449,7 +461,8 @@ export function createActions(engine, store, paper, finalTime) {
      */
     openLinked({ experiment, generation, view, ...rest }, problems, newest = generation) {
       attempt(() => {
-        const { disturbance, landscape, anatomy, curves, robustness } = store.get();
+        const { disturbance, landscape, anatomy, curves, robustness, settings } = store.get();
+        const { exercise } = rest;
         const tried = rest.trial.disturbance ?? disturbance.tried;
         tryToBegin(experiment, 'begin', {
           ...rest,
@@ -462,6 +475,9 @@ export function createActions(engine, store, paper, finalTime) {
           robustness: { ...robustness, ...view.robustness, cursor: null },
           evolving: false,
           robot: shown(),
+          // Nothing leads back out of an exercise, and what is locked is not open.
+          ...(exercise !== noExercise && { versions: noVersions }),
+          settings: { open: settings.open && wayOf(exercise, 'settings') === 'free', error: null },
         });
         store.update({ box: boxAround([...inSight(), ...nearEnd()]) });
         catchUp(newest, generation);

@@ -3,7 +3,7 @@ import { byId } from './elements.js';
 import { isEmbedded } from './embed/embedded.js';
 import { createLanguageSwitch } from './language.js';
 import { linkOfStep } from './lesson/steps.js';
-import { linkOf, openLink } from './link.js';
+import { linkOf, openLink, withExercise } from './link.js';
 import { pageNames, watch } from './state.js';
 import { language, languageOfAddress } from './words/language.js';
 
@@ -65,9 +65,9 @@ export function createAddress(engine, store, actions) {
   open();
 
   return {
-    /** Opens a link, as if it had been followed. @param {string} link */
+    /** Opens a link of this page, as if it had been followed. An exercise goes on. @param {string} link */
     go(link) {
-      history[onward](null, '', `#${link}`);
+      history[onward](null, '', `#${withExercise(link, store.get().exercise)}`);
       open();
     },
 
@@ -76,7 +76,10 @@ export function createAddress(engine, store, actions) {
       if (!isDue(state) || !changed(...partsOf(state))) return;
       for (const name of pageNames)
         byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name, lesson: 0 })}`);
-      byId('page-lesson').setAttribute('href', `#${linkOfStep(state.lastStep)}`);
+      byId('page-lesson').setAttribute(
+        'href',
+        `#${withExercise(linkOfStep(state.lastStep), state.exercise)}`,
+      );
       other.follow();
       // Another part at once, so that "back" is there when it is wanted.
       if (isElsewhere(state)) write();
@@ -100,8 +103,10 @@ const partsOf = ({ landscape, anatomy, curves, robustness, ...run }) => [
   run.generation,
   run.driver,
   run.handGains,
+  run.found,
   run.trial,
   run.pins,
+  run.exercise,
   anatomy.phase,
   anatomy.chosen,
   curves.view,

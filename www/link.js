@@ -1,6 +1,7 @@
 // The link is the run: everything that defines what is on screen, as short readable text, and back again.
 //
 // #part&key=value&…: only what differs from the preset. Keys are the core's own names of the experiment's fields.
+import { groupNames, mostOfTask, noExercise, tidyTask } from './exercise/exercise.js';
 import { firstGeneration, phases } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
 import {
@@ -27,13 +28,14 @@ import { messageOf } from './messages.js';
 import { noPins, styles } from './pins/pins.js';
 import { headings } from './robustness/grid.js';
 import { firstRobustness, halves } from './robustness/request.js';
-import { noTrial, pageNames } from './state.js';
+import { finds, noTrial, pageNames } from './state.js';
 import { link as words } from './words/index.js';
 import { language, languageNames, usualLanguage } from './words/language.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 /** @typedef {import('./engine.js').Experiment} Experiment */
 /** @typedef {import('./engine.js').Preset} Preset */
+/** @typedef {import('./exercise/exercise.js').Exercise} Exercise */
 /** @typedef {import('./pins/pins.js').Pin} Pin */
 /** @typedef {import('./state.js').Driver} Driver */
 /** @typedef {import('./state.js').State} State */
@@ -48,7 +50,7 @@ import { language, languageNames, usualLanguage } from './words/language.js';
  * @property {Pick<State['landscape'], 'x' | 'y' | 'third'>} landscape
  * @property {Pick<State['robustness'], 'quantity' | 'half' | 'heading'>} robustness
  */
-/** @typedef {Pick<State, 'page' | 'lesson' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'trial' | 'pins'>} Run */
+/** @typedef {Pick<State, 'page' | 'lesson' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'found' | 'trial' | 'pins' | 'exercise'>} Run */
 /** What a link carries. @typedef {Run & View} Linked */
 /** @typedef {Run & { view: View }} Opened */
 
@@ -113,22 +115,39 @@ const pathOf = (name) => shortNames.find(([, short]) => short === name)?.[0] ?? 
 
 /** The text after # for a state. @param {Linked} state @param {ExperimentOf} experimentOf @param {Language} [read] The language of who opens it. */
 export function linkOf(state, experimentOf, read = language) {
-  const { page, lesson, preset, generation, driver, handGains, trial, pins } = state;
+  const { page, lesson, preset, generation, driver, handGains, found, trial, pins } = state;
   /** @type {[string, string][]} */
   const pairs = preset === presets[0] ? [] : [['preset', preset]];
   pairs.push(...changesOf(state.experiment, experimentOf(preset)));
   if (generation > 0) pairs.push(['generation', String(generation)]);
   if (driver !== 'evolved') pairs.push(['drives', driver]);
   if (handGains) pairs.push(['gains', handGains.map(numberText).join(',')]);
+  if (handGains && found !== 'hand') pairs.push(['found', found]);
   if (trial.start) pairs.push(['from', postureText(trial.start)]);
   if (trial.disturbance && page === 'disturbance') pairs.push(['under', disturbanceText(trial.disturbance)]);
   for (const { key, of, text } of viewKeys)
     if (of(state) !== null && text(of(state)) !== text(of(usualView))) pairs.push([key, text(of(state))]);
   for (const pin of pins) pairs.push([`pin${pin.slot + 1}`, pinText(pin, experimentOf(preset))]);
   if (lesson > 0) pairs.push(['lesson', String(lesson)]);
+  pairs.push(...exercisePairs(state.exercise));
   if (read !== usualLanguage) pairs.unshift(['lang', read]);
   if (pairs.length > 0) pairs.unshift(['v', String(version)]);
   return [page, ...pairs.map(([key, value]) => `${key}=${encoded(value)}`)].join('&');
+}
+
+/** A link with an exercise, for who goes on within it. @param {string} link @param {Exercise} exercise */
+export const withExercise = (link, exercise) =>
+  [link, ...exercisePairs(exercise).map(([key, value]) => `${key}=${encoded(value)}`)].join('&');
+
+/** @param {Exercise} exercise @returns {[string, string][]} */
+function exercisePairs({ task, locked, hidden }) {
+  /** @type {[string, string][]} */
+  const pairs = [
+    ['lock', locked.join(',')],
+    ['hide', hidden.join(',')],
+    ['task', tidyTask(task)],
+  ];
+  return pairs.filter(([, value]) => value !== '');
 }
 
 /**
@@ -152,8 +171,10 @@ export function openLink(link, engine) {
     generation: 0,
     driver: 'evolved',
     handGains: null,
+    found: 'hand',
     trial: noTrial,
     pins: noPins,
+    exercise: noExercise,
     view: usualView,
   };
   /** @type {[string, string, unknown?][]} */
@@ -223,6 +244,17 @@ function read(opened, key, value, engine) {
       engine.drive(opened.experiment, [handGains]);
       return { ...opened, handGains };
     }
+    case 'found':
+      return { ...opened, found: oneOf(finds, value) };
+    case 'lock':
+      return { ...opened, exercise: { ...opened.exercise, locked: groupsOf(value) } };
+    case 'hide':
+      return { ...opened, exercise: { ...opened.exercise, hidden: groupsOf(value) } };
+    case 'task': {
+      const task = tidyTask(value);
+      if (task.length > mostOfTask) throw new Error(words.longTask(mostOfTask, task.length));
+      return { ...opened, exercise: { ...opened.exercise, task } };
+    }
     case 'from': {
       const start = posture(value);
       engine.experiment({ starts: [start] });
@@ -235,6 +267,12 @@ function read(opened, key, value, engine) {
     default:
       return { ...opened, experiment: engine.experiment(withField(opened.experiment, pathOf(key), value)) };
   }
+}
+
+/** Groups of controls, each once. @param {string} text */
+function groupsOf(text) {
+  const named = text.split(',').map((name) => oneOf(groupNames, name));
+  return groupNames.filter((name) => named.includes(name));
 }
 
 /** A pinned run: its name, gains, and what its experiment has different. @param {Pin} pin @param {Experiment} usual */

@@ -8,6 +8,9 @@ import { createCurvesPage } from './curves/page.js';
 import { createDisturbancePage } from './disturbance/page.js';
 import { isEmbedded } from './embed/embedded.js';
 import { createEmbed } from './embed/page.js';
+import { guarded } from './exercise/guard.js';
+import { createMaker } from './exercise/maker.js';
+import { createExercise } from './exercise/page.js';
 import { createGenerationPage } from './generation/page.js';
 import { createAnatomy, createChosenDrives } from './generation/record.js';
 import { createSteps } from './generation/steps.js';
@@ -55,11 +58,12 @@ function start(engine) {
   const finalTime = () => sceneOf(store.get()).driving.finalTime;
   const actions = createActions(engine, store, paper, finalTime);
   const steps = createSteps({ store, actions, anatomyOf });
+  const controls = guarded(actions, store);
   /** @param {string} link */
   const go = (link) => address?.go(link);
   const onLesson = () => go(linkOfStep(store.get().lastStep));
-  const draw = createDraw(createViews(actions, onLesson), engine, paper);
-  const lesson = createLesson({ engine, store, actions, paper, go });
+  const draw = createDraw(createViews(controls, onLesson), engine, paper);
+  const lesson = createLesson({ engine, store, actions: controls, paper, go });
   const pages = [
     createGenerationPage,
     createCurvesPage,
@@ -68,8 +72,10 @@ function start(engine) {
     createTrainingPage,
     createDisturbancePage,
     createLuckPage,
-  ].map((create) => create({ engine, store, actions, paper, anatomyOf, steps }));
-  const settings = createSettingsPanel({ engine, store, actions });
+  ].map((create) => create({ engine, store, actions: controls, paper, anatomyOf, steps }));
+  const settings = createSettingsPanel({ engine, store, actions: controls });
+  const exercise = createExercise({ engine, store });
+  const maker = isEmbedded ? null : createMaker({ engine, store, actions });
   const pinButton = createPinButton({ store, paper }, sceneOf);
 
   const drivingOf = () => sceneOf(store.get()).driving;
@@ -86,8 +92,10 @@ function start(engine) {
     lesson.draw(state, scene);
     for (const page of pages) if (page.name === state.page) page.draw(state, scene);
     address?.follow(state);
-    embed?.draw(state);
     settings.draw(state);
+    exercise.draw(state);
+    embed?.draw(state);
+    maker?.draw(state);
     pinButton.draw(state, scene);
   };
 
@@ -196,7 +204,11 @@ function createDraw(views, engine, paper) {
     views.drivers.draw(driver);
     drawPlane(state, scene, time);
     views.robotBar.draw({ time, finalTime: driving.finalTime, playing: robot.playing, speed: state.speed });
-    views.cost.draw({ title: strings.costTitle(driver), run: driving, note: costNote(scene, driver) });
+    views.cost.draw({
+      title: strings.costTitle(driver, state.found),
+      run: driving,
+      note: costNote(scene, driver),
+    });
     if (state.page === 'lab') drawCurve(state, scene);
     views.evolutionBar.draw({
       evolving,
@@ -218,6 +230,7 @@ function createDraw(views, engine, paper) {
       ...endsOf(state),
       scene,
       driver,
+      found: state.found,
       history,
       generation,
       population: state.population.length,
@@ -233,8 +246,8 @@ function createDraw(views, engine, paper) {
 /** @param {Scene} scene @param {State['driver']} driver */
 function costNote({ comparison, paperEp }, driver) {
   return driver === 'paper-ep'
-    ? strings.costNote(strings.driverName('paper-arbitrary', 0), comparison.cost.total)
-    : strings.costNote(strings.driverName('paper-ep', 0), paperEp.cost.total);
+    ? strings.costNote(strings.driverName('paper-arbitrary', 0, 'hand'), comparison.cost.total)
+    : strings.costNote(strings.driverName('paper-ep', 0, 'hand'), paperEp.cost.total);
 }
 
 /** @param {State} state */

@@ -16,6 +16,7 @@ import { lab as strings } from './words/index.js';
  * @property {Posture} goal
  * @property {Scene} scene
  * @property {Driver} driver
+ * @property {import('./state.js').Found} found
  * @property {Statistics[]} history
  * @property {number} generation The one that is shown.
  * @property {number} population
@@ -58,6 +59,7 @@ export function createNotes({ legend, postures, planeText, curve, announcer }, {
   const describe = ({
     scene,
     driver,
+    found,
     history,
     generation,
     population,
@@ -67,7 +69,7 @@ export function createNotes({ legend, postures, planeText, curve, announcer }, {
     pins,
   }) => {
     planeText.textContent = strings.planeText(
-      scene.chosen?.name ?? strings.driverName(driver, generation),
+      scene.chosen?.name ?? strings.driverName(driver, generation, found),
       scene.driving,
       from,
       to,
@@ -81,11 +83,22 @@ export function createNotes({ legend, postures, planeText, curve, announcer }, {
   return {
     /** @param {NotesModel} model */
     draw(model) {
-      const { scene, driver, history, generation, moved, tried } = model;
+      const { scene, driver, found, history, generation, moved, tried } = model;
       const { chosen } = scene;
-      if (sceneChanged(scene.driving, scene.others, scene.comparison, chosen, driver, history, generation)) {
-        const rival = chosen?.partner?.name ?? strings.driverName(scene.comparisonDriver, generation);
-        driving.textContent = chosen?.name ?? strings.driverName(driver, generation);
+      if (
+        sceneChanged(
+          scene.driving,
+          scene.others,
+          scene.comparison,
+          chosen,
+          driver,
+          found,
+          history,
+          generation,
+        )
+      ) {
+        const rival = chosen?.partner?.name ?? strings.driverName(scene.comparisonDriver, generation, found);
+        driving.textContent = chosen?.name ?? strings.driverName(driver, generation, found);
         others.textContent = othersText(scene, model.population);
         others.hidden = scene.others.length === 0;
         comparison.textContent = scene.withoutDisturbance

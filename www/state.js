@@ -12,6 +12,7 @@
 /** @typedef {import('./pins/pins.js').Driven} Driven */
 
 /** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver Whose gains drive the robot in ink. */
+/** @typedef {typeof finds[number]} Found */
 /** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'setting' | 'undone' | 'redone' | 'reset'} Restart Why evolution is at generation 0. */
 /** @typedef {import('./engine.js').Triple} Triple */
 /** @typedef {typeof pageNames[number]} PageName */
@@ -37,6 +38,7 @@
  * @property {Restart} restart
  * @property {Driver} driver
  * @property {Triple | null} handGains
+ * @property {Found} found Where those are from.
  * @property {Trial} trial
  * @property {LandscapeState} landscape
  * @property {import('./generation/record.js').GenerationState} anatomy
@@ -47,6 +49,8 @@
  * @property {import('./disturbance/request.js').DisturbanceState} disturbance
  * @property {import('./luck/request.js').LuckState} luck
  * @property {import('./settings/panel.js').SettingsState} settings
+ * @property {import('./exercise/exercise.js').Exercise} exercise What the link asks for, and what it locks and hides.
+ * @property {import('./exercise/exercise.js').MakerState} maker
  * @property {import('./undo.js').Versions} versions What the experiment was, and what was undone.
  * @property {RobotClock} robot
  * @property {number} speed
@@ -85,6 +89,9 @@ export const pageNames = /** @type {const} */ ([
   'disturbance',
   'luck',
 ]);
+
+/** How gains by hand can be found: with the sliders, on the landscape, in Training, in Luck. */
+export const finds = /** @type {const} */ (['hand', 'map', 'training', 'luck']);
 
 /** @type {Trial} */
 export const noTrial = Object.freeze({ start: null, disturbance: null });

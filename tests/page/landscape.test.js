@@ -134,6 +134,7 @@ pageTest('the cursor reads J, and a click drives those gains', async (page) => {
   await page.drag('#landscape-map', [{ x: axes.x.at(6), y: axes.y.at(2) }]);
   const driven = await read(page);
   assert.equal(driven.driver, 'hand');
+  assert.equal(await page.text('#legend .solid'), 'gains from the landscape');
   assert.deepEqual(driven.gains.map(Number), [Number(kx), Number(paperKy.toFixed(3)), Number(ktheta)]);
   assert.equal(driven.cost, shown(run.cost.total));
   assert.equal(driven.generation, '0');

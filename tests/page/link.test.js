@@ -1,5 +1,7 @@
 import assert from 'node:assert/strict';
+import { groupNames, noExercise, withWay } from '../../www/exercise/exercise.js';
 import { linkOf, openLink } from '../../www/link.js';
+import { finds } from '../../www/state.js';
 import { Key, pageTest } from './browsers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate, simulateAll } from './core.js';
 import { test } from './once.js';
@@ -8,6 +10,7 @@ import { read, readEvolution } from './reading.js';
 /** @typedef {import('./browsers.js').Page} Page */
 /** @typedef {import('./core.js').Experiment} Experiment */
 /** @typedef {import('../../www/engine.js').Engine} Engine */
+/** @typedef {import('../../www/exercise/exercise.js').Exercise} Exercise */
 /** @typedef {import('../../www/link.js').Linked} Linked */
 
 const velocityLimits = experiment('velocity-limits');
@@ -32,6 +35,15 @@ function numbers(seed) {
     return state / 2 ** 32;
   };
 }
+
+const ways = /** @type {const} */ (['free', 'locked', 'hidden']);
+
+/** A task in any letters, and each group of controls free, locked or hidden. @param {() => number} next @returns {Exercise} */
+const wildExercise = (next) =>
+  groupNames.reduce(
+    (exercise, group) => withWay(exercise, group, ways[Math.floor(3 * next())]),
+    next() < 0.2 ? noExercise : { ...noExercise, task: 'J < 8 & kθ = 0? 100 % “so”, 과제 #1; <b>🤖</b>~a=b' },
+  );
 
 test('what a preset has is not in the link', () => {
   assert.equal(linkOf(plain, experiment), 'lab');
@@ -92,8 +104,10 @@ test('every experiment comes back from its link to the bit', () => {
       generation: Math.floor(1000 * next()),
       driver: 'hand',
       handGains: gains,
+      found: finds[Math.floor(4 * next())],
       trial: { start: posture(), disturbance: null },
       pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
+      exercise: wildExercise(next),
       anatomy: { phase: 'ranking', chosen: Math.floor(40 * next()) },
       curves: { view: 'stability', lab: 'sigmas', scale: 'log' },
       landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
@@ -135,6 +149,9 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
     ['lab&heading=18', /heading.*whole number from 0 to 17/],
     ['lab&__proto__=1', /__proto__.*no such setting/],
     ['lab&constructor.name=1', /constructor\.name.*no such setting/],
+    ['lab&lock=gains,windows', /lock was left out.*one of gains, drives, .*“windows”/],
+    ['lab&hide=', /hide was left out.*one of gains/],
+    [`lab&task=${'x'.repeat(301)}`, /task was left out.*at most 300 characters, but has 301/],
     ['lab&preset=none', /preset.*one of velocity-limits/],
     ['lab&%E0%A4%A=1', /no such setting/],
   ]);

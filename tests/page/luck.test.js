@@ -282,6 +282,7 @@ pageTest('the slider goes from the luckiest seed to the unluckiest, and its gain
   const { champion } = runs[ranking[19]];
   const { cost, driver } = await read(page);
   assert.deepEqual([driver, cost], ['hand', shown(champion.cost)]);
+  assert.equal(await page.text('#legend .solid'), 'gains from Luck');
 });
 
 pageTest('a dot names its seed; opened in the lab, that seed ends at the same J', async (page) => {

@@ -146,6 +146,7 @@ pageTest('a row drives its gains, and a start of its picture is driven from', as
   );
   assert.equal(one.cost, evaluate(velocityLimits, gains)[0].toFixed(3));
   assert.equal(one.driver, 'hand');
+  assert.equal(await page.text('#legend .solid'), 'gains from Training');
 
   await page.click('#training-paper-ep .training-cost');
   assert.equal((await read(page)).driver, 'paper-ep');

@@ -56,19 +56,22 @@ export function createCurvesPage(parts) {
   const textsChanged = watch();
   /** @param {State} state @param {Scene} scene */
   const drawTexts = (state, scene) => {
-    if (!textsChanged(scene.driving, scene.comparison, scene.pins, state.driver, state.generation)) return;
+    if (
+      !textsChanged(scene.driving, scene.comparison, scene.pins, state.driver, state.found, state.generation)
+    )
+      return;
     const described = (/** @type {string} */ name, /** @type {Run} */ run) =>
       `${lab.comparisonText(name, run)}, ${lab.outcomeText(run)}`;
     lines.setAttribute(
       'aria-label',
       words.pictureLabel(
-        lab.driverName(state.driver, state.generation),
+        lab.driverName(state.driver, state.generation, state.found),
         scene.driving,
         lab.outcomeText(scene.driving),
         described(
           scene.withoutDisturbance
             ? lab.withoutDisturbance
-            : lab.driverName(scene.comparisonDriver, state.generation),
+            : lab.driverName(scene.comparisonDriver, state.generation, state.found),
           scene.comparison,
         ),
         state.pins.map(({ name }, i) => described(name, scene.pins[i])),
@@ -86,7 +89,7 @@ export function createCurvesPage(parts) {
       driving = scene.driving;
       const { view } = state.curves;
       const time = Math.min(state.robot.time, driving.finalTime);
-      const name = lab.driverName(state.driver, state.generation);
+      const name = lab.driverName(state.driver, state.generation, state.found);
       choice.draw(view);
       byId('curves-over-time').hidden = view !== 'time';
       byId('curves-stability').hidden = view !== 'stability';

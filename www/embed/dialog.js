@@ -9,6 +9,21 @@ import { steps } from '../lesson/steps.js';
 
 /** @typedef {import('../state.js').State} State */
 
+const isOnDisk = () => location.protocol === 'file:';
+
+/** The frame of what is on screen. @param {State} state @param {string} link @param {readonly [width: number, height: number]} size */
+export function frameOf({ page, lesson }, link, [width, height] = sizes[1]) {
+  const part = lesson > 0 ? lessonWords.steps[steps[lesson - 1].name].title : lab.pages[page];
+  const address = addressOf(location.href, link, true);
+  return frameText({
+    // A path on this disk is none on another.
+    address: isOnDisk() ? address.slice(address.split('?')[0].lastIndexOf('/') + 1) : address,
+    title: words.frameTitle(part),
+    width,
+    height,
+  });
+}
+
 /** @param {() => State} stateOf @param {() => string} linkNow */
 export function createEmbedDialog(stateOf, linkNow) {
   /** @type {HTMLTextAreaElement} */
@@ -27,18 +42,9 @@ export function createEmbedDialog(stateOf, linkNow) {
   );
 
   const draw = () => {
-    const { page, lesson } = stateOf();
-    const part = lesson > 0 ? lessonWords.steps[steps[lesson - 1].name].title : lab.pages[page];
-    const isOnDisk = location.protocol === 'file:';
-    const address = addressOf(location.href, linkNow(), true);
     choice.draw(chosen.value);
-    field.value = frameText({
-      // A path on this disk is none on another.
-      address: isOnDisk ? address.slice(address.split('?')[0].lastIndexOf('/') + 1) : address,
-      title: words.frameTitle(part),
-      ...chosen,
-    });
-    byId('embed-disk').hidden = !isOnDisk;
+    field.value = frameOf(stateOf(), linkNow(), [chosen.width, chosen.height]);
+    byId('embed-disk').hidden = !isOnDisk();
   };
 
   field.addEventListener('focus', () => field.select());

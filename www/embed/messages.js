@@ -12,6 +12,8 @@
 // the answer.
 // By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height.
+// What a link locks is locked for who sits before the figure, not for the page around it: an experiment that it sets leaves
+// the locks as they are, and a link that it opens brings its own, or none.
 import { linkOf, openLink } from '../link.js';
 import { messageOf } from '../messages.js';
 import { atEnd, gainsOf, noTrial } from '../state.js';
@@ -99,7 +101,17 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
         return problems;
       }
       if (experiment === null || typeof experiment !== 'object') throw new Error(words.linkOrExperiment);
-      const { page, lesson, preset, pins, anatomy, curves, landscape, robustness } = store.get();
+      const {
+        page,
+        lesson,
+        preset,
+        pins,
+        exercise: own,
+        anatomy,
+        curves,
+        landscape,
+        robustness,
+      } = store.get();
       const whole = engine.experiment(/** @type {Experiment} */ (experiment));
       const handGains = gains === undefined ? null : gainsIn(gains);
       // The core knows which gains cannot be driven.
@@ -112,8 +124,10 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
         generation: wholeNumber('generation', 0, mostGenerations, generation),
         driver: handGains ? 'hand' : 'evolved',
         handGains,
+        found: 'hand',
         trial: noTrial,
         pins,
+        exercise: own,
         view: { anatomy, curves, landscape, robustness },
       });
       return [];

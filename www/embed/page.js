@@ -1,5 +1,6 @@
 // The page as a figure in a frame of another page: its foot, the height it asks for, and what it says to its host.
-import { create } from '../elements.js';
+import { byId, create } from '../elements.js';
+import { noExercise } from '../exercise/exercise.js';
 import { linkOf } from '../link.js';
 import { watch } from '../state.js';
 import { embed as words, texts } from '../words/index.js';
@@ -18,7 +19,9 @@ export function createEmbed(parts) {
     if (parent !== window) parent.postMessage(message, '*');
   };
   const messages = createMessages(parts, (message) => post({ ep: version, ...message }));
-  const foot = createFoot(() => addressOf(location.href, linkOf(store.get(), engine.experiment), false));
+  // The whole page is one in which nothing is locked.
+  const wholeLink = () => linkOf({ ...store.get(), exercise: noExercise }, engine.experiment);
+  const foot = createFoot(() => addressOf(location.href, wholeLink(), false));
   const linkChanged = watch();
   const shapeChanged = watch();
   const heightChanged = watch();
@@ -32,7 +35,8 @@ export function createEmbed(parts) {
   const tellHeight = () => {
     const { page, lesson } = store.get();
     if (innerWidth === 0) return;
-    const height = wantedHeight(page, lesson, innerWidth);
+    const task = byId('exercise');
+    const height = wantedHeight(page, lesson, innerWidth) + (task.hidden ? 0 : task.offsetHeight + 6);
     if (!heightChanged(height)) return;
     post({ ep: version, type: 'height', height });
     // The same for Canvas, whose frames know this one.
@@ -50,7 +54,7 @@ export function createEmbed(parts) {
 
     /** @param {State} state */
     draw(state) {
-      if (shapeChanged(state.page, state.lesson)) tellHeight();
+      if (shapeChanged(state.page, state.lesson, state.exercise)) tellHeight();
       messages.announce();
       if (!state.evolving && !state.dragging && linkChanged(state.experiment, state.generation, state.page))
         foot.follow();

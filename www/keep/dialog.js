@@ -2,6 +2,7 @@
 import { download } from '../download.js';
 import { byId } from '../elements.js';
 import { createEmbedDialog } from '../embed/dialog.js';
+import { isFree } from '../exercise/guard.js';
 import { linkOf } from '../link.js';
 import { messageOf } from '../messages.js';
 import { keep as words } from '../words/index.js';
@@ -118,6 +119,6 @@ export function createKeep({ engine, store, actions, sceneOf, redraw }) {
     const [chosen] = event.dataTransfer?.files ?? [];
     if (!chosen) return;
     event.preventDefault();
-    open(chosen);
+    if (isFree(store.get(), 'share')) open(chosen);
   });
 }

@@ -113,7 +113,7 @@ function followPointer(store, actions, modelOf) {
   const drive = (/** @type {PointerEvent} */ event) => {
     const cursor = pointAt(event);
     update(store, { cursor });
-    actions.driveGains(gainsAt(modelOf().spec, cursor));
+    actions.driveGains(gainsAt(modelOf().spec, cursor), 'map');
   };
   element.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
@@ -157,7 +157,7 @@ function followKeys(store, actions, modelOf) {
     ];
     if (event.key === 'Enter' || event.key === ' ') {
       event.preventDefault();
-      actions.driveGains(gainsAt(spec, /** @type {[number, number]} */ (from)));
+      actions.driveGains(gainsAt(spec, /** @type {[number, number]} */ (from)), 'map');
       actions.driveAgain();
     } else if (event.key === 'Escape') update(store, { cursor: null });
     const step = steps[event.key];

@@ -1,5 +1,6 @@
 // The duel as lines: the best J so far against the number of drives.
 import uPlot from 'uplot';
+import { drawPath } from '../pins/swatch.js';
 import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../plot.js';
 import { watch } from '../state.js';
 import { generationsIn, longestOf, lowestOf } from './duel.js';
@@ -8,6 +9,19 @@ import { generationsIn, longestOf, lowestOf } from './duel.js';
 /** @typedef {{ names: Record<'you' | 'evolution' | 'random', string>, drivesAxis: string, costSymbol: string }} PlotWords */
 
 const gutter = 112;
+const marksOnLine = 4;
+/** Told apart by dash and mark, also from afar and without colours. @type {Record<'you' | 'evolution' | 'random', import('../pins/swatch.js').Look>} */
+export const looks = {
+  you: { token: '--ink', dash: [], mark: 'M-5 0A5 5 0 1 0 5 0A5 5 0 1 0-5 0z' },
+  evolution: { token: '--ink', dash: [8, 4], mark: 'M0-7 5.5 0 0 7-5.5 0z' },
+  random: {
+    token: '--muted',
+    dash: [2, 4],
+    mark: 'M-6-3.6-3.6-6 0-2.4 3.6-6 6-3.6 2.4 0 6 3.6 3.6 6 0 2.4-3.6 6-6 3.6-2.4 0z',
+  },
+};
+/** As the columns stand. */
+const lines = /** @type {const} */ (['random', 'evolution', 'you']);
 const stepped = /** @type {uPlot.Series.PathBuilder} */ (uPlot.paths.stepped?.({ align: 1 }));
 
 /** @param {HTMLElement} root @param {PlotWords} words */
@@ -16,14 +30,12 @@ export function createDuelPlot(root, words) {
   let duel = null;
   const changed = watch();
   const labels = createLabels(words);
-  /** @param {string} name @param {number} width @param {number[]} [dash] */
-  const line = (name, width, dash) => ({
-    stroke: () => colour(name),
-    width,
-    dash,
+  const line = (/** @type {'you' | 'evolution' | 'random'} */ name) => ({
+    stroke: () => colour(looks[name].token),
+    width: name === 'random' ? 2 : 2.5,
+    dash: [...looks[name].dash],
     paths: stepped,
-    // Where it begins: the first robots of evolution are driven as a whole.
-    points: { show: true, size: 7, fill: () => colour(name), filter: beginOf },
+    points: { show: false },
   });
   const plot = new uPlot(
     {
@@ -39,12 +51,13 @@ export function createDuelPlot(root, words) {
         { ...axis(), size: 28, space: 56, incrs: wholeSteps, values: (_, ticks) => ticks.map(String) },
         { ...axis(), size: 52, space: 32, values: sameDigits },
       ],
-      series: [{}, line('--muted', 2, [2, 4]), line('--ink', 2.5, [8, 4]), line('--ink', 3)],
+      series: [{}, ...lines.map(line)],
       hooks: {
         draw: [
           (drawn) => {
             if (!duel) return;
             drawEnd(drawn, duel);
+            drawMarks(drawn);
             labels.draw(drawn, duel);
           },
         ],
@@ -66,13 +79,28 @@ export function createDuelPlot(root, words) {
   };
 }
 
-/** @param {uPlot} plot @param {number} line */
-const beginOf = ({ data }, line) => {
-  const first = data[line].findIndex(
-    (/** @type {number | null | undefined} */ cost) => typeof cost === 'number',
-  );
-  return first < 0 ? [] : [first];
-};
+/** On each line where it begins, for the first robots of evolution are driven as a whole, and then here and there, never two at one place. @param {uPlot} plot */
+function drawMarks(plot) {
+  const { ctx, data, scales } = plot;
+  const top = scales.y.max ?? Number.POSITIVE_INFINITY;
+  ctx.save();
+  ctx.scale(uPlot.pxRatio, uPlot.pxRatio);
+  for (const [i, name] of lines.entries()) {
+    const costs = data[i + 1];
+    const first = costs.findIndex((cost) => typeof cost === 'number');
+    const spaced = Array.from({ length: marksOnLine }, (_, k) =>
+      Math.round(((k + (i + 1) / lines.length) * (costs.length - 1)) / marksOnLine),
+    );
+    for (const at of new Set([first, ...spaced])) {
+      const cost = costs[at];
+      if (typeof cost !== 'number' || cost > top) continue;
+      const [x, y] = [plot.valToPos(data[0][at], 'x', true), plot.valToPos(cost, 'y', true)];
+      const colours = { fill: colour(looks[name].token), edge: colour('--paper') };
+      drawPath(ctx, looks[name].mark, x / uPlot.pxRatio, y / uPlot.pxRatio, colours);
+    }
+  }
+  ctx.restore();
+}
 
 /** @param {Duel} duel */
 const shownDrives = (duel) =>

@@ -3,7 +3,8 @@ import { create } from '../elements.js';
 import { messageOf } from '../messages.js';
 import { noTrial, watch } from '../state.js';
 import { isDuelOf, judge, lockedIn, longestOf, lowestOf, nextSeed, roundOf, scoreOf } from './duel.js';
-import { createDuelPlot } from './duel-plot.js';
+import { swatchOf } from '../pins/swatch.js';
+import { createDuelPlot, looks } from './duel-plot.js';
 import { paragraphs } from './prose.js';
 import { noTally, tallyOf } from './tally.js';
 
@@ -130,10 +131,10 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
     if (!shown) return;
     const { experiment } = shown.duel;
     const { seed, generation } = shown.verdict;
-    const { page, lesson, preset, handGains, pins, ...view } = store.get();
+    const { page, lesson, preset, handGains, found, pins, exercise, ...view } = store.get();
     actions.openLinked(
       {
-        ...{ page, lesson, preset, handGains, pins, generation, view },
+        ...{ page, lesson, preset, handGains, found, pins, exercise, generation, view },
         experiment: { ...experiment, evolution: { ...experiment.evolution, seed } },
         driver: 'evolved',
         trial: noTrial,
@@ -192,7 +193,7 @@ function rowsOf({ costs, drives, given, winner }, words) {
     .map((name) => ({ name, cost: costs[name], driven: name === 'you' ? drives : given }))
     .sort((a, b) => a.cost - b.cost)
     .map(({ name, cost, driven }) => {
-      const who = create('th', '', create('span', 'duel-line'), words.names[name]);
+      const who = create('th', '', swatchOf(looks[name]), words.names[name]);
       who.setAttribute('scope', 'row');
       const wins = name === winner || (winner === 'both' && name !== 'you');
       const row = create(

@@ -31,7 +31,7 @@ export function createWeights({ engine, actions }, words) {
     create('summary', '', words.otherWeights),
     ...elementsOf(rows.filter((row) => !isMain(row))),
   );
-  const element = create('div', 'weights', ...elementsOf(rows.filter(isMain)), others);
+  const element = create('fieldset', 'weights', ...elementsOf(rows.filter(isMain)), others);
   element.id = 'weights';
   const originalOf = remember(engine.experiment);
   const changed = watch();

@@ -29,7 +29,7 @@ export function createLuckPage({ engine, store, actions, paper }) {
     const run = luck().result?.runs[index];
     if (!run) return;
     update(store, { chosen: index });
-    actions.driveGains(run.champion.gains);
+    actions.driveGains(run.champion.gains, 'luck');
     actions.driveAgain();
   };
   /** @param {number} index */

@@ -49,6 +49,6 @@ export function createPinButton({ store, paper }, sceneOf) {
 }
 
 /** @param {State} state @param {Driven} driven */
-function nameOf({ driver, generation }, { experiment, gains }) {
-  return words.pinName(driver, { generation, seed: experiment.evolution.seed, gains });
+function nameOf({ driver, found, generation }, { experiment, gains }) {
+  return words.pinName(driver, { generation, seed: experiment.evolution.seed, gains, found });
 }

@@ -1,11 +1,15 @@
-// How a pinned run looks: a piece of its line with its mark, for lists and tables.
+// How a line looks that has a dash and a mark of its own, as a pinned run has: a piece of it for lists and tables.
 import { styles } from './pins.js';
 
 const namespace = 'http://www.w3.org/2000/svg';
 
+/** The mark is a path around (0, 0). @typedef {{ token: string, dash: readonly number[], mark: string }} Look */
+
 /** @param {number} slot */
-export function createSwatch(slot) {
-  const { token, dash, mark } = styles[slot];
+export const createSwatch = (slot) => swatchOf(styles[slot]);
+
+/** @param {Look} look */
+export function swatchOf({ token, dash, mark }) {
   const svg = part('svg', { viewBox: '0 -8 40 16', width: '40', height: '16', class: 'swatch' });
   svg.setAttribute('aria-hidden', 'true');
   svg.style.color = `var(${token})`;
@@ -23,9 +27,13 @@ function part(name, attributes) {
   return element;
 }
 
-/** The mark on a canvas. @param {CanvasRenderingContext2D} context @param {number} slot @param {number} px @param {number} py @param {{ fill: string, edge: string }} colours */
-export function drawMark(context, slot, px, py, { fill, edge }) {
-  const mark = new Path2D(styles[slot].mark);
+/** The mark of a pinned run on a canvas. @param {CanvasRenderingContext2D} context @param {number} slot @param {number} px @param {number} py @param {{ fill: string, edge: string }} colours */
+export const drawMark = (context, slot, px, py, colours) =>
+  drawPath(context, styles[slot].mark, px, py, colours);
+
+/** @param {CanvasRenderingContext2D} context @param {string} path @param {number} px @param {number} py @param {{ fill: string, edge: string }} colours */
+export function drawPath(context, path, px, py, { fill, edge }) {
+  const mark = new Path2D(path);
   context.save();
   context.translate(px, py);
   context.setLineDash([]);

@@ -229,20 +229,20 @@ function createTexts() {
       const { survey, rival: other, message, heading, cursor } = state.robustness;
       const fresh = survey?.spec === spec;
       const generation = state.history.length - 1;
-      if (surveyChanged(survey, fresh, other, rivalSpec, message, state.driver, generation)) {
+      if (surveyChanged(survey, fresh, other, rivalSpec, message, state.driver, state.found, generation)) {
         write(note, noteText(state.robustness, spec));
         note.classList.toggle('failed', message !== '');
         // Until there is a new one, the old number stands with its own name.
         if (survey && fresh) {
           write(share, words.percent(survey.tally.share));
-          const name = lab.driverName(state.driver, generation);
+          const name = lab.driverName(state.driver, generation, state.found);
           write(summary, words.summary(name));
           write(
             sides,
             words.sides(sharesBySide(survey.grid, survey.spec.experiment.goal, survey.tally.count)),
           );
         }
-        const compared = lab.driverName(scene.comparisonDriver, generation);
+        const compared = lab.driverName(scene.comparisonDriver, generation, state.found);
         write(rival, words.rivalText(compared, other?.spec === rivalSpec ? other.tally.share : null));
       }
       if (readoutChanged(survey, heading, cursor, scene.driving, endsOf(state).start))

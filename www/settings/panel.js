@@ -38,11 +38,11 @@ export function createSettingsPanel({ engine, store, actions }) {
   const changed = watch();
   return {
     /** @param {State} state */
-    draw({ settings, experiment, preset, versions }) {
-      if (openChanged(settings.open)) {
+    draw({ settings, maker, experiment, preset, versions }) {
+      if (openChanged(settings.open, maker.open)) {
         panel.hidden = !settings.open;
         button.setAttribute('aria-expanded', String(settings.open));
-        byId('instrument').classList.toggle('with-settings', settings.open);
+        byId('instrument').classList.toggle('with-settings', settings.open || maker.open);
       }
       if (!changed(settings.open, settings.error, experiment, preset, versions)) return;
       const original = presets.of(preset);
@@ -161,9 +161,10 @@ function followKeys(panel, button, store, actions) {
       return;
     }
     const isTyping =
-      target instanceof HTMLInputElement &&
-      target.type === 'text' &&
-      (!panel.contains(target) || target.hasAttribute(typingMark));
+      target instanceof HTMLTextAreaElement ||
+      (target instanceof HTMLInputElement &&
+        target.type === 'text' &&
+        (!panel.contains(target) || target.hasAttribute(typingMark)));
     if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping) return;
     const key = event.key.toLowerCase();
     if (key !== 'z' && key !== 'y') return;

@@ -31,7 +31,7 @@ export function createTrainingPage({ engine, store, actions, paper }) {
     if (name === 'paper-ep' || name === 'paper-arbitrary') actions.chooseDriver(name);
     else {
       update(store, { byHand: handOf(state) });
-      actions.driveGains(row.result.gains);
+      actions.driveGains(row.result.gains, isSet(name) ? 'training' : 'hand');
     }
     actions.tryStart(store.get().trial.start);
   };

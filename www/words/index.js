@@ -19,6 +19,7 @@ export const {
   curves,
   disturbance,
   embed,
+  exercise,
   generation,
   keep,
   keys,

@@ -1,5 +1,6 @@
 // Every word of the curves, of the pinned runs, and of σ over the generations.
 import { isTracking } from '../../reference.js';
+import { foundName } from './lab.js';
 import { costText, fixed, threeDigits } from './numbers.js';
 
 /** @typedef {import('../../engine.js').Run} Run */
@@ -103,11 +104,11 @@ export const unpinThis = 'Unpin this run';
 export const pinnedAs = (name) => `pinned as “${name}”`;
 export const noRoom = 'Four runs are pinned: unpin one first.';
 
-/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple }} of */
-export const pinName = (driver, { generation, seed, gains }) =>
+/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../../state.js').Found }} of */
+export const pinName = (driver, { generation, seed, gains, found }) =>
   ({
     evolved: `best of generation ${generation}, seed ${seed}`,
-    hand: `your gains ${gains.map((gain) => fixed(gain, 1)).join(', ')}`,
+    hand: `${foundName[found]} ${gains.map((gain) => fixed(gain, 1)).join(', ')}`,
     'paper-ep': 'paper’s EP',
     'paper-arbitrary': 'paper’s arbitrary',
   })[driver];

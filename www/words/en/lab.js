@@ -105,20 +105,28 @@ export const taglines = (population) => ({
 
 export const endTrial = 'Back to its own start';
 
-/** @param {Driver} driver @param {number} generation */
-export const driverName = (driver, generation) =>
+/** Gains by hand, by where they are from. @type {Record<import('../../state.js').Found, string>} */
+export const foundName = {
+  hand: 'your gains',
+  map: 'gains from the landscape',
+  training: 'gains from Training',
+  luck: 'gains from Luck',
+};
+
+/** @param {Driver} driver @param {number} generation @param {import('../../state.js').Found} found */
+export const driverName = (driver, generation, found) =>
   ({
     evolved: `best of generation ${generation}`,
-    hand: 'your gains',
+    hand: foundName[found],
     'paper-ep': 'paper’s EP gains',
     'paper-arbitrary': 'paper’s arbitrary gains',
   })[driver];
 
-/** @param {Driver} driver */
-export const costTitle = (driver) =>
+/** @param {Driver} driver @param {import('../../state.js').Found} found */
+export const costTitle = (driver, found) =>
   ({
     evolved: 'Cost of the best robot',
-    hand: 'Cost of your gains',
+    hand: `Cost of ${foundName[found]}`,
     'paper-ep': 'Cost of the paper’s EP gains',
     'paper-arbitrary': 'Cost of the paper’s arbitrary gains',
   })[driver];

@@ -29,5 +29,8 @@ export const otherGain = 'another gain than on x';
 /** @param {number} most */
 export const wholeNumber = (most) => `a whole number from 0 to ${most}`;
 
+/** @param {number} most @param {number} length */
+export const longTask = (most, length) => `it must have at most ${most} characters, but has ${length}.`;
+
 /** @param {readonly string[]} choices */
 export const oneOf = (choices) => `one of ${choices.join(', ')}`;

@@ -1,6 +1,7 @@
 // Every word of the curves, of the pinned runs, and of σ over the generations, in Korean.
 import { isTracking } from '../../reference.js';
 import { numberColumns as englishColumns, sigmaText } from '../en/curves.js';
+import { foundName } from './lab.js';
 import { costText, fixed, threeDigits } from './numbers.js';
 
 export {
@@ -65,11 +66,11 @@ export const unpinThis = '이 주행 고정 해제';
 export const pinnedAs = (name) => `고정됨: “${name}”`;
 export const noRoom = '네 개가 고정되어 있습니다. 먼저 하나를 해제하십시오.';
 
-/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple }} of */
-export const pinName = (driver, { generation, seed, gains }) =>
+/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../../state.js').Found }} of */
+export const pinName = (driver, { generation, seed, gains, found }) =>
   ({
     evolved: `${generation}세대 최우수, 시드 ${seed}`,
-    hand: `직접 ${gains.map((gain) => fixed(gain, 1)).join(', ')}`,
+    hand: `${found === 'hand' ? '직접' : foundName[found]} ${gains.map((gain) => fixed(gain, 1)).join(', ')}`,
     'paper-ep': '논문 EP',
     'paper-arbitrary': '논문 임의',
   })[driver];

@@ -3,6 +3,7 @@ export * as checks from './checks.js';
 export * as curves from './curves.js';
 export * as disturbance from './disturbance.js';
 export * as embed from './embed.js';
+export * as exercise from './exercise.js';
 export * as generation from './generation.js';
 export * as keep from './keep.js';
 export * as keys from './keys.js';

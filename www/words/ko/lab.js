@@ -92,20 +92,28 @@ export const taglines = (population) => ({
 
 export const endTrial = '원래 출발점으로';
 
-/** @param {Driver} driver @param {number} generation */
-export const driverName = (driver, generation) =>
+/** Gains by hand, by where they are from. @type {Record<import('../../state.js').Found, string>} */
+export const foundName = {
+  hand: '직접 조정한 이득',
+  map: '비용 지형에서 고른 이득',
+  training: '학습에서 얻은 이득',
+  luck: '운에서 얻은 이득',
+};
+
+/** @param {Driver} driver @param {number} generation @param {import('../../state.js').Found} found */
+export const driverName = (driver, generation, found) =>
   ({
     evolved: `${generation}세대 최우수`,
-    hand: '직접 조정한 이득',
+    hand: foundName[found],
     'paper-ep': '논문의 EP 이득',
     'paper-arbitrary': '논문의 임의 이득',
   })[driver];
 
-/** @param {Driver} driver */
-export const costTitle = (driver) =>
+/** @param {Driver} driver @param {import('../../state.js').Found} found */
+export const costTitle = (driver, found) =>
   ({
     evolved: '최우수 로봇의 비용',
-    hand: '직접 조정한 이득의 비용',
+    hand: `${foundName[found]}의 비용`,
     'paper-ep': '논문 EP 이득의 비용',
     'paper-arbitrary': '논문 임의 이득의 비용',
   })[driver];

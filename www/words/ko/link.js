@@ -28,5 +28,8 @@ export const otherGain = 'x와 다른 이득';
 /** @param {number} most */
 export const wholeNumber = (most) => `0 이상 ${most} 이하의 정수`;
 
+/** @param {number} most @param {number} length */
+export const longTask = (most, length) => `${most}자 이하여야 하는데 ${length}자입니다.`;
+
 /** @param {readonly string[]} choices */
 export const oneOf = (choices) => `다음 가운데 하나(${choices.join(', ')})`;

@@ -3,7 +3,9 @@
 export const lecturers = {
   title: 'For lecturers',
   texts: {
-    begin: `Everything on this page is in its link: what you set up before the lecture opens on any machine as you left it, with the same numbers to the last digit. *Share* gives the link, the pictures and the tables. *Settings* holds every number of the experiment. Keys: press *?*.`,
+    begin: `Everything on this page is in its link: what you set up before the lecture opens on any machine as you left it, with the same numbers to the last digit. *Share* gives the link, the pictures and the tables. *Settings* holds every number of the experiment. Keys: press *?*.
+
+*Share* also makes an exercise: a link with a task in your words, in which you lock or hide what your students shall leave alone. Nothing in it is secret: they can always open the whole page.`,
     cite: `*How to cite.* The method: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. This program: ep-locomotion, version {=version}; its CITATION.cff holds the entry. What the paper leaves open and we chose stands in [the step before](lesson&step=13).`,
   },
   show: 'set it up',
