@@ -197,6 +197,10 @@ export function openLink(link, engine) {
     problems.push(words.ignored('drives', words.noGains));
     opened = { ...opened, driver: 'evolved' };
   }
+  if (opened.found !== 'hand' && opened.handGains === null) {
+    problems.push(words.ignored('found', words.noGains));
+    opened = { ...opened, found: 'hand' };
+  }
   const { x, y } = opened.view.landscape;
   if (x.gain === y.gain) {
     problems.push(words.ignored('y', words.expected(words.otherGain, y.gain)));

@@ -10,7 +10,8 @@ import { isDeepStrictEqual } from 'node:util';
 import fc from 'fast-check';
 import { openRunFile, runFile } from '../../www/keep/run-file.js';
 import { linkOf, mostCharacters, openLink } from '../../www/link.js';
-import { pageNames } from '../../www/state.js';
+import { groupNames } from '../../www/exercise/exercise.js';
+import { finds, pageNames } from '../../www/state.js';
 import { experiment, fields, simulateAll } from './core.js';
 
 /** @typedef {import('./core.js').Experiment} Experiment */
@@ -189,6 +190,7 @@ const keys = fc.constantFrom(
     'y',
   ],
   ...['third', 'colour', 'half', 'heading', 'pin1', 'pin2', 'pin4', 'pin5', 'limits', 'starts[0].x', ''],
+  ...['found', 'lock', 'hide', 'task'],
   ...[
     '__proto__',
     'constructor.prototype',
@@ -221,6 +223,12 @@ const rightPair = fc.oneof(
     fc.constant('under'),
     fc.tuple(fc.constantFrom('none', 'random', 'slip'), numbers, numbers, numbers).map(String),
   ),
+  fc.tuple(
+    fc.constantFrom('lock', 'hide'),
+    fc.array(fc.constantFrom(...groupNames, 'all'), { maxLength: 4 }).map(String),
+  ),
+  fc.tuple(fc.constant('task'), names),
+  fc.tuple(fc.constant('found'), fc.constantFrom(...finds)),
 );
 const linkText = fc
   .tuple(
