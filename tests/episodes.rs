@@ -352,3 +352,23 @@ fn the_horizon_is_the_first_sample_that_reaches_it() {
         assert!((n - 1.0) * experiment.sample_time < experiment.horizon);
     }
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_run_that_does_not_arrive_takes_the_horizon_and_one_that_diverges_costs_infinitely() {
+    let mut experiment = velocity_limits();
+    // Between two samples.
+    experiment.horizon = 0.105;
+    let setting = Setting::new(experiment.clone()).expect("valid");
+    let late = setting.episode(Gains::new(1.0, 1.0, 1.0), 0).finished();
+    assert_eq!((late.outcome(), late.time()), (Some(Outcome::Horizon), 0.105));
+    assert_eq!(late.cost().time, 0.105);
+
+    experiment.limits = Limits::NONE;
+    experiment.weights.final_error = [0.0; 3];
+    experiment.goal = Posture { x: 2.0, y: 0.0, theta: 0.0 };
+    let setting = Setting::new(experiment).expect("valid");
+    // So far away that the square is infinite, though the place is not.
+    let lost = setting.episode(Gains::new(1e200, 0.0, 0.0), 0).finished();
+    assert_eq!(lost.outcome(), Some(Outcome::Diverged));
+    assert_eq!(lost.cost().final_error, f64::INFINITY);
+}
