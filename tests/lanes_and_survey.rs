@@ -321,8 +321,12 @@ fn wrong_surveys_are_refused_by_name() {
         y: Range { count: 1000, ..GRID.y },
         ..GRID
     };
+    // However many starts the experiment has.
+    let mut several = setting.experiment().clone();
+    several.starts = vec![Posture::default(); 7];
+    let several = Setting::new(several).expect("valid");
     assert_eq!(
-        robustness(&setting, k, &large, [0, 400_001]).expect_err("refused").to_string(),
+        robustness(&several, k, &large, [0, 400_001]).expect_err("refused").to_string(),
         "the number of starts must be at most 400000 with 1 starts and 1000 samples a run, \
          but was 400001"
     );
