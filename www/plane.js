@@ -40,7 +40,8 @@ export function createPlane(pathsCanvas, robotsCanvas) {
       drawGrid(paths.context, view, colours);
       drawPinnedGoals(paths.context, view, pins, goal, colours);
       drawPaths(paths, view, scene, pins, colours);
-      if (pays) drawPayments(paths.context, view, driving, colours);
+      // A small plane has no room for what is written along the path.
+      if (pays && view.height >= 280) drawPayments(paths.context, view, driving, colours);
       drawTarget(paths.context, view, start, colours.muted, colours);
       drawTarget(paths.context, view, goal, colours.ink, colours);
     }

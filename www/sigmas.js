@@ -116,10 +116,11 @@ const powerText = (/** @type {number} */ power) => words.powerOfTen(Math.round(M
 
 function createLabels() {
   const names = lab.gains.map(({ id, letter, index }) => {
-    const label = lineLabel(`sigma ${id}`, 'σ of ');
+    const [before, after] = words.sigmaOf;
+    const label = lineLabel(`sigma ${id}`, before);
     const subscript = document.createElement('sub');
     subscript.textContent = index;
-    label.append(letter, subscript);
+    label.append(letter, subscript, after);
     return label;
   });
   const axisName = lineLabel('axis-name', lab.generationAxis);

@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import { limits } from '../../www/lesson/steps/limits.js';
 import { stability } from '../../www/lesson/steps/stability.js';
+import { stability as words } from '../../www/words/en/lesson/stability.js';
+import { stability as ko } from '../../www/words/ko/lesson/stability.js';
 import { paperGains, simulate } from './core.js';
 import { driven, linkOf, opened, samples } from './lesson-links.js';
 import { test } from './once.js';
@@ -56,6 +58,14 @@ test('step 4: early the blue part is the largest, near the goal the orange one t
   ]);
   assert.equal(Math.max(...parts[0]), parts[0][0]);
   assert.equal(Math.min(...parts[parts.length - 1]), parts[parts.length - 1][1]);
+});
+
+test('step 4: on the goal, turned by 180°, V stays at 2 for seconds, then the robot tips over', () => {
+  const link = /180°\]\(([^)]+)\)/.exec(words.notice.join(' '))?.[1] ?? '';
+  assert.ok(ko.notice.join(' ').includes(link));
+  const all = samplesOf(link);
+  for (const { lyapunov, time } of all) if (time < 5) assert.ok(Math.abs(lyapunov - 2) < 1e-4, `${time} s`);
+  assert.equal(all[all.length - 1].outcome, 'arrived');
 });
 
 test('step 5: without limits J rises, because energy counts the square of a huge turn rate', () => {

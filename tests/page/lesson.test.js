@@ -3,7 +3,7 @@ import { hrefOf, linkOfStep, steps } from '../../www/lesson/steps.js';
 import * as en from '../../www/words/en/lesson.js';
 import * as ko from '../../www/words/ko/lesson.js';
 import { pageTest } from './browsers.js';
-import { driven, opened } from './lesson-links.js';
+import { driven, linkOf, opened, samples } from './lesson-links.js';
 import { test } from './once.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
@@ -68,6 +68,14 @@ test('step 1: what is said of its drives is so', () => {
   );
   // Equal times, other J.
   assert.equal(driven('lab&drives=paper-ep').arrived, true);
+});
+
+test('step 2: turned wrong by 90° on the goal the robot turns on the spot, and only θe changes', () => {
+  const { experiment, handGains } = opened(linkOf(steps[1], 'turned'));
+  const all = samples(experiment, handGains ?? []);
+  assert.ok(Math.abs(all[0].error.theta - Math.PI / 2) < 1e-9);
+  for (const { error } of all) assert.ok(Math.hypot(error.x, error.y) < 1e-9);
+  assert.equal(all[all.length - 1].outcome, 'arrived');
 });
 
 /** Presses within the page, one after the other, each seen drawn before the next. @param {Page} page @param {readonly string[]} selectors */
@@ -152,4 +160,46 @@ pageTest('a symbol that is pointed at lights up in formula and picture', async (
   );
   const now = await lit();
   assert.ok(now.formula >= 1 && now.picture >= 2, JSON.stringify(now));
+});
+
+/** What one sees of the figure, and where it stands. @param {Page} page */
+const sight = (page) =>
+  page.evaluate(async () => {
+    for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+    const figure = /** @type {HTMLElement} */ (document.querySelector('.figure'));
+    const { top, bottom } = figure.getBoundingClientRect();
+    const shown = ['plane', 'stability-picture', 'gains', 'sights'].filter((id) => {
+      const box = document.getElementById(id)?.getBoundingClientRect();
+      return box && box.height > 20 && box.top >= top - 1 && box.bottom <= bottom + 1;
+    });
+    return { shown, isOnTop: top === 0, share: Math.round((10 * (bottom - top)) / innerHeight) };
+  });
+
+pageTest('where there is no room beside the words, what they speak of stays over them', async (page) => {
+  await page.resize(800, 900);
+  await page.open('#lesson&step=4');
+  const atTheEnd = () =>
+    page.evaluate(() => document.querySelector('.lesson-foot')?.scrollIntoView({ block: 'end' }));
+  await atTheEnd();
+  assert.deepEqual(await sight(page), { shown: ['stability-picture', 'sights'], isOnTop: true, share: 5 });
+  for (const [name, shown] of /** @type {const} */ ([
+    ['gains', ['plane', 'gains', 'sights']],
+    ['robot', ['plane', 'sights']],
+    ['part', ['stability-picture', 'sights']],
+  ])) {
+    await page.click(`#sights-${name}`);
+    assert.deepEqual((await sight(page)).shown, shown, name);
+  }
+  await page.click('#sights-robot');
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.step-on')).click());
+  await page.until(
+    'the next step, with what it speaks of',
+    (title) =>
+      document.getElementById('lesson-title')?.textContent === title &&
+      /** @type {HTMLInputElement} */ (document.getElementById('sights-part')).checked,
+    en.steps.limits.title,
+  );
+  await page.resize(1280, 900);
+  const { shown } = await sight(page);
+  assert.ok(shown.includes('plane') && !shown.includes('sights'), shown.join());
 });

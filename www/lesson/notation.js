@@ -1,5 +1,5 @@
 // How formulas are put together. A leaf is drawn as its symbol or as its present number; all else is the same in both.
-import { mathml } from './symbols.js';
+import { mathml, sub as indexed } from './symbols.js';
 
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {import('./symbols.js').SymbolName} SymbolName */
@@ -37,7 +37,7 @@ export const frac = (above, below) => mathml('mfrac', node(above), node(below));
 /** @param {Part} base @param {Part} power */
 export const sup = (base, power) => mathml('msup', node(base), node(power));
 /** @param {Part} base @param {Part} index */
-export const sub = (base, index) => mathml('msub', node(base), node(index));
+export const sub = (base, index) => indexed(node(base), node(index));
 /** @param {Part} from @param {Part} to */
 export const integral = (from, to) => mathml('msubsup', node('∫'), node(from), node(to));
 /** @param {Part} inside */

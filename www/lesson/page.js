@@ -7,6 +7,7 @@ import { createFormula } from './formula.js';
 import { createLit } from './lit.js';
 import { inline, list, paragraphs } from './prose.js';
 import { createQuiz } from './quiz.js';
+import { createSights } from './sights.js';
 import { hrefOf, steps } from './steps.js';
 import { createTally } from './tally.js';
 
@@ -36,6 +37,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
   const samples = createSamples(engine);
   const stepChanged = watch();
   const headChanged = watch();
+  const sights = createSights(byId('sights'));
   createLit();
   /** @type {Block[]} */
   let blocks = [];
@@ -61,6 +63,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
         document.body.toggleAttribute('data-lesson', lesson > 0);
         document.body.dataset.figure = !step ? '' : state.page === 'lab' ? step.figure : 'part';
         article.hidden = !step;
+        sights.open(step, state.page);
       }
       errorPosture.hide(!step?.overlay);
       if (!step) return;

@@ -12,9 +12,16 @@ export function inline(text, hrefOf) {
   /** @type {(Node | string)[]} */
   const nodes = [];
   let end = 0;
+  /** What follows a symbol without a space, a comma or a Korean particle, stays on its line. @param {string} words */
+  const add = (words) => {
+    const last = nodes[nodes.length - 1];
+    const [close] = (last instanceof Element && last.localName === 'math' && /^\S+/.exec(words)) || [''];
+    if (close) nodes.push(create('span', 'on-one-line', /** @type {Node} */ (nodes.pop()), close));
+    nodes.push(words.slice(close.length));
+  };
   for (const match of text.matchAll(marks)) {
     const [whole, strong, live, name, words, link] = match;
-    nodes.push(text.slice(end, match.index));
+    add(text.slice(end, match.index));
     end = match.index + whole.length;
     if (strong) nodes.push(create('strong', '', ...inline(strong, hrefOf)));
     else if (words) nodes.push(Object.assign(create('a', '', words), { href: hrefOf(link) }));
@@ -25,7 +32,7 @@ export function inline(text, hrefOf) {
     } else if (isSymbol(name)) nodes.push(symbolInText(name));
     else throw new Error(`lesson: {${name}} is no symbol`);
   }
-  nodes.push(text.slice(end));
+  add(text.slice(end));
   return nodes;
 }
 

@@ -89,7 +89,14 @@ export function symbol(name) {
 function withIndex(letter, index) {
   const plain = mathml('mi', letter.replace('′', ''));
   const base = letter.endsWith('′') ? mathml('mrow', plain, mathml('mo', '′')) : plain;
-  return index ? mathml('msub', base, mathml(/\d/.test(index) ? 'mn' : 'mi', index)) : base;
+  return index ? sub(base, mathml(/\d/.test(index) ? 'mn' : 'mi', index)) : base;
+}
+
+/** Every base reaches as far down as a y, so that all indices stand on one line: without a mathematical font an index hangs from its letter. @param {Element} base @param {Element} index */
+export function sub(base, index) {
+  const strut = mathml('mspace');
+  strut.setAttribute('depth', '0.22em');
+  return mathml('msub', mathml('mrow', base, strut), index);
 }
 
 /** A symbol within text. @param {SymbolName} name */

@@ -30,7 +30,7 @@ export const error = {
       tries: [
         ['beside', 'lab&drives=hand&gains=3,5,5&start=3,1,45deg'],
         ['beyond', 'lab&drives=hand&gains=3,5,5&start=3,3,45deg'],
-        ['round', 'lab&drives=hand&gains=3,5,5&start=2,2,-135deg'],
+        ['turned', 'lab&drives=hand&gains=3,5,5&start=2,2,-45deg'],
       ],
     },
     { kind: 'notice' },

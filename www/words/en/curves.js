@@ -168,6 +168,9 @@ export const sigmaLabel = (first, shown, gains) =>
     )
     .join(', ')}.`;
 
+/** What stands before and after the name of a gain at its line. */
+export const sigmaOf = ['σ of ', ''];
+
 /** A power of ten as an axis shows it. @param {number} exponent */
 export const powerOfTen = (exponent) =>
   exponent >= -2 && exponent <= 3

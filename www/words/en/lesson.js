@@ -25,6 +25,9 @@ export const stepOf = (number, count) => `Step ${number} of ${count}`;
 export const nextStep = (title) => `Next: ${title}`;
 /** @param {string} title */
 export const previousStep = (title) => `Back: ${title}`;
+/** What of the figure stays in sight on a telephone. */
+export const sights = 'In sight while you read';
+export const sightOfRobot = 'Robot';
 export const notice = 'Things to notice';
 export const tries = 'Things to try';
 export const showNumbers = 'with the numbers of now';

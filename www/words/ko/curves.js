@@ -45,7 +45,7 @@ export const pictureLabel = (name, run, outcome, comparison, pins) =>
 /** @param {'5' | '7'} figure */
 export const figureNote = (figure) =>
   figure === '5'
-    ? '논문의 그림 5가 보여 주는 두 주행입니다. 실선은 EP의 이득, 점선은 임의의 이득입니다.'
+    ? '논문의 그림 5가 보여 주는 두 주행입니다. 실선은 EP 이득, 점선은 임의 이득입니다.'
     : '논문의 그림 7이 보여 주는 두 주행입니다. 그 그림에서 θ는 60°를 넘지 않지만, 논문의 제한을 여러 방식으로 해석해 보아도 그런 그림은 나오지 않았습니다.';
 
 /** @param {string} name @param {number} step */
@@ -121,3 +121,6 @@ export const sigmaLabel = (first, shown, gains) =>
   `${shown.generation}세대에 걸친 이득별 평균 σ, 로그 축. ${gains
     .map(({ name }, i) => `${name}: ${sigmaText(first.meanSigmas[i])} → ${sigmaText(shown.meanSigmas[i])}`)
     .join(', ')}.`;
+
+/** What stands before and after the name of a gain at its line. */
+export const sigmaOf = ['', '의 σ'];

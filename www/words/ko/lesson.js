@@ -26,6 +26,9 @@ export const stepOf = (number, count) => `${count}단계 중 ${number}단계`;
 export const nextStep = (title) => `다음: ${title}`;
 /** @param {string} title */
 export const previousStep = (title) => `이전: ${title}`;
+/** What of the figure stays in sight on a telephone. */
+export const sights = '읽는 동안 보이는 것';
+export const sightOfRobot = '로봇';
 export const notice = '눈여겨볼 점';
 export const tries = '해 볼 것';
 export const showNumbers = '지금의 수치를 넣어 보기';

@@ -72,7 +72,7 @@ export const settings = {
   sampleTime: { name: '샘플링 시간', help: '제어기는 이 간격마다 명령을 한 번 내립니다.' },
   law: {
     name: '법칙',
-    help: '오차를 명령으로 바꾸는 법칙입니다. Kanayama의 법칙으로는 주차하는 로봇을 회전시킬 수 없습니다.',
+    help: '오차를 명령으로 바꾸는 법칙입니다. Kanayama의 규칙으로는 주차하는 로봇을 회전시킬 수 없습니다.',
     choices: { 'shim-kim': 'Kim과 Shim, 1995', kanayama: 'Kanayama 등, 1990' },
   },
   'disturbance.kind': {

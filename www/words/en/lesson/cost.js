@@ -6,11 +6,11 @@ import { costText, fixed } from '../numbers.js';
 export const cost = {
   title: 'What is a good drive?',
   texts: {
-    parts: `You have seen hasty drives, patient ones, and some that never arrive. Which is *good*? Somebody has to decide, and to say it in one number. The authors add up five prices:`,
-    each: `The *time* until the robot arrives. What is *missing at the end*. The *path*: its distance from the goal, squared, moment after moment, so that staying far away is dear. The *energy*: speed and turn rate, squared, moment after moment; {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} speed and turn rate.) Point at a part: its piece of the bar lights up.`,
-    weights: `What is a second worth, and what a hard turn? The *weights* say so: {Rv} and {Rw}, which make up {R}, for driving and turning, {W} for what is missing at the end, {kappa} for the penalty. *The paper does not give them.* We chose 1, and 1000 for {kappa}. With other weights another drive is the best. Press a drive to see it, and move the weights.`,
-    ky: `And {ky}? From the paper’s start, with the weights that we chose, {kx} = 3 and {kt} = 5 cost {=none} if {ky} is 0, {=one} if it is 1, {=eight} if it is 8. Nothing asks for {ky} there, as step 3 showed, so each bit of it only costs. J counts this one drive and no other. Keep that in mind.`,
-    next: `So evolution gets a number to bring down, and that is all it ever learns of the robot. How does it search?`,
+    parts: `Hasty drives, patient ones, some that never arrive: which is *good*? Somebody has to decide, and to say it in one number. The authors add up five prices:`,
+    each: `The *time* until the robot arrives. What is *missing at the end*. The *path*: the distance from the goal, squared, moment after moment: staying far away is dear. The *energy*: speed and turn rate, squared, moment after moment; {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}.) Point at a part: its piece of the bar lights up.`,
+    weights: `What is a second worth, and what a hard turn? The *weights* say so: {Rv} and {Rw}, together {R}, for driving and turning, {W} for the end, {kappa} for the penalty. *The paper does not give them.* We chose 1, and 1000 for {kappa}. With other weights another drive is the best: press a drive to see it, and move the weights.`,
+    ky: `And {ky}? With our weights and from the paper’s start, {kx} = 3 and {kt} = 5 cost {=none} if {ky} is 0, {=one} if it is 1, {=eight} if it is 8. Nothing needs it there, as step 3 showed: it only costs. J counts this one drive and no other. Keep that in mind.`,
+    next: `So evolution gets one number to bring down. That is all it ever learns of the robot. How does it search?`,
   },
   otherWeights: 'The other weights',
   standings: {

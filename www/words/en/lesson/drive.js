@@ -6,11 +6,11 @@ import { costText, fixed } from '../numbers.js';
 export const drive = {
   title: 'Drive it yourself',
   texts: {
-    begin: `This robot has two wheels and wants to park on the arrow at the upper right: right there, and pointing that way. Three numbers decide how it drives. With these three it misses by {=miss} m, and stays there.
+    begin: `This robot has two wheels. It wants to park on the arrow at the upper right: right there, and pointing that way. Three numbers decide how it drives. With 3, 0, 0 it stops {=miss} m away, for good.
 
-Move the three sliders under the picture. At every change the robot drives again. Beside them stands *J*, the price of the drive: it adds up the time, how far from the goal the robot was and for how long, and how hard its wheels had to work. *Lower is better.*
+Move the three sliders under the picture. At every change the robot drives again. The large number is *J*, the price of the drive: it adds up the time, how far from the goal the robot was and for how long, and how hard its wheels had to work. *Lower is better.*
 
-*Can you get J below {=arbitrary}?* With numbers chosen without evolution the authors of the method would be there.`,
+*Can you get J below {=arbitrary}?* That is the J of the numbers that the authors of the method picked without evolution.`,
     next: `You have just done what this page is about: you changed numbers by feel, watched, and kept what was better. Evolution does the same, with twenty robots at a time, and does not tire. But what *are* these three numbers?`,
   },
   /** @param {import('../../../lesson/tally.js').Tally} tally */

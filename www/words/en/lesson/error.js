@@ -4,10 +4,10 @@ import { degreesText, fixed } from '../numbers.js';
 export const error = {
   title: 'Where is the goal?',
   texts: {
-    three: `The robot knows where it is and where it is to be. It steers by the difference, and takes it apart in a clever way: not along the walls of the room, but along the *direction in which it shall stand in the end*.
+    three: `The robot knows where it is and where it is to be. It steers by the difference. It does not measure that along the walls of the room, but along the *direction in which it shall stand in the end*.
 
 {xe} is how far it still has to go *along* that direction, {ye} how far it is off *to the side*, {te} how far it still has to *turn*. At this moment {xe} is {=xe} m, {ye} is {=ye} m and {te} is {=te}. Move the robot with its clock, or drag the start or the goal, and watch the three.`,
-    signs: `Point at a symbol: it lights up in the formula and in the picture. All three are zero when the robot is parked, and only then. So parking means *bringing three numbers to zero with two handles*, the speed {v} and the turn rate {w}. The robot cannot move sideways: that is what makes parking hard. How should it turn the two handles?`,
+    signs: `Point at a symbol, or touch it: it lights up in the formula and in the picture. All three are zero when the robot is parked, and only then. So parking means *bringing three numbers to zero by choosing two*: the speed {v} and the turn rate {w}. The robot cannot move sideways: that is what makes parking hard. How should it choose?`,
   },
   quizzes: {
     largest: {
@@ -22,7 +22,7 @@ export const error = {
   tries: {
     beside: 'Start beside the goal, already pointing the right way',
     beyond: 'Start beyond the goal: it has to come back',
-    round: 'Start on the goal, pointing the wrong way',
+    turned: 'Start on the goal, turned wrong by 90°',
   },
   notice: [
     'While the robot drives straight, only {xe} and {ye} change; while it turns on the spot, only {te}.',

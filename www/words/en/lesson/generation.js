@@ -6,14 +6,14 @@ import { costText } from '../numbers.js';
 export const generation = {
   title: 'One generation by hand',
   texts: {
-    begin: `You tried one set of gains after another. Evolution keeps {=count} sets at a time: a *population* of robots, drawn at random in the beginning. Then it repeats four moves, and each round is a *generation*. Press the moves one by one. The numbers in the text are those of the robot that is chosen in the figure; press any other.`,
-    mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are those of the parent, each moved by a random step: a *step size* {s} times a draw {N} from the bell curve, which is rarely beyond −2 or 2.`,
-    select: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* The offspring drive. {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.
+    begin: `You tried one set of gains after another. Evolution keeps {=count} sets at a time: a *population* of robots, drawn at random in the beginning. Then it repeats four moves; each round is a *generation*. Press the moves one by one. The numbers in the text are those of the robot chosen in the figure; press any other.`,
+    mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: a *step size* {s} times a draw {N} from the bell curve, which is rarely beyond −2 or 2.`,
+    select: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.
 
 *3. [Tournament](generation&generation=1&phase=tournament&individual=26).* All {=all}, parents and offspring, meet {=bouts} others each, drawn by lot. Whoever has the lower J, or the same, wins the bout. {=chosen} wins {=wins} of {=bouts}.
 
-*4. [Survive](generation&generation=1&phase=survivors&individual=26).* The {=count} with the most wins stay and are the parents of the next generation. They keep their gains, their step sizes and their J. {=fate}`,
-    next: `The four moves are the paper’s. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice: the paper leaves it open. And how large should a random step be? Every robot begins with {s} = 1, and from then on nobody sets it any more.`,
+*4. [Survive](generation&generation=1&phase=survivors&individual=26).* The {=count} with the most wins stay as parents of the next generation, with their gains, step sizes and J. {=fate}`,
+    next: `The four moves are the paper’s. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
   },
   /** @param {string} name @param {string} fate */
   fate: (name, fate) => `${name[0].toUpperCase()}${name.slice(1)} ${fate}.`,

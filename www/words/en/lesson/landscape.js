@@ -47,7 +47,7 @@ A method that follows the slope stumbles over edges and ripples. Evolution needs
     stuck: 'The goal at 0°, seed 3: stuck in a gorge',
   },
   notice: [
-    'Most of the time the best stands still. Now and then a child lands on better ground, and the line jumps.',
+    'Most of the time the best stands still. Now and then an offspring lands on better ground, and the line jumps.',
     'The thin cross through a dot shows its step sizes σ. In the gorge they have shrunk to nothing: the robots see no way on, though {J} falls on the left.',
     'The dots have a {ky} of their own, so the colour under a dot is not quite its {J}.',
     'The gains of the paper lie in our valley too, though the paper does not tell its weights.',

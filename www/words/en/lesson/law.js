@@ -6,15 +6,13 @@ import { degreesText, fixed } from '../numbers.js';
 export const law = {
   title: 'The law, term by term',
   texts: {
-    one: `This robot starts below the goal, so that all three errors are there. *Only {kx} is on*: the other two gains are 0. It drives until {xe} is gone, and stays there: {=side} m to the side, and turned wrong by {=turned}.
+    one: `This robot starts below the goal, so all three errors are there. *Only {kx} is on*; the other two gains are 0. It drives until {xe} is gone and stays there: {=side} m to the side, and turned wrong by {=turned}.
 
-A *gain* says how hard a part of the error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}; together they are what the law asks for. What lies in the grey the wheels cannot do.`,
-    written: `Hold the clock where the bars are long, then move a slider. The same as a formula: point at a term, and its slider, its bars and the errors in it light up.`,
+A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. What lies in the grey the wheels cannot do.`,
+    written: `Stop the clock where the bars are long, and move a slider. The formula says the same: point at a term, and its slider, its bars and its errors light up.`,
     each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. Now two of them together.`,
-    sideways: `Why does {ky} divide by sin {te}? The robot cannot drive sideways. To get over a little it must be turned and drive: the less it is turned, the farther. Turned hardly at all, it is asked for the impossible: on the way from below the goal, 3, 8, 5 ask for a turn of up to {=most} rad/s. The limits leave {=leaves}.
-
-At sin {te} = 0 the paper does not say what to do. We chose never to divide by less than 0.000001.`,
-    next: `Five terms, and none of them spoils what another one does? They were made that way: there is one quantity that, with positive gains and no limits in the way, they only bring down.`,
+    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. Hardly turned at all, it would have to do the impossible: from below the goal 3, 8, 5 ask for up to {=most} rad/s, and the limits leave {=leaves}.`,
+    next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and no limit stands in the way.`,
   },
   pushes: {
     tableLabel: 'What each term of the law adds now',
@@ -62,5 +60,6 @@ At sin {te} = 0 the paper does not say what to do. We chose never to divide by l
     'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',
     'A bar with an arrow leaves the picture: then the limits drive, not the law.',
     'In {w} each gain has a term, in {v} only two.',
+    'What to do at sin {te} = 0 the paper does not say. We never divide by less than 0.000001.',
   ],
 };

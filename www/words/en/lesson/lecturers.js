@@ -39,7 +39,7 @@ export const lecturers = {
           seen: 'The population sits in the dark valley.',
         },
         elsewhere: {
-          text: '*7 min.* Ask: from how many other starts does this champion arrive? Click a white place.',
+          text: '*7 min.* Ask: from how many other starts does this champion arrive? Press a hatched place.',
           seen: 'From far fewer than all. It learned one start, not the task.',
         },
         training: {

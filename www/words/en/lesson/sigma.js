@@ -5,13 +5,11 @@ export const sigma = {
   title: 'A step size that adapts itself',
   texts: {
     begin: `Too short a step gets nowhere. Too long a step misses. And what was right at the beginning is too long near the end. So nobody sets the *step size*: every robot has its own {s} for each gain, and hands it to its offspring, a little changed:`,
-    rates: `The draw {N} is one for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt} change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In two of three cases the new {s} lies between half and twice the old one.
+    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt} change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. Two times in three a new {s} lies between half and twice the old one.
 
-Nobody judges {s} itself. It is judged by what comes of it: steps of a good length make good offspring, and they inherit it. The figure shows the mean {s} of each gain, on an axis on which equal distances are equal factors. After {=generation} generations it is {=sx} for {kx}, {=sy} for {ky} and {=st} for {kt}.`,
-    collapse: `In the long run {s} falls. A short step cannot spoil much, so its offspring survive more often; they hand on the short steps, and some get still shorter ones. Nothing ever stops this: *the step sizes collapse*. [After 300 generations](lab&generation=300&curve=sigmas) they are below a millionth. Such a step is no step any more. Evolution stands still, whether it has found the best place or not.
-
-The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none.`,
-    next: `A method with weaknesses, then. Is it any better than you? Find out.`,
+Nobody judges {s} itself. Steps of a good length make good offspring, and these inherit it. The figure shows the mean {s} of each gain, on an axis on which equal distances are equal factors: after {=generation} generations {=sx} for {kx}, {=sy} for {ky}, {=st} for {kt}.`,
+    collapse: `In the long run {s} falls. A short step cannot spoil much, so its offspring survive more often and hand it on. Nothing stops this: *the step sizes collapse*. [After 300 generations](lab&generation=300&curve=sigmas) they are below a millionth, and evolution stands still, whether it has found the best place or not. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none.`,
+    next: `A method with weaknesses, then. Is it any better than you?`,
   },
   quizzes: {
     small: {

@@ -10,13 +10,13 @@ export const task = {
   texts: {
     good: `Generation {=generation}. The best robot arrives after {=time}\u00a0s at J {=cost}; the gains of the paper come to {=paper} here. There is little left to find. *So has this robot learned to park?*
 
-Put it to the test. Its gains stay as they are, only the start changes: {=places} places on a square of {=side}\u00a0m around the goal, and in each place {=headings} headings. That makes {=starts} starts.`,
-    beside: `Press a hatched place of [the map](robustness&generation=100), and watch. The robot drives up, turns the right way, and stops: *beside* the goal. All that fail end like this. {xe} and {te} are gone, {ye} is left, and the gain that works against {ye} is {ky}. Evolution has left it at {=ky}.`,
-    asked: `Why so small? Seen from the start that evolution was given, the goal lies straight ahead, along its own direction: there {ye} is {=ye}\u00a0m. On this one drive {ky} has almost nothing to do, and costs. So evolution took it away. It made no mistake. It was asked about *one* drive, and that drive it made cheap.
+Put it to the test: the same gains, other starts. {=places} places on a square of {=side}\u00a0m around the goal, in each {=headings} headings, make {=starts} starts.`,
+    beside: `Press a hatched place of [the map](robustness&generation=100), and watch. The robot drives up, turns the right way, and stops *beside* the goal. All that fail end like this: {xe} and {te} are gone, {ye} is left. The gain against {ye} is {ky}, and evolution has left it at {=ky}.`,
+    asked: `Why so small? From the one start that evolution was given, the goal lies straight ahead, along its own direction: there {ye} is {=ye}\u00a0m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and that drive it made cheap.
 
 *An optimiser gives what the cost asks for, not what you meant.*`,
-    many: `So ask for more. Let {J} be the *mean over many starts*, and evolve again. The [training](training&generation=100) does it three times: on the one start, on 32 starts on a circle, on 36 on a grid. Then it tests each on 1000 starts that none of them has seen.`,
-    next: `The lesson holds far beyond robots: look at what the cost does *not* ask for. Ours, for example, has never asked for a floor that pushes.`,
+    many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. In [Training](training&generation=100) press *Evolve all three*: on one start, on 32 on a circle, on 36 on a grid. Each is then tested on 1000 starts that none has seen.`,
+    next: `This holds far beyond robots: look at what a cost does *not* ask for. Ours has never asked for a floor that pushes.`,
   },
   quizzes: {
     share: {
@@ -50,8 +50,8 @@ Put it to the test. Its gains stay as they are, only the start changes: {=places
   tries: {
     beside: 'A start that fails: watch where it ends',
     withKy: 'The same start with {ky} = 10',
-    training: 'Evolve on one start, on 32, on 36; test on 1000 others',
-    cheap: 'The same with seed 3: look at the grid',
+    training: 'Press “Evolve all three”: one start, 32, 36, tested on 1000 others',
+    cheap: 'The same with seed 3: evolve, and look at the grid',
   },
   notice: [
     'The map has an axis: the direction in which the goal points. The robot arrives from behind and from ahead, and hardly ever from the sides.',

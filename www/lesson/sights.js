@@ -1,0 +1,46 @@
+// Where words and figure have no room side by side, the figure stays over the words and shows one sight: the robot, what the step is about, or the gains.
+import { isEmbedded } from '../embed/embedded.js';
+import { createSegmented } from '../segmented.js';
+import { lesson as words, lab } from '../words/index.js';
+
+/** @typedef {import('../state.js').PageName} PageName */
+/** @typedef {import('./steps.js').Step} Step */
+/** @typedef {'robot' | 'part' | 'gains'} Sight */
+
+/** @param {HTMLFieldSetElement} fieldset */
+export function createSights(fieldset) {
+  // In a frame words and figure stand side by side sooner.
+  const narrow = matchMedia(`(max-width: ${isEmbedded ? 599 : 899}px)`);
+  /** @type {Sight | null} */
+  let chosen = null;
+  const show = () => {
+    if (chosen && narrow.matches) document.body.dataset.sight = chosen;
+    else delete document.body.dataset.sight;
+  };
+  narrow.addEventListener('change', show);
+  return {
+    /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {PageName} page */
+    open(step, page) {
+      chosen = null;
+      if (step) {
+        const { figure } = step;
+        const isPart = page !== 'lab' || figure === 'evolve';
+        const hasGains = page === 'curves' || !isPart;
+        chosen = isPart ? 'part' : figure === 'drive' ? 'gains' : 'robot';
+        /** @type {import('../segmented.js').Choice<Sight>[]} */
+        const choices = [{ value: 'robot', text: words.sightOfRobot }];
+        if (isPart)
+          choices.push({
+            value: 'part',
+            text: page === 'lab' ? lab.texts.evolutionSection : lab.pages[page],
+          });
+        if (hasGains) choices.push({ value: 'gains', text: lab.texts.gainsTitle });
+        createSegmented(fieldset, words.sights, choices, (sight) => {
+          chosen = sight;
+          show();
+        }).draw(chosen);
+      }
+      show();
+    },
+  };
+}
