@@ -7,7 +7,7 @@ import { firstGeneration } from './generation/record.js';
 import { firstLandscape } from './landscape/request.js';
 import { noTally } from './lesson/tally.js';
 import { firstLuck } from './luck/request.js';
-import { messageOf } from './messages.js';
+import { isLost, messageOf } from './messages.js';
 import { atEnd, endsOf, fromStart, gainsOf, noTrial, pausesAt, playsPhases } from './state.js';
 import { noPins } from './pins/pins.js';
 import { firstRobustness } from './robustness/page.js';
@@ -101,6 +101,7 @@ export function createActions(engine, store, paper, finalTime) {
     try {
       act();
     } catch (error) {
+      if (isLost(error)) throw error;
       store.update({ message: messageOf(error), evolving: false });
     }
   };
@@ -205,19 +206,19 @@ export function createActions(engine, store, paper, finalTime) {
   const withGain = (index, value) =>
     gainsOf(store.get(), store.get().driver, paper).map((gain, i) => (i === index ? value : gain));
 
-  /** One generation on: the next that is recorded, or a new one. */
-  const forward = () =>
+  /** One generation on: the next that is recorded, or a new one. @param {State['history']} [known] A copy of the history, which takes the new one: whoever goes on and on makes only one, for it may be long. */
+  const forward = (known = [...store.get().history]) =>
     attempt(() => {
-      const { history } = store.get();
       const generation = store.get().generation + 1;
-      const known = generation < history.length ? history : [...history, engine.step()];
+      if (generation === known.length) known.push(engine.step());
       store.update({ history: known, generation, population: engine.population(generation), message: '' });
     });
 
   /** Evolves as far as a run has come: at once if that is soon done, else while the page looks on. @param {number} newest @param {number} generation The one that is shown then. */
   const catchUp = (newest, generation) => {
     const end = performance.now() + 300;
-    while (store.get().generation < newest && performance.now() < end) forward();
+    const known = [...store.get().history];
+    while (store.get().generation < newest && performance.now() < end) forward(known);
     if (store.get().generation < newest) store.update({ evolving: true, catchingUp: { newest, generation } });
     else showGeneration(generation);
   };
@@ -260,15 +261,16 @@ export function createActions(engine, store, paper, finalTime) {
   return {
     /** Goes on while `more` says so, or until the run has to pause. @param {() => boolean} more */
     evolve(more) {
+      const known = [...store.get().history];
       while (store.get().evolving && more()) {
-        forward();
+        forward(known);
         const { until, history, generation, catchingUp } = store.get();
         if (generation === catchingUp?.newest) showGeneration(catchingUp.generation);
         else if (!catchingUp && pausesAt(until, history[generation])) store.update({ evolving: false });
       }
     },
 
-    forward,
+    forward: () => forward(),
 
     showGeneration,
 

@@ -14,13 +14,13 @@ import { createExercise } from './exercise/page.js';
 import { createGenerationPage } from './generation/page.js';
 import { createAnatomy, createChosenDrives } from './generation/record.js';
 import { createSteps } from './generation/steps.js';
+import { clearInstead, showInstead, watchCore } from './instead.js';
 import { createKeep } from './keep/dialog.js';
 import { createKeys } from './keys.js';
 import { createLandscapePage } from './landscape/page.js';
 import { createLesson } from './lesson/page.js';
 import { linkOfStep } from './lesson/steps.js';
 import { createLuckPage } from './luck/page.js';
-import { messageOf } from './messages.js';
 import { createRobustnessPage } from './robustness/page.js';
 import { advanceRobot, createScene, createStore, endsOf, gainsOf, pausesAt, remember } from './state.js';
 import { createPinButton } from './pins/button.js';
@@ -260,8 +260,13 @@ function evolutionNote({ history, generation, evolving, until, restart, experime
   return strings.progressText(history[0], shown);
 }
 
-byId('unbuilt').remove();
 document.body.toggleAttribute('data-embed', isEmbedded);
 fillTexts();
-const engine = await createEngine().catch((error) => showMessage(strings.coreMissing(messageOf(error))));
-if (engine) start(engine);
+watchCore();
+try {
+  start(await createEngine());
+  clearInstead();
+} catch (error) {
+  showInstead(error);
+  throw error;
+}

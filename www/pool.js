@@ -34,7 +34,10 @@ import { messageOf } from './messages.js';
  * @property {unknown[][]} parts
  * @property {boolean} urgent Goes before all that is not, and has parts so short that none is worth a termination.
  * @property {number} next The first part that no worker has taken.
+ * @property {number[]} again Parts that are to be done again, because their worker was lost.
+ * @property {Set<number>} lost All parts whose worker was lost once.
  * @property {number} finished
+ * @property {number} done As it was told last, from 0 to 1.
  * @property {unknown[]} results
  * @property {((done: number) => void) | undefined} onProgress
  * @property {(results: any[]) => void} resolve
@@ -113,15 +116,21 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   /** @param {Hand} hand @param {Task} task */
   function give(hand, task) {
     // Throws when an argument is nothing that can be sent.
-    hand.worker.postMessage({ call: task.call, args: task.parts[task.next] });
+    const index = task.again[0] ?? task.next;
+    hand.worker.postMessage({ call: task.call, args: task.parts[index] });
     hand.task = task;
-    hand.indices.push(task.next);
-    task.next += 1;
-    if (task.next === task.parts.length) waiting.delete(task);
+    hand.indices.push(index);
+    if (index === task.again[0]) task.again.shift();
+    else task.next += 1;
+    if (task.next === task.parts.length && task.again.length === 0) waiting.delete(task);
   }
 
   /** @param {Hand} hand @param {Answer} answer */
   function hear(hand, answer) {
+    if ('life' in answer) {
+      navigator.locks.request(answer.life, () => lose(hand, 'it was ended')).catch(() => {});
+      return;
+    }
     const { task } = hand;
     // What a terminated worker had sent before its end.
     if (!task) return;
@@ -152,7 +161,9 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   function report(task) {
     let done = task.finished;
     for (const hand of hands) if (hand.task === task) done += hand.progress;
-    task.onProgress?.(done / task.parts.length);
+    // What a lost worker had done falls away.
+    task.done = Math.max(task.done, done / task.parts.length);
+    task.onProgress?.(task.done);
   }
 
   /** Ends a task before its time. @param {Task} task @param {unknown} error */
@@ -169,11 +180,17 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
     }, grace);
   }
 
-  /** A worker that has failed takes its task with it, and only that. @param {Hand} hand @param {string} reason */
+  /** Another does what a lost worker had to do. What is lost twice takes its task with it, and only that. @param {Hand} hand @param {string} reason */
   function lose(hand, reason) {
-    const { task } = hand;
+    const { task, indices } = hand;
     dismiss(hand);
-    if (task) fail(task, new Error(`A worker was lost: ${reason}`));
+    if (task && indices.some((index) => task.lost.has(index)))
+      fail(task, new Error(`A worker was lost: ${reason}`));
+    else if (task) {
+      for (const index of indices) task.lost.add(index);
+      task.again.push(...indices);
+      waiting.add(task);
+    }
     assign();
   }
 
@@ -197,7 +214,10 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
       parts,
       urgent,
       next: 0,
+      again: [],
+      lost: new Set(),
       finished: 0,
+      done: 0,
       results: [],
       onProgress,
       resolve() {},

@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { instead } from '../.tasks/instead.mjs';
 import { oneFile } from '../.tasks/offline.mjs';
 
 /** @param {string} path */
@@ -25,6 +26,6 @@ export default defineConfig(({ mode }) => ({
   },
   // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.
   worker: { format: 'iife' },
-  plugins: mode === 'offline' ? [oneFile()] : [],
+  plugins: mode === 'offline' ? [instead(), oneFile()] : [instead()],
   ...(mode === 'element' && { build: element }),
 }));

@@ -24,7 +24,7 @@ import { resultsOf } from './checks/checks.js';
 /** @typedef {typeof calls} Calls */
 /** The first message. @typedef {{ core: WebAssembly.Module }} Outfit */
 /** Every other message. @typedef {{ call: keyof Calls, args: unknown[] }} Part */
-/** To each part one answer, after any number of progresses. @typedef {{ progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */
+/** To each part one answer, after any number of progresses; at first the name of a lock that is held as long as the worker lives. @typedef {{ life: string } | { progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */
 
 const calls = {
   checks,
@@ -43,11 +43,24 @@ const progressPeriod = 100;
 
 addEventListener('message', (/** @type {MessageEvent<Outfit | Part>} */ { data }) => {
   if ('core' in data) initSync({ module: data.core });
-  else answer(data);
+  else alive.then(() => answer(data));
 });
 
 addEventListener('messageerror', () => {
   throw new Error('a message to it cannot be read');
+});
+
+/** A worker that is ended from elsewhere says nothing, but its lock becomes free. Work waits for it, because none is granted while work goes on. */
+const alive = new Promise((resolve) => {
+  // Where there are no locks, or they are forbidden, it works all the same.
+  if (!globalThis.navigator?.locks) return resolve(null);
+  const life = crypto.randomUUID();
+  const hold = () => {
+    send({ life });
+    resolve(null);
+    return new Promise(() => {});
+  };
+  navigator.locks.request(life, hold).catch(resolve);
 });
 
 /** @param {Part} part */
@@ -58,7 +71,9 @@ function answer({ call, args }) {
   } catch (error) {
     const { name, message } = error instanceof Error ? error : new Error(String(error));
     // Only bad input, which the core refuses by a plain Error, leaves the instance as it was.
-    send({ error: message, lost: name !== 'Error' || message.includes('internal error') });
+    const lost = name !== 'Error' || message.includes('internal error');
+    if (lost) console.error(error);
+    send({ error: lost ? 'A worker was lost: an error in the core' : message, lost });
   }
 }
 

@@ -10,7 +10,8 @@ export * from '../../pkg/ep_locomotion.js';
 
 export const wasm = new URL('../../pkg/ep_locomotion_bg.wasm', import.meta.url);
 export const glue = new URL('../../pkg/ep_locomotion.js', import.meta.url);
-await init({ module_or_path: await readFile(wasm) });
+/** Of the one instance of the core. */
+export const { memory } = await init({ module_or_path: await readFile(wasm) });
 
 /** A cost as it is shown. @param {number} cost */
 export const shown = (cost) => cost.toFixed(3);

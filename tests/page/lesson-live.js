@@ -38,7 +38,7 @@ function evolved(from, generations) {
   const { best, evaluations } = evolution.statistics();
   const population = evolution.population();
   evolution.free();
-  return { gains: best.gains, population, evaluations };
+  return { ...best, population, evaluations };
 }
 
 const engine = {

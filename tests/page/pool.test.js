@@ -182,21 +182,62 @@ for (const [what, break_] of /** @type {[string, (worker: Puppet) => void][]} */
   ['crashed', (worker) => worker.crash('out of memory')],
   ['cannot be started', (worker) => worker.dispatchEvent(new Event('error', { cancelable: true }))],
   ['cannot be understood', (worker) => worker.dispatchEvent(new MessageEvent('messageerror'))],
-  ['lost its core', (worker) => worker.say({ error: 'internal error', lost: true })],
 ])) {
-  test(`a worker that ${what} is replaced, and only its own job fails`, async () => {
+  test(`what a worker that ${what} had to do is done by another`, async () => {
     const { workers, pool, given } = puppets(2);
-    const failing = pool.run(job(1));
-    const other = pool.run(job(2, 3));
+    /** @type {number[]} */
+    const told = [];
+    const run = pool.run(job(1, 2, 3), { onProgress: (done) => told.push(done) });
+    workers[0].say({ progress: 0.6 });
     break_(workers[0]);
-    await assert.rejects(failing, /worker was lost|internal error/);
     assert.ok(workers[0].terminated);
-    assert.deepEqual(given(), [[1], [2], [3]]);
+    assert.deepEqual(given(), [[1], [2], [1]]);
     workers[2].finish();
     workers[1].finish();
-    assert.deepEqual(await other, [2, 3]);
+    workers[2].finish();
+    assert.deepEqual(await run, [1, 2, 3]);
+    assert.deepEqual(told, [...told].sort(), 'progress falls');
+  });
+
+  test(`a part of which a worker ${what} twice fails its own job, and only that`, async () => {
+    const { workers, pool, given } = puppets(2);
+    const failing = pool.run(job(1));
+    const other = pool.run(job(2));
+    break_(workers[0]);
+    break_(workers[2]);
+    await assert.rejects(failing, /worker was lost/);
+    assert.deepEqual(given(), [[1], [2], [1]]);
+    workers[1].finish();
+    assert.deepEqual(await other, [2]);
   });
 }
+
+test('a worker that had more than one short part leaves them all to others', async () => {
+  const { workers, pool, given } = puppets(1);
+  const run = pool.channel().run(job(1, 2, 3));
+  workers[0].finish();
+  workers[0].crash('out of memory');
+  assert.deepEqual(given(), [
+    [1, 2, 3],
+    [2, 3],
+  ]);
+  workers[1].finish();
+  workers[1].finish();
+  assert.deepEqual(await run, [1, 2, 3]);
+});
+
+test('a worker that lost its core is replaced, and only its own job fails', async () => {
+  const { workers, pool, given } = puppets(2);
+  const failing = pool.run(job(1));
+  const other = pool.run(job(2, 3));
+  workers[0].say({ error: 'internal error', lost: true });
+  await assert.rejects(failing, /internal error/);
+  assert.ok(workers[0].terminated);
+  assert.deepEqual(given(), [[1], [2], [3]]);
+  workers[2].finish();
+  workers[1].finish();
+  assert.deepEqual(await other, [2, 3]);
+});
 
 test('a worker that cannot be made, or an argument that cannot be sent, rejects the job', async () => {
   const pool = createPool({
@@ -311,7 +352,7 @@ test('an evolution without end tells how it goes on, and can be aborted', async 
   assert.deepEqual(await surveys.evolve(preset, 1), evolved(preset, 1));
 });
 
-test('a worker whose core broke down is replaced, and so is one without a core', async (t) => {
+test('a worker whose core broke down fails its job; what one without a core cannot do is done by another', async (t) => {
   const broken = binaryen.readBinary(bytes);
   const { value } = binaryen.getExportInfo(broken.getExport('robustness'));
   /** @type {{ Function: { setBody(of: number, body: number): void } }} */ (
@@ -322,7 +363,6 @@ test('a worker whose core broke down is replaced, and so is one without a core',
   const empty = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
 
   const surveys = threads(t, 1, [trap, empty, core]);
-  await assert.rejects(surveys.robustness(preset, grid), /unreachable/);
-  await assert.rejects(surveys.robustness(preset, grid), /A worker was lost: ./);
+  await assert.rejects(surveys.robustness(preset, grid), /^Error: A worker was lost: an error in the core$/);
   assert.deepEqual(await surveys.robustness(preset, grid), robustness(preset, grid));
 });

@@ -1,5 +1,5 @@
-// Serves the built site from a sub-folder, as a course's host would, under a content security policy that allows
-// nothing inline and no other host, and keeps a record of all that goes wrong.
+// Serves the built site from a sub-folder, as a course's host would, under the strictest content security policy that it
+// works under, and keeps a record of all that goes wrong.
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -15,13 +15,20 @@ const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 export const axeAddress = '/axe.js';
 const reports = '/policy-reports';
 
-const policy = [
-  "default-src 'self'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "style-src 'self'",
-  "img-src 'self' data: blob:",
-  `report-uri ${reports}`,
-].join('; ');
+/** All that the page needs, and nothing else. */
+const strictest = {
+  'default-src': "'none'",
+  'script-src': "'self' 'wasm-unsafe-eval'",
+  'style-src': "'self'",
+  'connect-src': "'self'",
+  'worker-src': "'self'",
+  'img-src': "'self' data: blob:",
+  // Only for tests that look at the page in a frame of itself.
+  'frame-src': "'self'",
+  'base-uri': "'none'",
+  'form-action': "'none'",
+  'report-uri': reports,
+};
 
 /** @type {Record<string, string>} */
 const types = {
@@ -43,13 +50,25 @@ const types = {
  */
 
 /**
+ * What is otherwise than in the built site.
+ * @typedef {object} Changes
+ * @property {Record<string, string>} [policy] directives in the place of those of the strictest policy
+ * @property {string} [before] a script that the page begins with
+ * @property {(name: string, content: Buffer) => Buffer | null} [send] what is sent of a file
+ */
+
+/**
  * @param {string} [root] the folder to serve
+ * @param {Changes} [changes]
  * @returns {Promise<Site>}
  */
-export async function serve(root = dist) {
+export async function serve(root = dist, { policy = {}, before = '', send = (_, content) => content } = {}) {
+  const header = Object.entries({ ...strictest, ...policy })
+    .map((directive) => directive.join(' '))
+    .join('; ');
   /** @type {string[]} */
   const problems = [];
-  const collectorText = readFileSync(new URL('collector.js', import.meta.url));
+  const collectorText = readFileSync(new URL('collector.js', import.meta.url), 'utf8') + before;
 
   /** @param {string} path @returns {Promise<string | Buffer | null>} the body, or null if there is none */
   async function body(path) {
@@ -58,7 +77,8 @@ export async function serve(root = dist) {
     if (path === axeAddress) return axe.source;
     const inside = normalize(path.slice(folder.length) || 'index.html');
     if (!path.startsWith(folder) || inside.startsWith(`..${sep}`)) return null;
-    const content = await readFile(join(root, inside)).catch(() => null);
+    const file = await readFile(join(root, inside)).catch(() => null);
+    const content = file && send(inside, file);
     if (content === null || extname(inside) !== '.html') return content;
     // The collector has to run before any script of the page.
     return content.toString().replace(/<head[^>]*>/i, `$&<script src="${collector}"></script>`);
@@ -82,7 +102,7 @@ export async function serve(root = dist) {
     const type = extname(path) === '' ? types['.html'] : (types[extname(path)] ?? 'application/octet-stream');
     response.writeHead(content === null ? 404 : 200, {
       'Content-Type': type,
-      'Content-Security-Policy': policy,
+      'Content-Security-Policy': header,
       // A name in assets/ has a hash of what is in it; in a copy of the site that may have been changed.
       'Cache-Control':
         root === dist && path.includes('/assets/') ? 'max-age=31536000, immutable' : 'no-store',

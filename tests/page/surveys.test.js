@@ -115,10 +115,36 @@ pageTest('one, two and eight workers compute the same bits as Node', async (page
   }
 });
 
-pageTest('requests are superseded, aborted and refused, and the workers go on', async (page) => {
+/** Runs an evolution, and ends its worker from elsewhere as soon as it is under way. @param {Page} page @param {number} generations */
+const evolveDespite = (page, generations) =>
+  page.evaluate(async (count) => {
+    const { engine } = /** @type {EngineWindow} */ (/** @type {unknown} */ (window));
+    /** @type {Worker[]} */
+    const workers = [];
+    const { Worker } = window;
+    window.Worker = class extends Worker {
+      /** @param {ConstructorParameters<typeof Worker>} parts */
+      constructor(...parts) {
+        super(...parts);
+        workers.push(this);
+      }
+    };
+    const preset = engine.experiment('velocity-limits');
+    const onProgress = () => workers[0].terminate();
+    const { hash } = await engine.surveys.evolve(preset, count, { onProgress });
+    window.Worker = Worker;
+    return { hash, workers: workers.length };
+  }, generations);
+
+pageTest('work is ended, superseded, aborted and refused, and the workers go on', async (page) => {
   const site = await serve(await builds.served());
   try {
     await openEngine(page, site.address);
+    const enough = 3000;
+    assert.deepEqual(await evolveDespite(page, enough), {
+      hash: evolve(velocityLimits, enough).hash,
+      workers: 2,
+    });
     const ends = await page.evaluate(async (landscapeOf) => {
       const { engine } = /** @type {EngineWindow} */ (/** @type {unknown} */ (window));
       const { surveys } = engine;

@@ -34,6 +34,7 @@ export function createDisturbancePage(parts) {
         byId('disturbance-note').textContent = message ? words.failed(message) : words.kindText(tried);
         byId('disturbance').setAttribute('aria-busy', String(measured?.spec !== spec && !message));
       }
+      byId('remains').classList.toggle('unmeasured', !measured);
       if (!measured) return;
       table.draw(summaryOf(measured));
       const time = Math.min(state.robot.time, scene.driving.finalTime);

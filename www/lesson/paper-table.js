@@ -12,8 +12,9 @@ const generations = 200;
 /** @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
 function tableOf(className, head, rows) {
   const cell = (/** @type {string} */ tag, /** @type {Node | string} */ content) => create(tag, '', content);
-  const headRow = create('tr', '', ...head.map((text) => cell('th', text)));
-  for (const th of headRow.children) th.setAttribute('scope', 'col');
+  // A corner that names nothing heads no column.
+  const headRow = create('tr', '', ...head.map((text) => cell(text ? 'th' : 'td', text)));
+  for (const one of headRow.children) if (one.textContent) one.setAttribute('scope', 'col');
   const body = rows.map(([first, ...rest]) => {
     const name = cell('th', first);
     name.setAttribute('scope', 'row');

@@ -57,18 +57,26 @@ export function createPushes(_tools, { pushes: words }) {
   };
 }
 
+/** The terms in one line, for who hears them. @type {Record<Side, Record<string, string>>} */
+const inWords = {
+  linear: { kx: 'k x · x e · cos θ e', ky: '− k y · y e³ / sin θ e' },
+  angular: {
+    kt: 'k θ · sin θ e',
+    ky: 'k y · x e · y e³ · cos θ e / sin² θ e',
+    kx: 'k x · x e · y e · cos θ e',
+  },
+};
+
 /** All of v, or all of ω. @param {Side} side @param {'v' | 'w'} name @param {string} unit @param {PushWords} words */
 function createSide(side, name, unit, words) {
   const parts = /** @type {Record<string, Part[]>} */ (lawTerms(symbol)[side]);
   const minus = (/** @type {string} */ gain) => (side === 'linear' && gain === 'ky' ? ['−'] : []);
-  const terms = Object.entries(parts).map(([gain, part]) => ({
-    gain,
-    bar: createBar(
-      mathml('math', row(...minus(gain), ...part)),
-      `of-${gain === 'kt' ? 'theta' : gain[1]}`,
-      gain,
-    ),
-  }));
+  const terms = Object.entries(parts).map(([gain, part]) => {
+    const math = mathml('math', row(...minus(gain), ...part));
+    math.setAttribute('role', 'math');
+    math.setAttribute('aria-label', inWords[side][gain]);
+    return { gain, bar: createBar(math, `of-${gain === 'kt' ? 'theta' : gain[1]}`, gain) };
+  });
   const moving = createBar(words.moving, 'of-moving', '');
   const asked = createBar(words.asked, `of-${name === 'v' ? 'energy' : 'omega'}`, name);
   const left = createBar(words.left, 'of-left', '');

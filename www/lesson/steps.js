@@ -20,14 +20,14 @@ import { lecturers } from './steps/lecturers.js';
 /** @typedef {import('./page.js').Tools} Tools */
 /** @typedef {import('./quiz.js').Quiz} Quiz */
 /** @typedef {keyof typeof import('../words/en/lesson.js').steps} StepName */
-/** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step. */
+/** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. */
 /**
  * @typedef {{ kind: 'text', name: string }
  *   | { kind: 'formula', formula: import('./notation.js').Formula }
  *   | { kind: 'notice' }
  *   | { kind: 'tries', tries: readonly (readonly [name: string, link: string])[] }
  *   | { kind: 'quiz', name: string, quiz: Quiz }
- *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block }} Content
+ *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block, isText?: true }} Content
  */
 /**
  * @typedef {object} Step

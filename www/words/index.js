@@ -21,6 +21,7 @@ export const {
   embed,
   exercise,
   generation,
+  instead,
   keep,
   keys,
   lab,

@@ -33,9 +33,9 @@ export const paper = {
         },
       },
     },
-    { kind: 'view', create: createPaperTable },
+    { kind: 'view', create: createPaperTable, isText: true },
     { kind: 'text', name: 'order' },
-    { kind: 'view', create: createChoicesTable },
+    { kind: 'view', create: createChoicesTable, isText: true },
     {
       kind: 'tries',
       tries: [

@@ -5,6 +5,7 @@ export * as disturbance from './disturbance.js';
 export * as embed from './embed.js';
 export * as exercise from './exercise.js';
 export * as generation from './generation.js';
+export * as instead from './instead.js';
 export * as keep from './keep.js';
 export * as keys from './keys.js';
 export * as lab from './lab.js';

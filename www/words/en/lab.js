@@ -295,7 +295,3 @@ export const gainInputLabel = (name) => `${name}, value`;
 export const notANumber = (name, was) => `${name} must be a number, for example 3.5; it was “${was}”.`;
 /** @param {string} name @param {string} message */
 export const gainRefused = (name, message) => `${name} was refused: ${message}`;
-
-/** @param {string} message */
-export const coreMissing = (message) =>
-  `The robots cannot drive here, because this browser did not load the page's WebAssembly core (${message}).`;

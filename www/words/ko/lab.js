@@ -274,7 +274,3 @@ export const gainInputLabel = (name) => `${name}, 값`;
 export const notANumber = (name, was) => `${name}: 수를 입력해야 합니다(예: 3.5). 입력값: “${was}”.`;
 /** @param {string} name @param {string} message */
 export const gainRefused = (name, message) => `${name}: 이 값은 쓸 수 없습니다. ${message}`;
-
-/** @param {string} message */
-export const coreMissing = (message) =>
-  `브라우저가 이 페이지의 WebAssembly 코어를 불러오지 못해 로봇이 주행할 수 없습니다(${message}).`;

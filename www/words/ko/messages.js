@@ -37,9 +37,11 @@ const known = [
     /^(.+?) must be (.+), but was (.+)$/s,
     (_, field, expected, found) => `${field}: 허용되는 값은 ${demanded(expected)}입니다. 입력값: ${found}.`,
   ],
-  [/^A worker was lost: (.*)$/s, (_, reason) => `계산을 맡은 워커가 멈추었습니다: ${reason}`],
-  [/^No worker can be started: (.*)$/s, (_, reason) => `워커를 시작할 수 없습니다: ${reason}`],
+  [/^A worker was lost: (.*)$/s, (_, reason) => `계산을 맡은 워커가 멈추었습니다: ${said(reason)}`],
+  [/^No worker can be started: (.*)$/s, (_, reason) => `워커를 시작할 수 없습니다: ${said(reason)}`],
   [/^it could not be started$/, () => '시작하지 못했습니다'],
+  [/^an error in the core$/, () => '코어 내부 오류입니다'],
+  [/^it was ended$/, () => '도중에 종료되었습니다'],
   [/^its answer cannot be read$/, () => '응답을 읽을 수 없습니다'],
 ];
 

@@ -1,0 +1,115 @@
+// What there is to read, in one language, for who cannot run the page: why that is, what the picture shows, and the lesson
+// as an article, with what the core comes to in the place of the running numbers. Writes the HTML of each.
+//
+//   node .tasks/article.mjs ko
+import { document, Element } from './document.mjs';
+
+const [language] = process.argv.slice(2);
+// What is imported below asks for these.
+Object.assign(globalThis, { document, Element, location: { hash: `#lab&lang=${language}`, search: '' } });
+globalThis.navigator ??= /** @type {Navigator} */ ({});
+
+const { createSpec, firstDisturbance } = await import('../www/disturbance/request.js');
+const { create } = await import('../www/elements.js');
+const { counts, endsOfAxis, gainsAt, linearRange } = await import('../www/landscape/request.js');
+const { createFormula } = await import('../www/lesson/formula.js');
+const { list, paragraphs } = await import('../www/lesson/prose.js');
+const { steps } = await import('../www/lesson/steps.js');
+const { undisturbed } = await import('../www/state.js');
+const { instead, lesson: words } = await import('../www/words/index.js');
+const { costText } = await import('../www/words/numbers.js');
+const { landscape, remainingErrors } = await import('../tests/page/core.js');
+const { samples } = await import('../tests/page/lesson-links.js');
+const { liveOf } = await import('../tests/page/lesson-live.js');
+const { costs, generations, robots } = await import('./picture.mjs');
+
+/** @typedef {import('../www/lesson/page.js').Live} Live */
+/** @typedef {import('../www/lesson/steps.js').Step} Step */
+
+/** What the page knows when a step is opened and its robots stand at the start. @param {Step} step @returns {Live} */
+function opened(step) {
+  const live = liveOf(step.link);
+  const { experiment } = live.scene;
+  const engine = /** @type {Live['engine']} */ ({ ...live.engine, samples });
+  const [sample] = samples(experiment, live.gains);
+  /** @type {Live['state']} */
+  const state = {
+    ...live.state,
+    landscape: {
+      ...live.state.landscape,
+      get result() {
+        return landscapeOf(state);
+      },
+    },
+    disturbance: {
+      ...firstDisturbance,
+      get measured() {
+        return measuredOf({ ...live, engine, state });
+      },
+    },
+  };
+  return { ...live, engine, state, sample, decided: sample };
+}
+
+/** @param {Live['state']} state */
+function landscapeOf({ experiment, preset, landscape: { x, y, third } }) {
+  const spec = { experiment, x, y, range: linearRange[preset], third: third ?? 0 };
+  const count = Math.max(...counts);
+  const [across, up] = [x, y].map((axis) => {
+    const [from, to] = endsOfAxis(axis, spec.range);
+    return { ...axis, from, to, count };
+  });
+  const costs = landscape(experiment, { x: across, y: up, gains: gainsAt(spec, [1, 1]) });
+  return { spec, count, costs, milliseconds: 0 };
+}
+
+/** @param {Live} live */
+function measuredOf({ engine, state, paper }) {
+  const spec = createSpec(engine, paper)(state);
+  const calm = remainingErrors(undisturbed(spec.experiment), spec.gains, spec.seconds);
+  return { spec, runs: [], disturbed: calm, calm };
+}
+
+/** What is read of a step: all but what must be pressed. @param {Step} step @param {Live} live @param {number} number */
+async function sectionOf(step, live, number) {
+  const text = /** @type {any} */ (words.steps[step.name]);
+  const section = create('section', '', create('h2', '', `${number}. ${text.title}`));
+  for (const block of step.blocks) {
+    if (block.kind === 'text') section.append(...paragraphs(text.texts[block.name], href));
+    if (block.kind === 'formula')
+      section.append(createFormula({ ...block.formula, numbers: undefined }).element);
+    if (block.kind === 'notice') section.append(create('h3', '', words.notice), list(text.notice, href));
+    if (block.kind === 'view' && block.isText) {
+      const view = block.create(/** @type {any} */ (live), text, href);
+      view.draw(live);
+      // What it asks the engine for is there at once.
+      await new Promise((resolve) => setImmediate(resolve));
+      section.append(view.element);
+    }
+  }
+  return section;
+}
+
+const href = (/** @type {string} */ link) => `#${link}`;
+
+/** @param {string} tag @param {string} text */
+const html = (tag, text) => /** @type {any} */ (create(tag, '', text)).html({});
+
+/** @type {string[]} */
+const sections = [];
+for (const [i, step] of steps.entries()) {
+  // The last one is about how to use the page in a class.
+  if (step.name === 'lecturers') continue;
+  const live = opened(step);
+  const section = /** @type {any} */ (await sectionOf(step, live, i + 1));
+  sections.push(section.html(step.values?.(live) ?? {}));
+}
+
+const [firstCost, bestCost] = [costs.first, costs.best].map(costText);
+console.log(
+  JSON.stringify({
+    why: html('span', instead.waits),
+    caption: html('span', instead.caption(robots, generations, firstCost, bestCost)),
+    article: html('summary', instead.article) + html('p', instead.articleNote) + sections.join(''),
+  }),
+);

@@ -1,0 +1,51 @@
+// What stands in the place of the robots until they drive, and stays where they cannot: why, a picture, the lesson to read.
+import { byId, create } from './elements.js';
+import { isLost, messageOf } from './messages.js';
+import { showMessage } from './views.js';
+import { instead as words } from './words/index.js';
+import { language } from './words/language.js';
+
+/** The shortest module that needs SIMD. */
+const simd = Uint8Array.of(
+  ...[0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123],
+  ...[3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11],
+);
+
+/** @param {unknown} error */
+function reasonOf(error) {
+  if (typeof WebAssembly === 'undefined') return words.reasons.absent;
+  if (/content security policy|\bcsp\b|unsafe-eval/i.test(String(error))) return words.reasons.forbidden;
+  if (!WebAssembly.validate(simd)) return words.reasons.old;
+  return words.notLoaded(messageOf(error));
+}
+
+/** The robots drive. */
+export const clearInstead = () => byId('instead').remove();
+
+/** Says why they do not, and keeps what there is to read. @param {unknown} error */
+export function showInstead(error) {
+  byId('instrument').hidden = true;
+  // A figure would have its title in its foot.
+  document.body.removeAttribute('data-embed');
+  showMessage(words.cannot(reasonOf(error)));
+  const instead = byId('instead');
+  instead.className = 'instead';
+  for (const element of instead.querySelectorAll('.instead-why, [lang]'))
+    if (element.getAttribute('lang') !== language) element.remove();
+  for (const details of instead.querySelectorAll('details')) details.open = true;
+}
+
+/** After a panic or a trap the core must not be used again: whatever is pressed then might be answered wrongly. */
+export function watchCore() {
+  /** @param {unknown} error */
+  const stop = (error) => {
+    const instrument = byId('instrument');
+    if (!isLost(error) || instrument.inert) return;
+    instrument.inert = true;
+    const message = create('p', 'message', words.stopped);
+    message.setAttribute('role', 'alert');
+    instrument.before(message);
+  };
+  addEventListener('error', (event) => stop(event.error));
+  addEventListener('unhandledrejection', (event) => stop(event.reason));
+}

@@ -1,0 +1,28 @@
+// Every word of what stands in the place of the robots where they cannot drive.
+
+export const waits =
+  'No robots yet? If none come within a few seconds, this browser cannot run the page, or a file of it is missing. A current Chrome, Edge, Firefox or Safari runs it, with scripts and WebAssembly allowed.';
+
+/** @param {string} reason */
+export const cannot = (reason) =>
+  `The robots cannot drive here: ${reason} A current Chrome, Edge, Firefox or Safari runs this page, with WebAssembly allowed; the lesson can be read here all the same.`;
+
+export const reasons = {
+  absent: 'this browser has no WebAssembly, or it is switched off.',
+  old: 'the WebAssembly of this browser is too old, it has no SIMD.',
+  forbidden:
+    'the server that sends this page forbids WebAssembly (its content security policy lacks wasm-unsafe-eval).',
+};
+/** @param {string} message */
+export const notLoaded = (message) => `a part of the page could not be loaded (${message}).`;
+
+export const stopped =
+  'An error within the program has stopped it. Please reload the page: its address brings back what was on screen.';
+
+/** @param {number} robots @param {number} generation @param {string} first @param {string} best */
+export const caption = (robots, generation, first, best) =>
+  `${robots} robots with random gains drive to the goal, the best of them with J ${first}. The thick line is the best after ${generation} generations of evolution, with J ${best}.`;
+
+export const article = 'The lesson, to read';
+export const articleNote =
+  'The words of the lesson without its sliders and questions. The same program worked out the numbers when this page was made.';

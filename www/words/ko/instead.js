@@ -1,0 +1,28 @@
+// Every word of what stands in the place of the robots where they cannot drive, in Korean.
+
+export const waits =
+  '아직 로봇이 보이지 않습니까? 몇 초가 지나도 나타나지 않으면 이 브라우저가 페이지를 실행할 수 없거나 파일이 빠진 것입니다. 스크립트와 WebAssembly를 허용한 최신 Chrome, Edge, Firefox, Safari에서 실행됩니다.';
+
+/** @param {string} reason */
+export const cannot = (reason) =>
+  `이곳에서는 로봇이 주행할 수 없습니다. ${reason} 이 페이지는 WebAssembly를 허용한 최신 Chrome, Edge, Firefox, Safari에서 실행됩니다. 수업 내용은 여기에서도 읽을 수 있습니다.`;
+
+export const reasons = {
+  absent: '이 브라우저에는 WebAssembly가 없거나 꺼져 있습니다.',
+  old: '이 브라우저의 WebAssembly는 오래되어 SIMD를 지원하지 않습니다.',
+  forbidden:
+    '이 페이지를 보내는 서버가 WebAssembly를 금지하고 있습니다(콘텐츠 보안 정책에 wasm-unsafe-eval이 없습니다).',
+};
+/** @param {string} message */
+export const notLoaded = (message) => `페이지의 일부를 불러오지 못했습니다(${message}).`;
+
+export const stopped =
+  '프로그램 내부 오류로 실행이 멈추었습니다. 페이지를 새로 고치십시오. 주소에 화면의 내용이 담겨 있어 그대로 돌아옵니다.';
+
+/** @param {number} robots @param {number} generation @param {string} first @param {string} best */
+export const caption = (robots, generation, first, best) =>
+  `이득이 무작위인 로봇 ${robots}대가 목표로 주행합니다. 그중 가장 좋은 로봇의 J는 ${first}입니다. 굵은 선은 ${generation}세대의 진화를 거친 최선의 로봇이며 J는 ${best}입니다.`;
+
+export const article = '읽는 수업';
+export const articleNote =
+  '슬라이더와 질문을 뺀 수업의 글입니다. 글 속의 수는 이 페이지를 만들 때 같은 프로그램이 계산한 값입니다.';
