@@ -2,9 +2,10 @@
 // as an article, with what the core comes to in the place of the running numbers. Writes the HTML of each.
 //
 //   node .tasks/article.mjs ko
-import { document, Element } from './document.mjs';
+import { parseHTML } from 'linkedom';
 
 const [language] = process.argv.slice(2);
+const { document, Element } = parseHTML('<html></html>');
 // What is imported below asks for these.
 Object.assign(globalThis, { document, Element, location: { hash: `#lab&lang=${language}`, search: '' } });
 globalThis.navigator ??= /** @type {Navigator} */ ({});
@@ -92,8 +93,24 @@ async function sectionOf(step, live, number) {
 
 const href = (/** @type {string} */ link) => `#${link}`;
 
+/** What is said in HTML; the rest is for who can press it. */
+const kept = ['class', 'scope', 'role', 'aria-label', 'display', 'displaystyle', 'stretchy'];
+
+/** An element as it is read: with the values that its texts name, and without links, for none leads anywhere. @param {HTMLElement} element @param {Record<string, string>} values */
+function written(element, values) {
+  for (const part of element.querySelectorAll('[data-value]')) {
+    const { value = '' } = /** @type {HTMLElement} */ (part).dataset;
+    if (!(value in values)) throw new Error(`the article has no value for ${value}`);
+    part.textContent = values[value];
+  }
+  for (const link of element.querySelectorAll('a')) link.replaceWith(...link.childNodes);
+  for (const part of [element, ...element.querySelectorAll('*')])
+    for (const name of part.getAttributeNames()) if (!kept.includes(name)) part.removeAttribute(name);
+  return element.outerHTML;
+}
+
 /** @param {string} tag @param {string} text */
-const html = (tag, text) => /** @type {any} */ (create(tag, '', text)).html({});
+const html = (tag, text) => written(create(tag, '', text), {});
 
 /** @type {string[]} */
 const sections = [];
@@ -101,8 +118,8 @@ for (const [i, step] of steps.entries()) {
   // The last one is about how to use the page in a class.
   if (step.name === 'lecturers') continue;
   const live = opened(step);
-  const section = /** @type {any} */ (await sectionOf(step, live, i + 1));
-  sections.push(section.html(step.values?.(live) ?? {}));
+  const section = await sectionOf(step, live, i + 1);
+  sections.push(written(section, step.values?.(live) ?? {}));
 }
 
 const [firstCost, bestCost] = [costs.first, costs.best].map(costText);
