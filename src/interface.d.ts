@@ -5,7 +5,7 @@ export interface Posture { x: number; y: number; theta: number }
 export interface Velocity { linear: number; angular: number }
 /** The name of one of the paper's two experiments: Figures 4 and 5, or Figures 6 and 7. */
 export type Preset = 'velocity-limits' | 'acceleration-limits';
-/** Three gains (kx, ky, kθ). */
+/** Three gains (kx, ky, kθ), or such triples one after the other: at most a million in one call. */
 export type Gains = Float64Array | readonly number[];
 /** Everything that defines a run. Every number's range is in `fields()`. */
 export interface Experiment {

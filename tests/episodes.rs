@@ -325,3 +325,50 @@ fn the_papers_ordering_holds_here() {
         assert!(costs[0] < costs[1], "{costs:?}");
     }
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_start_that_is_not_there_is_refused() {
+    let mut experiment = velocity_limits();
+    experiment.starts = vec![experiment.goal; 3];
+    let setting = Setting::new(experiment).expect("valid");
+    assert_eq!([0.0, 2.0].map(|start| setting.validate_start(start)), [Ok(0), Ok(2)]);
+    for (start, found) in [(3.0, "3"), (-1.0, "-1"), (0.5, "0.5"), (f64::NAN, "NaN")] {
+        assert_eq!(
+            setting.validate_start(start).expect_err("refused").to_string(),
+            format!("start must be a whole number from 0 to 2, but was {found}")
+        );
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_horizon_is_the_first_sample_that_reaches_it() {
+    let mut random = Random::new(12);
+    for _ in 0..10_000 {
+        let mut experiment = velocity_limits();
+        experiment.sample_time = random.within(1e-5, 1.0);
+        experiment.horizon = experiment.sample_time * random.within(0.1, 500.0).ceil();
+        let n = f64::from(experiment.samples());
+        assert!(n * experiment.sample_time >= experiment.horizon);
+        assert!((n - 1.0) * experiment.sample_time < experiment.horizon);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_run_that_does_not_arrive_takes_the_horizon_and_one_that_diverges_costs_infinitely() {
+    let mut experiment = velocity_limits();
+    // Between two samples.
+    experiment.horizon = 0.105;
+    let setting = Setting::new(experiment.clone()).expect("valid");
+    let late = setting.episode(Gains::new(1.0, 1.0, 1.0), 0).finished();
+    assert_eq!((late.outcome(), late.time()), (Some(Outcome::Horizon), 0.105));
+    assert_eq!(late.cost().time, 0.105);
+
+    experiment.limits = Limits::NONE;
+    experiment.weights.final_error = [0.0; 3];
+    experiment.goal = Posture { x: 2.0, y: 0.0, theta: 0.0 };
+    let setting = Setting::new(experiment).expect("valid");
+    // So far away that the square is infinite, though the place is not.
+    let lost = setting.episode(Gains::new(1e200, 0.0, 0.0), 0).finished();
+    assert_eq!(lost.outcome(), Some(Outcome::Diverged));
+    assert_eq!(lost.cost().final_error, f64::INFINITY);
+}

@@ -4,8 +4,8 @@ mod common;
 
 use common::{Random, assert_close};
 use ep_locomotion::evolution::{
-    COMMON_LEARNING_RATE, Evolution, GenerationRecord, Individual, LEARNING_RATE, Mutation,
-    Tournament, wins_bout,
+    COMMON_LEARNING_RATE, Evolution, GenerationRecord, Individual, LAST_GENERATION, LEARNING_RATE,
+    Mutation, Tournament, wins_bout,
 };
 use ep_locomotion::experiment::{Experiment, Preset};
 use nalgebra::Vector3;
@@ -259,6 +259,8 @@ fn a_generation_that_is_not_there_is_refused() {
         assert!(evolution.population(generation).is_err());
         assert!(evolution.statistics(generation).is_err());
     }
+    // The 29 bits that seed and purpose leave.
+    assert_eq!(LAST_GENERATION, 536_870_911);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -3,13 +3,18 @@
 mod common;
 
 use common::{Random, wild};
-use ep_locomotion::control::Gains;
+use ep_locomotion::control::{Gains, Law, lyapunov_rate_bound, robust_gains};
 use ep_locomotion::disturbance::DisturbanceKind;
 use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
 use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::fields::FIELDS;
-use ep_locomotion::posture::Posture;
+use ep_locomotion::fields::{FIELDS, field_at};
+use ep_locomotion::limits::Limits;
+use ep_locomotion::posture::{ErrorPosture, Posture, Velocity};
+use ep_locomotion::remaining::{ErrorParts, error_parts, remaining_errors, theorem_2_sets};
+use ep_locomotion::stability::stability;
+use ep_locomotion::starts::{Range, StartGrid, on_circle};
+use ep_locomotion::survey::{Axis, Gain, Landscape, evaluate, robustness};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -50,6 +55,87 @@ fn wild_samples_are_finite_until_a_run_diverges() {
             assert!(sample.error.theta.abs() <= core::f64::consts::PI);
         }
     }
+}
+
+/// Any number that there is.
+fn any(random: &mut Random) -> f64 {
+    match random.below(12) {
+        0 => f64::NAN,
+        1 => f64::INFINITY,
+        2 => f64::NEG_INFINITY,
+        _ => random.hostile(),
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn functions_of_numbers_take_any() {
+    let mut random = Random::new(4);
+    for _ in 0..100_000 {
+        let mut next = || any(&mut random);
+        let e = ErrorPosture::new(next(), next(), next());
+        let k = Gains::new(next(), next(), next());
+        let p = Posture { x: next(), y: next(), theta: next() };
+        let [q, r] = [0, 1].map(|_| Velocity { linear: next(), angular: next() });
+        let dt = next();
+        for law in [Law::ShimKim, Law::Kanayama] {
+            law.command(&e, &k, r);
+            law.promised_rate(&e, &k, r);
+            if let Some(function) = law.lyapunov(&k) {
+                function.rate(&e, q, r);
+                function.value(&e);
+            }
+        }
+        lyapunov_rate_bound(&e, &k, q);
+        let robust = robust_gains(&e, q);
+        assert!(![robust.x, robust.y, robust.theta].iter().any(|gain| *gain < 0.0));
+        let sets = theorem_2_sets(&k, q, dt);
+        assert!(![sets.x, sets.y, sets.theta].iter().any(|reach| *reach < 0.0));
+        ErrorParts::new(&e);
+        e.posture(p).error_to(p);
+        p.advance(q, dt);
+        let speed = next().abs();
+        let limits = Limits { speed: Some(speed), ..Limits::NONE };
+        // NaN stays what it is; all else is limited.
+        assert!(limits.applied(q, r, dt).linear.abs() <= speed || (q.linear + speed).is_nan());
+        let [from, to] = [0, 1].map(|_| next());
+        for log in [false, true] {
+            Axis { gain: Gain::X, from, to, count: 3, log }.value(2);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn jobs_take_any_numbers_or_refuse_them_by_name() {
+    let mut random = Random::new(5);
+    let mut refused = 0;
+    for _ in 0..2_000 {
+        let setting = Setting::new(wild(&mut random)).expect("within the ranges");
+        let mut next = || any(&mut random);
+        let k = Gains::new(next(), next(), next());
+        let [x, y] = [0, 1].map(|_| Range { from: next(), to: next(), count: 2 });
+        let axis =
+            |gain, Range { from, to, count }: Range| Axis { gain, from, to, count, log: false };
+        let cells = Landscape { x: axis(Gain::X, x), y: axis(Gain::Theta, y), gains: k };
+        let grid = StartGrid { x, y, headings: 3 };
+        let centre = Posture { x: x.from, y: y.from, theta: 0.0 };
+        let errors = [
+            cells.costs(&setting, [0, 2]).err(),
+            robustness(&setting, k, &grid, [0, 12]).err(),
+            on_circle(centre, x.to, 3, 1).err(),
+            remaining_errors(&setting, &k, y.to).err(),
+            setting.validate_start(y.from).err(),
+        ];
+        for error in errors.into_iter().flatten() {
+            let told = error.to_string();
+            let names = ["x.", "y.", "x ", "y ", "radius ", "seconds ", "start "];
+            assert!(names.iter().any(|name| told.starts_with(name)), "{told}");
+            refused += 1;
+        }
+        assert!(!evaluate(&setting, &[k]).expect("one")[0].is_nan());
+        stability(&setting, &k, 0);
+        error_parts(&setting, &k, 1);
+    }
+    assert!(refused > 1000, "{refused}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -147,6 +233,87 @@ fn rules_between_fields_are_told_in_words() {
         ),
     ] {
         assert_eq!(refused(change), message);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_ends_of_every_range_are_allowed_and_nothing_beyond() {
+    for field in &FIELDS {
+        for value in [field.min, field.max] {
+            assert!(field.allows(value), "{} may be {value}", field.path);
+        }
+        for value in [field.min.next_down(), field.max.next_up(), f64::NAN] {
+            assert!(!field.allows(value), "{} may not be {value}", field.path);
+        }
+        assert_eq!(field.allows(field.min + 0.5), !field.integer, "{}", field.path);
+        assert_eq!(field.nullable, field.path.starts_with("limits."));
+        let null = if field.nullable { ", or null for no limit" } else { "" };
+        assert!(field.expected().ends_with(null), "{}", field.expected());
+        let path = field.path.replace("[]", "[12]");
+        assert_eq!(field_at(&path).map(|found| found.path), Some(field.path));
+    }
+    assert!(field_at("goal").is_none());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_largest_experiments_are_allowed_and_no_larger() {
+    type Change = fn(&mut Experiment, u32);
+    let check = |change: Change, one_more| {
+        let mut experiment = Preset::VelocityLimits.experiment();
+        change(&mut experiment, one_more);
+        experiment.validate().map_err(|error| error.field)
+    };
+    let rules: [(Change, &str); 5] = [
+        (|e, more| e.starts = vec![Posture::default(); 10_000 + more as usize], "starts"),
+        (|e, more| e.horizon = 1000.0 + f64::from(more), "horizon"),
+        (
+            |e, more| {
+                // 4·10⁸ samples in one call.
+                (e.horizon, e.starts) = (1000.0, vec![Posture::default(); 10]);
+                e.evolution.population = 400 + more;
+            },
+            "evolution.population",
+        ),
+        (
+            |e, more| {
+                e.disturbance.kind = DisturbanceKind::Random;
+                e.disturbance.angular = -1e-9 * f64::from(more);
+            },
+            "disturbance.angular",
+        ),
+        (
+            |e, more| e.evolution.initial_range = [1.0, 1.0 + 1e-9 * (1.0 - f64::from(more))],
+            "evolution.initialRange",
+        ),
+    ];
+    for (change, field) in rules {
+        assert_eq!(check(change, 0), Ok(()), "{field}");
+        assert_eq!(check(change, 1), Err(field.to_string()));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn numbers_in_messages_are_written_as_javascript_writes_them() {
+    for (value, written) in [
+        (f64::NAN, "NaN"),
+        (f64::INFINITY, "Infinity"),
+        (f64::NEG_INFINITY, "-Infinity"),
+        (0.0, "0"),
+        (-1.5, "-1.5"),
+        (1e-6, "0.000001"),
+        (1e-7, "1e-7"),
+        (-5e-324, "-5e-324"),
+        (1e20, "100000000000000000000"),
+        (1e21, "1e21"),
+        (-1e300, "-1e300"),
+    ] {
+        let mut experiment = Preset::VelocityLimits.experiment();
+        experiment.horizon = value;
+        let message = experiment.validate().expect_err("refused").to_string();
+        assert_eq!(
+            message,
+            format!("horizon must be a number from 0.00001 to 100000 s, but was {written}")
+        );
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Random, wild};
+use common::{Random, assert_close, wild};
 use ep_locomotion::control::Gains;
 use ep_locomotion::cost::Cost;
 use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
@@ -10,6 +10,7 @@ use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
 use ep_locomotion::experiment::{Experiment, Preset};
 use ep_locomotion::posture::Posture;
+use ep_locomotion::real::SMALL_TURN;
 use ep_locomotion::starts::{Range, StartGrid, on_circle};
 use ep_locomotion::survey::{Axis, Gain, Landscape, evaluate, fares, robustness, seed_runs};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -65,6 +66,18 @@ fn a_robot_that_starts_at_the_goal_is_there() {
     let mut experiment = Preset::VelocityLimits.experiment();
     experiment.starts = vec![experiment.goal, experiment.starts[0], experiment.goal];
     assert_same(experiment, &[Gains::new(3.0, 0.1, 5.0); 20]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn robots_that_turn_just_as_far_as_lanes_can_have_the_same_bits_too() {
+    let mut experiment = Preset::VelocityLimits.experiment();
+    // A power of 2, so that the product is exact.
+    experiment.sample_time = 0.0625;
+    for turn in [SMALL_TURN.next_down(), SMALL_TURN, SMALL_TURN.next_up(), -SMALL_TURN] {
+        experiment.limits.turn_rate = Some(turn.abs() / experiment.sample_time);
+        experiment.goal.y = 2f64.copysign(turn);
+        assert_same(experiment.clone(), &[Gains::new(3.0, 2.0, 50.0), Gains::new(1.0, 9.0, 9.0)]);
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -224,6 +237,11 @@ fn starts_on_a_circle_are_as_far_from_its_centre_and_head_anywhere() {
             [((start.theta + core::f64::consts::PI) / core::f64::consts::FRAC_PI_2) as usize] += 1;
     }
     assert!(quadrants.iter().all(|count| (90..160).contains(count)), "{quadrants:?}");
+    for (start, x, y) in [(0, 2.5, 0.0), (125, 0.0, 2.5), (250, -2.5, 0.0), (375, 0.0, -2.5)] {
+        let Posture { x: ahead, y: aside, .. } = starts[start];
+        assert_close(ahead, centre.x + x, 1e-12);
+        assert_close(aside, centre.y + y, 1e-12);
+    }
     assert_eq!(starts, on_circle(centre, 2.5, 500, 3).expect("valid"));
     assert_ne!(starts, on_circle(centre, 2.5, 500, 4).expect("valid"));
 }
@@ -303,8 +321,12 @@ fn wrong_surveys_are_refused_by_name() {
         y: Range { count: 1000, ..GRID.y },
         ..GRID
     };
+    // However many starts the experiment has.
+    let mut several = setting.experiment().clone();
+    several.starts = vec![Posture::default(); 7];
+    let several = Setting::new(several).expect("valid");
     assert_eq!(
-        robustness(&setting, k, &large, [0, 400_001]).expect_err("refused").to_string(),
+        robustness(&several, k, &large, [0, 400_001]).expect_err("refused").to_string(),
         "the number of starts must be at most 400000 with 1 starts and 1000 samples a run, \
          but was 400001"
     );
@@ -317,5 +339,47 @@ fn wrong_surveys_are_refused_by_name() {
         on_circle(Posture::default(), -1e4, 3, 1).expect_err("refused").to_string(),
         "radius must be a number from -1000 to 1000 m, but was -10000"
     );
-    assert!(on_circle(Posture::default(), 1.0, 0, 1).is_err());
+    assert_eq!(
+        on_circle(Posture::default(), 1.0, 0, 1).expect_err("refused").to_string(),
+        "count must be a whole number from 1 to 10000, but was 0"
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_largest_surveys_are_allowed_and_no_larger() {
+    let circle = |x, count| on_circle(Posture { x, ..Posture::default() }, 1000.0, count, 1);
+    assert_eq!(circle(-1000.0, 10_000).expect("valid").len(), 10_000);
+    assert!(circle(-1000.1, 1).is_err() && circle(0.0, 10_001).is_err());
+
+    // Of a run with 1000 samples, 400,000 are allowed; a robot at its goal needs none.
+    let mut resting = Preset::VelocityLimits.experiment();
+    resting.starts = vec![resting.goal];
+    let setting = Setting::new(resting.clone()).expect("valid");
+    let gains = vec![Gains::new(1.0, 1.0, 1.0); 400_001];
+    assert_eq!(evaluate(&setting, &gains[1..]).expect("valid").len(), 400_000);
+    assert!(evaluate(&setting, &gains).is_err());
+    resting.evolution.population = 2;
+    assert_eq!(seed_runs(&resting, [1, 1001], 99).expect("valid").len(), 1000);
+    assert!(seed_runs(&resting, [1, 1001], 100).is_err());
+
+    let range = Range { from: -1000.0, to: 1000.0, count: 1024 };
+    let grid = |count, headings| StartGrid { x: Range { count, ..range }, y: range, headings };
+    let rows = |grid| robustness(&setting, gains[0], &grid, [5, 5]).map(|ends| ends.len());
+    assert_eq!(rows(grid(1024, 1024)), Ok(0));
+    assert!(rows(grid(1025, 1)).is_err() && rows(grid(1, 1025)).is_err());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_start_beyond_the_streams_meets_the_disturbances_of_another() {
+    let mut experiment = Preset::VelocityLimits.experiment();
+    experiment.disturbance =
+        Disturbance { kind: DisturbanceKind::Random, linear: 0.2, angular: 0.3, seed: 4 };
+    let range = Range { from: -1.0, to: 3.0, count: 1024 };
+    let grid = StartGrid { x: range, y: range, headings: 1024 };
+    let (streams, k) = (1 << 29, Gains::new(3.0, 2.0, 5.0));
+    let setting = Setting::new(experiment.clone()).expect("valid");
+    let beyond = robustness(&setting, k, &grid, [streams - 1, streams + 2]).expect("valid");
+    // The starts of the experiment have the first streams.
+    experiment.starts = (0..2).map(|i| grid.posture(streams as usize + i)).collect();
+    assert_eq!(beyond[1..], fares(&Setting::new(experiment).expect("valid"), k));
 }

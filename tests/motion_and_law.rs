@@ -25,6 +25,36 @@ fn wrapped_angles_point_the_same_way() {
     for (angle, expected) in [(PI, PI), (-PI, PI), (0.5, 0.5), (-3.0, -3.0), (3.0 * PI, PI)] {
         assert_close(wrap(angle), expected, 1e-15);
     }
+    // Rounding must not leave an angle outside, however near to the edge it is.
+    for half_turns in (-1001..=1001).step_by(2) {
+        let edge = f64::from(half_turns) * PI;
+        let (mut below, mut above) = (edge, edge);
+        for _ in 0..5 {
+            for angle in [below, above] {
+                let wrapped = wrap(angle);
+                assert!(wrapped > -PI && wrapped <= PI, "{angle:e} as {wrapped:e}");
+            }
+            (below, above) = (below.next_down(), above.next_up());
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_within_a_bound_stays_as_it_is() {
+    for (value, bound) in [(0.0, -0.0), (-0.0, 0.0), (f64::NAN, 1.0)] {
+        assert_eq!(value.at_most(bound).to_bits(), value.to_bits());
+        assert_eq!(value.at_least(bound).to_bits(), value.to_bits());
+    }
+    assert_eq!([2.0.at_most(1.0), 1.0.at_most(2.0)], [1.0, 1.0]);
+    assert_eq!([2.0.at_least(1.0), 1.0.at_least(2.0)], [2.0, 2.0]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn gains_are_a_vector_and_back() {
+    let gains = Gains::new(1.0, 2.0, 3.0);
+    let vector = nalgebra::Vector3::from(gains);
+    assert_eq!(vector, nalgebra::Vector3::new(1.0, 2.0, 3.0));
+    assert_eq!(Gains::from(vector), gains);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

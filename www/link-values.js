@@ -14,7 +14,7 @@ export const numberText = (value) => (Object.is(value, -0) ? '-0' : String(value
 /** An angle in degrees where that gives back the same bits, else in radians. @param {number} radians */
 export function angleText(radians) {
   const degrees = numberText(Number(((radians * 180) / Math.PI).toFixed(9)));
-  return angle(`${degrees}deg`) === radians ? `${degrees}deg` : numberText(radians);
+  return Object.is(angle(`${degrees}deg`), radians) ? `${degrees}deg` : numberText(radians);
 }
 
 /** @param {string} text */
@@ -70,7 +70,8 @@ export function wholeNumber(text, most) {
   const value = numberOf(text);
   if (!Number.isInteger(value) || value < 0 || value > most)
     throw new Error(words.expected(words.wholeNumber(most), text));
-  return value;
+  // No −0.
+  return value + 0;
 }
 
 /** @template {string} T @param {readonly T[]} choices @param {string} text */
@@ -87,7 +88,11 @@ export function pairOf(text) {
 }
 
 /** Only what would end a value, or what browsers change, is written as %. @param {string} text */
-export const encoded = (text) => encodeURIComponent(text).replaceAll('%2C', ',').replaceAll('%3B', ';');
+export const encoded = (text) =>
+  encodeURIComponent(wellFormed(text)).replaceAll('%2C', ',').replaceAll('%3B', ';');
+
+/** Half a character, which a cut can leave, has no code in an address. @param {string} text */
+export const wellFormed = (text) => text.replaceAll(/\p{Surrogate}/gu, '\ufffd');
 
 /** @param {string} text */
 export function decoded(text) {

@@ -20,6 +20,7 @@ import {
   posture,
   postureText,
   triple,
+  wellFormed,
   wholeNumber,
 } from './link-values.js';
 import { linkOfStep, steps } from './lesson/steps.js';
@@ -55,7 +56,7 @@ import { language, languageNames, usualLanguage } from './words/language.js';
 
 const version = 1;
 /** Links are short; what is longer was not written here. */
-const mostCharacters = 20_000;
+export const mostCharacters = 20_000;
 /** @type {readonly Preset[]} */
 const presets = ['velocity-limits', 'acceleration-limits'];
 /** @type {readonly Driver[]} */
@@ -94,7 +95,7 @@ const viewKeys = [
   viewKey('scale', 'curves', 'scale', (text) => oneOf(['linear', 'log'], text)),
   viewKey('x', 'landscape', 'x', axisOf, axisText),
   viewKey('y', 'landscape', 'y', axisOf, axisText),
-  viewKey('third', 'landscape', 'third', number, (value) => numberText(value ?? 0)),
+  viewKey('third', 'landscape', 'third', number, (value) => (value === null ? '' : numberText(value))),
   viewKey('colour', 'robustness', 'quantity', (text) => oneOf(['share', 'time', 'cost'], text)),
   viewKey('half', 'robustness', 'half', (text) => Number(oneOf(halves.map(String), text))),
   viewKey('heading', 'robustness', 'heading', (text) => wholeNumber(text, headings - 1)),
@@ -176,16 +177,29 @@ export function openLink(link, engine) {
     exercise: noExercise,
     view: usualView,
   };
-  for (const [key, value] of given) {
-    try {
-      opened = read(opened, key, value, engine);
-    } catch (error) {
-      problems.push(words.ignored(key, messageOf(error)));
+  /** @type {[string, string, unknown?][]} */
+  let refused = [...given];
+  let before;
+  // A value may be allowed only beside one that comes after it, as a short sample time is with a short horizon.
+  do {
+    before = refused;
+    refused = [];
+    for (const [key, value] of before) {
+      try {
+        opened = read(opened, key, value, engine);
+      } catch (error) {
+        refused.push([key, value, error]);
+      }
     }
-  }
+  } while (refused.length < before.length);
+  problems.push(...refused.map(([key, , error]) => words.ignored(key, messageOf(error))));
   if (opened.driver === 'hand' && opened.handGains === null) {
     problems.push(words.ignored('drives', words.noGains));
     opened = { ...opened, driver: 'evolved' };
+  }
+  if (opened.found !== 'hand' && opened.handGains === null) {
+    problems.push(words.ignored('found', words.noGains));
+    opened = { ...opened, found: 'hand' };
   }
   const { x, y } = opened.view.landscape;
   if (x.gain === y.gain) {
@@ -276,15 +290,18 @@ function pinOf(text, slot, preset, engine) {
   const [name, gainsText, ...changes] = text.split('~');
   if (gainsText === undefined || slot >= styles.length) throw new Error(words.expected(words.aPin, text));
   const gains = triple(gainsText);
-  let experiment = engine.experiment(preset);
-  for (const change of changes) {
-    const at = change.indexOf(':');
-    experiment = engine.experiment(
-      withField(experiment, pathOf(change.slice(0, Math.max(at, 0))), change.slice(at + 1)),
-    );
-  }
+  /** @param {string} change @returns {[string, string]} */
+  const pathAndValue = (change) => {
+    const at = Math.max(change.indexOf(':'), 0);
+    return [pathOf(change.slice(0, at)), change.slice(at + 1)];
+  };
+  const changed = [...new Map(changes.map(pathAndValue))].reduce(
+    (before, [path, value]) => withField(before, path, value),
+    engine.experiment(preset),
+  );
+  const experiment = engine.experiment(changed);
   engine.drive(experiment, [gains]);
-  return { slot, name: name.slice(0, 80), experiment, gains };
+  return { slot, name: wellFormed(name.slice(0, 80)), experiment, gains };
 }
 
 /** What an experiment has different, as names and texts. @param {Experiment} experiment @param {Experiment} usual @returns {[string, string][]} */
@@ -314,7 +331,7 @@ function fieldsOf(experiment) {
 
 /** The experiment with one field read from text. @param {Experiment} experiment @param {string} path @param {string} text */
 function withField(experiment, path, text) {
-  if (!fieldsOf(experiment).has(path)) throw new Error(words.unknownField);
+  if (!fieldsOf({ ...experiment, starts: [] }).has(path)) throw new Error(words.unknownField);
   const copy = structuredClone(experiment);
   const keys = path.split('.');
   const last = /** @type {string} */ (keys.pop());

@@ -3,6 +3,28 @@
 use js_sys::{Array, ArrayBuffer, Float64Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
+/// What js-sys has too, but there an exception would leave the core in the middle of a function: each time, what that
+/// has on the stack would be lost. Proxies and getters can throw everywhere.
+mod caught {
+    use wasm_bindgen::prelude::*;
+
+    #[wasm_bindgen]
+    extern "C" {
+        #[wasm_bindgen(catch, js_namespace = Array, js_name = isArray)]
+        pub fn is_array(value: &JsValue) -> Result<bool, JsValue>;
+
+        #[wasm_bindgen(catch, js_namespace = Object, js_name = hasOwn)]
+        pub fn has_own(value: &JsValue, key: &str) -> Result<bool, JsValue>;
+
+        #[wasm_bindgen(js_name = Float64Array)]
+        pub type Copy;
+
+        /// Of as many numbers as there are, whatever `length` says.
+        #[wasm_bindgen(catch, constructor, js_class = "Float64Array")]
+        pub fn of(numbers: &JsValue) -> Result<Copy, JsValue>;
+    }
+}
+
 use super::Result;
 use crate::experiment::MAX_STARTS;
 use crate::fields::{CHOICES, InvalidInput, field_at, shown};
@@ -12,6 +34,9 @@ pub(super) fn gain_name(index: usize) -> String {
     let name = ["kx", "ky", "kθ"][index % 3];
     if index < 3 { name.into() } else { format!("{name} (gains[{index}])") }
 }
+
+/// Most gain triples in one call: what they take of the memory stays taken.
+const MAX_TRIPLES: u32 = 1_000_000;
 
 /// A value that came from JavaScript, and where it stood.
 pub(super) struct Input {
@@ -29,22 +54,24 @@ impl Input {
     pub(super) fn get(&self, key: &str) -> Result<Input> {
         let path =
             if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) };
-        let own = Object::has_own(self.value.unchecked_ref::<Object>(), &key.into());
+        let own = caught::has_own(&self.value, key)?;
         let value = if own { Reflect::get(&self.value, &key.into())? } else { JsValue::UNDEFINED };
         Ok(Input { value, path })
     }
 
     /// Refuses anything but an object that has no other keys than these.
     pub(super) fn keys(&self, known: &[&str]) -> Result<()> {
-        if !self.value.is_object() || Array::is_array(&self.value) {
+        let value = &self.value;
+        if !value.is_object() || is_array(value) || ArrayBuffer::is_view(value) {
             return Err(self.refused("an object").into());
         }
-        for key in Reflect::own_keys(self.value.unchecked_ref())? {
+        for key in Reflect::own_keys(value.unchecked_ref())? {
             let key = key.as_string().unwrap_or_else(|| "a symbol".into());
             if !known.contains(&key.as_str()) {
                 let path = if self.path.is_empty() { "experiment" } else { &self.path };
                 let expected = format!("an object with no fields but {}", known.join(", "));
-                return Err(InvalidInput::new(path, expected, format!("one with '{key}'")).into());
+                let found = format!("one with {}", quoted(&key));
+                return Err(InvalidInput::new(path, expected, found).into());
             }
         }
         Ok(())
@@ -56,29 +83,52 @@ impl Input {
             Some(length) => format!("an array of {length}"),
             None => format!("an array of 1 to {MAX_STARTS}"),
         };
-        let array: &Array = self.value.unchecked_ref();
-        if !Array::is_array(&self.value)
-            || length.is_some_and(|length| length != array.length())
-            || array.length() as usize > MAX_STARTS
-        {
+        if !is_array(&self.value) {
             return Err(self.refused(expected()).into());
         }
-        let elements: Vec<Input> = (0..array.length())
-            .map(|i| Input { value: array.get(i), path: format!("{}[{i}]", self.path) })
+        let found = self.length()?;
+        if length.is_some_and(|length| length != found) || found as usize > MAX_STARTS {
+            return Err(self.refused(expected()).into());
+        }
+        let elements: Result<Vec<Input>> = (0..found)
+            .map(|i| Ok(Input { value: self.element(i)?, path: format!("{}[{i}]", self.path) }))
             .collect();
-        Ok(elements.into_iter())
+        Ok(elements?.into_iter())
     }
 
     /// The numbers of an array of gains.
     pub(super) fn numbers(&self) -> Result<Vec<f64>> {
-        if let Some(array) = self.value.dyn_ref::<Float64Array>() {
-            return Ok(array.to_vec());
+        const MOST: u32 = 3 * MAX_TRIPLES;
+        let refused = || self.refused("a Float64Array or an array of numbers");
+        let check = |count: u32| match count {
+            0..=MOST => Ok(count),
+            _ => {
+                let expected = format!("at most {MOST} numbers");
+                Err(InvalidInput::new(&self.path, expected, format!("{count} numbers")))
+            }
+        };
+        if self.value.is_instance_of::<Float64Array>() {
+            let copy = caught::Copy::of(&self.value).map_err(|_| refused())?;
+            let copy: &Float64Array = copy.unchecked_ref();
+            check(copy.length())?;
+            return Ok(copy.to_vec());
         }
-        if !Array::is_array(&self.value) && !ArrayBuffer::is_view(&self.value) {
-            return Err(self.refused("a Float64Array or an array of numbers").into());
+        if !is_array(&self.value) && !ArrayBuffer::is_view(&self.value) {
+            return Err(refused().into());
         }
-        let elements = Array::from(&self.value).into_iter().enumerate();
-        elements.map(|(i, value)| Input { value, path: gain_name(i) }.number()).collect()
+        (0..check(self.length()?)?)
+            .map(|i| Input { value: self.element(i)?, path: gain_name(i as usize) }.number())
+            .collect()
+    }
+
+    /// How many elements an array says that it has.
+    fn length(&self) -> Result<u32> {
+        let length = Reflect::get(&self.value, &"length".into())?.as_f64();
+        length.map(|length| length as u32).ok_or_else(|| self.refused("an array of numbers").into())
+    }
+
+    fn element(&self, index: u32) -> Result<JsValue> {
+        Reflect::get_u32(&self.value, index)
     }
 
     /// A part [first, end) of `count`; all if it is left out.
@@ -155,21 +205,28 @@ impl Input {
     }
 }
 
+/// Whether it is an array; one of which this cannot be said is none.
+fn is_array(value: &JsValue) -> bool {
+    caught::is_array(value).unwrap_or(false)
+}
+
+/// The beginning of a text in quotation marks.
+fn quoted(text: &str) -> String {
+    let shown: String = text.chars().take(40).collect();
+    if shown.len() < text.len() { format!("'{shown}…'") } else { format!("'{shown}'") }
+}
+
 /// A value in words for a message.
 fn description(value: &JsValue) -> String {
     if let Some(number) = value.as_f64() {
         return shown(number);
     }
     if let Some(text) = value.as_string() {
-        let shown: String = text.chars().take(40).collect();
-        return if shown.len() < text.len() {
-            format!("'{shown}…'")
-        } else {
-            format!("'{shown}'")
-        };
+        return quoted(&text);
     }
-    if Array::is_array(value) {
-        return format!("an array of {}", value.unchecked_ref::<Array>().length());
+    if is_array(value) {
+        let length = Reflect::get(value, &"length".into()).ok().and_then(|length| length.as_f64());
+        return format!("an array of {}", shown(length.unwrap_or_default()));
     }
     match value.as_bool() {
         Some(truth) => truth.to_string(),

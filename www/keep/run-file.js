@@ -36,10 +36,13 @@ export function runFile(state, engine) {
 export async function openRunFile(text, engine) {
   const content = parse(text);
   if (content.format !== format) throw new Error(words.foreignFile);
+  if (typeof content.version !== 'number') throw new Error(words.damagedFile('version'));
   if (content.version !== version) throw new Error(words.otherVersion(content.version, version));
-  const { link, hash, generations } = content;
+  const { link, hash, generations, statistics } = content;
   if (typeof link !== 'string' || typeof hash !== 'string') throw new Error(words.damagedFile('link, hash'));
-  if (!Number.isInteger(generations) || generations < 0 || generations > 100_000)
+  // To make a run again takes time: only as many generations as the file holds.
+  const held = Array.isArray(statistics) ? statistics.length - 1 : -1;
+  if (!Number.isInteger(generations) || generations < 0 || generations > 100_000 || generations !== held)
     throw new Error(words.damagedFile('generations'));
   const { opened, problems } = openLink(link, engine);
   if (problems.length > 0) throw new Error(words.damagedLink(problems));

@@ -15,7 +15,7 @@ export const otherVersion = (found, own) =>
   `the link was written by version ${found}, this page reads version ${own}.`;
 
 export const unknownField = 'this page knows no such setting.';
-export const noGains = 'hand needs gains=kx,ky,kθ beside it.';
+export const noGains = 'it needs gains=kx,ky,kθ beside it.';
 export const aPin = 'name~kx,ky,kθ, and after further ~ what its experiment has different';
 
 /** @param {number} most */

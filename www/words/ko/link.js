@@ -14,7 +14,7 @@ export const expected = (expected, found) => `필요한 형식은 ${expected}, �
 export const otherVersion = (found, own) => `링크의 버전은 ${found}, 이 페이지가 읽는 버전은 ${own}입니다.`;
 
 export const unknownField = '이 페이지에 없는 설정입니다.';
-export const noGains = 'hand에는 gains=kx,ky,kθ 항목이 함께 있어야 합니다.';
+export const noGains = 'gains=kx,ky,kθ 항목이 함께 있어야 합니다.';
 export const aPin = '이름~kx,ky,kθ와, ~ 뒤에 이어지는 다른 실험 설정';
 
 /** @param {number} most */
