@@ -64,7 +64,9 @@ async function together(lanes) {
 }
 
 /** @param {string[]} target */
-const clippy = (...target) => run('cargo', ['clippy', ...target, '--', '-D', 'warnings']);
+function clippy(...target) {
+  return run('cargo', ['clippy', ...target, '--', '-D', 'warnings']);
+}
 
 /** What needs nothing but cargo and the npm packages. */
 async function testSources() {
