@@ -20,11 +20,18 @@ export async function buildCore() {
   const ours = existsSync(wasm) && lastChange(wasm) <= lastChange(stamp);
   if (built && ours) return;
   rmSync(stamp, { force: true });
-  const compile = () =>
-    run('wasm-pack', ['build', '--target', 'web', '--no-opt', '.', '--', '--config', withoutHome]);
   await step('compiling the core to WebAssembly', compile, '1 minute at first, then 10 s');
   await step('optimising the WebAssembly', () => optimise(wasm));
   writeFileSync(stamp, sourceTime);
+}
+
+/** What wasm-pack does, which thus need not be there. */
+async function compile() {
+  const target = 'wasm32-unknown-unknown';
+  await run('cargo', ['build', '--lib', '--release', '--target', target, '--config', withoutHome]);
+  const folder = process.env.CARGO_TARGET_DIR ?? 'target';
+  const module = join(folder, target, 'release', 'ep_locomotion.wasm');
+  await run('wasm-bindgen', [module, '--target', 'web', '--out-dir', 'pkg']);
 }
 
 /** Panic messages name the source files of libraries: without the folder in which this machine keeps them. */

@@ -10,7 +10,7 @@ import { findEngines } from '../tests/page/engines.js';
 import { buildCore, buildSite } from './build.mjs';
 import { absentPython, findPython, finishExamples, prepareExamples } from './examples.mjs';
 import { Failure, run, runPackage, step, stopSteps, task } from './run.mjs';
-import { installPackages, installTools } from './tools.mjs';
+import { installPackages, installTestTools, installTools } from './tools.mjs';
 
 const count = { passed: 0, failed: 0 };
 
@@ -32,9 +32,10 @@ await task(async () => {
   const undriven = found.some(({ name, driver }) => name === 'firefox' && driver === null);
   const pageOnly = positionals.length > 0;
   await installPackages();
-  const tools = installTools({ geckodriver: undriven });
+  const tools = installTools({ others: true });
+  const testTools = tools.then(() => installTestTools({ geckodriver: undriven }));
   const sources = pageOnly ? tools : testSources();
-  const modules = Promise.all([tools, sources]).then(() => (pageOnly ? undefined : testModule()));
+  const modules = Promise.all([testTools, sources]).then(() => (pageOnly ? undefined : testModule()));
   const examples = python === null ? tools : prepareExamples(python);
   const page = tools.then(async () => {
     await buildCore();
@@ -43,10 +44,10 @@ await task(async () => {
     await examples;
     if (python !== null) await finishExamples();
     // What is wrong in the sources is known soon, the page's tests take the longest.
-    await sources;
+    await Promise.all([sources, testTools]);
     await testPage(found.map(({ name }) => name));
   });
-  await together([sources, modules, examples, page]);
+  await together([sources, testTools, modules, examples, page]);
   console.log(`\nEngines that ran: ${found.map(({ name }) => name).join(', ') || 'none'}${advice}`);
 }).finally(() => console.log(`\n${count.passed} passed, ${count.failed} failed`));
 

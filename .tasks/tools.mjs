@@ -16,18 +16,28 @@ export async function installPackages() {
 
 /**
  * Everything that builds the page.
- * @param {{ geckodriver?: boolean }} [also] the WebDriver of Firefox, which only the page tests need
+ * @param {{ others?: boolean }} [soon] other tools follow, which share compiled dependencies with these
  */
-export async function installTools({ geckodriver = false } = {}) {
+export async function installTools({ others = false } = {}) {
   await installPackages();
   await installWasmBindgen();
-  await installWasmPack();
-  if (geckodriver) await installGeckodriver();
-  // The tools share compiled dependencies while they are built; afterwards those are only a load on the disk.
-  rmSync(build, { recursive: true, force: true });
+  if (!others) removeLeftovers();
 }
 
-/** Lets child processes find the tools, wasm-pack's own children included. */
+/**
+ * What only tests need.
+ * @param {{ geckodriver: boolean }} also the WebDriver of Firefox
+ */
+export async function installTestTools({ geckodriver }) {
+  await installWasmPack();
+  if (geckodriver) await installGeckodriver();
+  removeLeftovers();
+}
+
+/** What the tools were built from is only a load on the disk afterwards. */
+const removeLeftovers = () => rmSync(build, { recursive: true, force: true });
+
+/** Lets child processes find the tools, their own children included. */
 function preparePath() {
   if (!process.env.PATH?.startsWith(bin)) process.env.PATH = bin + delimiter + process.env.PATH;
   if (process.env.RUSTFLAGS === undefined) return;
@@ -84,7 +94,7 @@ async function installWasmBindgen() {
 async function installWasmPack() {
   const [, major, minor] = /(\d+)\.(\d+)\.\d+$/.exec(ask('wasm-pack', ['--version']) ?? '') ?? [];
   if (Number(major) > 0 || Number(minor) >= 15) return;
-  await cargoInstall('wasm-pack', ['--version', '0.15.1'], 'it builds and tests the core as WebAssembly');
+  await cargoInstall('wasm-pack', ['--version', '0.15.1'], 'it tests the core as WebAssembly');
 }
 
 async function installGeckodriver() {

@@ -109,14 +109,16 @@ export class Page {
     let left = null;
     do {
       // The page looks by itself, for each question from here costs both of them time.
-      /** @type {{ result?: unknown, error?: string }} */
-      const { result, error } = await this.driver
+      /** @type {{ result?: unknown, error?: string } | null} */
+      const answer = await this.driver
         .executeScript(`return (${look})(${longestAnswer}, ${condition}, arguments)`, ...args)
         .catch(async (reason) => {
           left = reason;
           await delay(20);
-          return {};
+          return null;
         });
+      // Firefox answers null for a page that is left meanwhile.
+      const { result, error } = answer ?? {};
       if (error) throw new Error(`while waiting until ${what}: ${error}`);
       if (result) return /** @type {Exclude<T, false | null | undefined | '' | 0>} */ (result);
     } while (performance.now() < end);
