@@ -255,7 +255,6 @@ function drawMarks(context, { frame, x, y }, { spec, population, path, points, c
   context.lineWidth = 2;
   if (population.length > 0) disc(context, place(population[0].gains), 6);
 
-  for (const { gains, name, mark } of points) drawPoint(context, place(gains), name, mark, frame.right);
   if (cursor) {
     context.strokeStyle = light;
     context.lineWidth = 1;
@@ -267,6 +266,13 @@ function drawMarks(context, { frame, x, y }, { spec, population, path, points, c
     context.stroke();
   }
   context.restore();
+
+  // Whole also at the edge, where a gain is 0.
+  context.save();
+  context.lineJoin = 'round';
+  for (const { gains, name, mark } of points)
+    if (x.holds(gains[across]) && y.holds(gains[up])) drawPoint(context, place(gains), name, mark, frame);
+  context.restore();
 }
 
 /** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {number} radius */
@@ -277,8 +283,8 @@ function disc(context, [px, py], radius) {
   context.stroke();
 }
 
-/** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {string} name @param {Point['mark']} mark @param {number} right */
-function drawPoint(context, [px, py], name, mark, right) {
+/** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {string} name @param {Point['mark']} mark @param {Axes['frame']} frame */
+function drawPoint(context, [px, py], name, mark, frame) {
   // The names of the pins are in the legend, beside the same marks.
   if (typeof mark === 'number') return drawMark(context, mark, px, py, { fill: light, edge: dark });
   context.beginPath();
@@ -310,14 +316,16 @@ function drawPoint(context, [px, py], name, mark, right) {
     context.stroke();
   }
   context.font = strongFont;
-  const onLeft = px + 14 + context.measureText(name).width > right;
+  const onLeft = px + 14 + context.measureText(name).width > frame.right;
+  const nameX = px + (onLeft ? -12 : 12);
+  const nameY = Math.min(Math.max(py, frame.top + 10), frame.bottom - 10);
   context.textAlign = onLeft ? 'right' : 'left';
   context.textBaseline = 'middle';
   context.lineWidth = 4;
   context.strokeStyle = dark;
   context.fillStyle = light;
-  context.strokeText(name, px + (onLeft ? -12 : 12), py);
-  context.fillText(name, px + (onLeft ? -12 : 12), py);
+  context.strokeText(name, nameX, nameY);
+  context.fillText(name, nameX, nameY);
 }
 
 /** How many lie outside. @param {Axes} axes @param {Spec} spec @param {Individual[]} population */
