@@ -158,6 +158,12 @@ fn a_wrong_landscape_is_refused_by_name() {
         "the number of gain triples must be at most 400 with 10 starts and 100000 samples a run, \
          but was 401"
     );
+    let wide = Landscape { x: Axis { count: 401, ..good.x }, ..good };
+    assert_eq!(
+        wide.costs(&long, [1, 2]).expect_err("refused").to_string(),
+        "the number of cells must be at most 400 with 10 starts and 100000 samples a run, \
+         but was 401"
+    );
 }
 
 const GRID: StartGrid = StartGrid {
