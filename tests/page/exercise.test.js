@@ -88,7 +88,9 @@ test('what is locked or hidden does nothing, whichever control asks for it; what
 
 /** What a student sees and hears of some controls. @param {Page} page @param {...string} selectors */
 const waysOf = (page, ...selectors) =>
-  page.evaluate((wanted) => {
+  page.evaluate(async (wanted) => {
+    // What was pressed last may still have to be drawn.
+    for (let frame = 0; frame < 2; frame += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
     const reason = document.getElementById('exercise-locks')?.textContent ?? '';
     return wanted.map((selector) => {
       const element = /** @type {HTMLElement} */ (document.querySelector(selector));
