@@ -10,18 +10,18 @@ const { document, Element } = parseHTML('<html></html>');
 Object.assign(globalThis, { document, Element, location: { hash: `#lab&lang=${language}`, search: '' } });
 globalThis.navigator ??= /** @type {Navigator} */ ({});
 
-const { createSpec, firstDisturbance } = await import('../www/disturbance/request.js');
-const { create } = await import('../www/elements.js');
-const { counts, endsOfAxis, gainsAt, linearRange } = await import('../www/landscape/request.js');
+const { createSpec, firstDisturbance } = await import('../www/parts/disturbance/request.js');
+const { create } = await import('../www/kit/elements.js');
+const { counts, endsOfAxis, gainsAt, linearRange } = await import('../www/parts/landscape/request.js');
 const { createFormula } = await import('../www/lesson/formula.js');
 const { list, paragraphs } = await import('../www/lesson/prose.js');
 const { steps } = await import('../www/lesson/steps.js');
-const { undisturbed } = await import('../www/state.js');
+const { undisturbed } = await import('../www/run/state.js');
 const { instead, lesson: words } = await import('../www/words/index.js');
 const { costText } = await import('../www/words/numbers.js');
-const { landscape, remainingErrors } = await import('../tests/page/core.js');
-const { samples } = await import('../tests/page/lesson-links.js');
-const { liveOf } = await import('../tests/page/lesson-live.js');
+const { landscape, remainingErrors } = await import('../tests/page/harness/core.js');
+const { samples } = await import('../tests/page/lesson/links.js');
+const { liveOf } = await import('../tests/page/lesson/live.js');
 const { costs, generations, robots } = await import('./picture.mjs');
 
 /** @typedef {import('../www/lesson/page.js').Live} Live */

@@ -59,7 +59,7 @@ const features = [
 /** The static site, which works from any folder of any host; the page as one file, which needs no host; the element for other pages. */
 export const buildSite = () =>
   step('building the site', async () => {
-    const build = ['build', '--config', 'www/vite.config.js', '--logLevel', 'warn'];
+    const build = ['build', '--config', '.tasks/vite.config.js', '--logLevel', 'warn'];
     await runPackage('vite/bin/vite.js', build);
     await runPackage('vite/bin/vite.js', [...build, '--mode', 'offline']);
     await runPackage('vite/bin/vite.js', [...build, '--mode', 'element']);

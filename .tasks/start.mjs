@@ -15,7 +15,7 @@ await task(async () => {
   await installTools();
   await buildCore();
   const { createServer } = await import('vite');
-  const server = await createServer({ configFile: join(top, 'www', 'vite.config.js'), server: { port } });
+  const server = await createServer({ configFile: join(top, '.tasks', 'vite.config.js'), server: { port } });
   await server.listen();
   console.log(`\nThe page is at ${server.resolvedUrls?.local[0]}\nPress Ctrl+C to stop.`);
   rebuildOnChange();

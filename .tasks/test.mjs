@@ -6,7 +6,7 @@
 //   ENGINES=firefox npm test       only these browsers
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
-import { findEngines } from '../tests/page/engines.js';
+import { findEngines } from '../tests/page/harness/engines.js';
 import { buildCore, buildSite } from './build.mjs';
 import { absentPython, findPython, finishExamples, prepareExamples } from './examples.mjs';
 import { Failure, run, runPackage, step, stopSteps, task } from './run.mjs';
@@ -95,7 +95,7 @@ function testTypes() {
 
 /** The engines side by side, for each spends much of its time waiting; beside them, once, what needs no browser. @param {string[]} engines */
 function testPage(engines) {
-  const args = ['--test-reporter=spec', join('tests', 'page', 'every.js')];
+  const args = ['--test-reporter=spec', join('tests', 'page', 'harness', 'every.js')];
   return step('tests of the built page in real browsers', async () => {
     const runs = [
       counted(process.execPath, args, { PAGE_TESTS: 'without browsers' }),

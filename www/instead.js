@@ -1,7 +1,7 @@
 // What stands in the place of the robots until they drive, and stays where they cannot: why, a picture, the lesson to read.
-import { byId, create } from './elements.js';
-import { isLost, messageOf } from './messages.js';
-import { showMessage } from './views.js';
+import { byId, create } from './kit/elements.js';
+import { isLost, messageOf } from './words/errors.js';
+import { showMessage } from './lab/views.js';
 import { instead as words } from './words/index.js';
 import { language } from './words/language.js';
 

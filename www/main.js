@@ -1,46 +1,46 @@
 // Wires the page: experiment → engine → views. The views get numbers and draw them.
-import { createActions, firstState } from './actions.js';
-import { createAddress } from './address.js';
-import { createAccumulator, createFrameLoop } from './clocks.js';
-import { createChecks } from './checks/dialog.js';
-import { createEngine } from './engine.js';
-import { createCurvesPage } from './curves/page.js';
-import { createDisturbancePage } from './disturbance/page.js';
-import { isEmbedded } from './embed/embedded.js';
+import { createActions, firstState } from './run/actions.js';
+import { createAddress } from './link/address.js';
+import { createAccumulator, createFrameLoop } from './lab/bars.js';
+import { createChecks } from './share/checks/dialog.js';
+import { createEngine } from './core/engine.js';
+import { createCurvesPage } from './parts/curves/page.js';
+import { createDisturbancePage } from './parts/disturbance/page.js';
+import { isEmbedded } from './kit/host.js';
 import { createEmbed } from './embed/page.js';
-import { guarded } from './exercise/guard.js';
-import { createMaker } from './exercise/maker.js';
-import { createExercise } from './exercise/page.js';
-import { createGenerationPage } from './generation/page.js';
-import { createAnatomy, createChosenDrives } from './generation/record.js';
-import { createSteps } from './generation/steps.js';
+import { guarded } from './run/guard.js';
+import { createMaker } from './share/exercise/maker.js';
+import { createExercise } from './share/exercise/page.js';
+import { createGenerationPage } from './parts/generation/page.js';
+import { createAnatomy, createChosenDrives } from './parts/generation/record.js';
+import { createSteps } from './parts/generation/steps.js';
 import { clearInstead, showInstead, watchCore } from './instead.js';
-import { createKeep } from './keep/dialog.js';
-import { createKeys } from './keys.js';
-import { createLandscapePage } from './landscape/page.js';
+import { createKeep } from './share/dialog.js';
+import { createKeys } from './share/keys.js';
+import { createLandscapePage } from './parts/landscape/page.js';
 import { createLesson } from './lesson/page.js';
 import { linkOfStep } from './lesson/steps.js';
-import { createLuckPage } from './luck/page.js';
-import { createRobustnessPage } from './robustness/page.js';
-import { advanceRobot, createScene, createStore, endsOf, gainsOf, pausesAt, remember } from './state.js';
-import { createPinButton } from './pins/button.js';
+import { createLuckPage } from './parts/luck/page.js';
+import { createRobustnessPage } from './parts/robustness/page.js';
+import { advanceRobot, createScene, createStore, endsOf, gainsOf, pausesAt, remember } from './run/state.js';
+import { createPinButton } from './lab/pin-button.js';
 import { createSettingsPanel } from './settings/panel.js';
-import { createTables } from './tables.js';
+import { createTables } from './lab/tables.js';
 import { curves as curveWords, lab as strings } from './words/index.js';
-import { createTrainingPage } from './training/page.js';
-import { createView } from './view.js';
-import { byId } from './elements.js';
-import { createViews, fillTexts, showMessage } from './views.js';
+import { createTrainingPage } from './parts/training/page.js';
+import { createView } from './kit/transform.js';
+import { byId } from './kit/elements.js';
+import { createViews, fillTexts, showMessage } from './lab/views.js';
 
-/** @typedef {import('./actions.js').Actions} Actions */
-/** @typedef {import('./engine.js').Engine} Engine */
-/** @typedef {import('./engine.js').Experiment} Experiment */
-/** @typedef {import('./engine.js').PaperResult} PaperResult */
-/** @typedef {import('./engine.js').Preset} Preset */
-/** @typedef {import('./state.js').Scene} Scene */
-/** @typedef {import('./state.js').State} State */
-/** @typedef {import('./state.js').Store} Store */
-/** @typedef {import('./views.js').Views} Views */
+/** @typedef {import('./run/actions.js').Actions} Actions */
+/** @typedef {import('./core/engine.js').Engine} Engine */
+/** @typedef {import('./core/engine.js').Experiment} Experiment */
+/** @typedef {import('./core/engine.js').PaperResult} PaperResult */
+/** @typedef {import('./core/engine.js').Preset} Preset */
+/** @typedef {import('./run/state.js').Scene} Scene */
+/** @typedef {import('./run/state.js').State} State */
+/** @typedef {import('./run/state.js').Store} Store */
+/** @typedef {import('./lab/views.js').Views} Views */
 
 const sliderRange = {
   'velocity-limits': /** @type {const} */ ([-2, 12]),

@@ -18,7 +18,7 @@ import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
 import { frameName, leastHeight, version } from './frame.js';
 
-/** @typedef {import('../engine.js').Experiment} Experiment */
+/** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('./messages.js').Report} Report */
 /** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting */
 /** @typedef {{ message: object, resolve: (report: Report) => void, reject: (reason: Error) => void }} Question */

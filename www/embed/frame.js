@@ -1,6 +1,6 @@
 // The text that puts a figure into another page, and the height that a figure asks for.
 
-/** @typedef {import('../state.js').PageName} PageName */
+/** @typedef {import('../run/state.js').PageName} PageName */
 
 /** Of the messages between a figure and its host, which messages.js describes. */
 export const version = 1;

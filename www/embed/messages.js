@@ -14,21 +14,21 @@
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height.
 // What a link locks is locked for who sits before the figure, not for the page around it: an experiment that it sets leaves
 // the locks as they are, and a link that it opens brings its own, or none.
-import { linkOf, openLink } from '../link.js';
-import { messageOf } from '../messages.js';
-import { atEnd, gainsOf, noTrial } from '../state.js';
+import { linkOf, openLink } from '../link/link.js';
+import { messageOf } from '../words/errors.js';
+import { atEnd, gainsOf, noTrial } from '../run/state.js';
 import { embed as words } from '../words/index.js';
 import { version } from './frame.js';
 
-/** @typedef {import('../actions.js').Actions} Actions */
-/** @typedef {import('../engine.js').Engine} Engine */
-/** @typedef {import('../engine.js').Experiment} Experiment */
-/** @typedef {import('../engine.js').PaperResult} PaperResult */
-/** @typedef {import('../engine.js').Run} Run */
-/** @typedef {import('../engine.js').Statistics} Statistics */
-/** @typedef {import('../state.js').State} State */
-/** @typedef {import('../state.js').Store} Store */
-/** @typedef {import('../state.js').Triple} Triple */
+/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../core/engine.js').Engine} Engine */
+/** @typedef {import('../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../core/engine.js').PaperResult} PaperResult */
+/** @typedef {import('../core/engine.js').Run} Run */
+/** @typedef {import('../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../run/state.js').State} State */
+/** @typedef {import('../run/state.js').Store} Store */
+/** @typedef {import('../run/state.js').Triple} Triple */
 /**
  * What a figure answers.
  * @typedef {object} Report

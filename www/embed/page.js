@@ -1,14 +1,14 @@
 // The page as a figure in a frame of another page: its foot, the height it asks for, and what it says to its host.
-import { byId, create } from '../elements.js';
-import { noExercise } from '../exercise/exercise.js';
-import { linkOf } from '../link.js';
-import { watch } from '../state.js';
+import { byId, create } from '../kit/elements.js';
+import { noExercise } from '../run/exercise.js';
+import { linkOf } from '../link/link.js';
+import { watch } from '../run/state.js';
 import { embed as words, texts } from '../words/index.js';
-import { addressOf } from './embedded.js';
+import { addressOf } from '../kit/host.js';
 import { version, wantedHeight } from './frame.js';
 import { createMessages } from './messages.js';
 
-/** @typedef {import('../state.js').State} State */
+/** @typedef {import('../run/state.js').State} State */
 /** @typedef {Parameters<typeof createMessages>[0]} Parts */
 
 /** @param {Parts} parts */

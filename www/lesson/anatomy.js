@@ -1,12 +1,12 @@
 // The generation that is shown, taken apart for the lesson, and the pair that is in question there.
-import { chosenOf, dissect, isInitial } from '../generation/record.js';
-import { remember } from '../state.js';
+import { chosenOf, dissect, isInitial } from '../parts/generation/record.js';
+import { remember } from '../run/state.js';
 
-/** @typedef {import('../engine.js').Engine} Engine */
-/** @typedef {import('../engine.js').GenerationRecord} GenerationRecord */
-/** @typedef {import('../engine.js').Individual} Individual */
-/** @typedef {import('../engine.js').Statistics} Statistics */
-/** @typedef {import('../generation/record.js').Anatomy} Anatomy */
+/** @typedef {import('../core/engine.js').Engine} Engine */
+/** @typedef {import('../core/engine.js').GenerationRecord} GenerationRecord */
+/** @typedef {import('../core/engine.js').Individual} Individual */
+/** @typedef {import('../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../parts/generation/record.js').Anatomy} Anatomy */
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {{ parent: Individual, child: Individual, draws: GenerationRecord['mutations'][number] }} Birth */
 

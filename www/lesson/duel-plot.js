@@ -1,8 +1,8 @@
 // The duel as lines: the best J so far against the number of drives.
 import uPlot from 'uplot';
-import { drawPath } from '../pins/swatch.js';
-import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../plot.js';
-import { watch } from '../state.js';
+import { drawPath } from '../kit/swatch.js';
+import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../kit/plot.js';
+import { watch } from '../run/state.js';
 import { generationsIn, longestOf, lowestOf } from './duel.js';
 
 /** @typedef {import('./duel.js').Duel} Duel */
@@ -10,7 +10,7 @@ import { generationsIn, longestOf, lowestOf } from './duel.js';
 
 const gutter = 112;
 const marksOnLine = 4;
-/** Told apart by dash and mark, also from afar and without colours. @type {Record<'you' | 'evolution' | 'random', import('../pins/swatch.js').Look>} */
+/** Told apart by dash and mark, also from afar and without colours. @type {Record<'you' | 'evolution' | 'random', import('../kit/swatch.js').Look>} */
 export const looks = {
   you: { token: '--ink', dash: [], mark: 'M-5 0A5 5 0 1 0 5 0A5 5 0 1 0-5 0z' },
   evolution: { token: '--ink', dash: [8, 4], mark: 'M0-7 5.5 0 0 7-5.5 0z' },

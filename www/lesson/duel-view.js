@@ -1,14 +1,14 @@
 // The duel on the page: first your own drives until they are locked in, then how the three compare.
-import { create } from '../elements.js';
-import { messageOf } from '../messages.js';
-import { noTrial, watch } from '../state.js';
+import { create } from '../kit/elements.js';
+import { messageOf } from '../words/errors.js';
+import { noTrial, watch } from '../run/state.js';
 import { isDuelOf, judge, lockedIn, longestOf, lowestOf, nextSeed, roundOf, scoreOf } from './duel.js';
-import { swatchOf } from '../pins/swatch.js';
+import { swatchOf } from '../kit/swatch.js';
 import { createDuelPlot, looks } from './duel-plot.js';
 import { paragraphs } from './prose.js';
 import { noTally, tallyOf } from './tally.js';
 
-/** @typedef {import('../state.js').Store} Store */
+/** @typedef {import('../run/state.js').Store} Store */
 /** @typedef {import('./duel.js').Duel} Duel */
 /** @typedef {import('./page.js').Block} Block */
 /** @typedef {import('./page.js').Live} Live */
@@ -208,7 +208,7 @@ function rowsOf({ costs, drives, given, winner }, words) {
     });
 }
 
-/** Asks the workers for evolution and random search. @param {Store} store @param {import('../engine.js').Engine} engine */
+/** Asks the workers for evolution and random search. @param {Store} store @param {import('../core/engine.js').Engine} engine */
 function createRounds(store, engine) {
   /** @type {Duel | null} */
   let asked = null;

@@ -2,8 +2,8 @@
 
 import { taskText } from './tally.js';
 
-/** @typedef {import('../engine.js').Engine} Engine */
-/** @typedef {import('../engine.js').Experiment} Experiment */
+/** @typedef {import('../core/engine.js').Engine} Engine */
+/** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('./tally.js').Tally} Tally */
 /**
  * The best J of each generation, and what random search had found by then.

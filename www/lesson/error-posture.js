@@ -1,6 +1,6 @@
 // The error posture on the plane: x_e and y_e as lengths along and across the goal's heading, θ_e as an angle at the robot.
-import { createView } from '../view.js';
-import { watch } from '../state.js';
+import { createView } from '../kit/transform.js';
+import { watch } from '../run/state.js';
 import { symbolInText } from './symbols.js';
 
 /** @typedef {import('./page.js').Live} Live */

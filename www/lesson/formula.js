@@ -1,5 +1,5 @@
 // Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
-import { create } from '../elements.js';
+import { create } from '../kit/elements.js';
 import { lesson as words } from '../words/index.js';
 import { isSymbol, mathml, symbol } from './symbols.js';
 

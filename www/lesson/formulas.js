@@ -100,7 +100,7 @@ export const lawFormula = {
   numbers: ({ decided, gains }) => lawNumbers({ sample: decided, gains }),
 };
 
-/** A part of J, in its colour of the bar. @param {Exclude<keyof import('../engine.js').Cost, 'total'>} name @param {import('./notation.js').Part[]} parts */
+/** A part of J, in its colour of the bar. @param {Exclude<keyof import('../core/engine.js').Cost, 'total'>} name @param {import('./notation.js').Part[]} parts */
 const costPart = (name, ...parts) => {
   const group = term(name, ...parts);
   group.setAttribute('class', `part-${name}`);

@@ -1,10 +1,10 @@
 // The last centimetres: where a disturbed robot stays, and the strips in which Theorem 2 lets it.
-import { create } from '../elements.js';
-import { watch } from '../state.js';
+import { create } from '../kit/elements.js';
+import { watch } from '../run/state.js';
 
 /** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('../engine.js').Posture} Posture */
-/** @typedef {import('../engine.js').Run} Run */
+/** @typedef {import('../core/engine.js').Posture} Posture */
+/** @typedef {import('../core/engine.js').Run} Run */
 /** @typedef {{ near: { again: string, caption: (across: number, time: number, distance: number) => string, label: (across: number, distance: number) => string } }} NearWords */
 
 /** Metres from the goal to the edge, doubled until the robot's end is well inside. */

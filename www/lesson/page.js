@@ -1,6 +1,6 @@
 // The lesson: the words of one step beside the lab's own views.
-import { byId, create } from '../elements.js';
-import { gainsOf, watch } from '../state.js';
+import { byId, create } from '../kit/elements.js';
+import { gainsOf, watch } from '../run/state.js';
 import { lesson as words } from '../words/index.js';
 import { createErrorPosture } from './error-posture.js';
 import { createFormula } from './formula.js';
@@ -11,13 +11,13 @@ import { createSights } from './sights.js';
 import { hrefOf, steps } from './steps.js';
 import { createTally } from './tally.js';
 
-/** @typedef {import('../engine.js').Engine} Engine */
-/** @typedef {import('../engine.js').PaperResult} PaperResult */
-/** @typedef {import('../engine.js').Sample} Sample */
-/** @typedef {import('../state.js').Scene} Scene */
-/** @typedef {import('../state.js').State} State */
-/** @typedef {import('../state.js').Store} Store */
-/** @typedef {import('../state.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Engine} Engine */
+/** @typedef {import('../core/engine.js').PaperResult} PaperResult */
+/** @typedef {import('../core/engine.js').Sample} Sample */
+/** @typedef {import('../run/state.js').Scene} Scene */
+/** @typedef {import('../run/state.js').State} State */
+/** @typedef {import('../run/state.js').Store} Store */
+/** @typedef {import('../run/state.js').Triple} Triple */
 /** @typedef {import('./quiz.js').Quiz} Quiz */
 /** @typedef {import('./quiz.js').Outcome} Outcome */
 /** @typedef {import('./steps.js').Step} Step */
@@ -26,7 +26,7 @@ import { createTally } from './tally.js';
 /** What a step holds, drawn at every change. @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
 /** A prediction, and what came out once it is known. @typedef {{ choice: number, outcome: Outcome | null }} Answer */
 /** What is kept in this tab, and leaves with it. @typedef {{ answers: Record<string, Answer>, tally: import('./tally.js').Tally, duel: import('./duel.js').Duel | null }} Progress */
-/** @typedef {{ go: (link: string) => void, store: Store, actions: import('../actions.js').Actions, engine: Engine }} Tools */
+/** @typedef {{ go: (link: string) => void, store: Store, actions: import('../run/actions.js').Actions, engine: Engine }} Tools */
 
 /** @param {Tools & { paper: PaperResult[] }} parts */
 export function createLesson({ engine, store, actions, paper, go }) {

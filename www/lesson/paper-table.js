@@ -1,8 +1,8 @@
 // What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
-import { create } from '../elements.js';
+import { create } from '../kit/elements.js';
 import { costText, degrees, fixed, postureText } from '../words/numbers.js';
 
-/** @typedef {import('../engine.js').Experiment} Experiment */
+/** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {import('./page.js').Block} Block */
 /** @typedef {import('./page.js').Tools} Tools */
@@ -29,9 +29,9 @@ const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) =
 export function createPaperTable({ engine }, words) {
   const element = create('div', 'paper-table');
   element.id = 'paper-table';
-  /** What evolution finds with the first seed, in each preset. @type {Map<string, import('../engine.js').Individual> | 'asked' | null} */
+  /** What evolution finds with the first seed, in each preset. @type {Map<string, import('../core/engine.js').Individual> | 'asked' | null} */
   let found = null;
-  const draw = (/** @type {import('../engine.js').PaperResult[]} */ paper) => {
+  const draw = (/** @type {import('../core/engine.js').PaperResult[]} */ paper) => {
     const rows = paper.map(({ preset, figure, method, gains, cost }) => {
       const [run] = engine.drive(engine.experiment(preset), [gains]);
       return [words.row(figure, method), gainsText(gains), String(cost), costText(run.cost.total)];

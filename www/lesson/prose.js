@@ -1,5 +1,5 @@
 // The text of the lesson: paragraphs with *what matters*, {symbols}, {=values of the running program} and [words](that open a part).
-import { create } from '../elements.js';
+import { create } from '../kit/elements.js';
 import { isSymbol, symbolInText } from './symbols.js';
 
 const marks = /\*([^*]+)\*|\{(=?)(\w+)\}|\[([^\]]+)\]\(([^)]+)\)/g;

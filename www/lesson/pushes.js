@@ -1,13 +1,13 @@
 // The terms of the law (5) at the robots' clock: what each adds to v and to ω, what is asked for in all, and what the limits leave.
-import { create } from '../elements.js';
-import { watch } from '../state.js';
+import { create } from '../kit/elements.js';
+import { watch } from '../run/state.js';
 import { signed } from '../words/numbers.js';
 import { lawTerms } from './formulas.js';
 import { row } from './notation.js';
 import { mathml, symbol, symbolInText } from './symbols.js';
 
-/** @typedef {import('../engine.js').Sample} Sample */
-/** @typedef {import('../state.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Sample} Sample */
+/** @typedef {import('../run/state.js').Triple} Triple */
 /** @typedef {import('./notation.js').Part} Part */
 /** @typedef {{ speed: string, turnRate: string, moving: string, asked: string, left: string, otherLaw: string, tableLabel: string }} PushWords */
 

@@ -1,5 +1,5 @@
 // A question: predict first, then see. The right answer comes from the running program, after the press.
-import { create } from '../elements.js';
+import { create } from '../kit/elements.js';
 import { lesson as words } from '../words/index.js';
 import { inline } from './prose.js';
 

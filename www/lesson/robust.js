@@ -1,14 +1,14 @@
 // From how many starts gains arrive: those of the map, and those of the training.
-import { gridAround, tally } from '../robustness/grid.js';
-import { fine, isFine } from '../robustness/request.js';
-import { testRobots } from '../training/request.js';
-import { createSets } from '../training/sets.js';
+import { gridAround, tally } from '../parts/robustness/grid.js';
+import { fine, isFine } from '../parts/robustness/request.js';
+import { testRobots } from '../parts/training/request.js';
+import { createSets } from '../parts/training/sets.js';
 
-/** @typedef {import('../engine.js').Engine} Engine */
-/** @typedef {import('../state.js').State} State */
-/** @typedef {import('../state.js').Triple} Triple */
-/** @typedef {import('../training/request.js').Result} Result */
-/** @typedef {import('../training/sets.js').SetName} SetName */
+/** @typedef {import('../core/engine.js').Engine} Engine */
+/** @typedef {import('../run/state.js').State} State */
+/** @typedef {import('../run/state.js').Triple} Triple */
+/** @typedef {import('../parts/training/request.js').Result} Result */
+/** @typedef {import('../parts/training/sets.js').SetName} SetName */
 /** @typedef {{ count: number, starts: number, share: number }} Share How many of so many starts arrive. */
 
 /** The finished maps of this experiment: of who drives, and of who is compared. @param {State} state */

@@ -1,5 +1,5 @@
 // A list for a class: what to show or ask, each with the link that sets it up, and what is to be seen then.
-import { create } from '../elements.js';
+import { create } from '../kit/elements.js';
 import { inline } from './prose.js';
 
 /** @typedef {import('./page.js').Block} Block */

@@ -1,9 +1,9 @@
 // Where words and figure have no room side by side, the figure stays over the words and shows one sight: the robot, what the step is about, or the gains.
-import { isEmbedded } from '../embed/embedded.js';
-import { createSegmented } from '../segmented.js';
+import { isEmbedded } from '../kit/host.js';
+import { createSegmented } from '../kit/segmented.js';
 import { lesson as words, lab } from '../words/index.js';
 
-/** @typedef {import('../state.js').PageName} PageName */
+/** @typedef {import('../run/state.js').PageName} PageName */
 /** @typedef {import('./steps.js').Step} Step */
 /** @typedef {'robot' | 'part' | 'gains'} Sight */
 
@@ -27,7 +27,7 @@ export function createSights(fieldset) {
         const isPart = page !== 'lab' || figure === 'evolve';
         const hasGains = page === 'curves' || !isPart;
         chosen = isPart ? 'part' : figure === 'drive' ? 'gains' : 'robot';
-        /** @type {import('../segmented.js').Choice<Sight>[]} */
+        /** @type {import('../kit/segmented.js').Choice<Sight>[]} */
         const choices = [{ value: 'robot', text: words.sightOfRobot }];
         if (isPart)
           choices.push({

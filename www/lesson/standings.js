@@ -1,11 +1,11 @@
 // Some drives by what they cost under the present weights; the cheapest is marked.
-import { create } from '../elements.js';
-import { gainsOf, watch } from '../state.js';
+import { create } from '../kit/elements.js';
+import { gainsOf, watch } from '../run/state.js';
 import { lab } from '../words/index.js';
 import { costText, threeDigits } from '../words/numbers.js';
 
-/** @typedef {import('../engine.js').Run} Run */
-/** @typedef {import('../engine.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Run} Run */
+/** @typedef {import('../core/engine.js').Triple} Triple */
 /** @typedef {'ep' | 'arbitrary' | 'gentle' | 'hand'} Entrant */
 /** @typedef {{ standings: { caption: string, gentle: string, lowest: string, nobody: string } }} Words */
 

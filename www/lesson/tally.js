@@ -1,11 +1,11 @@
 // How often somebody has driven by hand, and the best that came of it.
-import { remember } from '../state.js';
+import { remember } from '../run/state.js';
 
-/** @typedef {import('../engine.js').Experiment} Experiment */
-/** @typedef {import('../state.js').Scene} Scene */
-/** @typedef {import('../state.js').State} State */
-/** @typedef {import('../state.js').Store} Store */
-/** @typedef {import('../state.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../run/state.js').Scene} Scene */
+/** @typedef {import('../run/state.js').State} State */
+/** @typedef {import('../run/state.js').Store} Store */
+/** @typedef {import('../run/state.js').Triple} Triple */
 /** Drives with different gains, in the experiment with this text, the J of each, and the best that arrived. @typedef {{ experiment: string, drives: number, costs: readonly number[], best: { gains: Triple, cost: number } | null }} Tally */
 
 /** @type {Tally} */

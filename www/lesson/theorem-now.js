@@ -1,11 +1,11 @@
 // Which of the inequalities of Theorem 2 hold at the robot's clock, and what follows.
-import { create } from '../elements.js';
-import { isInside, parts } from '../disturbance/summary.js';
-import { watch } from '../state.js';
+import { create } from '../kit/elements.js';
+import { isInside, parts } from '../parts/disturbance/summary.js';
+import { watch } from '../run/state.js';
 import { disturbance as names } from '../words/index.js';
 
 /** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('../disturbance/summary.js').PartName} PartName */
+/** @typedef {import('../parts/disturbance/summary.js').PartName} PartName */
 /** @typedef {{ holds: { one: (holds: boolean, formula: string, size: string, set: string | null) => string, all: (time: number, count: number) => string } }} HoldsWords */
 
 /** @param {import('./page.js').Tools} _tools @param {HoldsWords} words @returns {import('./page.js').Block} */

@@ -1,7 +1,7 @@
 // The weights of J where the lesson speaks of them: the settings' own rows.
-import { create } from '../elements.js';
-import { remember, watch } from '../state.js';
-import { fieldPath, valueAt } from '../settings/paths.js';
+import { create } from '../kit/elements.js';
+import { remember, watch } from '../run/state.js';
+import { fieldPath, valueAt } from '../run/paths.js';
 import { createNumber } from '../settings/rows.js';
 import { table } from '../settings/table.js';
 

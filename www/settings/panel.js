@@ -1,16 +1,16 @@
 // The panel beside any part of the page in which every setting of the experiment can be changed.
-import { byId } from '../elements.js';
-import { remember, watch } from '../state.js';
+import { byId } from '../kit/elements.js';
+import { remember, watch } from '../run/state.js';
 import { settings as words } from '../words/index.js';
-import { fieldPath, valueAt } from './paths.js';
+import { fieldPath, valueAt } from '../run/paths.js';
 import { createChoice, createNumber, typingMark } from './rows.js';
 import { rows, table } from './table.js';
 
-/** @typedef {import('../actions.js').Actions} Actions */
-/** @typedef {import('../engine.js').Engine} Engine */
-/** @typedef {import('../engine.js').Experiment} Experiment */
-/** @typedef {import('../state.js').State} State */
-/** @typedef {import('../state.js').Store} Store */
+/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../core/engine.js').Engine} Engine */
+/** @typedef {import('../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../run/state.js').State} State */
+/** @typedef {import('../run/state.js').Store} Store */
 /** @typedef {import('./rows.js').RowView} RowView */
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {{ open: boolean, error: { path: string, text: string } | null }} SettingsState */
@@ -82,7 +82,7 @@ function createPresets(engine) {
   };
 }
 
-/** @param {Engine} engine @param {Actions} actions @param {(path: string) => import('./paths.js').Value} somewhere @returns {Map<string, RowView>} */
+/** @param {Engine} engine @param {Actions} actions @param {(path: string) => import('../run/paths.js').Value} somewhere @returns {Map<string, RowView>} */
 function createRows(engine, actions, somewhere) {
   const fields = new Map(engine.fields().map((field) => [field.path, field]));
   return new Map(

@@ -3,10 +3,10 @@ import { numberOf } from '../words/numbers.js';
 import { settings as words } from '../words/index.js';
 import { createQuantity, createSliderScale } from './quantity.js';
 
-/** @typedef {import('../actions.js').Actions} Actions */
-/** @typedef {import('../engine.js').Experiment} Experiment */
-/** @typedef {import('../engine.js').Field} Field */
-/** @typedef {import('./paths.js').Value} Value */
+/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../core/engine.js').Field} Field */
+/** @typedef {import('../run/paths.js').Value} Value */
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {{ experiment: Experiment, value: Value, original: Value, error: string }} RowModel */
 /** @typedef {{ element: HTMLElement, help: string, draw: (model: RowModel) => void }} RowView */

@@ -4,7 +4,7 @@
 /** @typedef {import('./quantity.js').SliderRange} SliderRange */
 /** @typedef {{ letter: string, index?: string, colour?: 'x' | 'y' | 'theta' | 'linear' | 'angular' }} Symbol */
 /** @typedef {{ path: string, symbol?: Symbol, slider?: SliderRange, isIdle?: (experiment: Experiment) => boolean }} Row Idle while it changes nothing. */
-/** @typedef {import('../engine.js').Experiment} Experiment */
+/** @typedef {import('../core/engine.js').Experiment} Experiment */
 
 /** @param {string} path @param {Symbol} [symbol] @param {SliderRange} [slider] @param {Row['isIdle']} [isIdle] @returns {Row} */
 const row = (path, symbol, slider, isIdle) => ({ path, symbol, slider, isIdle });

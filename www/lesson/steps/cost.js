@@ -1,12 +1,12 @@
 // Step 6: what is "good"? J, its parts and its weights.
-import { remember } from '../../state.js';
+import { remember } from '../../run/state.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { costFormula } from '../formulas.js';
 import { entrantsOf, createStandings, gentle, winnerOf } from '../standings.js';
 import { createWeights } from '../weights.js';
 
-/** @typedef {import('../../engine.js').Engine} Engine */
-/** @typedef {import('../../engine.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Engine} Engine */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {import('../page.js').Live} Live */
 
 const byHand = 'lab&drives=hand&gains=3,1,5';

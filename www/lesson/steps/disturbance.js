@@ -1,17 +1,17 @@
 // Step 12: a ground that pushes, and what Theorem 2 says of it.
-import { gainsOf, withDisturbance } from '../../state.js';
+import { gainsOf, withDisturbance } from '../../run/state.js';
 import { fixed, threeDigits } from '../../words/numbers.js';
 import { robustFormula } from '../formulas.js';
 import { createNearGoal } from '../near-goal.js';
 import { createTheoremNow } from '../theorem-now.js';
 
-/** @typedef {import('../../engine.js').Engine} Engine */
-/** @typedef {import('../../engine.js').Experiment} Experiment */
-/** @typedef {import('../../engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../engine.js').Posture} Posture */
-/** @typedef {import('../../engine.js').Run} Run */
-/** @typedef {import('../../state.js').State} State */
-/** @typedef {import('../../state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Engine} Engine */
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
+/** @typedef {import('../../core/engine.js').Posture} Posture */
+/** @typedef {import('../../core/engine.js').Run} Run */
+/** @typedef {import('../../run/state.js').State} State */
+/** @typedef {import('../../run/state.js').Triple} Triple */
 
 const slip = { kind: /** @type {const} */ ('slip'), linear: 0.1, angular: 0, seed: 1 };
 /** What remains is what the last seconds still have. */

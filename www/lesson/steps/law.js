@@ -1,11 +1,11 @@
 // Step 3: the control law, term by term, and what each gain does alone.
-import { remember } from '../../state.js';
+import { remember } from '../../run/state.js';
 import { degreesText, fixed, signed } from '../../words/numbers.js';
 import { lawFormula } from '../formulas.js';
 import { createPushes } from '../pushes.js';
 
-/** @typedef {import('../../engine.js').Engine} Engine */
-/** @typedef {import('../../engine.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Engine} Engine */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 
 /** From here each gain alone brings its own error to zero and leaves the others. */
 const start = { x: 1.5, y: 0.5, theta: 0 };

@@ -1,10 +1,10 @@
 // Step 5: what the wheels cannot do, and what that does to the theory. Figures 4 to 7 of the paper.
-import { remember } from '../../state.js';
+import { remember } from '../../run/state.js';
 import { fixed } from '../../words/numbers.js';
 
 /** @typedef {import('../page.js').Live} Live */
 /** @typedef {import('../page.js').Sample} Sample */
-/** @typedef {import('../../engine.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 
 const unlimited = 'limits.speed=off&limits.turnRate=off';
 

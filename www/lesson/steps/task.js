@@ -1,7 +1,7 @@
 // Step 11: the gains that were evolved on one start, from everywhere else.
-import { gridAround, headings } from '../../robustness/grid.js';
-import { fine } from '../../robustness/request.js';
-import { gainsOf } from '../../state.js';
+import { gridAround, headings } from '../../parts/robustness/grid.js';
+import { fine } from '../../parts/robustness/request.js';
+import { gainsOf } from '../../run/state.js';
 import { lab } from '../../words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { mapsAreDone, shareOfStarts, trainedOn } from '../robust.js';

@@ -1,11 +1,11 @@
 // Every word about the page's checks of its own numbers.
 import { powerText } from './generation.js';
 
-/** @typedef {import('../../checks/check.js').Outcome} Outcome */
-/** @typedef {import('../../checks/check.js').Sentences} Sentences */
-/** @typedef {import('../../checks/check.js').Task} Task */
-/** @typedef {import('../../checks/check.js').Group} Group */
-/** @typedef {import('../../engine.js').Preset} Preset */
+/** @typedef {import('../../core/checks/check.js').Outcome} Outcome */
+/** @typedef {import('../../core/checks/check.js').Sentences} Sentences */
+/** @typedef {import('../../core/checks/check.js').Task} Task */
+/** @typedef {import('../../core/checks/check.js').Group} Group */
+/** @typedef {import('../../core/engine.js').Preset} Preset */
 
 export const texts = {
   checksButton: 'Check its numbers',

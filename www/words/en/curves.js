@@ -1,12 +1,12 @@
 // Every word of the curves, of the pinned runs, and of σ over the generations.
-import { isTracking } from '../../reference.js';
+import { isTracking } from '../../core/reference.js';
 import { foundName } from './lab.js';
 import { costText, fixed, threeDigits } from './numbers.js';
 
-/** @typedef {import('../../engine.js').Run} Run */
-/** @typedef {import('../../engine.js').Statistics} Statistics */
-/** @typedef {import('../../state.js').Driver} Driver */
-/** @typedef {import('../../state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Run} Run */
+/** @typedef {import('../../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../../run/state.js').Driver} Driver */
+/** @typedef {import('../../run/state.js').Triple} Triple */
 
 export const texts = {
   curvesTitle: 'Curves',
@@ -15,7 +15,7 @@ export const texts = {
 };
 
 export const viewLegend = 'What is shown';
-/** @type {readonly import('../../segmented.js').Choice<import('../../state.js').State['curves']['view']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../run/state.js').State['curves']['view']>[]} */
 export const views = [
   { value: 'time', text: 'Against time' },
   { value: 'stability', text: 'Stability', hint: 'The Lyapunov function V and its rate' },
@@ -104,7 +104,7 @@ export const unpinThis = 'Unpin this run';
 export const pinnedAs = (name) => `pinned as “${name}”`;
 export const noRoom = 'Four runs are pinned: unpin one first.';
 
-/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../../state.js').Found }} of */
+/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../../run/state.js').Found }} of */
 export const pinName = (driver, { generation, seed, gains, found }) =>
   ({
     evolved: `best of generation ${generation}, seed ${seed}`,
@@ -148,7 +148,7 @@ export const startsText = (count) => (count === 1 ? '1 start' : `${count} starts
 /** @param {number} value */
 export const gainText = (value) => threeDigits(value);
 export const curveLegend = 'Curve over the generations';
-/** @type {readonly import('../../segmented.js').Choice<import('../../state.js').State['curves']['lab']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../run/state.js').State['curves']['lab']>[]} */
 export const curveChoices = [
   { value: 'cost', text: 'J' },
   { value: 'sigmas', text: 'σ', hint: 'Mean step size of each gain' },

@@ -1,9 +1,9 @@
 // Every word of the disturbance part.
 import { fixed, threeDigits } from './numbers.js';
 
-/** @typedef {import('../../disturbance/summary.js').PartName} PartName */
-/** @typedef {import('../../disturbance/summary.js').Summary} Summary */
-/** @typedef {import('../../engine.js').Experiment} Experiment */
+/** @typedef {import('../../parts/disturbance/summary.js').PartName} PartName */
+/** @typedef {import('../../parts/disturbance/summary.js').Summary} Summary */
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
 
 const parts = /** @type {const} */ (['x', 'y', 'theta']);
 
@@ -19,7 +19,7 @@ export const texts = {
 };
 
 export const kindLegend = 'Kind of disturbance';
-/** @type {readonly import('../../segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
 export const kinds = [
   { value: 'none', text: 'None' },
   { value: 'random', text: 'Random', hint: 'Drawn afresh at each sample, evenly between −ε and ε' },

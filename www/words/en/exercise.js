@@ -22,7 +22,7 @@ export const texts = {
   makerClose: 'Close the exercise',
 };
 
-/** What is locked or hidden together. @type {Record<import('../../exercise/exercise.js').Group, string>} */
+/** What is locked or hidden together. @type {Record<import('../../run/exercise.js').Group, string>} */
 export const groups = {
   gains: 'gains',
   drives: 'what drives',
@@ -37,7 +37,7 @@ export const groups = {
   share: 'sharing',
 };
 
-/** @type {readonly import('../../segmented.js').Choice<import('../../exercise/exercise.js').Way>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../run/exercise.js').Way>[]} */
 export const ways = [
   { value: 'free', text: 'Free' },
   { value: 'locked', text: 'Locked' },

@@ -1,8 +1,8 @@
 // Every word of the generation part.
 import { costText, fixed } from './numbers.js';
 
-/** @typedef {import('../../generation/record.js').Anatomy} Anatomy */
-/** @typedef {import('../../generation/record.js').Phase} Phase */
+/** @typedef {import('../../parts/generation/record.js').Anatomy} Anatomy */
+/** @typedef {import('../../parts/generation/record.js').Phase} Phase */
 
 export const texts = {
   generationTable: 'Table',
@@ -12,7 +12,7 @@ export const texts = {
 };
 
 export const phaseLegend = 'Phase of the generation';
-/** @type {readonly import('../../segmented.js').Choice<Phase>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<Phase>[]} */
 export const phases = [
   { value: 'parents', text: 'Parents' },
   { value: 'mutation', text: 'Mutation' },

@@ -1,17 +1,17 @@
 // Every word of the lab and of what all pages share.
-import { isTracking } from '../../reference.js';
-import { phaseByPhase } from '../../state.js';
+import { isTracking } from '../../core/reference.js';
+import { phaseByPhase } from '../../run/state.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
 export * from './numbers.js';
 
-/** @typedef {import('../../engine.js').Posture} Posture */
-/** @typedef {import('../../engine.js').Run} Run */
-/** @typedef {import('../../engine.js').Statistics} Statistics */
-/** @typedef {import('../../state.js').Driver} Driver */
-/** @typedef {import('../../state.js').PageName} PageName */
-/** @typedef {import('../../state.js').Restart} Restart */
-/** @typedef {import('../../state.js').Until} Until */
+/** @typedef {import('../../core/engine.js').Posture} Posture */
+/** @typedef {import('../../core/engine.js').Run} Run */
+/** @typedef {import('../../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../../run/state.js').Driver} Driver */
+/** @typedef {import('../../run/state.js').PageName} PageName */
+/** @typedef {import('../../run/state.js').Restart} Restart */
+/** @typedef {import('../../run/state.js').Until} Until */
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
@@ -41,14 +41,14 @@ export const texts = {
 };
 
 export const presetLegend = 'Limits of the robot';
-/** @type {readonly import('../../segmented.js').Choice<import('../../engine.js').Preset>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../core/engine.js').Preset>[]} */
 export const presets = [
   { value: 'velocity-limits', text: 'Velocity limits', hint: 'Figures 4 and 5 of the paper' },
   { value: 'acceleration-limits', text: '+ acceleration limits', hint: 'Figures 6 and 7 of the paper' },
 ];
 
 export const driverLegend = 'What drives';
-/** @type {readonly import('../../segmented.js').Choice<Driver>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<Driver>[]} */
 export const drivers = [
   { value: 'evolved', text: 'Evolved best' },
   { value: 'hand', text: 'By hand' },
@@ -105,7 +105,7 @@ export const taglines = (population) => ({
 
 export const endTrial = 'Back to its own start';
 
-/** Gains by hand, by where they are from. @type {Record<import('../../state.js').Found, string>} */
+/** Gains by hand, by where they are from. @type {Record<import('../../run/state.js').Found, string>} */
 export const foundName = {
   hand: 'your gains',
   map: 'gains from the landscape',
@@ -113,7 +113,7 @@ export const foundName = {
   luck: 'gains from Luck',
 };
 
-/** @param {Driver} driver @param {number} generation @param {import('../../state.js').Found} found */
+/** @param {Driver} driver @param {number} generation @param {import('../../run/state.js').Found} found */
 export const driverName = (driver, generation, found) =>
   ({
     evolved: `best of generation ${generation}`,
@@ -122,7 +122,7 @@ export const driverName = (driver, generation, found) =>
     'paper-arbitrary': 'paper’s arbitrary gains',
   })[driver];
 
-/** @param {Driver} driver @param {import('../../state.js').Found} found */
+/** @param {Driver} driver @param {import('../../run/state.js').Found} found */
 export const costTitle = (driver, found) =>
   ({
     evolved: 'Cost of the best robot',
@@ -147,7 +147,7 @@ export const costNote = (name, cost) => `${name} here: ${costText(cost)}`;
 /** @param {number} value */
 export const partText = (value) => (value < 100 ? fixed(value, 2) : costText(value));
 
-/** @type {readonly (readonly [part: Exclude<keyof import('../../engine.js').Cost, 'total'>, name: string])[]} */
+/** @type {readonly (readonly [part: Exclude<keyof import('../../core/engine.js').Cost, 'total'>, name: string])[]} */
 export const costParts = [
   ['time', 'time'],
   ['path', 'path'],

@@ -1,7 +1,7 @@
 // Every word of the landscape.
 import { costText, fixed, grouped, threeDigits } from './numbers.js';
 
-/** @typedef {import('../../engine.js').Run} Run */
+/** @typedef {import('../../core/engine.js').Run} Run */
 
 export const texts = {
   landscapeTitle: 'Landscape of J',

@@ -1,7 +1,7 @@
 // Every word of the luck part.
 import { costText, fixed, grouped } from './numbers.js';
 
-/** @typedef {import('../../luck/request.js').SeedSurvey} SeedSurvey */
+/** @typedef {import('../../parts/luck/request.js').SeedSurvey} SeedSurvey */
 
 export const texts = {
   luckTitle: 'Luck of the seed',

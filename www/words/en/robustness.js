@@ -1,7 +1,7 @@
 // Every word of the robustness part.
 import { costText, degrees, fixed, grouped } from './numbers.js';
 
-/** @typedef {import('../../robustness/request.js').Quantity} Quantity */
+/** @typedef {import('../../parts/robustness/request.js').Quantity} Quantity */
 /** @typedef {{ x: number, y: number }} Place */
 /** @typedef {{ heading: number, arrived: boolean, finalTime: number, cost: number }} Drive */
 
@@ -12,7 +12,7 @@ export const texts = {
 };
 
 export const quantityLegend = 'What the colour means';
-/** @type {readonly import('../../segmented.js').Choice<Quantity>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<Quantity>[]} */
 export const quantities = [
   { value: 'share', text: 'Arrives', hint: 'How many of the headings arrive' },
   { value: 'time', text: 'Time', hint: 'The time of those that arrive' },
@@ -20,7 +20,7 @@ export const quantities = [
 ];
 
 export const headingLegend = 'Headings of the starts';
-/** @type {readonly import('../../segmented.js').Choice<'all' | 'one'>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<'all' | 'one'>[]} */
 export const headingChoices = [
   { value: 'all', text: 'All', hint: 'All headings together' },
   { value: 'one', text: 'One', hint: 'One heading, chosen on the dial' },

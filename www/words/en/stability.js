@@ -2,8 +2,8 @@
 import { powerOfTen } from './curves.js';
 import { fixed, threeDigits } from './numbers.js';
 
-/** @typedef {import('../../engine.js').Experiment} Experiment */
-/** @typedef {import('../../stability/summary.js').Summary} Summary */
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../../parts/curves/stability/summary.js').Summary} Summary */
 
 export const texts = {
   stabilityTable: 'Table',

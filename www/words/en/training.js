@@ -1,9 +1,9 @@
 // Every word of the training part.
 import { costText, fixed, grouped } from './numbers.js';
 
-/** @typedef {import('../../training/request.js').Result} Result */
-/** @typedef {import('../../training/request.js').RowName} RowName */
-/** @typedef {import('../../training/request.js').Evolved} Evolved */
+/** @typedef {import('../../parts/training/request.js').Result} Result */
+/** @typedef {import('../../parts/training/request.js').RowName} RowName */
+/** @typedef {import('../../parts/training/request.js').Evolved} Evolved */
 
 export const texts = {
   trainingTitle: 'Training',

@@ -3,11 +3,11 @@ import { valuesText } from '../en/checks.js';
 
 export { about, valuesText } from '../en/checks.js';
 
-/** @typedef {import('../../checks/check.js').Outcome} Outcome */
-/** @typedef {import('../../checks/check.js').Sentences} Sentences */
-/** @typedef {import('../../checks/check.js').Task} Task */
-/** @typedef {import('../../checks/check.js').Group} Group */
-/** @typedef {import('../../engine.js').Preset} Preset */
+/** @typedef {import('../../core/checks/check.js').Outcome} Outcome */
+/** @typedef {import('../../core/checks/check.js').Sentences} Sentences */
+/** @typedef {import('../../core/checks/check.js').Task} Task */
+/** @typedef {import('../../core/checks/check.js').Group} Group */
+/** @typedef {import('../../core/engine.js').Preset} Preset */
 
 export const texts = {
   checksButton: '계산 검사',

@@ -1,5 +1,5 @@
 // Every word of the curves, of the pinned runs, and of σ over the generations, in Korean.
-import { isTracking } from '../../reference.js';
+import { isTracking } from '../../core/reference.js';
 import { numberColumns as englishColumns, sigmaText } from '../en/curves.js';
 import { foundName } from './lab.js';
 import { costText, fixed, threeDigits } from './numbers.js';
@@ -15,11 +15,11 @@ export {
   units,
 } from '../en/curves.js';
 
-/** @typedef {import('../../engine.js').Run} Run */
-/** @typedef {import('../../engine.js').Statistics} Statistics */
-/** @typedef {import('../../state.js').Driver} Driver */
-/** @typedef {import('../../state.js').State} State */
-/** @typedef {import('../../state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Run} Run */
+/** @typedef {import('../../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../../run/state.js').Driver} Driver */
+/** @typedef {import('../../run/state.js').State} State */
+/** @typedef {import('../../run/state.js').Triple} Triple */
 
 export const texts = {
   curvesTitle: '곡선',
@@ -28,7 +28,7 @@ export const texts = {
 };
 
 export const viewLegend = '보여 줄 내용';
-/** @type {readonly import('../../segmented.js').Choice<State['curves']['view']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<State['curves']['view']>[]} */
 export const views = [
   { value: 'time', text: '시간에 따라' },
   { value: 'stability', text: '안정성', hint: '리아푸노프 함수 V와 그 변화율' },
@@ -66,7 +66,7 @@ export const unpinThis = '이 주행 고정 해제';
 export const pinnedAs = (name) => `고정됨: “${name}”`;
 export const noRoom = '네 개가 고정되어 있습니다. 먼저 하나를 해제하십시오.';
 
-/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../../state.js').Found }} of */
+/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../../run/state.js').Found }} of */
 export const pinName = (driver, { generation, seed, gains, found }) =>
   ({
     evolved: `${generation}세대 최우수, 시드 ${seed}`,
@@ -108,7 +108,7 @@ export const startsHead = '진화한 출발점';
 /** @param {number} count */
 export const startsText = (count) => `${count}개`;
 export const curveLegend = '세대에 따른 곡선';
-/** @type {readonly import('../../segmented.js').Choice<State['curves']['lab']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<State['curves']['lab']>[]} */
 export const curveChoices = [
   { value: 'cost', text: 'J' },
   { value: 'sigmas', text: 'σ', hint: '이득마다의 평균 변이 폭' },

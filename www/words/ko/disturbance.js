@@ -13,9 +13,9 @@ export {
   units,
 } from '../en/disturbance.js';
 
-/** @typedef {import('../../disturbance/summary.js').PartName} PartName */
-/** @typedef {import('../../disturbance/summary.js').Summary} Summary */
-/** @typedef {import('../../engine.js').Experiment} Experiment */
+/** @typedef {import('../../parts/disturbance/summary.js').PartName} PartName */
+/** @typedef {import('../../parts/disturbance/summary.js').Summary} Summary */
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
 
 const parts = /** @type {const} */ (['x', 'y', 'theta']);
 
@@ -31,7 +31,7 @@ export const texts = {
 };
 
 export const kindLegend = '외란의 종류';
-/** @type {readonly import('../../segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
 export const kinds = [
   { value: 'none', text: '없음' },
   { value: 'random', text: '무작위', hint: '샘플마다 −ε와 ε 사이에서 고르게 새로 뽑습니다' },

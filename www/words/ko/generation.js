@@ -17,8 +17,8 @@ export {
   won,
 } from '../en/generation.js';
 
-/** @typedef {import('../../generation/record.js').Anatomy} Anatomy */
-/** @typedef {import('../../generation/record.js').Phase} Phase */
+/** @typedef {import('../../parts/generation/record.js').Anatomy} Anatomy */
+/** @typedef {import('../../parts/generation/record.js').Phase} Phase */
 
 export const texts = {
   generationTable: '세대 표',
@@ -28,7 +28,7 @@ export const texts = {
 };
 
 export const phaseLegend = '세대의 단계';
-/** @type {readonly import('../../segmented.js').Choice<Phase>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<Phase>[]} */
 export const phases = [
   { value: 'parents', text: '부모' },
   { value: 'mutation', text: '돌연변이' },

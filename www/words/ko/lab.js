@@ -1,18 +1,18 @@
 // Every word of the lab and of what all pages share, in Korean.
-import { isTracking } from '../../reference.js';
-import { phaseByPhase } from '../../state.js';
+import { isTracking } from '../../core/reference.js';
+import { phaseByPhase } from '../../run/state.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
 export { costSymbol, gains, speeds } from '../en/lab.js';
 export * from './numbers.js';
 
-/** @typedef {import('../../engine.js').Posture} Posture */
-/** @typedef {import('../../engine.js').Run} Run */
-/** @typedef {import('../../engine.js').Statistics} Statistics */
-/** @typedef {import('../../state.js').Driver} Driver */
-/** @typedef {import('../../state.js').PageName} PageName */
-/** @typedef {import('../../state.js').Restart} Restart */
-/** @typedef {import('../../state.js').Until} Until */
+/** @typedef {import('../../core/engine.js').Posture} Posture */
+/** @typedef {import('../../core/engine.js').Run} Run */
+/** @typedef {import('../../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../../run/state.js').Driver} Driver */
+/** @typedef {import('../../run/state.js').PageName} PageName */
+/** @typedef {import('../../run/state.js').Restart} Restart */
+/** @typedef {import('../../run/state.js').Until} Until */
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
@@ -42,14 +42,14 @@ export const texts = {
 };
 
 export const presetLegend = '로봇의 제한';
-/** @type {readonly import('../../segmented.js').Choice<import('../../engine.js').Preset>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../core/engine.js').Preset>[]} */
 export const presets = [
   { value: 'velocity-limits', text: '속도 제한', hint: '논문의 그림 4, 5' },
   { value: 'acceleration-limits', text: '+ 가속도 제한', hint: '논문의 그림 6, 7' },
 ];
 
 export const driverLegend = '주행에 쓰는 이득';
-/** @type {readonly import('../../segmented.js').Choice<Driver>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<Driver>[]} */
 export const drivers = [
   { value: 'evolved', text: '진화 최우수' },
   { value: 'hand', text: '직접 조정' },
@@ -92,7 +92,7 @@ export const taglines = (population) => ({
 
 export const endTrial = '원래 출발점으로';
 
-/** Gains by hand, by where they are from. @type {Record<import('../../state.js').Found, string>} */
+/** Gains by hand, by where they are from. @type {Record<import('../../run/state.js').Found, string>} */
 export const foundName = {
   hand: '직접 조정한 이득',
   map: '비용 지형에서 고른 이득',
@@ -100,7 +100,7 @@ export const foundName = {
   luck: '운에서 얻은 이득',
 };
 
-/** @param {Driver} driver @param {number} generation @param {import('../../state.js').Found} found */
+/** @param {Driver} driver @param {number} generation @param {import('../../run/state.js').Found} found */
 export const driverName = (driver, generation, found) =>
   ({
     evolved: `${generation}세대 최우수`,
@@ -109,7 +109,7 @@ export const driverName = (driver, generation, found) =>
     'paper-arbitrary': '논문의 임의 이득',
   })[driver];
 
-/** @param {Driver} driver @param {import('../../state.js').Found} found */
+/** @param {Driver} driver @param {import('../../run/state.js').Found} found */
 export const costTitle = (driver, found) =>
   ({
     evolved: '최우수 로봇의 비용',
@@ -134,7 +134,7 @@ export const costNote = (name, cost) => `같은 조건, ${name}: ${costText(cost
 /** @param {number} value */
 export const partText = (value) => (value < 100 ? fixed(value, 2) : costText(value));
 
-/** @type {readonly (readonly [part: Exclude<keyof import('../../engine.js').Cost, 'total'>, name: string])[]} */
+/** @type {readonly (readonly [part: Exclude<keyof import('../../core/engine.js').Cost, 'total'>, name: string])[]} */
 export const costParts = [
   ['time', '시간'],
   ['path', '경로'],

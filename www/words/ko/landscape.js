@@ -3,7 +3,7 @@ import { costText, fixed, grouped } from './numbers.js';
 
 export { gainText, legendLow } from '../en/landscape.js';
 
-/** @typedef {import('../../engine.js').Run} Run */
+/** @typedef {import('../../core/engine.js').Run} Run */
 
 export const texts = {
   landscapeTitle: 'J의 비용 지형',

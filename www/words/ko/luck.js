@@ -4,7 +4,7 @@ import { costText, fixed, grouped } from './numbers.js';
 
 export { costSymbol, fileName, gainColumns, gainIndices, powerOfTen, tick } from '../en/luck.js';
 
-/** @typedef {import('../../luck/request.js').SeedSurvey} SeedSurvey */
+/** @typedef {import('../../parts/luck/request.js').SeedSurvey} SeedSurvey */
 /** @typedef {import('../en/luck.js').Change} Change */
 
 export const texts = {

@@ -3,7 +3,7 @@ import { costText, degrees, fixed, grouped } from './numbers.js';
 
 export { extent, metres, tickText } from '../en/robustness.js';
 
-/** @typedef {import('../../robustness/request.js').Quantity} Quantity */
+/** @typedef {import('../../parts/robustness/request.js').Quantity} Quantity */
 /** @typedef {import('../en/robustness.js').Place} Place */
 /** @typedef {import('../en/robustness.js').Drive} Drive */
 
@@ -14,7 +14,7 @@ export const texts = {
 };
 
 export const quantityLegend = '색의 의미';
-/** @type {readonly import('../../segmented.js').Choice<Quantity>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<Quantity>[]} */
 export const quantities = [
   { value: 'share', text: '도착', hint: '도착하는 방향각의 비율' },
   { value: 'time', text: '시간', hint: '도착한 주행의 시간' },
@@ -22,7 +22,7 @@ export const quantities = [
 ];
 
 export const headingLegend = '출발 방향각';
-/** @type {readonly import('../../segmented.js').Choice<'all' | 'one'>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<'all' | 'one'>[]} */
 export const headingChoices = [
   { value: 'all', text: '전체', hint: '모든 방향각을 함께' },
   { value: 'one', text: '하나', hint: '다이얼에서 고른 방향각 하나' },

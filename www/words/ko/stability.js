@@ -13,7 +13,7 @@ export {
   timeText,
 } from '../en/stability.js';
 
-/** @typedef {import('../../stability/summary.js').Summary} Summary */
+/** @typedef {import('../../parts/curves/stability/summary.js').Summary} Summary */
 
 export const texts = {
   stabilityTable: '표',

@@ -4,9 +4,9 @@ import { fixed, grouped } from './numbers.js';
 export { cost, gain, none } from '../en/training.js';
 import { cost } from '../en/training.js';
 
-/** @typedef {import('../../training/request.js').Result} Result */
-/** @typedef {import('../../training/request.js').RowName} RowName */
-/** @typedef {import('../../training/request.js').Evolved} Evolved */
+/** @typedef {import('../../parts/training/request.js').Result} Result */
+/** @typedef {import('../../parts/training/request.js').RowName} RowName */
+/** @typedef {import('../../parts/training/request.js').Evolved} Evolved */
 
 export const texts = {
   trainingTitle: '학습',

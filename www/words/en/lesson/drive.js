@@ -1,7 +1,7 @@
 // Step 1 in English.
 import { costText, fixed } from '../numbers.js';
 
-/** @typedef {import('../../../engine.js').Run} Run */
+/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const drive = {
   title: 'Drive it yourself',

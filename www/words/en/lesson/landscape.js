@@ -1,7 +1,7 @@
 // Step 10 in English.
 import { costText, fixed, threeDigits } from '../numbers.js';
 
-/** @typedef {import('../../../engine.js').Run} Run */
+/** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {import('../../../lesson/lowest.js').Lowest} Lowest */
 
 export const landscape = {

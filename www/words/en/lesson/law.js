@@ -1,7 +1,7 @@
 // Step 3 in English.
 import { degreesText, fixed } from '../numbers.js';
 
-/** @typedef {import('../../../engine.js').Posture} Posture */
+/** @typedef {import('../../../core/engine.js').Posture} Posture */
 
 export const law = {
   title: 'The law, term by term',

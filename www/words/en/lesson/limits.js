@@ -1,7 +1,7 @@
 // Step 5 in English.
 import { costText, fixed } from '../numbers.js';
 
-/** @typedef {import('../../../engine.js').Run} Run */
+/** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {{ run: Run, rises: number }} Driven */
 
 export const limits = {

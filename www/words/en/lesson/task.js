@@ -1,9 +1,9 @@
 // Step 11 in English.
 import { costText, fixed, grouped } from '../numbers.js';
 
-/** @typedef {import('../../../engine.js').Run} Run */
+/** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {import('../../../lesson/robust.js').Share} Share */
-/** @typedef {import('../../../training/request.js').Result} Result */
+/** @typedef {import('../../../parts/training/request.js').Result} Result */
 
 export const task = {
   title: 'Did it learn the task?',

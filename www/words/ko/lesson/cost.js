@@ -1,7 +1,7 @@
 // Step 6 in Korean.
 import { costText, fixed } from '../numbers.js';
 
-/** @typedef {import('../../../engine.js').Run} Run */
+/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const cost = {
   title: '좋은 주행이란 무엇인가?',

@@ -1,7 +1,7 @@
 // Step 1 in Korean.
 import { costText, fixed } from '../numbers.js';
 
-/** @typedef {import('../../../engine.js').Run} Run */
+/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const drive = {
   title: '직접 몰아 보기',

@@ -1,7 +1,7 @@
 // Step 5 in Korean.
 import { costText, fixed } from '../numbers.js';
 
-/** @typedef {import('../../../engine.js').Run} Run */
+/** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {{ run: Run, rises: number }} Driven */
 
 export const limits = {

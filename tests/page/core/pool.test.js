@@ -1,0 +1,371 @@
+// The pool without a browser: first with workers whose answers the test gives, then with threads that have the core.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import binaryen from 'binaryen';
+import { createPool } from '../../../www/core/pool.js';
+import { createSurveys } from '../../../www/core/surveys.js';
+import { Evolution, evaluate, experiment, landscape, robustness, seedRuns, wasm } from '../harness/core.js';
+import { test } from '../harness/once.js';
+import { Thread } from '../harness/threads.js';
+
+/** @typedef {import('../../../www/core/worker.js').Answer} Answer */
+/** @typedef {import('../../../www/core/worker.js').Part} Part */
+
+/** A worker that does nothing but what the test says. */
+class Puppet extends EventTarget {
+  /** @type {Part[]} */
+  parts = [];
+  terminated = false;
+  answered = 0;
+
+  /** @param {Part} part */
+  postMessage(part) {
+    this.parts.push(structuredClone(part));
+  }
+
+  terminate() {
+    this.terminated = true;
+  }
+
+  /** @param {Answer} data */
+  say(data) {
+    if (!('progress' in data)) this.answered += 1;
+    this.dispatchEvent(new MessageEvent('message', { data }));
+  }
+
+  /** Answers the next part with the number that it was given, as all jobs here have one. */
+  finish() {
+    this.say({ result: this.parts[this.answered].args[0] });
+  }
+
+  /** @param {string} message */
+  crash(message) {
+    this.dispatchEvent(Object.assign(new Event('error', { cancelable: true }), { message }));
+  }
+}
+
+/** @param {number} size */
+function puppets(size) {
+  /** @type {Puppet[]} */
+  const workers = [];
+  const spawn = () => {
+    workers.push(new Puppet());
+    return workers[workers.length - 1];
+  };
+  return { workers, pool: createPool({ spawn, size }), given: () => workers.map(numbersGiven) };
+}
+
+/** @param {Puppet} worker */
+const numbersGiven = ({ parts }) => parts.map(({ args }) => args[0]);
+
+/** A job whose parts are these numbers. @param {unknown[]} numbers */
+const job = (...numbers) =>
+  /** @type {import('../../../www/core/pool.js').Job<'evolve'>} */ (
+    /** @type {unknown} */ ({ call: 'evolve', parts: numbers.map((number) => [number]) })
+  );
+
+const aborted = { name: 'AbortError' };
+
+test('workers start at the first job, as many as it has parts for, and are kept', async () => {
+  const { workers, pool, given } = puppets(3);
+  assert.equal(workers.length, 0);
+  const first = pool.run(job(1, 2));
+  assert.deepEqual(given(), [[1], [2]]);
+  for (const worker of workers) worker.finish();
+  await first;
+  const second = pool.run(job(3, 4, 5, 6));
+  assert.deepEqual(given(), [[1, 3], [2, 4], [5]]);
+  for (const i of [0, 1, 2, 0]) workers[i].finish();
+  assert.deepEqual(await second, [3, 4, 5, 6]);
+  assert.equal(workers.length, 3);
+});
+
+test('results stand in the order of the parts, whoever is first', async () => {
+  const { workers, pool } = puppets(2);
+  const run = pool.run(job(1, 2, 3, 4));
+  for (const i of [1, 1, 0, 1]) workers[i].finish();
+  assert.deepEqual(await run, [1, 2, 3, 4]);
+  assert.deepEqual(await pool.run(job()), []);
+});
+
+test('progress counts what a worker has done of its part, never falls and ends at 1', async () => {
+  const { workers, pool } = puppets(2);
+  /** @type {number[]} */
+  const told = [];
+  const run = pool.run(job(1, 2, 3, 4), { onProgress: (done) => told.push(done) });
+  workers[0].say({ progress: 0.5 });
+  workers[1].say({ progress: 0.25 });
+  workers[0].finish();
+  for (const i of [1, 0, 1]) workers[i].finish();
+  await run;
+  assert.deepEqual(told, [0.125, 0.1875, 0.3125, 0.5, 0.75, 1]);
+});
+
+test('in a channel the newest request wins, and no worker ends for it', async (t) => {
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  const { workers, pool, given } = puppets(1);
+  const channel = pool.channel();
+  const first = assert.rejects(channel.run(job(1, 2)), aborted);
+  const second = assert.rejects(channel.run(job(3)), aborted);
+  const third = channel.run(job(4));
+  await Promise.all([first, second]);
+  t.mock.timers.tick(1000);
+  for (let i = 0; i < 3; i++) workers[0].finish();
+  assert.deepEqual(await third, [4]);
+  assert.deepEqual(given(), [[1, 2, 4]]);
+  assert.equal(workers[0].terminated, false);
+});
+
+test('a worker has the next part of a channel already while it does one, in turn', async () => {
+  const { workers, pool, given } = puppets(2);
+  const run = pool.channel().run(job(1, 2, 3, 4, 5));
+  assert.deepEqual(given(), [
+    [1, 3],
+    [2, 4],
+  ]);
+  for (const i of [1, 1, 1, 0, 0]) workers[i].finish();
+  assert.deepEqual(await run, [1, 2, 3, 4, 5]);
+  assert.deepEqual(given(), [
+    [1, 3],
+    [2, 4, 5],
+  ]);
+});
+
+test('channels do not disturb each other, and go before other jobs', async () => {
+  const { workers, pool, given } = puppets(1);
+  const long = pool.run(job(1, 2, 3));
+  const quick = [pool.channel(), pool.channel()].map((channel, i) => channel.run(job(10 + i)));
+  for (let i = 0; i < 5; i++) workers[0].finish();
+  assert.deepEqual(await Promise.all([long, ...quick]), [[1, 2, 3], [10], [11]]);
+  assert.deepEqual(given(), [[1, 10, 11, 2, 3]]);
+});
+
+test('an abort rejects at once, and ends only a worker that does not answer', async (t) => {
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  const { workers, pool, given } = puppets(2);
+  const control = new AbortController();
+  const run = pool.run(job(1, 2, 3), { signal: control.signal, onProgress: () => assert.fail('told') });
+  control.abort();
+  await assert.rejects(run, aborted);
+  workers[0].finish();
+  t.mock.timers.tick(99);
+  assert.equal(workers[1].terminated, false);
+  const next = pool.run(job(4, 5));
+  assert.deepEqual(given(), [[1, 4], [2]]);
+  t.mock.timers.tick(1);
+  assert.deepEqual(
+    workers.map(({ terminated }) => terminated),
+    [false, true, false],
+  );
+  assert.deepEqual(given(), [[1, 4], [2], [5]]);
+  workers[1].finish();
+  workers[0].finish();
+  workers[2].finish();
+  assert.deepEqual(await next, [4, 5]);
+
+  await assert.rejects(pool.run(job(6), { signal: AbortSignal.abort() }), aborted);
+  assert.deepEqual(given(), [[1, 4], [2], [5]]);
+});
+
+test('an error of the core rejects its job and drops the rest of it; the worker goes on', async () => {
+  const { workers, pool, given } = puppets(1);
+  const refused = pool.run(job(1, 2));
+  const next = pool.run(job(3));
+  workers[0].say({ error: 'horizon must be less', lost: false });
+  await assert.rejects(refused, { name: 'Error', message: 'horizon must be less' });
+  workers[0].finish();
+  assert.deepEqual(await next, [3]);
+  assert.deepEqual(given(), [[1, 3]]);
+});
+
+for (const [what, break_] of /** @type {[string, (worker: Puppet) => void][]} */ ([
+  ['crashed', (worker) => worker.crash('out of memory')],
+  ['cannot be started', (worker) => worker.dispatchEvent(new Event('error', { cancelable: true }))],
+  ['cannot be understood', (worker) => worker.dispatchEvent(new MessageEvent('messageerror'))],
+])) {
+  test(`what a worker that ${what} had to do is done by another`, async () => {
+    const { workers, pool, given } = puppets(2);
+    /** @type {number[]} */
+    const told = [];
+    const run = pool.run(job(1, 2, 3), { onProgress: (done) => told.push(done) });
+    workers[0].say({ progress: 0.6 });
+    break_(workers[0]);
+    assert.ok(workers[0].terminated);
+    assert.deepEqual(given(), [[1], [2], [1]]);
+    workers[2].finish();
+    workers[1].finish();
+    workers[2].finish();
+    assert.deepEqual(await run, [1, 2, 3]);
+    assert.deepEqual(told, [...told].sort(), 'progress falls');
+  });
+
+  test(`a part of which a worker ${what} twice fails its own job, and only that`, async () => {
+    const { workers, pool, given } = puppets(2);
+    const failing = pool.run(job(1));
+    const other = pool.run(job(2));
+    break_(workers[0]);
+    break_(workers[2]);
+    await assert.rejects(failing, /worker was lost/);
+    assert.deepEqual(given(), [[1], [2], [1]]);
+    workers[1].finish();
+    assert.deepEqual(await other, [2]);
+  });
+}
+
+test('a worker that had more than one short part leaves them all to others', async () => {
+  const { workers, pool, given } = puppets(1);
+  const run = pool.channel().run(job(1, 2, 3));
+  workers[0].finish();
+  workers[0].crash('out of memory');
+  assert.deepEqual(given(), [
+    [1, 2, 3],
+    [2, 3],
+  ]);
+  workers[1].finish();
+  workers[1].finish();
+  assert.deepEqual(await run, [1, 2, 3]);
+});
+
+test('a worker that lost its core is replaced, and only its own job fails', async () => {
+  const { workers, pool, given } = puppets(2);
+  const failing = pool.run(job(1));
+  const other = pool.run(job(2, 3));
+  workers[0].say({ error: 'internal error', lost: true });
+  await assert.rejects(failing, /internal error/);
+  assert.ok(workers[0].terminated);
+  assert.deepEqual(given(), [[1], [2], [3]]);
+  workers[2].finish();
+  workers[1].finish();
+  assert.deepEqual(await other, [2, 3]);
+});
+
+test('a worker that cannot be made, or an argument that cannot be sent, rejects the job', async () => {
+  const pool = createPool({
+    spawn() {
+      throw new Error('this browser has no workers');
+    },
+    size: 2,
+  });
+  await assert.rejects(pool.run(job(1)), /^Error: No worker can be started: this browser has no workers$/);
+  await assert.rejects(
+    pool.channel().run(job(1)),
+    /^Error: No worker can be started: this browser has no workers$/,
+  );
+
+  const { workers, pool: other } = puppets(1);
+  await assert.rejects(other.run(job(() => {})), { name: 'DataCloneError' });
+  const run = other.run(job(1));
+  workers[0].finish();
+  assert.deepEqual(await run, [1]);
+});
+
+const bytes = await readFile(wasm);
+const core = await WebAssembly.compile(bytes);
+const preset = experiment('velocity-limits');
+
+/** @param {import('node:test').TestContext} t @param {number} size @param {WebAssembly.Module[]} [cores] of the workers in their order; the last one is also that of all others */
+function threads(t, size, cores = [core]) {
+  /** @type {Thread[]} */
+  const started = [];
+  t.after(() => {
+    for (const thread of started) thread.terminate();
+  });
+  const spawn = () => {
+    started.push(new Thread(cores[Math.min(started.length, cores.length - 1)]));
+    return started[started.length - 1];
+  };
+  return createSurveys(createPool({ spawn, size }));
+}
+
+const map = {
+  x: { gain: /** @type {const} */ ('kx'), from: 0.1, to: 10, count: 37, log: true },
+  y: { gain: /** @type {const} */ ('ktheta'), from: 0, to: 10, count: 29 },
+  gains: [3, 0.1, 5],
+};
+const grid = {
+  x: { from: -1, to: 1, count: 5 },
+  y: { from: -1, to: 1, count: 7 },
+  headings: 5,
+  gains: [3, 0.1, 5],
+};
+
+for (const size of [1, 2, 8]) {
+  test(`${size} workers compute the same bits as one call on the main thread`, async (t) => {
+    const surveys = threads(t, size);
+    assert.deepEqual(await surveys.landscape(preset, map), landscape(preset, map));
+    assert.deepEqual(await surveys.robustness(preset, grid), robustness(preset, grid));
+    assert.deepEqual(
+      await surveys.seedRuns(preset, { first: 3, count: 20, generations: 4 }),
+      seedRuns(preset, { seeds: [3, 23], generations: 4 }),
+    );
+    const gains = Float64Array.of(3, 0.1, 5, 10, 10, 10);
+    assert.deepEqual(await surveys.evaluate(preset, gains), evaluate(preset, gains));
+
+    const others = [1, 2, 3].map((seed) => ({ ...preset, evolution: { ...preset.evolution, seed } }));
+    assert.deepEqual(
+      await surveys.evolveAll(others, 6),
+      others.map((one) => evolved(one, 6)),
+    );
+    assert.deepEqual(await surveys.evolve(preset, 0), evolved(preset, 0));
+  });
+}
+
+/** @param {import('../../../www/core/surveys.js').Experiment} from @param {number} generations */
+function evolved(from, generations) {
+  const evolution = new Evolution(from);
+  const records = [evolution.statistics()];
+  for (let i = 0; i < generations; i++) records.push(evolution.step());
+  const { best, evaluations } = records[generations];
+  const history = {
+    best: Float64Array.from(records, (one) => one.best.cost),
+    median: Float64Array.from(records, (one) => one.median),
+  };
+  return { ...best, history, evaluations, hash: evolution.hash() };
+}
+
+test('what the core says of bad input arrives as it was said', async (t) => {
+  const surveys = threads(t, 2);
+  const { NaN: none, POSITIVE_INFINITY: endless } = Number;
+  const wrong = /** @type {import('../../../www/core/surveys.js').Experiment} */ ({
+    ...preset,
+    horizon: none,
+  });
+  await assert.rejects(surveys.landscape(wrong, map), /^Error: horizon must be .* but was NaN$/);
+  for (const count of [none, endless, -1, 0, 2.5, 1e9]) {
+    await assert.rejects(surveys.landscape(preset, { ...map, y: { ...map.y, count } }), /count must be/);
+    await assert.rejects(surveys.robustness(preset, { ...grid, x: { ...grid.x, count } }), /count must be/);
+  }
+  await assert.rejects(surveys.evaluate(preset, [1, 2]), /three numbers for each robot, but was 2 numbers/);
+  for (const generations of [none, endless, -1, 2.5]) {
+    await assert.rejects(surveys.evolve(preset, generations), /generations must be a whole number/);
+    await assert.rejects(
+      surveys.seedRuns(preset, { first: 0, count: 1, generations }),
+      /generations must be/,
+    );
+  }
+  await assert.rejects(surveys.seedRuns(preset, { first: 0, count: 1e9, generations: 9 }), /must be/);
+  assert.deepEqual(await surveys.landscape(preset, map), landscape(preset, map));
+});
+
+test('an evolution without end tells how it goes on, and can be aborted', async (t) => {
+  const surveys = threads(t, 1);
+  const control = new AbortController();
+  const options = { signal: control.signal, onProgress: () => control.abort() };
+  await assert.rejects(surveys.evolve(preset, 1e7, options), aborted);
+  assert.deepEqual(await surveys.evolve(preset, 1), evolved(preset, 1));
+});
+
+test('a worker whose core broke down fails its job; what one without a core cannot do is done by another', async (t) => {
+  const broken = binaryen.readBinary(bytes);
+  const { value } = binaryen.getExportInfo(broken.getExport('robustness'));
+  /** @type {{ Function: { setBody(of: number, body: number): void } }} */ (
+    /** @type {unknown} */ (binaryen)
+  ).Function.setBody(broken.getFunction(value), broken.unreachable());
+  const trap = await WebAssembly.compile(/** @type {Uint8Array<ArrayBuffer>} */ (broken.emitBinary()));
+  broken.dispose();
+  const empty = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
+
+  const surveys = threads(t, 1, [trap, empty, core]);
+  await assert.rejects(surveys.robustness(preset, grid), /^Error: A worker was lost: an error in the core$/);
+  assert.deepEqual(await surveys.robustness(preset, grid), robustness(preset, grid));
+});

@@ -1,0 +1,166 @@
+// The element <ep-locomotion> in a page of another host.
+import assert from 'node:assert/strict';
+import { wantedHeight } from '../../../www/embed/frame.js';
+import * as en from '../../../www/words/en/element.js';
+import * as ko from '../../../www/words/ko/element.js';
+import { pageTest } from '../harness/browsers.js';
+import { evolve, experiment, historyOf } from '../harness/core.js';
+import { serveHost } from '../harness/host.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** Opens a page of another host that has the element. @param {Page} page @param {string} html @param {(address: string) => Promise<void>} body */
+async function inPage(page, html, body) {
+  const host = await serveHost(`${html}<script type="module" src="/dist/embed.js"></script>`);
+  try {
+    await page.visit(host.address);
+    await body(host.address);
+  } finally {
+    await page.leave();
+    host.close();
+  }
+}
+
+/** Does something with an element of the page; what comes back goes as text, for one driver changes the last digit of some numbers. @param {Page} page @param {string} id @param {string} code an expression of the element, `it` */
+const use = async (page, id, code) =>
+  JSON.parse(
+    await page.evaluate(
+      async (name, text) => {
+        const it = document.getElementById(name);
+        const result = await new Function('it', `return (async () => ${text})()`)(it).catch(
+          (/** @type {Error} */ { message }) => ({ refused: message }),
+        );
+        return JSON.stringify(result ?? null);
+      },
+      id,
+      code,
+    ),
+  );
+
+/** What an element has in sight above its figure. @param {Page} page @param {string} id */
+const complaint = (page, id) =>
+  page.evaluate((name) => document.getElementById(name)?.shadowRoot?.querySelector('p')?.innerText, id);
+
+/** @param {Page} page @param {string} id */
+const isReady = (page, id) =>
+  page.until(`${id} is ready`, (name) => Reflect.get(document.getElementById(name) ?? {}, 'state'), id);
+
+pageTest('an element shows a figure, does what its page asks, and tells what comes of it', async (page) => {
+  const html = `
+    <ep-locomotion id="own" link="lab&amp;v=1&amp;seed=7"></ep-locomotion>
+    <ep-locomotion id="other" src="${page.site.address}" link="landscape&amp;v=1" height="400"></ep-locomotion>
+    <div style="height: 9000px"></div>
+    <ep-locomotion id="far" link="lab&amp;v=1&amp;seed=5"></ep-locomotion>
+    <script>
+      told = [];
+      for (const type of ['ready', 'generation', 'state', 'error'])
+        own.addEventListener(type, ({ detail }) => told.push({ type, detail }));
+    </script>`;
+  await inPage(page, html, async () => {
+    await isReady(page, 'own');
+    await isReady(page, 'other');
+    const [width, height] = await use(page, 'own', '[it.offsetWidth, it.offsetHeight]');
+    assert.equal(height, wantedHeight('lab', 0, width));
+    assert.equal(await use(page, 'other', 'it.offsetHeight'), 400);
+    assert.equal((await use(page, 'own', 'it.state')).link, 'lab&v=1&seed=7');
+
+    const goal = { x: 1.5, y: 1, theta: 0.5 };
+    const moved = experiment({ goal, evolution: { seed: 3 } });
+    const { hash } = evolve(moved, 20);
+    const asked = `it.set({ experiment: { goal: ${JSON.stringify(goal)}, evolution: { seed: 3 } }, gains: [4, 1, 6] })`;
+    const set = await use(page, 'own', asked);
+    assert.deepEqual([set.experiment.goal, set.drive.gains, set.generations], [goal, [4, 1, 6], 0]);
+    // Both at once, in their order.
+    const both = await use(page, 'own', 'Promise.all([it.step(19), it.step()])');
+    assert.deepEqual(
+      both.map((/** @type {{ generations: number }} */ { generations }) => generations),
+      [19, 20],
+    );
+    assert.equal(both[1].hash, hash);
+    assert.equal(await use(page, 'own', 'it.state.hash'), hash);
+    /** @type {{ type: string, detail: any }[]} */
+    const told = await use(page, 'own', 'told');
+    assert.deepEqual(
+      told.filter(({ type }) => type === 'generation').map(({ detail }) => detail),
+      [...historyOf(experiment({ evolution: { seed: 7 } }), 0), ...historyOf(moved, 20)],
+    );
+    assert.deepEqual(
+      told.map(({ type }) => type).filter((type) => type !== 'generation'),
+      ['ready', 'state', 'state', 'state'],
+    );
+
+    assert.equal((await use(page, 'other', 'it.run()')).evolving, true);
+    assert.equal((await use(page, 'other', 'it.pause()')).evolving, false);
+    assert.match((await use(page, 'own', 'it.set({ experiment: { flavour: 1 } })')).refused, /flavour/);
+    assert.match((await use(page, 'own', 'it.step(0.5)')).refused, /generations must be/);
+    assert.equal((await use(page, 'own', 'told.at(-1)')).type, 'error');
+    assert.equal(await complaint(page, 'own'), '');
+
+    // A link that is changed is followed, and what is wrong with it is said.
+    await use(page, 'own', `it.link = 'https://host/#curves&v=1&seed=9&generation=2'`);
+    assert.equal((await use(page, 'own', 'it.read()')).link, 'curves&v=1&seed=9&generation=2');
+    await use(page, 'own', `it.link = 'lab&seed=9&goal.x=1000000'`);
+    await page.until('it is said', () =>
+      /goal\.x/.test(document.getElementById('own')?.shadowRoot?.querySelector('p')?.innerText ?? ''),
+    );
+
+    // What nobody sees loads when it is asked for.
+    assert.equal(await use(page, 'far', 'it.state'), null);
+    assert.equal((await use(page, 'far', 'it.step(2)')).generation, 2);
+
+    // Elsewhere in the page it begins anew, and no question stays open.
+    assert.deepEqual(
+      await use(page, 'far', '{ const open = it.read(); document.body.prepend(it); return open; }'),
+      {
+        refused: en.gone,
+      },
+    );
+    assert.equal((await use(page, 'far', 'it.read()')).generation, 0);
+  });
+});
+
+pageTest('what the author of a page has wrong is said in sight', async (page) => {
+  const old = `data:text/html,<script>parent.postMessage({ ep: 2, type: 'ready' }, '*')</script>`;
+  // Side by side, for what is far below loads later.
+  const html = `
+    <div style="display: grid; grid-template-columns: repeat(5, 1fr); align-items: start">
+    <ep-locomotion id="low" height="100"></ep-locomotion>
+    <ep-locomotion id="nowhere" src="https://"></ep-locomotion>
+    <ep-locomotion id="absent" src="/absent.html"></ep-locomotion>
+    <ep-locomotion id="old" src="${old}"></ep-locomotion>
+    <div lang="ko-KR"><ep-locomotion id="korean" height="high"></ep-locomotion></div>
+    </div>
+    <script>
+      const usual = setTimeout;
+      // Nobody is to wait until the silence is long enough.
+      setTimeout = (done, longest) => usual(done, Math.min(longest, 100));
+    </script>`;
+  await inPage(page, html, async (address) => {
+    for (const id of ['low', 'korean']) await isReady(page, id);
+    for (const [id, text] of [
+      ['low', en.noHeight(300, '100')],
+      ['nowhere', en.noAddress('https://')],
+      ['absent', en.silent(`${address}absent.html`)],
+      ['old', en.otherVersion(2, 1)],
+      ['korean', ko.noHeight(300, 'high')],
+    ]) {
+      const wanted = `<ep-locomotion>: ${text}`;
+      await page.until(
+        `${id} says what is wrong`,
+        (name, words) =>
+          document.getElementById(name)?.shadowRoot?.querySelector('p')?.innerText.trim() === words,
+        id,
+        wanted,
+      );
+    }
+    // Once it is mended, nothing is said.
+    await use(page, 'low', `it.height = '500'`);
+    assert.equal(await complaint(page, 'low'), '');
+    assert.equal(await use(page, 'low', 'it.offsetHeight'), 500);
+    await use(page, 'absent', `it.src = 'dist/index.html'`);
+    await isReady(page, 'absent');
+    assert.equal(await complaint(page, 'absent'), '');
+    // Who has spoken is not called silent.
+    assert.equal(await complaint(page, 'old'), `<ep-locomotion>: ${en.otherVersion(2, 1)}`);
+  });
+});

@@ -1,0 +1,169 @@
+// The widget for notebooks: built as a wheel, installed, and shown as anywidget would; what Python has in the end is what
+// the page's own table has.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { readFile } from 'node:fs/promises';
+import { createInterface } from 'node:readline';
+import { fileURLToPath } from 'node:url';
+import { areBuilt, python } from '../../../.tasks/examples.mjs';
+import { pageTest } from '../harness/browsers.js';
+import { serveHost } from '../harness/host.js';
+import { test } from '../harness/once.js';
+import { saved } from '../harness/saved.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {{ traits: Record<string, any>, history: Record<string, number>[], error: string }} Answer */
+
+const readme = await readFile(new URL('../../../README.md', import.meta.url), 'utf8');
+const example = /```python\n(.*?)```/s.exec(readme)?.[1] ?? '';
+
+/** Starts Python, in which `w` is a widget. */
+function startKernel() {
+  const child = spawn(python, [fileURLToPath(new URL('notebook.py', import.meta.url))], {
+    stdio: ['pipe', 'pipe', 'inherit'],
+  });
+  const lines = createInterface(child.stdout)[Symbol.asyncIterator]();
+  return {
+    /** @param {string} code @param {object | null} [traits] from the browser, before the code runs @returns {Promise<Answer>} */
+    async run(code, traits = null) {
+      child.stdin.write(`${JSON.stringify({ code, traits })}\n`);
+      const { value, done } = await lines.next();
+      assert.ok(!done, 'Python has ended');
+      return JSON.parse(value);
+    },
+    end: () => child.stdin.end(),
+  };
+}
+
+/** In the page: what anywidget gives to a widget, as its documentation describes it. */
+const notebook = `<div id="cell"></div><script>
+  const listeners = [];
+  const changed = new Set();
+  sent = {};
+  model = {
+    values: {},
+    get: (name) => model.values[name],
+    set(name, value) {
+      model.values[name] = value;
+      changed.add(name);
+    },
+    save_changes() {
+      for (const name of changed) sent[name] = model.values[name];
+      changed.clear();
+    },
+    on: (name, hear) => listeners.push({ name, hear }),
+    off: (name, hear) => listeners.splice(listeners.findIndex((one) => one.name === name && one.hear === hear), 1),
+  };
+  // What comes from Python.
+  receive = (traits) => {
+    const news = Object.keys(traits).filter((name) => JSON.stringify(traits[name]) !== JSON.stringify(model.values[name]));
+    Object.assign(model.values, traits);
+    for (const { name, hear } of [...listeners]) if (news.includes(name.slice('change:'.length))) hear();
+  };
+  show = async ({ _esm, _page, ...traits }) => {
+    const bytes = Uint8Array.from(atob(_page), (one) => one.charCodeAt(0));
+    receive({ ...traits, _page: new DataView(bytes.buffer) });
+    const { default: widget } = await import(URL.createObjectURL(new Blob([_esm], { type: 'text/javascript' })));
+    leave = await widget.render({ model, el: cell });
+  };
+</script>`;
+
+/** What the widget has sent to Python, once it fulfils a condition. As text, for one driver changes the last digit of some numbers. @param {Page} page @param {string} condition on `sent` */
+const sentBy = async (page, condition) =>
+  JSON.parse(
+    await page.until(
+      condition,
+      (text) => {
+        const sent = Reflect.get(window, 'sent');
+        return new Function('sent', `return ${text}`)(sent) && JSON.stringify(sent);
+      },
+      condition,
+    ),
+  );
+
+/** @param {Page} page @param {'show' | 'receive'} how @param {Record<string, any>} traits */
+const give = (page, how, traits) =>
+  page.evaluate((name, values) => Reflect.get(window, name)(values), how, traits);
+
+/** The newest state is that of so many generations. @param {number} count */
+const has = (count) => `sent._statistics?.length === ${count + 1} && sent.state.generations === ${count}`;
+
+/** The rows of numbers of a table. @param {string} text */
+const rowsOf = (text) => {
+  const [, ...rows] = text
+    .trim()
+    .split('\r\n')
+    .filter((line) => !line.startsWith('#'));
+  return rows.map((row) => row.split(',').map(Number));
+};
+
+if (areBuilt())
+  pageTest('the history of a widget is the table that the page saves, value by value', async (page) => {
+    const kernel = startKernel();
+    const host = await serveHost(notebook);
+    try {
+      const begun = kernel.run(example);
+      await page.open('#lab&v=1&goal.x=3&goal.y=1&goal.theta=0&seed=7&generation=30');
+      await page.click('#keep-button');
+      const table = rowsOf(await saved(page, '#keep-generations'));
+
+      await page.visit(host.address);
+      await give(page, 'show', (await begun).traits);
+      const { history, error } = await kernel.run('', await sentBy(page, has(30)));
+      assert.equal(error, '');
+      assert.deepEqual(
+        history.map((one) => Object.values(one)),
+        table,
+      );
+      assert.deepEqual(Object.keys(history[0]).slice(0, 6), [
+        'generation',
+        'drives',
+        'best',
+        'median',
+        'worst',
+        'kx',
+      ]);
+
+      // On from there, then anew, then what cannot be.
+      const further = await kernel.run('w.step(); w.step(2)');
+      await give(page, 'receive', further.traits);
+      const more = await kernel.run('', await sentBy(page, has(33)));
+      assert.deepEqual(more.history.slice(0, 31), history);
+
+      const anew = await kernel.run('w.experiment = {"evolution": {"seed": 8}}; w.step(4)');
+      assert.deepEqual(anew.history, []);
+      await give(page, 'receive', anew.traits);
+      const other = await kernel.run(
+        '',
+        await sentBy(page, `${has(4)} && sent.state.experiment.evolution.seed === 8`),
+      );
+      assert.deepEqual(
+        other.history.map(({ drives }) => drives),
+        [20, 40, 60, 80, 100],
+      );
+
+      const wrong = await kernel.run('w.experiment = {"flavour": "red"}');
+      await give(page, 'receive', wrong.traits);
+      assert.match((await kernel.run('', await sentBy(page, 'sent.error'))).error, /flavour/);
+      assert.match(await page.text('#cell > p'), /flavour/);
+      const linked = await kernel.run(
+        'w.experiment = {}; w.link = "curves&v=1&seed=9&goal.x=1000000"; w.step()',
+      );
+      await give(page, 'receive', linked.traits);
+      const curves = await sentBy(page, `${has(1)} && /goal/.test(sent.error)`);
+      assert.equal(curves.state.link, 'curves&v=1&seed=9&generation=1');
+
+      assert.equal(
+        await page.evaluate(() => {
+          Reflect.get(window, 'leave')();
+          return document.getElementById('cell')?.childElementCount;
+        }),
+        0,
+      );
+    } finally {
+      kernel.end();
+      await page.leave();
+      host.close();
+    }
+  });
+else test('the widget for notebooks', { skip: 'npm test builds it where Python is' }, () => {});

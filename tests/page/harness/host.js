@@ -1,0 +1,141 @@
+// A page of someone else that holds figures in frames, on an origin of its own, as a course's page has one.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { By } from 'selenium-webdriver';
+
+/** @typedef {import('./browsers.js').Page} Page */
+/** What came to the host: from which of its frames, counted from 0. @typedef {{ frame: number, origin: string, data: any }} Heard */
+
+const top = fileURLToPath(new URL('../../../', import.meta.url));
+
+/** @type {Record<string, string>} */
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.mjs': 'text/javascript',
+  '.css': 'text/css',
+  '.wasm': 'application/wasm',
+  '.svg': 'image/svg+xml',
+};
+
+/** Keeps every message that comes. */
+const listener = `<script>
+  window.heard = [];
+  addEventListener('message', ({ source, origin, data }) => {
+    const frame = [...document.querySelectorAll('iframe')].findIndex((one) => one.contentWindow === source);
+    heard.push({ frame, origin, data });
+  });
+</script>`;
+
+/**
+ * Serves HTML as `/`, and the files of the project beside it.
+ * @param {string} html
+ */
+export async function serveHost(html) {
+  const server = createServer(async (request, response) => {
+    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
+    const body =
+      pathname === '/'
+        ? `<!doctype html><html lang="en"><title>A course</title>${listener}${html}`
+        : await readFile(join(top, normalize(decodeURIComponent(pathname)))).catch(() => null);
+    const type = types[extname(pathname) || '.html'] ?? 'application/octet-stream';
+    response.writeHead(body === null ? 404 : 200, { 'Content-Type': type, 'Cache-Control': 'no-store' });
+    response.end(body);
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
+  const address = server.address();
+  if (address === null || typeof address === 'string') throw new Error('the server has no port');
+  return {
+    address: `http://127.0.0.1:${address.port}/`,
+    close: () => {
+      server.closeAllConnections();
+      server.close();
+    },
+  };
+}
+
+/**
+ * Opens a page of the host and waits until all of its figures can be spoken to.
+ * @param {Page} page @param {string} html @param {(page: Page) => Promise<void>} body
+ */
+export async function inHost(page, html, body) {
+  const host = await serveHost(html);
+  try {
+    await page.visit(host.address);
+    const count = await page.evaluate(() => document.querySelectorAll('iframe').length);
+    for (let frame = 0; frame < count; frame += 1)
+      await page.until(`frame ${frame} is ready`, isReady, frame);
+    await body(page);
+    for (let frame = 0; frame < count; frame += 1)
+      assert.deepEqual(await within(page, frame, () => page.problems()), [], `frame ${frame}`);
+  } finally {
+    await page.leave();
+    host.close();
+  }
+}
+
+/** In the host. @param {number} frame */
+const isReady = (frame) =>
+  /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window)).heard.some(
+    (one) => one.frame === frame && one.data.type === 'ready',
+  );
+
+/** All that a frame has said. As text, for one driver changes the last digit of some numbers. @param {Page} page @param {number} frame @returns {Promise<any[]>} */
+export const heardFrom = async (page, frame) =>
+  JSON.parse(
+    await page.evaluate(
+      (number) =>
+        JSON.stringify(
+          /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window)).heard
+            .filter((one) => one.frame === number)
+            .map(({ data }) => data),
+        ),
+      frame,
+    ),
+  );
+
+/** Sends a message to a frame and waits for its answer. @param {Page} page @param {number} frame @param {object} message @returns {Promise<any>} */
+export async function ask(page, frame, message) {
+  const id = `question ${await page.evaluate(
+    (number, text) => {
+      const own = /** @type {{ asked?: number }} */ (/** @type {unknown} */ (window));
+      own.asked = (own.asked ?? 0) + 1;
+      const question = { ep: 1, id: `question ${own.asked}`, ...JSON.parse(text) };
+      document.querySelectorAll('iframe')[number].contentWindow?.postMessage(question, '*');
+      return own.asked;
+    },
+    frame,
+    JSON.stringify(message),
+  )}`;
+  const answer = await page.until(
+    `frame ${frame} answers ${JSON.stringify(message)}`,
+    (question) =>
+      JSON.stringify(
+        /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window)).heard.find(
+          ({ data }) => data.id === question,
+        )?.data,
+      ),
+    id,
+  );
+  return JSON.parse(answer);
+}
+
+/** Does something within a frame, scrolled into sight, where everything of a page is that of the frame. @template T @param {Page} page @param {number} frame @param {() => Promise<T>} body */
+export async function within(page, frame, body) {
+  const { driver } = page;
+  await page.evaluate(
+    (number) => document.querySelectorAll('iframe')[number].scrollIntoView({ block: 'nearest' }),
+    frame,
+  );
+  await driver.switchTo().frame((await driver.findElements(By.css('iframe')))[frame]);
+  try {
+    // What nobody sees is not drawn.
+    await page.until('the figure is drawn', () => document.body?.dataset.open);
+    return await body();
+  } finally {
+    await driver.switchTo().defaultContent();
+  }
+}

@@ -1,0 +1,125 @@
+// Serves the built site from a sub-folder, as a course's host would, under the strictest content security policy that it
+// works under, and keeps a record of all that goes wrong.
+import { readFileSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize, sep } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import axe from 'axe-core';
+
+const folder = '/some/course/ep/';
+const collector = '/collector.js';
+const blank = '/blank';
+const dist = fileURLToPath(new URL('../../../dist/', import.meta.url));
+/** Where pages find axe-core. */
+export const axeAddress = '/axe.js';
+const reports = '/policy-reports';
+
+/** All that the page needs, and nothing else. */
+const strictest = {
+  'default-src': "'none'",
+  'script-src': "'self' 'wasm-unsafe-eval'",
+  'style-src': "'self'",
+  'connect-src': "'self'",
+  'worker-src': "'self'",
+  'img-src': "'self' data: blob:",
+  // Only for tests that look at the page in a frame of itself.
+  'frame-src': "'self'",
+  'base-uri': "'none'",
+  'form-action': "'none'",
+  'report-uri': reports,
+};
+
+/** @type {Record<string, string>} */
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.wasm': 'application/wasm',
+  '.json': 'application/json',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+};
+
+/**
+ * @typedef {object} Site
+ * @property {string} address where the page is
+ * @property {string} blank a page of the same site with nothing on it, from which a browser comes and to which it goes without starting a process
+ * @property {string[]} problems requests that were refused or not found since the array was last emptied
+ * @property {() => Promise<void>} close
+ */
+
+/**
+ * What is otherwise than in the built site.
+ * @typedef {object} Changes
+ * @property {Record<string, string>} [policy] directives in the place of those of the strictest policy
+ * @property {string} [before] a script that the page begins with
+ * @property {(name: string, content: Buffer) => Buffer | null} [send] what is sent of a file
+ */
+
+/**
+ * @param {string} [root] the folder to serve
+ * @param {Changes} [changes]
+ * @returns {Promise<Site>}
+ */
+export async function serve(root = dist, { policy = {}, before = '', send = (_, content) => content } = {}) {
+  const header = Object.entries({ ...strictest, ...policy })
+    .map((directive) => directive.join(' '))
+    .join('; ');
+  /** @type {string[]} */
+  const problems = [];
+  const collectorText = readFileSync(new URL('collector.js', import.meta.url), 'utf8') + before;
+
+  /** @param {string} path @returns {Promise<string | Buffer | null>} the body, or null if there is none */
+  async function body(path) {
+    if (path === collector) return collectorText;
+    if (path === blank) return '<title>blank</title>';
+    if (path === axeAddress) return axe.source;
+    const inside = normalize(path.slice(folder.length) || 'index.html');
+    if (!path.startsWith(folder) || inside.startsWith(`..${sep}`)) return null;
+    const file = await readFile(join(root, inside)).catch(() => null);
+    const content = file && send(inside, file);
+    if (content === null || extname(inside) !== '.html') return content;
+    // The collector has to run before any script of the page.
+    return content.toString().replace(/<head[^>]*>/i, `$&<script src="${collector}"></script>`);
+  }
+
+  const server = createServer(async (request, response) => {
+    const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
+    if (path === reports) {
+      let text = '';
+      for await (const part of request) text += part;
+      const report = JSON.parse(text)['csp-report'];
+      problems.push(
+        `policy: ${report['violated-directive']} refuses ${report['blocked-uri']} in ${report['document-uri']}`,
+      );
+      response.writeHead(204).end();
+      return;
+    }
+    const content = await body(path);
+    // Browsers look for this one by themselves.
+    if (content === null && path !== '/favicon.ico') problems.push(`not found: ${request.method} ${path}`);
+    const type = extname(path) === '' ? types['.html'] : (types[extname(path)] ?? 'application/octet-stream');
+    response.writeHead(content === null ? 404 : 200, {
+      'Content-Type': type,
+      'Content-Security-Policy': header,
+      // A name in assets/ has a hash of what is in it; in a copy of the site that may have been changed.
+      'Cache-Control':
+        root === dist && path.includes('/assets/') ? 'max-age=31536000, immutable' : 'no-store',
+    });
+    response.end(content);
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
+  const address = server.address();
+  if (address === null || typeof address === 'string') throw new Error('the server has no port');
+  return {
+    address: `http://localhost:${address.port}${folder}`,
+    blank: `http://localhost:${address.port}${blank}`,
+    problems,
+    close: () =>
+      new Promise((resolve) => {
+        server.close(() => resolve());
+        server.closeAllConnections();
+      }),
+  };
+}

@@ -1,0 +1,198 @@
+import assert from 'node:assert/strict';
+import { cp, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { Key, pageTest } from '../harness/browsers.js';
+import { evolve, experiment, glue, shown, simulate, wasm } from '../harness/core.js';
+import { arrival, read, readEvolution } from '../harness/reading.js';
+import { serve } from '../harness/server.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+const velocityLimits = experiment('velocity-limits');
+
+/** Presses "1 generation" by the keyboard. @param {Page} page @param {number} times */
+async function step(page, times) {
+  await page.focus('#one-generation');
+  await page.press(...Array(times).fill(Key.ENTER));
+}
+
+/** @param {Page} page @param {number} generation */
+const reaches = (page, generation) =>
+  page.until(
+    `generation ${generation}`,
+    (wanted) => Number(document.getElementById('generation')?.innerText) >= wanted,
+    generation,
+  );
+
+/** Waits until the frames of half a second have passed, in which an evolution that runs makes four generations. @param {Page} page */
+const framesOfHalfASecond = (page) =>
+  page.evaluate(async () => {
+    const frame = () => /** @type {Promise<number>} */ (new Promise((done) => requestAnimationFrame(done)));
+    const first = await frame();
+    while ((await frame()) < first + 500);
+  });
+
+pageTest('1 generation makes one generation, and the best J never rises', async (page) => {
+  const costs = [Number((await read(page)).cost)];
+  for (let generation = 1; generation <= 6; generation++) {
+    await page.click('#one-generation');
+    const now = await read(page);
+    assert.equal(now.generation, String(generation));
+    costs.push(Number(now.cost));
+  }
+  assert.ok(
+    costs.every((cost, i) => i === 0 || cost <= costs[i - 1]),
+    `best J: ${costs}`,
+  );
+  assert.ok(costs[6] < costs[0], `best J did not fall in six generations: ${costs}`);
+});
+
+pageTest('Run goes on by itself until Pause, however long that is pressed', async (page) => {
+  await page.click('#run');
+  await reaches(page, 2);
+  const run = await page.element('#run');
+  await page.driver.actions().move({ origin: run }).press().perform();
+  await reaches(page, Number((await read(page)).generation) + 2);
+  await page.driver.actions().release().perform();
+  const paused = await readEvolution(page);
+  await framesOfHalfASecond(page);
+  assert.deepEqual(await readEvolution(page), paused);
+  await page.click('#run');
+  await reaches(page, Number(paused.generation) + 1);
+});
+
+pageTest(
+  'generation 20 of a seed is the same whether it ran or was stepped, here and in Node',
+  async (page) => {
+    /** @param {number} generation */
+    const expected = (generation) => ({
+      generation: String(generation),
+      seed: '1',
+      ...evolve(velocityLimits, generation).shown,
+    });
+    const first = await readEvolution(page);
+    assert.deepEqual(first, expected(0));
+
+    await page.click('#run');
+    await reaches(page, 5);
+    await page.click('#run');
+    const ran = Number((await read(page)).generation);
+    const end = Math.max(20, ran);
+    await step(page, end - ran);
+    assert.deepEqual(await readEvolution(page), expected(end));
+
+    await page.click('#reset');
+    assert.deepEqual(await readEvolution(page), first);
+    await step(page, end);
+    assert.deepEqual(await readEvolution(page), expected(end));
+  },
+);
+
+pageTest('every number of the history is the same here and in Node', async (page) => {
+  const folder = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
+  await cp(glue, join(folder, 'ep_locomotion.js'));
+  await cp(wasm, join(folder, 'ep_locomotion_bg.wasm'));
+  await writeFile(
+    join(folder, 'hash.js'),
+    `import init, { Evolution, experiment } from './ep_locomotion.js';
+     await init();
+     const evolution = new Evolution(experiment('velocity-limits'));
+     for (let i = 0; i < 20; i++) evolution.step();
+     document.documentElement.dataset.hash = evolution.hash();`,
+  );
+  await writeFile(join(folder, 'index.html'), '<head><script type="module" src="hash.js"></script></head>');
+  const site = await serve(folder);
+  try {
+    await page.visit(site.address);
+    const hash = await page.until('the evolution is done', () => document.documentElement.dataset.hash);
+    assert.equal(hash, evolve(velocityLimits, 20).hash);
+  } finally {
+    await site.close();
+    await rm(folder, { recursive: true });
+  }
+});
+
+pageTest('New seed takes another seed at generation 0, and Reset keeps it', async (page) => {
+  await step(page, 2);
+  await page.click('#new-seed');
+  const { generation, seed, cost, gains } = await readEvolution(page);
+  assert.equal(generation, '0');
+  assert.notEqual(seed, '1');
+  const evolution = { ...velocityLimits.evolution, seed: Number(seed) };
+  assert.deepEqual({ cost, gains }, evolve({ ...velocityLimits, evolution }).shown);
+  await step(page, 1);
+  await page.click('#reset');
+  assert.deepEqual(await readEvolution(page), { generation, seed, cost, gains });
+});
+
+pageTest('the fitness curve grows, and its text tells best and median', async (page) => {
+  /** What the curve looks like, and what it says. */
+  const curve = () =>
+    page.evaluate(() => {
+      const picture = /** @type {HTMLCanvasElement} */ (document.querySelector('#curve canvas')).toDataURL();
+      return { picture, text: document.getElementById('curve')?.getAttribute('aria-label') ?? '' };
+    });
+  const before = await curve();
+  await step(page, 20);
+  // The words wait until nothing moves.
+  await page.focus('#scrub');
+  await page.press(Key.END);
+  await read(page);
+  const after = await curve();
+  assert.notEqual(after.picture, before.picture);
+  const [first, newest] = [evolve(velocityLimits), evolve(velocityLimits, 20)];
+  for (const number of [first.shown.cost, first.median, newest.shown.cost, newest.median])
+    assert.ok(after.text.includes(number), `${number} is not in: ${after.text}`);
+});
+
+pageTest("the robot's clock never touches evolution, nor evolution a robot that stands", async (page) => {
+  await step(page, 3);
+  const evolved = await readEvolution(page);
+  /** @param {string} what */
+  const untouched = async (what) => assert.deepEqual(await readEvolution(page), evolved, what);
+
+  await page.focus('#scrub');
+  await page.press(Key.END);
+  await untouched('at the end');
+  await page.press(Key.HOME, Key.ARROW_RIGHT, Key.ARROW_RIGHT);
+  await untouched('scrubbed');
+  await page.click('#speed option[value="2"]');
+  await untouched('faster');
+  await page.click('#play');
+  await arrival(page);
+  await untouched('arrived');
+  await page.click('#speed option[value="0.25"]');
+  await page.click('#play');
+  await page.until('the robots drive', () => document.querySelector('#play.playing'));
+  await page.click('#play');
+  await page.until('the robots stand', () => !document.querySelector('#play.playing'));
+  await untouched('held on the way');
+
+  const { time } = await read(page);
+  await step(page, 1);
+  assert.deepEqual([(await read(page)).generation, (await read(page)).time], ['4', time]);
+});
+
+pageTest('other limits change J and begin evolution again, which goes on under them', async (page) => {
+  const first = await readEvolution(page);
+  await step(page, 2);
+  await page.click('#preset-acceleration-limits');
+  const limited = experiment('acceleration-limits');
+  const begun = evolve(limited).shown;
+  assert.notEqual(begun.cost, first.cost);
+  assert.deepEqual(await readEvolution(page), { generation: '0', seed: '1', ...begun });
+
+  await step(page, 3);
+  const third = evolve(limited, 3);
+  assert.deepEqual(await readEvolution(page), { generation: '3', seed: '1', ...third.shown });
+
+  // The same gains drive otherwise without the limits.
+  await page.click('#drives-hand');
+  assert.equal((await read(page)).cost, third.shown.cost);
+  await page.click('#preset-velocity-limits');
+  assert.equal((await read(page)).cost, shown(simulate(velocityLimits, third.gains).cost.total));
+
+  await page.click('#drives-evolved');
+  assert.deepEqual(await readEvolution(page), first);
+});

@@ -1,0 +1,172 @@
+import assert from 'node:assert/strict';
+import { Key, pageTest } from '../harness/browsers.js';
+import { evolve, experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
+import { read } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../harness/core.js').Gains} Gains */
+
+const velocityLimits = experiment('velocity-limits');
+const ep = paperGains('velocity-limits', 'ep');
+const arbitrary = paperGains('velocity-limits', 'arbitrary');
+
+/** Who drives, with what, and at what cost. @param {Page} page */
+async function readDriver(page) {
+  const { driver, gains, cost } = await read(page);
+  return { driver, gains, cost };
+}
+
+/** @param {string} driver @param {Gains} gains */
+const expected = (driver, gains) => ({
+  driver,
+  gains: shownGains(gains),
+  cost: shown(simulate(velocityLimits, gains).cost.total),
+});
+
+/** Types into a field over what it holds. @param {Page} page @param {string} id @param {string} text */
+async function type(page, id, text) {
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+  await page.focus(`#${id}`);
+  await page.press(...(text === '' ? [Key.BACK_SPACE] : text), Key.ENTER);
+}
+
+/** What is said about a gain's field once it is drawn, and whether it is said beside it. @param {Page} page @param {string} gain */
+const complaint = (page, gain) =>
+  page.evaluate(async (id) => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    const [field, message] = [`gain-${id}`, `gain-${id}-error`].map((one) => document.getElementById(one));
+    if (!field || !message) throw new Error(`${id} has no field or no message`);
+    const [at, said] = [field, message].map((one) => one.getBoundingClientRect());
+    const distance = Math.max(said.top - at.bottom, at.top - said.bottom);
+    return {
+      text: message.checkVisibility() ? message.innerText : '',
+      name: document.querySelector(`label[for=gain-${id}]`)?.textContent ?? '',
+      isBeside: Math.abs(distance) < 24 && field.getAttribute('aria-describedby') === message.id,
+      isInvalid: field.getAttribute('aria-invalid') === 'true',
+    };
+  }, gain);
+
+pageTest('each driver shows its gains and their J', async (page) => {
+  const evolved = evolve(velocityLimits);
+  assert.deepEqual(await readDriver(page), { driver: 'evolved', ...evolved.shown });
+  await page.click('#drives-paper-ep');
+  assert.deepEqual(await readDriver(page), expected('paper-ep', ep));
+  await page.click('#drives-paper-arbitrary');
+  assert.deepEqual(await readDriver(page), expected('paper-arbitrary', arbitrary));
+  await page.click('#drives-hand');
+  assert.deepEqual(await readDriver(page), expected('hand', arbitrary));
+  await page.click('#drives-evolved');
+  assert.deepEqual(await readDriver(page), { driver: 'evolved', ...evolved.shown });
+});
+
+pageTest("the paper's gains cost what they are known to cost, the sum of the parts shown", async (page) => {
+  for (const [preset, driver, known] of [
+    ['velocity-limits', 'paper-ep', '7.935'],
+    ['velocity-limits', 'paper-arbitrary', '9.016'],
+    ['acceleration-limits', 'paper-ep', '8.271'],
+  ]) {
+    await page.click(`#preset-${preset}`);
+    await page.click(`#drives-${driver}`);
+    assert.equal((await read(page)).cost, known, `${driver} under ${preset}`);
+    const parts = await page.evaluate(() =>
+      [...document.querySelectorAll('#cost-parts .cost-value')].map((value) =>
+        Number(/** @type {HTMLElement} */ (value).innerText),
+      ),
+    );
+    assert.equal(parts.length, 5);
+    const sum = parts.reduce((total, part) => total + part, 0);
+    // Each part is rounded to two digits, J to three.
+    assert.ok(Math.abs(sum - Number(known)) < 5 * 0.005 + 0.001, `J ${known}, parts ${parts}`);
+  }
+});
+
+pageTest('a slider takes over by hand from the gains that are shown, and they are kept', async (page) => {
+  await page.click('#drives-paper-ep');
+  await page.focus('#slider-kx');
+  await page.press(Key.ARROW_RIGHT);
+  const moved = await readDriver(page);
+  const kx = Number(moved.gains[0]);
+  assert.ok(kx > ep[0] && kx < ep[0] + 0.1, `kx went from ${ep[0]} to ${kx}`);
+  assert.deepEqual(moved, expected('hand', [kx, ep[1], ep[2]]));
+
+  await page.focus('#slider-ktheta');
+  await page.press(Key.ARROW_LEFT);
+  const again = await readDriver(page);
+  const ktheta = Number(again.gains[2]);
+  assert.ok(ktheta < ep[2], `kθ went from ${ep[2]} to ${ktheta}`);
+  assert.deepEqual(again, expected('hand', [kx, ep[1], ktheta]));
+
+  await page.click('#drives-evolved');
+  await page.click('#drives-hand');
+  assert.deepEqual(await readDriver(page), again);
+});
+
+pageTest('a gain that is no number is refused beside its field, and what drove goes on', async (page) => {
+  const before = await read(page);
+  for (const [gain, text] of [
+    ['kx', 'abc'],
+    ['kx', ''],
+    ['ky', '1e999'],
+    ['ktheta', '-1e999'],
+    ['ktheta', '3.5.1'],
+  ]) {
+    await type(page, `gain-${gain}`, text);
+    const { cost, driver } = await read(page);
+    const said = await complaint(page, gain);
+    assert.ok(said.name !== '' && said.text.includes(said.name), `${said.name} is not named: ${said.text}`);
+    assert.ok(said.isBeside && said.isInvalid, `${gain}: ${JSON.stringify(said)}`);
+    assert.deepEqual({ cost, driver }, { cost: before.cost, driver: before.driver });
+  }
+
+  await type(page, 'gain-ktheta', '3.5');
+  const { text, isInvalid } = await complaint(page, 'ktheta');
+  assert.deepEqual({ text, isInvalid }, { text: '', isInvalid: false });
+  const [kx, ky] = evolve(velocityLimits).gains;
+  assert.deepEqual(await readDriver(page), expected('hand', [kx, ky, 3.5]));
+});
+
+pageTest('gains of every finite size drive at their J or are refused, and the page goes on', async (page) => {
+  const [kx, ky, ktheta] = evolve(velocityLimits).gains;
+  let shownBefore = (await read(page)).cost;
+  for (const text of ['-2', '4000', '-1e12', '1e308']) {
+    await type(page, 'gain-ky', text);
+    const { cost, gains } = await read(page);
+    const refused = (await complaint(page, 'ky')).text !== '';
+    const { total } = simulate(velocityLimits, [kx, Number(text), ktheta]).cost;
+    if (refused) assert.equal(cost, shownBefore);
+    else {
+      assert.equal(Number(gains[1]), Number(text));
+      // Large costs are shown with fewer digits.
+      const [read, wanted] = [cost === '∞' ? Number.POSITIVE_INFINITY : Number(cost), total];
+      assert.ok(
+        read === wanted || Math.abs(read - wanted) <= 0.005 * wanted,
+        `${text}: ${cost}, not ${total}`,
+      );
+    }
+    shownBefore = cost;
+  }
+  await type(page, 'gain-ky', String(ky));
+  assert.deepEqual(await readDriver(page), expected('hand', [kx, ky, ktheta]));
+});
+
+pageTest('a decimal comma and a minus sign are understood', async (page) => {
+  await type(page, 'gain-kx', '4,25');
+  await type(page, 'gain-ky', '−0.5');
+  const { gains } = await read(page);
+  assert.deepEqual(gains.slice(0, 2), ['4.250', '-0.500']);
+});
+
+pageTest('what is being typed is not overwritten by what evolution finds', async (page) => {
+  await page.click('#run');
+  await page.focus('#gain-kx');
+  await page.press('4');
+  const before = Number((await read(page)).generation);
+  await page.until(
+    'two generations have passed',
+    (from) => Number(document.getElementById('generation')?.innerText) >= from + 2,
+    before,
+  );
+  await page.press('2', Key.ENTER);
+  const { driver, gains } = await read(page);
+  assert.deepEqual([driver, gains[0]], ['hand', '42.000']);
+});

@@ -1,0 +1,173 @@
+import assert from 'node:assert/strict';
+import { fileURLToPath } from 'node:url';
+import { Key, pageTest } from '../harness/browsers.js';
+import { read } from '../harness/reading.js';
+import { serve } from '../harness/server.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+const top = fileURLToPath(new URL('../../../', import.meta.url));
+
+pageTest(
+  'the page opens and works without errors, and asks no other host',
+  async (page) => {
+    assert.deepEqual(await page.problems(), []);
+    const { generation, cost, finalTime } = await read(page);
+    assert.equal(generation, '0');
+    assert.ok(Number(cost) > 0 && finalTime > 0);
+    const words = await page.evaluate(() => document.body.textContent);
+    assert.ok(!words.includes('npm start'), 'the page still tells how to start it');
+    for (const id of [
+      'run',
+      'run',
+      'new-seed',
+      'drives-paper-ep',
+      'drives-hand',
+      'preset-acceleration-limits',
+      'play',
+      'reset',
+    ])
+      await page.click(`#${id}`);
+    assert.deepEqual(await page.problems(), []);
+    const requests = await page.evaluate(() =>
+      performance.getEntriesByType('resource').map(({ name }) => name),
+    );
+    assert.ok(requests.length > 0);
+    assert.deepEqual(
+      requests.filter((address) => new URL(address).origin !== new URL(page.site.address).origin),
+      [],
+    );
+  },
+  { moves: true },
+);
+
+pageTest('Tab reaches every control in order and leaves the page, and each shows its focus', async (page) => {
+  /** @type {Record<string, string>} */
+  const focused = {};
+  /** @type {string[]} */
+  const reached = [];
+  do {
+    await page.press(Key.TAB);
+    reached.push(await page.evaluate(() => document.activeElement?.id ?? ''));
+    const [id] = reached.slice(-1);
+    if (id !== '') focused[id] = (await focusMarks(page, [id]))[id];
+    // A goal that is moved brings the button that moves it back.
+    if (id === 'goal-position') await page.press(Key.ARROW_UP);
+  } while (
+    reached.length < 50 &&
+    reached.at(-1) !== '' &&
+    reached.indexOf(reached[reached.length - 1]) === reached.length - 1
+  );
+  const after = reached.pop();
+
+  const controls = await page.evaluate(() => {
+    /** @type {HTMLElement} */ (document.activeElement).blur();
+    const all = /** @type {NodeListOf<HTMLInputElement>} */ (
+      document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')
+    );
+    // Of radio buttons, Tab reaches the one that is chosen.
+    return [...all]
+      .filter((one) => one.checkVisibility() && !one.disabled && (one.type !== 'radio' || one.checked))
+      .map(({ id }) => id);
+  });
+  assert.ok(controls.includes('restore-postures'));
+  assert.deepEqual(reached, controls);
+  assert.ok(after === '' || after === controls[0], `after the last control, Tab goes to ${after}`);
+
+  const unfocused = await focusMarks(page, controls);
+  for (const id of controls) {
+    assert.notEqual(focused[id], unfocused[id], `${id} does not show its focus`);
+    assert.notEqual(focused[id], 'none', `${id} has no mark of its focus`);
+  }
+});
+
+/** The outline and shadow of controls, or of what is seen in the place of one that is transparent. @param {Page} page @param {string[]} ids @returns {Promise<Record<string, string>>} */
+const focusMarks = (page, ids) =>
+  page.evaluate(
+    (names) =>
+      Object.fromEntries(
+        names.map((name) => {
+          const control = /** @type {HTMLElement} */ (document.getElementById(name));
+          const isClear = getComputedStyle(control).opacity === '0';
+          const face = isClear ? control.nextElementSibling : control;
+          const { outlineStyle, outlineWidth, outlineColor, boxShadow } = getComputedStyle(face ?? control);
+          const isOutlined =
+            outlineStyle !== 'none' && outlineWidth !== '0px' && !/, 0\)$/.test(outlineColor);
+          const outline = isOutlined ? `${outlineStyle} ${outlineWidth} ${outlineColor}` : 'none';
+          return [name, boxShadow === 'none' ? outline : `${outline} ${boxShadow}`];
+        }),
+      ),
+    ids,
+  );
+
+pageTest('the source of the page, served or opened as it is, says how to start it', async (page) => {
+  const site = await serve(top);
+  try {
+    for (const address of [site.address, new URL('../../../index.html', import.meta.url).href]) {
+      await page.visit(address);
+      const text = await page.until('a sentence is there to read', () => {
+        for (const wait of document.getAnimations()) wait.finish();
+        const instead = document.getElementById('instead');
+        const isSeen = instead?.checkVisibility({ visibilityProperty: true, opacityProperty: true });
+        return isSeen && instead?.innerText;
+      });
+      assert.match(text, /npm start/);
+      const shows = () => document.getElementById('instrument')?.checkVisibility();
+      assert.equal(await page.evaluate(shows), false, 'controls that nothing drives are to be seen');
+    }
+  } finally {
+    await site.close();
+  }
+});
+
+pageTest('the page fits without scrolling into 1440 × 900 and 1024 × 768', async (page) => {
+  for (const [width, height] of [
+    [1440, 900],
+    [1024, 768],
+  ]) {
+    await page.resize(width, height);
+    for (const id of ['reset', 'one-generation']) {
+      await page.click(`#${id}`);
+      await read(page);
+      const size = await page.evaluate(() => {
+        const { scrollWidth, scrollHeight } = document.documentElement;
+        return { innerWidth, innerHeight, scrollWidth, scrollHeight };
+      });
+      assert.deepEqual(
+        size,
+        { innerWidth: width, innerHeight: height, scrollWidth: width, scrollHeight: height },
+        id,
+      );
+    }
+  }
+});
+
+pageTest('the page is never wider than a telephone', async (page) => {
+  // In a frame, because not every engine's window can be so narrow.
+  for (const width of [390, 320]) {
+    await page.evaluate((pixels) => {
+      document.querySelector('iframe')?.remove();
+      const frame = document.createElement('iframe');
+      Object.assign(frame, { src: location.href, width: String(pixels), height: '844', frameBorder: '0' });
+      document.body.append(frame);
+    }, width);
+    const size = await page.until('the narrow page is ready', () => {
+      const root = document.querySelector('iframe')?.contentDocument?.documentElement;
+      return root?.dataset.ready === 'true' && { window: root.clientWidth, page: root.scrollWidth };
+    });
+    assert.ok(size.window <= width && size.page <= size.window, JSON.stringify(size));
+  }
+});
+
+pageTest('nothing is in the way of assistive technology', async (page) => {
+  assert.deepEqual(await page.obstacles(), []);
+  await page.focus('#gain-ky');
+  await page.press('x', Key.ENTER);
+  await page.click('#run');
+  await page.until('generation 2', () => Number(document.getElementById('generation')?.innerText) >= 2);
+  await page.click('#run');
+  await page.focus('#goal-position');
+  await page.press(Key.ARROW_UP);
+  await read(page);
+  assert.deepEqual(await page.obstacles(), []);
+});

@@ -1,0 +1,69 @@
+import assert from 'node:assert/strict';
+import { pageTest } from '../harness/browsers.js';
+import { Evolution, experiment, landscape, robustness, shown, simulate } from '../harness/core.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+const velocityLimits = experiment('velocity-limits');
+
+/** Opens a table and reads its cells, the head first. @param {Page} page @param {string} button */
+async function table(page, button) {
+  await page.click(`#${button}`);
+  const cells = await page.evaluate(() =>
+    [.../** @type {HTMLTableElement} */ (document.getElementById('table-rows')).rows].map((row) =>
+      [...row.cells].map((cell) => cell.innerText),
+    ),
+  );
+  assert.deepEqual(await page.obstacles(), []);
+  await page.click('#table-close');
+  return cells;
+}
+
+pageTest('the fitness curve can be read as a table', async (page) => {
+  for (let i = 0; i < 3; i += 1) await page.click('#one-generation');
+  const [head, ...rows] = await table(page, 'fitness-table');
+  assert.deepEqual(head.slice(0, 3), ['generation', 'drives', 'best J']);
+  const evolution = new Evolution(velocityLimits);
+  for (const row of rows) {
+    const { generation, evaluations, best, median, worst } = evolution.statistics();
+    assert.deepEqual(row.slice(0, 4), [generation, evaluations, shown(best.cost), shown(median)].map(String));
+    assert.equal(Number(row[4]).toFixed(1), worst.toFixed(1));
+    evolution.step();
+  }
+  assert.equal(rows.length, 4);
+});
+
+pageTest('the landscape can be read as a table', async (page) => {
+  await page.open('#landscape&v=1&drives=paper-ep&third=0.1');
+  await page.until('the fine landscape is there', () =>
+    document.getElementById('landscape-note')?.textContent?.replace(/\s/g, '').startsWith('16384drives'),
+  );
+  const [head, ...rows] = await table(page, 'landscape-table');
+  const axis = (/** @type {'kx' | 'ktheta'} */ gain) => ({ gain, from: 0, to: 12, count: 128 });
+  const costs = landscape(velocityLimits, {
+    x: axis('kx'),
+    y: axis('ktheta'),
+    gains: [0, 0.1, 0],
+    rows: [0, 128],
+  });
+  assert.deepEqual([head.length, rows.length], [14, 13]);
+  assert.deepEqual([head[13], rows[0][0], rows[12][0]], ['12', '12', '0']);
+  assert.equal(rows[0][13], shown(costs[128 * 128 - 1]));
+  const corner = simulate(velocityLimits, [12, 0.1, 12]);
+  assert.equal(rows[0][13], shown(corner.cost.total));
+});
+
+pageTest('the robustness map can be read as a table', async (page) => {
+  await page.open('#robustness&v=1&drives=paper-ep');
+  await page.until('the fine map is there', () =>
+    document.getElementById('robustness-note')?.textContent?.replace(/\s/g, '').startsWith('118098'),
+  );
+  const [head, ...rows] = await table(page, 'robustness-table');
+  assert.deepEqual([head.length, rows.length], [14, 13]);
+  const edge = (/** @type {number} */ middle) => ({ from: middle - 4, to: middle + 4, count: 81 });
+  const gains = [3.23673, 0.09678, 5.17891];
+  const { arrived } = robustness(velocityLimits, { gains, x: edge(2), y: edge(2), headings: 18 });
+  const first = arrived.slice(0, 18).reduce((sum, one) => sum + one, 0);
+  assert.equal(rows[12][1], String(first));
+  assert.deepEqual([rows[12][0], head[1]], ['−2.00', '−2.00']);
+});

@@ -1,0 +1,175 @@
+import assert from 'node:assert/strict';
+import { gentle } from '../../../www/lesson/standings.js';
+import { cost as step, withKy } from '../../../www/lesson/steps/cost.js';
+import { cost as words } from '../../../www/words/en/lesson/cost.js';
+import { costText } from '../../../www/words/numbers.js';
+import { Key, pageTest } from '../harness/browsers.js';
+import { experiment, paper, paperGains, simulate } from '../harness/core.js';
+import { answerOf, driven, engine, linkOf, opened } from './links.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+
+const usual = experiment('velocity-limits');
+const entrants = {
+  ep: paperGains('velocity-limits', 'ep'),
+  arbitrary: paperGains('velocity-limits', 'arbitrary'),
+  gentle,
+};
+
+/** @param {Experiment} from */
+function cheapest(from) {
+  const costs = Object.entries(entrants).map(([name, gains]) => ({
+    name,
+    cost: simulate(from, gains).cost.total,
+  }));
+  return costs.reduce((a, b) => (b.cost < a.cost ? b : a)).name;
+}
+
+/** @param {string} name */
+const answer = (name) => {
+  const { experiment: own, preset } = opened(linkOf(step, name));
+  const state = /** @type {any} */ ({ experiment: own, preset });
+  return answerOf(step, name, { engine, state, paper: paper() });
+};
+
+test('with our weights the EP gains win, with heavy ones the gentle, with light ones the arbitrary', async () => {
+  assert.equal(cheapest(usual), 'ep');
+  const { experiment: heavy } = opened(linkOf(step, 'heavier'));
+  assert.deepEqual(heavy.weights.velocity, [5, 5]);
+  assert.equal(cheapest(heavy), 'gentle');
+  assert.match(words.quizzes.heavier.choices[(await answer('heavier')).right], /^The gentle/);
+  assert.equal(cheapest(opened(linkOf(step, 'cheap')).experiment), 'arbitrary');
+});
+
+test('the arbitrary gains arrive first, the gentle ones last, and weights change no drive', () => {
+  const times = Object.values(entrants).map((gains) => simulate(usual, gains).finalTime);
+  assert.equal(Math.min(...times), times[1]);
+  assert.equal(Math.max(...times), times[2]);
+  const { experiment: heavy } = opened(linkOf(step, 'heavier'));
+  for (const gains of Object.values(entrants))
+    assert.deepEqual(simulate(heavy, gains).x, simulate(usual, gains).x);
+});
+
+test('where moving is dear, staying at home costs less than arriving, until the end is dear too', async () => {
+  const outcome = await answer('home');
+  assert.match(words.quizzes.home.choices[outcome.right], /stays at home$/);
+  assert.ok(outcome.drives.arrived && !outcome.stays.arrived);
+  const stays = driven(linkOf(step, 'final'));
+  const drives = simulate(opened(linkOf(step, 'final')).experiment, gentle);
+  assert.ok(stays.cost.total > drives.cost.total);
+});
+
+test('evolution with the heaviest weights finds a robot that does not arrive and hardly works', () => {
+  const run = driven(linkOf(step, 'evolved'));
+  assert.equal(run.arrived, false);
+  assert.ok(run.cost.total < simulate(opened(linkOf(step, 'evolved')).experiment, [0, 0, 0]).cost.total);
+  assert.ok(Math.hypot(run.x.at(-1) ?? 0, run.y.at(-1) ?? 0) < 1, 'it stays near its start');
+});
+
+test('a gain a little below zero costs 1000 times as much', () => {
+  assert.ok(Math.abs(driven(linkOf(step, 'negative')).cost.penalty - 10) < 1e-9);
+});
+
+test('from the paper’s start each bit of ky costs', () => {
+  const costs = withKy.map((gains) => simulate(usual, gains).cost.total);
+  assert.ok(costs[0] < costs[1] && costs[1] < costs[2], String(costs));
+});
+
+test('whoever arrives pays almost nothing for the end', () => {
+  for (const gains of Object.values(entrants)) {
+    const { arrived, cost } = simulate(usual, gains);
+    assert.ok(arrived && cost.finalError <= 0.05 ** 2 + 0.05 ** 2);
+  }
+  assert.deepEqual(usual.tolerance, { position: 0.05, heading: 0.05 });
+});
+
+test('the program’s weights are those that the text names', () => {
+  assert.deepEqual(usual.weights, { final: [1, 1, 1], velocity: [1, 1], penalty: 1000 });
+});
+
+/** The table of drives, as it is read. @param {Page} page */
+const standings = (page) =>
+  page.evaluate(async () => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    const rows = [...document.querySelectorAll('#standings tr')];
+    return {
+      totals: rows.map((row) => row.querySelector('.standing-total')?.textContent),
+      winner: rows.findIndex((row) => row.querySelector('.standing-mark:not([hidden])')),
+      drives: rows.findIndex((row) => row.querySelector('[aria-pressed="true"]')),
+    };
+  });
+/** @param {Experiment} from */
+const totals = (from) =>
+  [...Object.values(entrants), [3, 1, 5]].map((gains) => costText(simulate(from, gains).cost.total));
+
+pageTest('weights in the lesson change J and the winner, and are those of the settings', async (page) => {
+  await page.open('#lesson&step=6');
+  assert.deepEqual(await standings(page), { totals: totals(usual), winner: 0, drives: 3 });
+  for (const name of ['velocity-0', 'velocity-1']) {
+    await page.focus(`#lesson-weights-${name}`);
+    await page.press('5', Key.ENTER);
+  }
+  const heavy = opened(linkOf(step, 'heavier')).experiment;
+  assert.deepEqual(await standings(page), { totals: totals(heavy), winner: 2, drives: 3 });
+  assert.equal(await page.evaluate(() => document.getElementById('cost-total')?.innerText), totals(heavy)[3]);
+  await page.click('#settings-button');
+  await page.until(
+    'the settings show the same weight',
+    () =>
+      /** @type {HTMLInputElement} */ (document.getElementById('setting-weights-velocity-0')).value === '5',
+  );
+  await page.click('#settings-close');
+  await page.focus('#lesson-weights-velocity-1');
+  await page.press('x', Key.ENTER);
+  await page.until('the weight is refused by name', () => {
+    const error = document.getElementById('lesson-weights-velocity-1-error');
+    return error?.checkVisibility() && /a number from/.test(error.innerText);
+  });
+  assert.deepEqual(await page.obstacles(), []);
+});
+
+pageTest('a drive of the table can be driven, and one’s own gains stay in it', async (page) => {
+  await page.open('#lesson&step=6');
+  await page.click('#standings tr:nth-child(3) button');
+  const gentleCost = costText(simulate(usual, gentle).cost.total);
+  const shown = await standings(page);
+  assert.deepEqual(shown, { totals: totals(usual), winner: 0, drives: 2 });
+  assert.equal(await page.evaluate(() => document.getElementById('cost-total')?.innerText), gentleCost);
+  await page.click('#standings tr:nth-child(1) button');
+  assert.equal((await standings(page)).drives, 0);
+  await page.click('#standings tr:nth-child(4) button');
+  assert.equal((await standings(page)).drives, 3);
+  assert.equal(
+    await page.evaluate(() => /** @type {HTMLInputElement} */ (document.getElementById('gain-ky')).value),
+    '1.000',
+  );
+});
+
+pageTest('the formula’s numbers are the parts of J, and each lights up in the bar', async (page) => {
+  await page.open('#lesson&step=6');
+  await page.click('.formula-button');
+  const { cost } = simulate(usual, [3, 1, 5]);
+  const numbers = () =>
+    page.evaluate(async () => {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      return [...document.querySelectorAll('.formula-now mn')].map((leaf) => leaf.textContent);
+    });
+  assert.deepEqual(
+    await numbers(),
+    [cost.total, cost.time, cost.finalError, cost.path, cost.energy, cost.penalty].map(costText),
+  );
+  const lit = await page.evaluate(() =>
+    ['time', 'finalError', 'path', 'energy', 'penalty'].map((part) => {
+      document
+        .querySelector(`.formula [data-term="${part}"]`)
+        ?.dispatchEvent(new PointerEvent('pointerover', { bubbles: true }));
+      return [...document.querySelectorAll('#cost-bar .lit')].map((one) => one.className);
+    }),
+  );
+  assert.deepEqual(
+    lit,
+    ['time', 'finalError', 'path', 'energy', 'penalty'].map((part) => [`cost-segment part-${part} lit`]),
+  );
+});

@@ -1,0 +1,194 @@
+import assert from 'node:assert/strict';
+import { dissect } from '../../../www/parts/generation/record.js';
+import { placeByCost } from '../../../www/lesson/anatomy.js';
+import { generation as step, question } from '../../../www/lesson/steps/generation.js';
+import { generation as words } from '../../../www/words/en/lesson/generation.js';
+import { Key, pageTest } from '../harness/browsers.js';
+import { Evolution, experiment, simulate } from '../harness/core.js';
+import { evolved, opened } from './links.js';
+import { answered, tryOf } from './live.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../../../www/core/engine.js').Individual} Individual */
+
+const usual = experiment('velocity-limits');
+
+/** The generation that a link shows. @param {string} link */
+function anatomyOf(link) {
+  const { evolution, generation } = evolved(link);
+  return dissect(evolution.record(generation));
+}
+
+/** The records of the first generations of some seeds. @param {number} seeds @param {number} generations */
+function recordsOf(seeds, generations) {
+  const records = [];
+  for (let seed = 1; seed <= seeds; seed++) {
+    const evolution = new Evolution({ ...usual, evolution: { ...usual.evolution, seed } });
+    for (let g = 1; g <= generations; g++) {
+      evolution.step();
+      records.push(evolution.record(g));
+    }
+  }
+  return records;
+}
+
+/** The links within a text. @param {string} text */
+const linksIn = (text) => [...text.matchAll(/\]\(([^)]+)\)/g)].map(([, link]) => link);
+
+/** @param {number} a @param {number} b @param {string} what */
+const near = (a, b, what) =>
+  assert.ok(Math.abs(a - b) <= 1e-12 * Math.max(1, Math.abs(a)), `${what}: ${a}, ${b}`);
+
+test('step 7: the four moves show one generation and one pair, phase by phase', () => {
+  const links = [step.link, ...linksIn(words.texts.mutate), ...linksIn(words.texts.select)];
+  const phases = links.map((link) => {
+    const { generation, view } = opened(link);
+    assert.equal(generation, 1);
+    assert.equal(view.anatomy.chosen, 26);
+    return view.anatomy.phase;
+  });
+  assert.deepEqual(phases, ['parents', 'mutation', 'drive', 'tournament', 'survivors']);
+});
+
+test('step 7: an offspring is its parent moved by the old σ times a draw, which is rarely beyond ±2', () => {
+  const draws = [];
+  for (const { parents, offspring, mutations } of recordsOf(5, 20))
+    for (const [i, child] of offspring.entries())
+      for (const j of [0, 1, 2]) {
+        near(child.gains[j], parents[i].gains[j] + parents[i].sigmas[j] * mutations[i].gains[j], 'k′');
+        draws.push(mutations[i].gains[j]);
+      }
+  assert.ok(draws.filter((draw) => Math.abs(draw) > 2).length < 0.06 * draws.length);
+  for (const { sigmas } of anatomyOf(step.link).record.parents) assert.deepEqual(sigmas, [1, 1, 1]);
+});
+
+test('step 7: most offspring drive worse than their parent', () => {
+  const { record } = anatomyOf(step.link);
+  const betterIn = (/** @type {typeof record} */ { offspring, parents }) =>
+    offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
+  assert.ok(betterIn(record) < 10);
+  const records = recordsOf(20, 30);
+  const share = records.reduce((sum, one) => sum + betterIn(one), 0) / (20 * records.length);
+  assert.ok(share < 0.3, `${share}`);
+});
+
+test('step 7: ten bouts each; the twenty with the most wins stay, with gains, σ and J; 20 drives a generation', () => {
+  const { evolution } = evolved('generation&generation=2');
+  const { record, all } = dissect(evolution.record(1));
+  for (const [i, met] of record.opponents.entries()) {
+    assert.equal(met.length, 10);
+    assert.equal(record.wins[i], met.filter((other) => all[i].cost <= all[other].cost).length);
+  }
+  const fewest = Math.min(...record.survivors.map((number) => record.wins[number]));
+  for (const number of all.keys())
+    if (!record.survivors.includes(number)) assert.ok(record.wins[number] <= fewest);
+  assert.deepEqual(
+    evolution.record(2).parents,
+    record.survivors.map((number) => all[number]),
+  );
+  assert.equal(evolution.statistics(2).evaluations - evolution.statistics(1).evaluations, 20);
+});
+
+test('step 7: of the two in the question the better one falls, and the answer says so', async () => {
+  const { better, worse, right } = (await answered('generation', 'luck')).outcome;
+  assert.ok(better.cost < worse.cost && better.place < worse.place);
+  assert.equal(right, 1);
+  const { record } = anatomyOf('generation&generation=1');
+  assert.equal(record.survivors.includes(question.better), false);
+  assert.equal(record.survivors.includes(question.worse), true);
+});
+
+test('step 7: the best J never rises, for the best wins all its bouts', async () => {
+  const { rose, fell, right } = (await answered('generation', 'best')).outcome;
+  assert.equal(rose, 0);
+  assert.ok(fell > 10);
+  assert.equal(right, 2);
+  for (const record of recordsOf(20, 30)) {
+    const { all } = dissect(record);
+    const costs = all.map(({ cost }) => cost);
+    const best = costs.indexOf(Math.min(...costs));
+    assert.equal(record.wins[best], 10);
+    assert.equal(record.survivors[0], best);
+  }
+});
+
+test('step 7: what its tries are said to show', () => {
+  const lucky = anatomyOf(tryOf('generation', 'lucky'));
+  const { upset } = lucky;
+  assert.equal(upset?.survivor, 12);
+  assert.equal(opened(tryOf('generation', 'lucky')).view.anatomy.chosen, 12);
+  assert.ok(placeByCost(lucky, 12) > 20);
+
+  const below = tryOf('generation', 'below');
+  const [, chosen] = [opened(below), opened(below).view.anatomy.chosen ?? 0];
+  const { gains } = anatomyOf(below).all[chosen];
+  const { cost } = simulate(usual, gains);
+  assert.equal(chosen, 20 + 14);
+  assert.ok(Math.min(...gains) < 0 && cost.penalty > cost.total / 2);
+
+  const bouts = anatomyOf(tryOf('generation', 'bouts'));
+  assert.equal(bouts.record.opponents[0].length, 200);
+  assert.equal(bouts.upset, null);
+
+  const betterOf = (/** @type {string} */ link) => {
+    const { offspring, parents } = anatomyOf(link).record;
+    return offspring.filter((one, i) => one.cost < parents[i].cost).length;
+  };
+  assert.ok(betterOf(tryOf('generation', 'late')) < betterOf(step.link) / 2);
+});
+
+pageTest(
+  'step 7: the text tells of whoever is chosen in the figure, and the formula has the numbers',
+  async (page) => {
+    await page.open('#lesson&step=7');
+    const { record, all } = anatomyOf(step.link);
+    const told = () =>
+      page.evaluate(async () => {
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+        const values = [
+          .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]')),
+        ];
+        return Object.fromEntries(values.map((element) => [element.dataset.value, element.innerText]));
+      });
+    assert.deepEqual(
+      (({ child, childCost, parentCost, wins }) => ({ child, childCost, parentCost, wins }))(await told()),
+      {
+        child: 'Offspring 7',
+        childCost: all[26].cost.toFixed(3),
+        parentCost: all[6].cost.toFixed(3),
+        wins: String(record.wins[26]),
+      },
+    );
+    assert.match((await told()).fate, /^Offspring 7 survives as parent 3 /);
+
+    await page.click('.formula-button');
+    const line = await page.evaluate(() =>
+      [...document.querySelectorAll('.formula-now mtr')].map((row) => row.textContent),
+    );
+    const { parents, offspring, mutations } = record;
+    for (const i of [0, 1, 2]) {
+      const printed =
+        (line[i] ?? '')
+          .replaceAll('−', '-')
+          .match(/-?\d+\.\d+/g)
+          ?.map(Number) ?? [];
+      const exact = [offspring[6].gains[i], parents[6].gains[i], parents[6].sigmas[i], mutations[6].gains[i]];
+      assert.equal(printed.length, 4, line[i] ?? '');
+      for (const [j, value] of exact.entries()) assert.ok(Math.abs(printed[j] - value) < 6e-4, line[i] ?? '');
+    }
+
+    await page.click('#lesson .prose a[href*="phase=tournament"]');
+    await page.until('the tournament', () => document.querySelector('#generation-phases-tournament:checked'));
+    await page.focus('#generation-picture');
+    await page.press(Key.ARROW_RIGHT);
+    await page.until(
+      'another one',
+      () => document.querySelector('[data-value="chosen"]')?.textContent !== 'Offspring 7',
+    );
+    const now = await told();
+    const number = all.findIndex(
+      (_, i) => now.chosen === (i < 20 ? `Parent ${i + 1}` : `Offspring ${i - 19}`),
+    );
+    assert.equal(now.wins, String(record.wins[number]));
+  },
+);

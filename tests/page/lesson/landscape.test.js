@@ -1,0 +1,142 @@
+// Step 10: what it says of the landscape is so.
+import assert from 'node:assert/strict';
+import { landscape as step } from '../../../www/lesson/steps/landscape.js';
+import { pageTest } from '../harness/browsers.js';
+import { Evolution, evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
+import { opened } from './links.js';
+import { answered, tryOf } from './live.js';
+import { test } from '../harness/once.js';
+
+const { experiment: own, view } = opened(step.link);
+const ky = view.landscape.third ?? Number.NaN;
+const count = 128;
+/** @param {number} third */
+const mapOf = (third, from = own) =>
+  landscape(from, {
+    x: { gain: 'kx', from: 0, to: 12, count },
+    y: { gain: 'ktheta', from: 0, to: 12, count },
+    gains: [0, third, 0],
+  });
+/** @param {number} cell @returns {[number, number]} */
+const gainsOf = (cell) => [
+  ((cell % count) * 12) / (count - 1),
+  (Math.floor(cell / count) * 12) / (count - 1),
+];
+const map = mapOf(ky);
+const least = Math.min(...map);
+
+test('the valley holds very different gains that are almost equally good', () => {
+  const floor = [...map.keys()].filter((cell) => map[cell] < 1.05 * least).map(gainsOf);
+  for (const axis of [0, 1]) {
+    const values = floor.map((gains) => gains[axis]);
+    assert.ok(Math.max(...values) > 2 * Math.min(...values));
+  }
+});
+
+test('at the edge J rises at once, because robots do not arrive', () => {
+  const jumps = [];
+  for (let row = 3; row < count; row += 8) {
+    const runs = Array.from({ length: count }, (_, column) => {
+      const [kx, ktheta] = gainsOf(row * count + column);
+      return simulate(own, [kx, ky, ktheta]);
+    });
+    for (const [i, run] of runs.entries()) {
+      if (!run.arrived) assert.ok(run.cost.time === own.horizon && run.cost.total > 1.5 * least);
+      if (i > 0 && run.arrived !== runs[i - 1].arrived)
+        jumps.push(Math.abs(run.cost.total - runs[i - 1].cost.total));
+    }
+  }
+  assert.ok(jumps.length > 20);
+  assert.ok(jumps.sort((a, b) => a - b)[Math.floor(jumps.length / 10)] > 3);
+});
+
+test('the ripples are single huge commands, and gone with ky = 0', () => {
+  const smooth = opened(tryOf('landscape', 'smooth')).view.landscape.third;
+  assert.equal(smooth, 0);
+  const along = Array.from({ length: 60 }, (_, i) => 3.5 + i / 20);
+  const [rough, even] = [ky, 0].map((third) => along.map((kx) => simulate(own, [kx, third, 6])));
+  const wiggle = (/** @type {typeof rough} */ runs) =>
+    runs.slice(1).reduce((sum, { cost }, i) => sum + Math.abs(cost.total - runs[i].cost.total), 0);
+  assert.ok(wiggle(rough) > 5 * wiggle(even));
+  const turn = (/** @type {(typeof rough)[0]} */ run) => Math.max(...run.commandAngular.map(Math.abs));
+  const dearest = rough.reduce((a, b) => (b.cost.energy > a.cost.energy ? b : a));
+  assert.ok(turn(dearest) > 5 * Math.max(...even.map(turn)));
+});
+
+test('turning the goal moves the lowest point, and its old gains no longer arrive', async () => {
+  const { outcome, why } = await answered('landscape', 'turn');
+  assert.equal(outcome.right, 2);
+  const turned = experiment({ ...own, goal: { ...own.goal, theta: Math.PI / 2 } });
+  const paperKy = paperGains('velocity-limits', 'ep')[1];
+  for (const [found, from] of [
+    [outcome.old, own],
+    [outcome.now, turned],
+  ])
+    assert.ok(Math.abs(found.cost - Math.min(...mapOf(paperKy, from))) < 1e-12);
+  assert.ok(!outcome.left.arrived && outcome.left.cost.total > 2 * outcome.now.cost);
+  // A gorge: far less of the map is near its lowest point.
+  const floor = (/** @type {Float64Array} */ costs, /** @type {number} */ lowest) =>
+    costs.filter((cost) => cost < 1.1 * lowest).length;
+  assert.ok(floor(mapOf(paperKy, turned), outcome.now.cost) < floor(map, least) / 4);
+  for (const text of why) assert.match(text, /18\.7/);
+});
+
+test('along ky the lowest point is at the border, behind which stands a wall', async () => {
+  const { outcome } = await answered('landscape', 'ky');
+  assert.equal(outcome.right, 1);
+  assert.equal(outcome.lowest.gains[1], 0);
+  assert.ok(outcome.wall.cost.total > outcome.middle.cost.total && outcome.wall.cost.penalty > 9);
+});
+
+test('most generations leave the best where it is; the paper’s gains lie in the valley', () => {
+  const { generation } = opened(tryOf('landscape', 'walked'));
+  const evolution = new Evolution(own);
+  let moves = 0;
+  let best = evolution.statistics().best.cost;
+  for (let i = 0; i < generation; i++) {
+    const { cost } = evolution.step().best;
+    if (cost < best) moves += 1;
+    best = cost;
+  }
+  assert.ok(moves > 10 && moves < generation / 2, `${moves} moves`);
+  // It finds what there is to find.
+  assert.ok(best < 1.001 * evaluate(own, [3.2, 0, 4.35])[0]);
+  assert.ok(evaluate(own, paperGains('velocity-limits', 'ep'))[0] < 1.05 * least);
+});
+
+test('in the gorge the population is stuck, though J falls on', () => {
+  const { experiment: gorge, generation } = opened(tryOf('landscape', 'stuck'));
+  const evolution = new Evolution(gorge);
+  for (let i = 0; i < generation; i++) evolution.step();
+  const { best, meanSigmas } = evolution.statistics();
+  assert.ok(Math.max(...meanSigmas) < 0.01);
+  const costs = mapOf(best.gains[1], gorge);
+  const lowest = costs.indexOf(Math.min(...costs));
+  assert.ok(costs[lowest] < best.cost - 1 && gainsOf(lowest)[0] < best.gains[0] - 3);
+  // Half-way along the gorge it is in between.
+  assert.ok(
+    [...costs.keys()].some(
+      (cell) =>
+        Math.abs(gainsOf(cell)[0] - 6) < 0.1 && costs[cell] < best.cost && costs[cell] > costs[lowest],
+    ),
+  );
+});
+
+pageTest('the text has the numbers of the map, and follows the population', async (page) => {
+  await page.open('#lesson&step=10');
+  const value = (/** @type {string} */ name) =>
+    page.evaluate((one) => document.querySelector(`#lesson [data-value="${one}"]`)?.textContent, name);
+  await page.until(
+    'the fine map is counted',
+    () =>
+      document.querySelector('#lesson [data-value="drives"]')?.textContent?.replace(/\D/g, '') === '16384',
+  );
+  const floor = map.filter((cost) => cost < 1.05 * least).length / map.length;
+  assert.equal(await value('floor'), (100 * floor).toFixed(0));
+  assert.deepEqual([await value('generation'), await value('spent')], ['0', '20']);
+  await page.click('#one-generation');
+  await page.until(
+    'one generation more is told',
+    () => document.querySelector('#lesson [data-value="spent"]')?.textContent === '40',
+  );
+});

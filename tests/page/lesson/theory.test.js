@@ -1,0 +1,97 @@
+import assert from 'node:assert/strict';
+import { limits } from '../../../www/lesson/steps/limits.js';
+import { stability } from '../../../www/lesson/steps/stability.js';
+import { stability as words } from '../../../www/words/en/lesson/stability.js';
+import { stability as ko } from '../../../www/words/ko/lesson/stability.js';
+import { paperGains, simulate } from '../harness/core.js';
+import { driven, linkOf, opened, samples } from './links.js';
+import { test } from '../harness/once.js';
+
+/** Every sample of the robot by hand or of the paper's EP gains. @param {string} link */
+function samplesOf(link) {
+  const { experiment, handGains, preset } = opened(link);
+  return samples(experiment, handGains ?? paperGains(preset, 'ep'));
+}
+/** @param {string} link */
+const risesOf = (link) =>
+  samplesOf(link).filter(({ lyapunov }, i, all) => i > 0 && lyapunov > all[i - 1].lyapunov).length;
+
+test('step 4: without limits V falls from sample to sample, and its rate is what the law promises', () => {
+  assert.equal(risesOf(stability.link), 0);
+  assert.ok(driven(stability.link).arrived);
+  const [kx, ky, kt] = opened(stability.link).handGains ?? [0, 0, 0];
+  for (const { error, lyapunovRate, outcome } of samplesOf(stability.link)) {
+    if (outcome !== null) continue;
+    const { x, y, theta } = error;
+    const promised = -kx * (x * Math.cos(theta)) ** 2 - ky * y ** 4 - kt * Math.sin(theta) ** 2;
+    assert.ok(Math.abs(promised - lyapunovRate) < 1e-6 * (1 + Math.abs(promised)));
+  }
+});
+
+test('step 4: with ky below zero V ends higher than it began', () => {
+  const all = samplesOf(linkOf(stability, 'negative'));
+  assert.ok(all[all.length - 1].lyapunov > all[0].lyapunov);
+});
+
+test('step 4: Kanayama’s rule stops beside a goal at rest and never turns, but follows a moving one, as the law does', () => {
+  const parked = driven(linkOf(stability, 'kanayama'));
+  const end = parked.x.length - 1;
+  assert.ok(Math.hypot(parked.x[end] - 2, parked.y[end] - 2) > 1);
+  assert.ok(parked.angular.every((value) => value === 0));
+  for (const name of ['track', 'kanayamaTracks']) {
+    const last = samplesOf(linkOf(stability, name)).at(-1);
+    assert.ok((last?.lyapunov ?? 1) < 0.01, `${name}: V ${last?.lyapunov}`);
+  }
+});
+
+test('step 4: from another start V rises at times; with kθ below zero the robot does not arrive', () => {
+  assert.ok(risesOf(linkOf(stability, 'other')) > 0);
+  assert.equal(driven(linkOf(stability, 'negativeTurn')).arrived, false);
+});
+
+test('step 4: early the blue part is the largest, near the goal the orange one the smallest', () => {
+  const [kx, ky, kt] = opened(stability.link).handGains ?? [0, 0, 0];
+  const parts = samplesOf(stability.link).map(({ error: { x, y, theta } }) => [
+    kx * (x * Math.cos(theta)) ** 2,
+    ky * y ** 4,
+    kt * Math.sin(theta) ** 2,
+  ]);
+  assert.equal(Math.max(...parts[0]), parts[0][0]);
+  assert.equal(Math.min(...parts[parts.length - 1]), parts[parts.length - 1][1]);
+});
+
+test('step 4: on the goal, turned by 180°, V stays at 2 for seconds, then the robot tips over', () => {
+  const link = /180°\]\(([^)]+)\)/.exec(words.notice.join(' '))?.[1] ?? '';
+  assert.ok(ko.notice.join(' ').includes(link));
+  const all = samplesOf(link);
+  for (const { lyapunov, time } of all) if (time < 5) assert.ok(Math.abs(lyapunov - 2) < 1e-4, `${time} s`);
+  assert.equal(all[all.length - 1].outcome, 'arrived');
+});
+
+test('step 5: without limits J rises, because energy counts the square of a huge turn rate', () => {
+  const free = driven(linkOf(limits, 'free'));
+  const limited = driven(limits.link);
+  assert.ok(free.cost.total > 100 * limited.cost.total);
+  assert.ok(free.cost.energy > 0.9 * free.cost.total);
+  assert.ok(risesOf(linkOf(limits, 'free')) > 0);
+  assert.equal(risesOf(limits.link), 0);
+});
+
+test('step 5: the robot of the paper drives at full speed for most of its way', () => {
+  const { linear } = driven(limits.link);
+  assert.ok(linear.filter((v) => v === 2).length > linear.length / 2);
+});
+
+test('step 5: with acceleration limits bold gains arrive much later and let V rise', () => {
+  const slow = driven(linkOf(limits, 'brakes'));
+  const quick = simulate(opened('lab').experiment, [10, 10, 10]);
+  assert.ok(slow.finalTime > 1.3 * quick.finalTime);
+  assert.ok(risesOf(linkOf(limits, 'brakes')) > 0);
+});
+
+test('step 5: in Figure 7 the arbitrary robot never arrives, and speed climbs along a straight line', () => {
+  const arbitrary = driven('curves&preset=acceleration-limits&drives=paper-arbitrary');
+  assert.equal(arbitrary.arrived, false);
+  const { linear } = driven(linkOf(limits, 'figure7'));
+  for (let i = 0; i < 20; i++) assert.ok(Math.abs(linear[i] - 0.05 * (i + 1)) < 1e-9);
+});

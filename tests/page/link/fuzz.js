@@ -1,0 +1,412 @@
+// Links and files that nobody has written, by the million: whatever they say, they are opened or refused, and never worse.
+//
+//   npm run fuzz -- 1000000 [seed]   so many links, a hundredth as many experiments and files; what fails is told with its seed, made small
+//
+// What has once failed belongs into corpus/, with which every test begins and from which half of the texts are bred.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { isDeepStrictEqual } from 'node:util';
+import fc from 'fast-check';
+import { openRunFile, runFile } from '../../../www/link/run-file.js';
+import { linkOf, mostCharacters, openLink } from '../../../www/link/link.js';
+import { groupNames } from '../../../www/run/exercise.js';
+import { finds, pageNames } from '../../../www/run/state.js';
+import { experiment, fields, simulateAll } from '../harness/core.js';
+
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+/** @typedef {import('../../../www/core/engine.js').Engine} Engine */
+/** @typedef {ReturnType<typeof openLink>['opened']} Opened */
+
+/** One text a line. @param {string} name */
+const corpus = (name) =>
+  readFileSync(new URL(`corpus/${name}`, import.meta.url), 'utf8')
+    .split('\n')
+    .slice(0, -1);
+export const links = corpus('links.txt');
+export const files = corpus('files.txt');
+
+/** What stands for a run's fingerprint here: the parsing is what is tried, not evolution. @param {Experiment} from @param {number} generations */
+const hashOf = (from, generations) => `${generations} of ${JSON.stringify(from)}`;
+
+/** The presets are asked for often. Nobody may change them. */
+const presets = new Map(
+  /** @type {const} */ (['velocity-limits', 'acceleration-limits']).map((name) => [
+    name,
+    frozen(experiment(name)),
+  ]),
+);
+
+/** @template T @param {T} value */
+function frozen(value) {
+  if (value !== null && typeof value === 'object') Object.values(value).forEach(frozen);
+  return Object.freeze(value);
+}
+
+const engine = /** @type {Engine} */ (
+  /** @type {unknown} */ ({
+    experiment: (/** @type {any} */ given) => presets.get(given) ?? experiment(given),
+    drive: (/** @type {Experiment} */ from, /** @type {number[][]} */ gains) =>
+      // Whether gains can be driven shows at the first sample.
+      simulateAll({ ...from, horizon: from.sampleTime }, gains.flat()),
+    surveys: {
+      evolve: async (/** @type {Experiment} */ from, /** @type {number} */ generations) => ({
+        hash: hashOf(from, generations),
+      }),
+    },
+  })
+);
+
+/** @param {Opened} opened */
+const linkAgain = ({ view, ...run }) => linkOf({ ...run, ...view }, engine.experiment);
+
+/** No text takes longer than a reader notices; far more than any takes, for machines are busy. */
+const mostMilliseconds = 3000;
+
+/** Any text is opened, what is wrong with it is told, and what came of it has a link that gives back the same. @param {string} link */
+export function checkLink(link) {
+  const start = performance.now();
+  const { opened, problems } = openLink(link, engine);
+  const milliseconds = performance.now() - start;
+  assert.ok(milliseconds < mostMilliseconds, `opened in ${milliseconds} ms`);
+  assert.ok(problems.every((problem) => typeof problem === 'string' && problem !== ''));
+  const written = linkAgain(opened);
+  // Thousands of starts can make a link longer than any that is read.
+  if (written.length > mostCharacters) return;
+  const again = openLink(written, engine);
+  assert.deepEqual(again.problems, [], written);
+  assert.equal(linkAgain(again.opened), written);
+  // The disturbance of a drive is in the link of its own page only.
+  const { page, trial } = opened;
+  const kept = {
+    ...opened,
+    trial: { ...trial, disturbance: page === 'disturbance' ? trial.disturbance : null },
+  };
+  if (!isDeepStrictEqual(again.opened, kept)) assert.deepEqual(again.opened, kept, written);
+}
+
+/** Any text is opened as a run, or refused with a reason for the reader. @param {string} text */
+export async function checkFile(text) {
+  const opened = await openRunFile(text, engine).catch((error) => {
+    // Any other kind is a mistake of ours.
+    assert.equal(error.constructor, Error, String(error.stack));
+    assert.match(error.message, /\w/);
+  });
+  if (opened) checkLink(linkAgain(opened.opened));
+}
+
+const numbers = fc.oneof(
+  fc.double().map(String),
+  fc.double({ min: -20, max: 20 }).map((value) => value.toFixed(2)),
+  fc.integer({ min: -2, max: 40 }).map(String),
+  fc.constantFrom(
+    'NaN',
+    '-Infinity',
+    '-0',
+    '1e308',
+    '5e-324',
+    '1e-5',
+    '0x10',
+    '1e5',
+    '−1',
+    '1,5',
+    ' 7 ',
+    '',
+    'off',
+    '4294967295',
+  ),
+);
+const angles = fc.oneof(
+  numbers,
+  numbers.map((text) => `${text}deg`),
+);
+const lists = (/** @type {number} */ most) =>
+  fc.array(numbers, { maxLength: most }).map((all) => all.join(','));
+const postures = fc.tuple(numbers, numbers, angles).map((all) => all.join(','));
+const words = fc.constantFrom(
+  ...[
+    'shim-kim',
+    'kanayama',
+    'none',
+    'random',
+    'slip',
+    'velocity-limits',
+    'acceleration-limits',
+    'hand',
+    'paper-ep',
+  ],
+  ...[
+    'evolved',
+    'kx',
+    'ky-log',
+    'ktheta',
+    'cost',
+    'time',
+    'share',
+    'sigmas',
+    'log',
+    'en',
+    'ko',
+    '1',
+    '__proto__',
+  ],
+);
+const names = fc
+  .oneof(
+    fc.string({ maxLength: 9 }),
+    fc.integer({ min: 76, max: 80 }).map((length) => `${'n'.repeat(length)}😀`),
+  )
+  .map(encodeURIComponent);
+
+/** The paths of an experiment's fields, as links have them. */
+const paths = [...new Set(fields().map(({ path }) => path.replace(/\[\].*/, '')))];
+const keys = fc.constantFrom(
+  ...paths,
+  ...[
+    'law',
+    'disturbance.kind',
+    'start',
+    'seed',
+    'population',
+    'opponents',
+    'v',
+    'lang',
+    'lesson',
+    'step',
+    'preset',
+  ],
+  ...[
+    'generation',
+    'drives',
+    'gains',
+    'from',
+    'under',
+    'phase',
+    'individual',
+    'view',
+    'curve',
+    'scale',
+    'x',
+    'y',
+  ],
+  ...['third', 'colour', 'half', 'heading', 'pin1', 'pin2', 'pin4', 'pin5', 'limits', 'starts[0].x', ''],
+  ...['found', 'lock', 'hide', 'task'],
+  ...[
+    '__proto__',
+    'constructor.prototype',
+    'goal.__proto__',
+    'toString',
+    'limits.speed.x',
+    'weights.final.length',
+  ],
+);
+const values = fc.oneof(
+  { weight: 4, arbitrary: numbers },
+  { weight: 2, arbitrary: words },
+  { weight: 1, arbitrary: angles },
+  { weight: 1, arbitrary: lists(4) },
+  { weight: 1, arbitrary: fc.array(postures, { minLength: 1, maxLength: 3 }).map((all) => all.join(';')) },
+  { weight: 1, arbitrary: fc.tuple(words, lists(3)).map((all) => all.join(',')) },
+);
+const change = fc.tuple(keys, values).map(([key, value]) => `${key}:${value}`);
+const pin = fc
+  .tuple(names, lists(3), fc.array(change, { maxLength: 4 }))
+  .map(([name, gains, changes]) => [name, gains, ...changes].join('~'));
+const pair = fc.tuple(keys, fc.oneof({ weight: 9, arbitrary: values }, { weight: 1, arbitrary: pin }));
+/** Pairs that have the right form more often than chance would have it. */
+const rightPair = fc.oneof(
+  fc.tuple(fc.constantFrom(...paths), numbers),
+  fc.tuple(fc.constantFrom('gains', 'weights.final'), fc.tuple(numbers, numbers, numbers).map(String)),
+  fc.tuple(fc.constantFrom('start', 'from'), postures),
+  fc.tuple(fc.constantFrom('pin1', 'pin2', 'pin3', 'pin4'), pin),
+  fc.tuple(
+    fc.constant('under'),
+    fc.tuple(fc.constantFrom('none', 'random', 'slip'), numbers, numbers, numbers).map(String),
+  ),
+  fc.tuple(
+    fc.constantFrom('lock', 'hide'),
+    fc.array(fc.constantFrom(...groupNames, 'all'), { maxLength: 4 }).map(String),
+  ),
+  fc.tuple(fc.constant('task'), names),
+  fc.tuple(fc.constant('found'), fc.constantFrom(...finds)),
+);
+const linkText = fc
+  .tuple(
+    fc.constantFrom(...pageNames, 'lesson', '', 'nowhere'),
+    fc.array(fc.oneof(pair, rightPair), { maxLength: 4 }),
+  )
+  .map(([page, pairs]) => [page, ...pairs.map((parts) => parts.join('='))].join('&'));
+
+/** What a text is made longer with. */
+const pieces = fc.oneof(
+  fc.constantFrom(
+    '&',
+    '=',
+    '~',
+    ':',
+    ';',
+    ',',
+    '%',
+    '%E0%A4',
+    '%00',
+    '%F0%9F%98%80',
+    '#',
+    '.',
+    'deg',
+    '\u0000',
+    '\ud800',
+    '😀',
+  ),
+  fc.constantFrom(
+    '"',
+    '{',
+    '[',
+    ']',
+    '}',
+    'null',
+    '1e999',
+    '\\u0000',
+    '"__proto__":',
+    '&__proto__=',
+    '&v=1',
+    '&start=0,0,0',
+  ),
+  keys.map((key) => `&${key}=`),
+  fc.string({ maxLength: 5 }),
+);
+/** A place in the text, how much is cut there, what is put there instead, and how often. */
+const mutation = fc.record({
+  at: fc.double({ min: 0, max: 1, noNaN: true }),
+  cut: fc.oneof(fc.nat(3), fc.nat(200)),
+  piece: pieces,
+  times: fc.oneof(
+    { weight: 400, arbitrary: fc.constantFrom(0, 1, 1) },
+    { weight: 1, arbitrary: fc.nat(6000) },
+  ),
+});
+/** @param {fc.Arbitrary<string>} texts */
+const mutated = (texts) =>
+  fc.tuple(texts, fc.array(mutation, { maxLength: 4 })).map(([text, mutations]) =>
+    mutations.reduce((before, { at, cut, piece, times }) => {
+      const place = Math.floor(at * before.length);
+      return before.slice(0, place) + piece.repeat(times) + before.slice(place + cut);
+    }, text),
+  );
+
+/** @param {number} low @param {number} high */
+const from = (low, high) => fc.double({ min: low, max: high, noNaN: true });
+const aPosture = fc.record({ x: from(-1000, 1000), y: from(-1000, 1000), theta: from(-100, 100) });
+const aWeight = from(0, 1e6);
+const aLimit = fc.option(from(0, 1e6));
+const aSeed = fc.nat({ max: 2 ** 32 - 1 });
+/** Any experiment that the core allows, from the smallest numbers to the largest. */
+const anyExperiment = fc
+  .record(
+    {
+      law: fc.constantFrom('shim-kim', 'kanayama'),
+      starts: fc.array(aPosture, { minLength: 1, maxLength: 5 }),
+      goal: aPosture,
+      referenceVelocity: fc.record({ linear: from(-100, 100), angular: from(-100, 100) }),
+      sampleTime: fc.oneof(from(1e-5, 10), fc.constant(1e-5)),
+      horizon: fc.oneof(from(1e-5, 10), from(10, 1e5)),
+      limits: fc.record({ speed: aLimit, turnRate: aLimit, acceleration: aLimit, turnAcceleration: aLimit }),
+      tolerance: fc.record({ position: from(0, 1000), heading: from(0, 100) }),
+      weights: fc.record({
+        final: fc.tuple(aWeight, aWeight, aWeight),
+        velocity: fc.tuple(aWeight, aWeight),
+        penalty: aWeight,
+      }),
+      disturbance: fc.record({
+        kind: fc.constantFrom('none', 'random', 'slip'),
+        linear: from(-100, 100),
+        angular: from(-100, 100),
+        seed: aSeed,
+      }),
+      evolution: fc.record({
+        population: fc.integer({ min: 1, max: 2000 }),
+        opponents: fc.integer({ min: 1, max: 1000 }),
+        seed: aSeed,
+        initialRange: fc.tuple(from(-1e6, 0), from(1e-9, 1e6)),
+        initialSigma: aWeight,
+      }),
+    },
+    { requiredKeys: [] },
+  )
+  .map((partial) => {
+    try {
+      return experiment(/** @type {any} */ (partial));
+    } catch {
+      return experiment('acceleration-limits');
+    }
+  });
+
+/** Every experiment has a link, and comes back from it, alone and pinned. @param {Experiment} one */
+export function checkExperiment(one) {
+  const { opened } = openLink('lab', engine);
+  const pinned = { slot: 1, name: 'mine', experiment: one, gains: /** @type {const} */ ([1, 0.1, 5]) };
+  const link = linkAgain({ ...opened, experiment: one, pins: [pinned] });
+  const again = openLink(link, engine);
+  assert.deepEqual(again.problems, [], link);
+  assert.deepEqual([again.opened.experiment, again.opened.pins], [one, [pinned]]);
+}
+
+const anyLink = mutated(fc.oneof(linkText, fc.constantFrom(...links)));
+
+/** A run's file, as the page writes it. @param {string} link @param {number} generations */
+function fileOf(link, generations) {
+  const { opened } = openLink(link, engine);
+  const history = Array.from({ length: generations + 1 }, (_, generation) => ({ generation }));
+  const { view, ...run } = { ...opened, generation: Math.min(opened.generation, generations) };
+  return runFile(/** @type {any} */ ({ ...run, ...view, history }), {
+    ...engine,
+    version: () => '0.1.0',
+    hash: () => hashOf(opened.experiment, generations),
+  });
+}
+/** With another value of one of its fields, or without it. */
+const changedFile = fc
+  .tuple(
+    fc.oneof({ weight: 9, arbitrary: fc.constantFrom(...links) }, { weight: 1, arbitrary: linkText }),
+    fc.nat(3),
+    fc.constantFrom(
+      'format',
+      'version',
+      'link',
+      'hash',
+      'generations',
+      'statistics',
+      'experiment',
+      '__proto__',
+      'toString',
+    ),
+    fc.oneof(fc.jsonValue(), anyLink, fc.constant(undefined), fc.constant({ toString: 1, valueOf: null })),
+  )
+  .map(([link, generations, name, value]) => {
+    const fields = Object.entries(JSON.parse(fileOf(link, generations))).filter(([key]) => key !== name);
+    const all = value === undefined ? fields : [...fields, [name, value]];
+    return `{${all.map(([key, content]) => `${JSON.stringify(key)}: ${JSON.stringify(content)}`).join(', ')}}`;
+  });
+const anyFile = fc.oneof(
+  changedFile,
+  mutated(fc.constantFrom(...links).map((link) => fileOf(link, 2))),
+  mutated(fc.constantFrom(...files)),
+);
+
+/** Tries so many links and a tenth as many files. @param {number} count @param {number} seed */
+export async function fuzz(count, seed) {
+  const usual = openLink('', engine);
+  fc.assert(fc.property(anyLink, checkLink), { numRuns: count, seed });
+  fc.assert(fc.property(anyExperiment, checkExperiment), { numRuns: Math.ceil(count / 100), seed });
+  await fc.assert(fc.asyncProperty(anyFile, checkFile), { numRuns: Math.ceil(count / 100), seed });
+  // What went before has left no trace.
+  assert.deepEqual(openLink('', engine), usual);
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  const [count, seed] = [process.argv[2] ?? 100_000, process.argv[3] ?? Date.now() % 2 ** 31].map(Number);
+  console.log(`${count} links, ${Math.ceil(count / 100)} experiments and files, seed ${seed}`);
+  const start = performance.now();
+  await fuzz(count, seed);
+  const seconds = (performance.now() - start) / 1000;
+  console.log(`nothing failed in ${seconds.toFixed(0)} s: ${Math.round((1.02 * count) / seconds)} a second`);
+}

@@ -1,0 +1,219 @@
+import assert from 'node:assert/strict';
+import { groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
+import { linkOf, openLink } from '../../../www/link/link.js';
+import { finds } from '../../../www/run/state.js';
+import { Key, pageTest } from '../harness/browsers.js';
+import { evolve, experiment, paperGains, shown, shownGains, simulate, simulateAll } from '../harness/core.js';
+import { test } from '../harness/once.js';
+import { read, readEvolution } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+/** @typedef {import('../../../www/core/engine.js').Engine} Engine */
+/** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
+/** @typedef {import('../../../www/link/link.js').Linked} Linked */
+
+const velocityLimits = experiment('velocity-limits');
+const engine = /** @type {Engine} */ (
+  /** @type {unknown} */ ({
+    experiment,
+    drive: (/** @type {Experiment} */ from, /** @type {number[][]} */ gains) =>
+      simulateAll(from, gains.flat()),
+  })
+);
+const open = (/** @type {string} */ link) => openLink(link, engine);
+
+/** A link's content as the page holds it. @param {ReturnType<typeof open>['opened']} opened @returns {Linked} */
+const linked = ({ view, ...run }) => ({ ...run, ...view });
+const plain = linked(open('lab').opened);
+
+/** Numbers that look random, the same every time. @param {number} seed */
+function numbers(seed) {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+const ways = /** @type {const} */ (['free', 'locked', 'hidden']);
+
+/** A task in any letters, and each group of controls free, locked or hidden. @param {() => number} next @returns {Exercise} */
+const wildExercise = (next) =>
+  groupNames.reduce(
+    (exercise, group) => withWay(exercise, group, ways[Math.floor(3 * next())]),
+    next() < 0.2 ? noExercise : { ...noExercise, task: 'J < 8 & kθ = 0? 100 % “so”, 과제 #1; <b>🤖</b>~a=b' },
+  );
+
+test('what a preset has is not in the link', () => {
+  assert.equal(linkOf(plain, experiment), 'lab');
+  assert.equal(
+    linkOf(
+      { ...plain, preset: 'acceleration-limits', experiment: experiment('acceleration-limits') },
+      experiment,
+    ),
+    'lab&v=1&preset=acceleration-limits',
+  );
+});
+
+test('a link is short, and reads like what it says', () => {
+  const goal = { x: 1.5, y: 2, theta: (30 * Math.PI) / 180 };
+  const changed = { ...velocityLimits, goal, evolution: { ...velocityLimits.evolution, seed: 7 } };
+  assert.equal(
+    linkOf(
+      { ...plain, page: 'landscape', experiment: changed, generation: 24, driver: 'paper-ep' },
+      experiment,
+    ),
+    'landscape&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=paper-ep',
+  );
+});
+
+test('every experiment comes back from its link to the bit', () => {
+  for (let seed = 1; seed <= 200; seed += 1) {
+    const next = numbers(seed);
+    const between = (/** @type {number} */ low, /** @type {number} */ high) => low + (high - low) * next();
+    const maybe = (/** @type {number} */ value) => (next() < 0.3 ? null : value);
+    const posture = () => ({ x: between(-9, 9), y: between(-9, 9), theta: between(-3, 3) });
+    const wild = experiment({
+      law: next() < 0.5 ? 'kanayama' : 'shim-kim',
+      starts: Array.from({ length: 1 + Math.floor(3 * next()) }, posture),
+      goal: posture(),
+      referenceVelocity: { linear: between(-1, 1), angular: between(-1, 1) },
+      horizon: between(1, 20),
+      limits: {
+        speed: maybe(between(0.1, 5)),
+        turnRate: maybe(between(0.1, 5)),
+        acceleration: maybe(between(0.1, 5)),
+        turnAcceleration: maybe(between(0.1, 5)),
+      },
+      weights: { final: [between(0, 9), 1, 1], velocity: [1, between(0, 9)], penalty: between(0, 9e3) },
+      disturbance: { kind: 'slip', linear: between(-0.1, 0.1), angular: -0, seed: Math.floor(1e9 * next()) },
+      evolution: { population: 2 + Math.floor(50 * next()), initialRange: [between(-1, 0), between(0.1, 9)] },
+    });
+    const gains = /** @type {[number, number, number]} */ ([
+      between(-1, 9),
+      between(0, 1e-7),
+      between(0, 1e7),
+    ]);
+    /** @type {Linked} */
+    const state = {
+      page: 'robustness',
+      lesson: 0,
+      preset: next() < 0.5 ? 'velocity-limits' : 'acceleration-limits',
+      experiment: wild,
+      generation: Math.floor(1000 * next()),
+      driver: 'hand',
+      handGains: gains,
+      found: finds[Math.floor(4 * next())],
+      trial: { start: posture(), disturbance: null },
+      pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
+      exercise: wildExercise(next),
+      anatomy: { phase: 'ranking', chosen: Math.floor(40 * next()) },
+      curves: { view: 'stability', lab: 'sigmas', scale: 'log' },
+      landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
+      robustness: { quantity: 'time', half: 8, heading: 3 },
+    };
+    const link = linkOf(state, experiment);
+    assert.match(link, /^[\w.,;=&%~-]+$/);
+    const { opened, problems } = open(link);
+    assert.deepEqual(problems, []);
+    assert.deepEqual(opened.experiment, wild);
+    assert.deepEqual(linked(opened), state);
+    assert.equal(linkOf(linked(opened), experiment), link);
+  }
+});
+
+test('what is wrong is named with what it must be, and the rest is used', () => {
+  const rows = /** @type {const} */ ([
+    ['nowhere', /“nowhere”.*lab, .*landscape/],
+    ['lab&seed=-1', /seed.*evolution\.seed must be a whole number from 0 to 4294967295/],
+    ['lab&goal.x=1e9', /goal\.x.*goal\.x must be/],
+    ['lab&goal.x=abc', /goal\.x.*must be a number.*“abc”/],
+    ['lab&goal.x=NaN', /goal\.x.*must be a number/],
+    ['lab&goal=1,2', /goal was left out.*no such setting/],
+    ['lab&start=1,2', /start.*three values/],
+    ['lab&limits.speed=fast', /limits\.speed.*must be a number/],
+    ['lab&law=newton', /law.*'shim-kim'/],
+    ['lab&v=2', /version 2.*version 1/],
+    ['lab&generation=1.5', /generation.*whole number from 0 to/],
+    ['lab&drives=nobody', /drives.*one of evolved, hand/],
+    ['lab&drives=hand', /drives.*gains/],
+    ['lab&gains=1,2', /gains.*three numbers/],
+    ['lab&from=1e9,0,0', /from.*starts\[0\]\.x/],
+    ['lab&under=wind,1,1,1', /under.*disturbance\.kind/],
+    ['lab&x=kz', /x was left out.*one of kx, ky, ktheta/],
+    ['lab&x=ky&y=ky', /y was left out.*another gain/],
+    ['lab&pin1=mine', /pin1.*name~kx,ky,kθ/],
+    ['lab&pin2=mine~1,2,3~goal.x:far', /pin2.*must be a number/],
+    ['lab&phase=lunch', /phase.*one of parents/],
+    ['lab&heading=18', /heading.*whole number from 0 to 17/],
+    ['lab&__proto__=1', /__proto__.*no such setting/],
+    ['lab&constructor.name=1', /constructor\.name.*no such setting/],
+    ['lab&lock=gains,windows', /lock was left out.*one of gains, drives, .*“windows”/],
+    ['lab&hide=', /hide was left out.*one of gains/],
+    [`lab&task=${'x'.repeat(301)}`, /task was left out.*at most 300 characters, but has 301/],
+    ['lab&preset=none', /preset.*one of velocity-limits/],
+    ['lab&%E0%A4%A=1', /no such setting/],
+  ]);
+  for (const [link, message] of rows) {
+    const { opened, problems } = open(`${link}&evolution.initialSigma=0.5`);
+    assert.equal(problems.length, 1, `${link}: ${problems}`);
+    assert.match(problems[0], message);
+    assert.equal(opened.experiment.evolution.initialSigma, 0.5, link);
+  }
+  const long = open(`lab&seed=3&${'x'.repeat(30_000)}`);
+  assert.match(long.problems[0], /longer than/);
+  assert.equal(long.opened.experiment.evolution.seed, 3);
+});
+
+const link = 'lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=hand&gains=4,0.5,6';
+
+pageTest('a link opens the same run, and the address goes on telling what is on screen', async (page) => {
+  await page.open(`#${link}`);
+  const goal = { x: 1.5, y: 2, theta: (30 * Math.PI) / 180 };
+  const moved = { ...velocityLimits, goal, evolution: { ...velocityLimits.evolution, seed: 7 } };
+  const byHand = simulate(moved, [4, 0.5, 6]);
+  assert.deepEqual(await readEvolution(page), {
+    generation: '24',
+    seed: '7',
+    cost: shown(byHand.cost.total),
+    gains: shownGains([4, 0.5, 6]),
+  });
+  await page.click('#drives-evolved');
+  assert.deepEqual(await readEvolution(page), { generation: '24', seed: '7', ...evolve(moved, 24).shown });
+  await page.until('the address is new', () => !location.hash.includes('drives='));
+  await page.focus('#one-generation');
+  await page.press(Key.ENTER);
+  await page.until('the address has generation 25', () => location.hash.includes('generation=25'));
+  const address = await page.evaluate(() => location.hash);
+  assert.equal(address, '#lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=25&gains=4,0.5,6');
+  await page.open(address);
+  assert.deepEqual(await readEvolution(page), { generation: '25', seed: '7', ...evolve(moved, 25).shown });
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('another part of the page is a step that back takes back, and nothing is lost', async (page) => {
+  await page.click('#drives-paper-ep');
+  await page.click('#one-generation');
+  await page.click('#page-landscape');
+  await page.until('the address names the landscape', () => location.hash.startsWith('#landscape&'));
+  await page.evaluate(() => history.back());
+  await page.until('the lab is open', () => document.body.dataset.open === 'lab');
+  const { driver, generation, cost } = await read(page);
+  const run = simulate(velocityLimits, paperGains('velocity-limits', 'ep'));
+  assert.deepEqual(
+    { driver, generation, cost },
+    { driver: 'paper-ep', generation: '1', cost: shown(run.cost.total) },
+  );
+  await page.evaluate(() => history.forward());
+  await page.until('the landscape is open', () => document.body.dataset.open === 'landscape');
+});
+
+pageTest('a link with something wrong says what, and opens the rest', async (page) => {
+  await page.open('#lab&seed=7&goal.x=1000000&flavour=red');
+  const message = await page.text('#message');
+  assert.match(message, /goal\.x must be/);
+  assert.match(message, /flavour.*no such setting/);
+  const { seed, generation } = await read(page);
+  assert.deepEqual({ seed, generation }, { seed: '7', generation: '0' });
+});

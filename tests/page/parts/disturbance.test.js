@@ -1,0 +1,272 @@
+import assert from 'node:assert/strict';
+import { Key, pageTest } from '../harness/browsers.js';
+import { evolve, experiment, paperGains, remainingErrors, startsOnCircle } from '../harness/core.js';
+import { middleOf, readEvolution } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+/** @typedef {import('../harness/core.js').Gains} Gains */
+/** @typedef {Partial<Experiment['disturbance']>} Disturbance */
+
+const preset = experiment('velocity-limits');
+const arbitrary = paperGains('velocity-limits', 'arbitrary');
+const parts = /** @type {const} */ (['x', 'y', 'theta']);
+const circle = { radius: Math.hypot(2, 2), count: 32, seed: 1 };
+
+/** @param {number} size */
+const shown = (size) => (size < 100 ? size.toFixed(3) : size.toFixed(0));
+
+/** The table that the core gives: for each part this drive, its set, and of the others the median, the largest and who stays inside. @param {Gains} gains @param {Disturbance} disturbance @param {Partial<Experiment>} [changed] */
+function expected(gains, disturbance, changed = {}) {
+  const from = { ...preset, ...changed };
+  const { x, y } = from.goal;
+  const starts = [from.starts[0], ...startsOnCircle({ ...circle, x, y })];
+  const tolerance = { position: 0, heading: 0 };
+  const measured = experiment({ ...from, starts, tolerance, disturbance });
+  const { error, sets } = remainingErrors(measured, gains, 2);
+  const calm = remainingErrors({ ...measured, disturbance: { kind: 'none' } }, gains, 2).error;
+  const inside = (/** @type {'x' | 'y' | 'theta'} */ part, /** @type {number} */ start) =>
+    Number(shown(error[part][start])) <= Number(shown(sets[part][start]));
+  const others = starts.map((_, i) => i).slice(1);
+  return {
+    rows: parts.map((part) => [
+      ...[error[part][0], sets[part][0], median(error[part]), Math.max(...error[part].slice(1))].map(shown),
+      `${others.filter((start) => inside(part, start)).length}/32`,
+    ]),
+    calm: parts.map((part) =>
+      [calm[part][0], median(calm[part]), Math.max(...calm[part].slice(1))].map(shown),
+    ),
+    allInside: others.filter((start) => parts.every((part) => inside(part, start))).length,
+    isInside: parts.every((part) => inside(part, 0)),
+  };
+}
+
+/** Of all but the first. @param {Float64Array} sizes */
+function median(sizes) {
+  const sorted = sizes.slice(1).sort();
+  return (sorted[15] + sorted[16]) / 2;
+}
+
+/** What a person reads of the part, once it is measured. @param {Page} page */
+async function readPart(page) {
+  await page.until('what remains is measured', async () => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    return document.getElementById('disturbance')?.getAttribute('aria-busy') === 'false';
+  });
+  return page.evaluate(() => {
+    const cells = [...document.querySelectorAll('#remains-rows tr')].map((row) => [
+      ...row.querySelectorAll('td'),
+    ]);
+    const text = (/** @type {Element | null | undefined} */ element) => element?.textContent ?? '';
+    return {
+      rows: cells.map((row) => row.map((cell) => text(cell.querySelector('span') ?? cell))),
+      calm: cells.map((row) => [0, 2, 3].map((i) => text(row[i].querySelector('small')))),
+      text: text(document.getElementById('remains-text')),
+      note: text(document.getElementById('disturbance-note')),
+      clock: text(document.getElementById('clock')),
+      legend: text(document.querySelector('#legend .dashed')),
+    };
+  });
+}
+
+/** Waits until the table shows these rows, and reads the part then. @param {Page} page @param {string[][]} rows */
+async function shows(page, rows) {
+  const isShown = page.until(
+    'the table shows what the core measures',
+    (wanted) =>
+      wanted ===
+      JSON.stringify(
+        [...document.querySelectorAll('#remains-rows tr')].map((row) =>
+          [...row.querySelectorAll('td')].map((cell) => (cell.querySelector('span') ?? cell).textContent),
+        ),
+      ),
+    JSON.stringify(rows),
+  );
+  await isShown.catch(async () => assert.deepEqual((await readPart(page)).rows, rows));
+  return readPart(page);
+}
+
+/** Opens the part with the paper's arbitrary gains, which no evolution changes. @param {Page} page */
+async function openPart(page) {
+  await page.click('#page-disturbance');
+  await page.click('#drives-paper-arbitrary');
+}
+
+/** Types into a field over what it holds. @param {Page} page @param {string} id @param {string} text */
+async function type(page, id, text) {
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+  await page.focus(`#${id}`);
+  await page.press(...text, Key.ENTER);
+}
+
+/** What is drawn of the three plots, as a string. @param {Page} page */
+const pictures = (page) =>
+  page.evaluate(async () => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    return [...document.querySelectorAll('.remains-plot canvas:first-child')]
+      .map((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL())
+      .join();
+  });
+
+pageTest('what remains is what the core measures, for each kind of disturbance', async (page) => {
+  await openPart(page);
+  for (const [kind, disturbance] of /** @type {const} */ ([
+    ['slip', { kind: 'slip', linear: 0.1, angular: 0.2 }],
+    ['random', { kind: 'random', linear: 0.1, angular: 0.2, seed: 1 }],
+  ])) {
+    await page.click(`#disturbance-kind-${kind}`);
+    const core = expected(arbitrary, disturbance);
+    const { calm, text, clock, legend } = await shows(page, core.rows);
+    assert.deepEqual(calm, core.calm, kind);
+    assert.ok(text.includes(`Of 32 other starts, ${core.allInside} stay inside all three`), text);
+    assert.equal(text.includes('this drive stays inside all three sets'), core.isInside, text);
+    // Nobody arrives, and the robot is compared with itself.
+    assert.match(clock, /of 10\.00 s/);
+    assert.match(legend, /without the disturbance/);
+  }
+  await page.click('#disturbance-kind-none');
+  const { text } = await shows(page, expected(arbitrary, { kind: 'none' }).rows);
+  assert.match(text, /Without a disturbance/);
+});
+
+pageTest(
+  'the evolved best is measured when it drives, also where its set has hardly an end',
+  async (page) => {
+    await page.click('#page-disturbance');
+    const core = expected(evolve(preset).gains, { kind: 'slip', linear: 0.1, angular: 0.2 });
+    const { text } = await shows(page, core.rows);
+    assert.equal(text.includes('promises little'), Number(core.rows[1][1]) >= 1, text);
+  },
+);
+
+pageTest('kind and sizes follow the mouse and the keys', async (page) => {
+  await openPart(page);
+  await readPart(page);
+  const before = await pictures(page);
+  await page.focus('#disturbance-kind-slip');
+  await page.press(Key.ARROW_LEFT);
+  await shows(page, expected(arbitrary, { kind: 'random', linear: 0.1, angular: 0.2, seed: 1 }).rows);
+  await page.focus('#slider-epsilon1');
+  await page.press(Key.ARROW_RIGHT);
+  const linear = await page.until('the slider has moved', () => {
+    const { value } = /** @type {HTMLInputElement} */ (document.getElementById('gain-epsilon1'));
+    return value !== '0.100' && Number(value);
+  });
+  assert.ok(linear > 0.1 && linear < 0.2, `ε1 is ${linear}`);
+  await type(page, 'gain-epsilon2', '0,5');
+  const random = { kind: /** @type {const} */ ('random'), linear, angular: 0.5, seed: 1 };
+  await shows(page, expected(arbitrary, random).rows);
+  assert.notEqual(await pictures(page), before);
+
+  await page.click('#disturbance-draw');
+  const seed = await page.until('another draw has a number', () => {
+    const [, number] = document.getElementById('disturbance-note')?.textContent.match(/draw (\d+)/) ?? [];
+    return number !== '1' && Number(number);
+  });
+  await shows(page, expected(arbitrary, { ...random, seed }).rows);
+
+  await page.click('#disturbance-kind-slip');
+  await type(page, 'gain-delta1', '−0.25');
+  const slip = { kind: /** @type {const} */ ('slip'), linear: -0.25, angular: 0.5 };
+  await shows(page, expected(arbitrary, slip).rows);
+  // A bound has no sign.
+  await page.click('#disturbance-kind-random');
+  await shows(page, expected(arbitrary, { ...random, linear: 0.25, seed }).rows);
+});
+
+pageTest('a size out of range is refused beside its field, and the last measurement stays', async (page) => {
+  await openPart(page);
+  await page.click('#disturbance-kind-random');
+  const good = { kind: /** @type {const} */ ('random'), linear: 0.1, angular: 0.2, seed: 1 };
+  const before = await shows(page, expected(arbitrary, good).rows);
+  for (const [id, name, text, range] of [
+    ['epsilon1', 'ε1', 'abc', 'must be a number'],
+    ['epsilon1', 'ε1', '101', 'from -100 to 100 m/s'],
+    ['epsilon2', 'ε2', '1e9', 'from -100 to 100 rad/s'],
+    ['epsilon2', 'ε2', '-0.1', '0 or more'],
+  ]) {
+    await type(page, `gain-${id}`, text);
+    await page.until(
+      `the message says that ${name} ${range}`,
+      (field, ...words) => {
+        const message = document.getElementById(`${field}-error`);
+        return message?.checkVisibility() && words.every((word) => message.textContent.includes(word));
+      },
+      `gain-${id}`,
+      name,
+      range,
+    );
+    const { rows } = await readPart(page);
+    const invalid = await page.evaluate(
+      (field) => document.getElementById(field)?.getAttribute('aria-invalid'),
+      `gain-${id}`,
+    );
+    assert.equal(invalid, 'true');
+    assert.deepEqual(rows, before.rows);
+  }
+  await type(page, 'gain-epsilon2', '0.3');
+  await shows(page, expected(arbitrary, { ...good, angular: 0.3 }).rows);
+  assert.equal(
+    await page.evaluate(() => document.querySelectorAll('#disturbance [aria-invalid=true]').length),
+    0,
+  );
+});
+
+pageTest(
+  'a disturbance and a start that are tried end with the part, and evolution is untouched',
+  async (page) => {
+    await page.click('#one-generation');
+    await page.click('#one-generation');
+    const before = await readEvolution(page);
+    await page.click('#page-disturbance');
+    const first = await readPart(page);
+    const start = await middleOf(page, 'start-position');
+    await page.drag('#plane-robots', [start, { x: start.x + 60, y: start.y - 40 }]);
+    await page.until(
+      'the start that is tried is measured',
+      (before) => document.getElementById('remains-text')?.textContent !== before,
+      first.text,
+    );
+    await page.click('#disturbance-kind-random');
+    await readPart(page);
+    await page.click('#page-lab');
+    assert.deepEqual(await readEvolution(page), before);
+    const { clock, legend } = await page.evaluate(async () => {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      const text = (/** @type {string} */ selector) => document.querySelector(selector)?.textContent ?? '';
+      return { clock: text('#clock'), legend: text('#legend .dashed') };
+    });
+    assert.doesNotMatch(clock, /of 10\.00 s/);
+    assert.doesNotMatch(legend, /without the disturbance/);
+    // What was tried is kept for the next time, the start is not.
+    await page.click('#page-disturbance');
+    const again = expected(evolve(preset, 2).gains, { kind: 'random', linear: 0.1, angular: 0.2, seed: 1 });
+    await shows(page, again.rows);
+  },
+);
+
+pageTest(
+  'the part has no obstacles and no errors, and fits at the sizes of a laptop and a projector',
+  async (page) => {
+    await page.open('#disturbance');
+    await readPart(page);
+    assert.deepEqual(await page.obstacles(), []);
+    for (const [width, height] of [
+      [1440, 900],
+      [1024, 768],
+    ]) {
+      await page.resize(width, height);
+      for (const kind of ['none', 'random', 'slip']) {
+        await page.click(`#disturbance-kind-${kind}`);
+        await readPart(page);
+        const excess = await page.evaluate(async () => {
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+          const { scrollHeight, scrollWidth } = document.documentElement;
+          return [scrollWidth - innerWidth, scrollHeight - innerHeight];
+        });
+        assert.deepEqual(excess, [0, 0], `${kind} at ${width} × ${height}`);
+      }
+    }
+    assert.deepEqual(await page.problems(), []);
+  },
+);

@@ -1,0 +1,287 @@
+import assert from 'node:assert/strict';
+import { Key, pageTest } from '../harness/browsers.js';
+import { experiment, paperGains, robustness, shown } from '../harness/core.js';
+import { middleOf, read, readEvolution } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+/** @typedef {'ep' | 'arbitrary'} Method */
+
+const velocityLimits = experiment('velocity-limits');
+const [count, half, headings] = [81, 4, 18];
+
+/** The core's own answers for the starts of the map. @param {Method} method @param {Partial<Experiment>} [change] @param {number} [reach] */
+function survey(method, change = {}, reach = half) {
+  const asked = { ...velocityLimits, ...change };
+  const range = (/** @type {number} */ middle) => ({ from: middle - reach, to: middle + reach, count });
+  const preset = asked.limits.acceleration === null ? 'velocity-limits' : 'acceleration-limits';
+  const runs = robustness(asked, {
+    gains: paperGains(preset, method),
+    x: range(asked.goal.x),
+    y: range(asked.goal.y),
+    headings,
+  });
+  const arrivals = (/** @type {number} */ cell) =>
+    runs.arrived.slice(cell * headings, (cell + 1) * headings).reduce((sum, one) => sum + one, 0);
+  const all = runs.arrived.reduce((sum, one) => sum + one, 0);
+  return { ...runs, arrivals, percent: `${((100 * all) / runs.arrived.length).toFixed(1)} %` };
+}
+
+const ep = survey('ep');
+
+/** @param {number} column @param {number} row */
+const cellOf = (column, row) => row * count + column;
+
+/** What the core says of one start. @param {ReturnType<typeof survey>} from @param {number} cell @param {number} heading */
+const driveOf = (from, cell, heading) => {
+  const run = cell * headings + heading;
+  return { cost: shown(from.cost[run]), finalTime: from.finalTime[run] };
+};
+
+/** Degrees as they are shown. @param {number} heading */
+const degrees = (heading) => (heading * 20 > 180 ? heading * 20 - 360 : heading * 20);
+
+/** The heading that fails worst, or else costs most. @param {ReturnType<typeof survey>} from @param {number} cell */
+function worst(from, cell) {
+  const rank = (/** @type {number} */ heading) => {
+    const run = cell * headings + heading;
+    return from.cost[run] + (from.arrived[run] ? 0 : 1e9);
+  };
+  return Array.from({ length: headings }, (_, i) => i).reduce((a, b) => (rank(b) > rank(a) ? b : a));
+}
+
+/** Waits until the fine map of the gains with this name, and that of those compared with it, are there. @param {Page} page @param {string} name */
+function finished(page, name) {
+  return page.until(
+    `the map of the ${name} is complete`,
+    async (driver, starts) => {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      const text = (/** @type {string} */ id) =>
+        document.getElementById(`robustness-${id}`)?.textContent?.replace(/\s/g, ' ') ?? '';
+      return (
+        text('summary').includes(driver) && text('note').startsWith(starts) && !text('rival').startsWith('…')
+      );
+    },
+    name,
+    '118 098 starts in',
+  );
+}
+
+/** Opens the map with the paper's gains by EP. @param {Page} page */
+async function openMap(page) {
+  await page.click('#page-robustness');
+  await page.click('#drives-paper-ep');
+  await finished(page, 'paper’s EP gains');
+}
+
+/** Pixels of the middle of a cell from the map's corner. @param {Page} page @param {number} column @param {number} row */
+async function pointOf(page, column, row) {
+  const { width, height } = await page.evaluate(() => {
+    const map = /** @type {HTMLElement} */ (document.getElementById('robustness-map'));
+    return { width: map.clientWidth, height: map.clientHeight };
+  });
+  const side = Math.min(width - 42, height - 34);
+  return { x: 34 + (side * (column + 0.5)) / count, y: 8 + (side * (count - row - 0.5)) / count };
+}
+
+/** @param {Page} page @param {number} column @param {number} row */
+const clickCell = async (page, column, row) =>
+  page.drag('#robustness-map', [await pointOf(page, column, row)]);
+
+/** @param {Page} page */
+async function readDrive(page) {
+  const { start, cost, finalTime } = await read(page);
+  return { start, cost, finalTime };
+}
+
+pageTest('the map says what the core says of the same starts', async (page) => {
+  await openMap(page);
+  assert.equal(await page.text('#robustness-share'), ep.percent);
+  assert.equal(
+    await page.text('#robustness-rival'),
+    `${survey('arbitrary').percent} with the paper’s arbitrary gains`,
+  );
+
+  // Dark where all headings arrive, without colour where none does.
+  const cells = [];
+  for (let row = 1; row < count; row += 4)
+    for (let column = 1; column < count; column += 4) {
+      const arrivals = ep.arrivals(cellOf(column, row));
+      const near = Math.hypot(column - 40, row - 40) < 12 || Math.hypot(column - 20, row - 20) < 16;
+      if (!near && (arrivals === 0 || arrivals === headings))
+        cells.push({ arrivals, ...(await pointOf(page, column, row)) });
+    }
+  const colours = await page.evaluate((points) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('robustness-picture'));
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    const pixels = canvas.width / canvas.clientWidth;
+    return points.map(({ x, y }) => [
+      ...context.getImageData(Math.floor(x * pixels), Math.floor(y * pixels), 1, 1).data,
+    ]);
+  }, cells);
+  assert.ok(cells.filter(({ arrivals }) => arrivals === 0).length > 40, 'many cells where none arrives');
+  assert.ok(cells.filter(({ arrivals }) => arrivals > 0).length > 40, 'many cells where all arrive');
+  for (const [i, { arrivals }] of cells.entries()) {
+    const [red, , blue] = colours[i];
+    const isDark = red < 20 && blue > 60 && blue < 100;
+    assert.equal(isDark, arrivals === headings, `${arrivals} arrive, drawn as ${colours[i]}`);
+    if (arrivals === 0) assert.ok(Math.abs(red - blue) < 24, `none arrives, drawn as ${colours[i]}`);
+  }
+});
+
+pageTest('a click on a cell lets the robot drive from there, and evolution stays as it was', async (page) => {
+  await page.click('#one-generation');
+  await page.click('#one-generation');
+  const before = await readEvolution(page);
+  await openMap(page);
+  const own = await readDrive(page);
+
+  // None arrives from (4.00, 1.00): the worst comes first, and the next click takes the next heading.
+  const fails = cellOf(60, 30);
+  const first = worst(ep, fails);
+  await clickCell(page, 60, 30);
+  assert.deepEqual(await readDrive(page), {
+    start: { x: 4, y: 1, degrees: degrees(first) },
+    ...driveOf(ep, fails, first),
+  });
+  await clickCell(page, 60, 30);
+  const second = (first + 1) % headings;
+  assert.deepEqual(await readDrive(page), {
+    start: { x: 4, y: 1, degrees: degrees(second) },
+    ...driveOf(ep, fails, second),
+  });
+
+  // Some arrive from (0.50, 0.50).
+  const mixed = cellOf(25, 25);
+  assert.ok(ep.arrivals(mixed) > 0 && ep.arrivals(mixed) < headings);
+  await clickCell(page, 25, 25);
+  assert.deepEqual(await readDrive(page), {
+    start: { x: 0.5, y: 0.5, degrees: degrees(worst(ep, mixed)) },
+    ...driveOf(ep, mixed, worst(ep, mixed)),
+  });
+  assert.match(
+    await readout(page),
+    new RegExp(`^x 0.50 m, y 0.50 m: ${ep.arrivals(mixed)} of 18 headings arrive`),
+  );
+
+  await page.click('#restore-postures');
+  assert.deepEqual(await readDrive(page), own);
+
+  // From (2.60, −1.20) the arbitrary gains fail twice, though a drive that arrives costs most.
+  await page.click('#drives-paper-arbitrary');
+  await finished(page, 'paper’s arbitrary gains');
+  const arbitrary = survey('arbitrary');
+  const rare = cellOf(46, 8);
+  assert.equal(arbitrary.arrivals(rare), headings - 2);
+  await clickCell(page, 46, 8);
+  assert.deepEqual(await readDrive(page), {
+    start: { x: 2.6, y: -1.2, degrees: degrees(worst(arbitrary, rare)) },
+    ...driveOf(arbitrary, rare, worst(arbitrary, rare)),
+  });
+  await page.click('#page-lab');
+  await page.click('#drives-evolved');
+  assert.deepEqual(await readEvolution(page), before);
+});
+
+/** What the map says in words, once the page has drawn what happened last. @param {Page} page */
+const readout = (page) =>
+  page.evaluate(async () => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    return document.getElementById('robustness-readout')?.innerText ?? '';
+  });
+
+pageTest('the keyboard moves the cursor from cell to cell and lets the robot drive', async (page) => {
+  await openMap(page);
+  const resting = await readout(page);
+  assert.match(
+    resting,
+    new RegExp(
+      `^You watch the start at x 0.00 m, y 0.00 m, heading 0°: .* ${ep.arrivals(cellOf(20, 20))} of 18 headings`,
+    ),
+  );
+  await page.focus('#robustness-map');
+  await page.press(Key.ARROW_RIGHT, Key.ARROW_DOWN, Key.ARROW_DOWN);
+  const keys = page.driver.actions().keyDown(Key.SHIFT);
+  await keys.keyDown(Key.ARROW_RIGHT).keyUp(Key.ARROW_RIGHT).keyUp(Key.SHIFT).perform();
+  const cell = cellOf(29, 18);
+  const some = ep.arrivals(cell);
+  assert.ok(some > 0 && some < headings, `${some} arrive`);
+  assert.match(await readout(page), new RegExp(`^x 0.90 m, y −0.20 m: ${some} of 18 headings`));
+
+  await page.press(Key.ENTER);
+  const heading = worst(ep, cell);
+  assert.deepEqual(await readDrive(page), {
+    start: { x: 0.9, y: -0.2, degrees: degrees(heading) },
+    ...driveOf(ep, cell, heading),
+  });
+  await page.press(Key.ESCAPE);
+  assert.match(await readout(page), /^You watch the start at x 0.90 m, y −0.20 m/);
+});
+
+pageTest('the dial chooses one heading, of which the map shows the drives', async (page) => {
+  await openMap(page);
+  await page.click('#robustness-headings-one');
+  await page.focus('#robustness-rose');
+  await page.press(Key.ARROW_LEFT, Key.ARROW_LEFT, Key.ARROW_LEFT);
+  await clickCell(page, 25, 25);
+  const cell = cellOf(25, 25);
+  const { start, ...drive } = await readDrive(page);
+  assert.deepEqual({ start, drive }, { start: { x: 0.5, y: 0.5, degrees: 60 }, drive: driveOf(ep, cell, 3) });
+  assert.match(await readout(page), /^x 0.50 m, y 0.50 m, heading 60°: .* You watch it\.$/);
+
+  // Up on the dial: 90° lies between two headings, 80° beside it.
+  const { x, y } = await middleOf(page, 'robustness-rose', 'robustness-rose');
+  await page.drag('#robustness-rose', [{ x: x + 7, y: y - 40 }]);
+  await clickCell(page, 25, 25);
+  assert.deepEqual((await readDrive(page)).start, { x: 0.5, y: 0.5, degrees: 80 });
+  await page.focus('#robustness-rose');
+  await page.press(Key.ESCAPE);
+  await page.until('Escape takes all headings together', () =>
+    document.querySelector('#robustness-headings-all:checked'),
+  );
+});
+
+pageTest('other gains, other limits and another reach give other maps', async (page) => {
+  await openMap(page);
+  const share = () => page.text('#robustness-share');
+  await page.click('#drives-paper-arbitrary');
+  await finished(page, 'paper’s arbitrary gains');
+  assert.equal(await share(), survey('arbitrary').percent);
+
+  await page.click('#robustness-half option[value="2"]');
+  await finished(page, 'paper’s arbitrary gains');
+  assert.equal(await share(), survey('arbitrary', {}, 2).percent);
+
+  await page.click('#preset-acceleration-limits');
+  await page.click('#drives-paper-ep');
+  await finished(page, 'paper’s EP gains');
+  const { limits } = experiment('acceleration-limits');
+  assert.equal(await share(), survey('ep', { limits }, 2).percent);
+});
+
+pageTest('after the goal has been dragged, the map is the one for where it was let go', async (page) => {
+  await openMap(page);
+  const { x, y } = await middleOf(page, 'goal-position', 'goal-position');
+  const way = Array.from({ length: 12 }, (_, i) => ({ x: x - 9 * i, y: y + 14 * i }));
+  await page.drag('#goal-position', way);
+  await finished(page, 'paper’s EP gains');
+  const { goal } = await read(page);
+  assert.ok(Math.hypot(goal.x - 2, goal.y - 2) > 0.3, `the goal is at ${goal.x}, ${goal.y}`);
+  const moved = { goal: { x: goal.x, y: goal.y, theta: (goal.degrees * Math.PI) / 180 } };
+  assert.equal(await page.text('#robustness-share'), survey('ep', moved).percent);
+});
+
+pageTest('when the workers fail, the last map stays with its name, and the page says why', async (page) => {
+  await openMap(page);
+  await page.evaluate(() => {
+    Worker.prototype.postMessage = () => {
+      throw new Error('no room for it');
+    };
+  });
+  await page.click('#drives-paper-arbitrary');
+  await page.until('the page says why', () =>
+    document.getElementById('robustness-note')?.innerText.includes('no room for it'),
+  );
+  assert.equal(await page.text('#robustness-share'), ep.percent);
+  assert.equal(await page.text('#robustness-summary'), 'arrive with the paper’s EP gains');
+});

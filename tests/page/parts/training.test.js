@@ -1,0 +1,211 @@
+import assert from 'node:assert/strict';
+import { Key, pageTest } from '../harness/browsers.js';
+import { Evolution, evaluate, experiment, fares, paperGains, startsOnCircle } from '../harness/core.js';
+import { read } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+/** @typedef {import('../harness/core.js').Gains} Gains */
+/** @typedef {import('../../../pkg/ep_locomotion.js').Posture} Posture */
+
+const velocityLimits = experiment('velocity-limits');
+const generations = 50;
+
+/** The starts as the page describes them, made anew. @param {Experiment} from */
+function setsOf({ starts, goal }) {
+  const circle = (/** @type {number} */ radius, /** @type {number} */ count, /** @type {number} */ seed) =>
+    startsOnCircle({ x: goal.x, y: goal.y, radius, count, seed });
+  const places = [0, 1, 2, 3, 4, 5].map((index) => 3 * ((2 * index) / 5 - 1));
+  const grid = places.flatMap((y, row) =>
+    places.map((x, column) => {
+      const heading = goal.theta + Math.PI / 4 + (((column + 2 * row) % 4) * Math.PI) / 2;
+      return {
+        x: goal.x + x,
+        y: goal.y + y,
+        theta: heading > Math.PI ? heading - 2 * Math.PI : heading,
+      };
+    }),
+  );
+  const within = (/** @type {number} */ inner) => Math.round((1000 * inner ** 2) / 18 ** 2);
+  const unseen = Array.from({ length: 18 }, (_, i) =>
+    circle((4 * (i + 0.5)) / 18, within(i + 1) - within(i), 1000 + i),
+  ).flat();
+  return { one: starts, circle: circle(2 * Math.SQRT2, 32, 1), grid, unseen };
+}
+
+/** The share that arrives in whole percents, and the mean J. @param {Experiment} from @param {Posture[]} starts @param {Gains} gains */
+function faring(from, starts, gains) {
+  const { arrived, cost } = fares({ ...from, starts }, gains);
+  const mean = (/** @type {Float64Array | Uint8Array} */ values) =>
+    Array.from(values).reduce((sum, value) => sum + value, 0) / starts.length;
+  return { percent: `${(100 * mean(arrived)).toFixed(0)} %`, cost: mean(cost).toFixed(2) };
+}
+
+/** A row as it must be shown. @param {Experiment} from @param {Gains} gains @param {Posture[]} [trained] */
+function rowOf(from, gains, trained) {
+  const unseen = faring(from, setsOf(from).unseen, gains);
+  return {
+    gains: [...gains].map((gain) => gain.toFixed(2)),
+    seen: trained ? faring(from, trained, gains).percent : '–',
+    unseen: unseen.percent,
+    cost: unseen.cost,
+    own: evaluate(from, gains)[0].toFixed(2),
+  };
+}
+
+/** @param {Experiment} from @param {Posture[]} starts */
+function evolved(from, starts) {
+  const evolution = new Evolution({ ...from, starts });
+  for (let i = 0; i < generations; i++) evolution.step();
+  return evolution.statistics().best.gains;
+}
+
+/** What a row shows, once it shows anything. @param {Page} page @param {string} name */
+async function readRow(page, name) {
+  await page.until(
+    `the row ${name} has a result`,
+    (id) => document.querySelector(`#${id} strong`)?.textContent !== '–',
+    `training-${name}`,
+  );
+  return page.evaluate(async (id) => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    const text = (/** @type {string} */ selector) =>
+      /** @type {HTMLElement} */ (document.querySelector(`#${id} ${selector}`)).innerText
+        .replaceAll('\u202f', ' ')
+        .replaceAll('−', '-')
+        .trim();
+    return {
+      gains: ['kx', 'ky', 'ktheta'].map((gain) => text(`.${gain}`)),
+      seen: text('.training-seen'),
+      unseen: text('strong'),
+      cost: text('.training-cost'),
+      own: text('.training-own'),
+    };
+  }, `training-${name}`);
+}
+
+/** @param {Page} page @param {string} id */
+const text = async (page, id) => (await page.text(`#${id}`)).replaceAll('\u202f', ' ');
+
+/** Presses the button and waits for what it brings. @param {Page} page */
+async function evolveAll(page) {
+  await page.evaluate((count) => {
+    const select = /** @type {HTMLSelectElement} */ (document.getElementById('training-generations'));
+    select.value = String(count);
+    select.dispatchEvent(new Event('change'));
+  }, generations);
+  await page.click('#training-evolve');
+  await page.until(
+    'evolution ends',
+    () => document.getElementById('training-evolve')?.innerText === 'Evolve again',
+  );
+}
+
+pageTest("the paper's rows are there without pressing, those to evolve are empty", async (page) => {
+  await page.open('#training');
+  const known = /** @type {const} */ ([
+    ['paper-ep', 'ep'],
+    ['paper-arbitrary', 'arbitrary'],
+  ]);
+  for (const [name, method] of known)
+    assert.deepEqual(
+      await readRow(page, name),
+      rowOf(velocityLimits, paperGains('velocity-limits', method)),
+      name,
+    );
+  assert.equal(await page.text('#training-circle strong'), '–');
+  assert.ok((await text(page, 'training-finding')).includes('arrive from 25 % of 1000 starts'));
+});
+
+pageTest('the three evolved rows are what evolution and the core give', async (page) => {
+  await page.open('#training');
+  await evolveAll(page);
+  const sets = setsOf(velocityLimits);
+  /** @type {Record<string, ReturnType<typeof rowOf>>} */
+  const rows = {};
+  for (const name of /** @type {const} */ (['one', 'circle', 'grid'])) {
+    rows[name] = rowOf(velocityLimits, evolved(velocityLimits, sets[name]), sets[name]);
+    assert.deepEqual(await readRow(page, name), rows[name], name);
+  }
+  const finding = await text(page, 'training-finding');
+  for (const { unseen } of Object.values(rows)) assert.ok(finding.includes(unseen), `${unseen}: ${finding}`);
+  assert.deepEqual(await page.problems(), []);
+  assert.deepEqual(await page.obstacles(), []);
+});
+
+pageTest('a row drives its gains, and a start of its picture is driven from', async (page) => {
+  await page.open('#training');
+  await evolveAll(page);
+  const sets = setsOf(velocityLimits);
+  await page.click('#training-one .training-name');
+  const one = await read(page);
+  const gains = evolved(velocityLimits, sets.one);
+  assert.deepEqual(
+    one.gains,
+    [...gains].map((gain) => gain.toFixed(3)),
+  );
+  assert.equal(one.cost, evaluate(velocityLimits, gains)[0].toFixed(3));
+  assert.equal(one.driver, 'hand');
+  assert.equal(await page.text('#legend .solid'), 'gains from Training');
+
+  await page.click('#training-paper-ep .training-cost');
+  assert.equal((await read(page)).driver, 'paper-ep');
+
+  await page.click('#training-circle .training-unseen');
+  await page.focus('#training-seen');
+  await page.press(Key.ARROW_RIGHT, Key.ARROW_RIGHT);
+  const circle = await read(page);
+  const [, second] = sets.circle;
+  assert.deepEqual(circle.start, {
+    x: Number(second.x.toFixed(2)),
+    y: Number(second.y.toFixed(2)),
+    degrees: Math.round((second.theta * 180) / Math.PI),
+  });
+  const alone = { ...velocityLimits, starts: [second] };
+  assert.equal(circle.cost, evaluate(alone, evolved(velocityLimits, sets.circle))[0].toFixed(3));
+});
+
+pageTest('cancelled, the last results stay and the page says so', async (page) => {
+  await page.open('#training');
+  await evolveAll(page);
+  const before = await readRow(page, 'circle');
+  await page.evaluate(() => {
+    const select = /** @type {HTMLSelectElement} */ (document.getElementById('training-generations'));
+    select.value = '200';
+    select.dispatchEvent(new Event('change'));
+    const button = /** @type {HTMLElement} */ (document.getElementById('training-evolve'));
+    button.click();
+    button.click();
+  });
+  await page.until('the page says so', () => document.getElementById('training-status')?.innerText);
+  assert.equal(await text(page, 'training-status'), 'Cancelled: these are the results from before.');
+  assert.deepEqual(await readRow(page, 'circle'), before);
+});
+
+pageTest(
+  'with another goal the evolved rows are out of date, and again up to date after undoing',
+  async (page) => {
+    await page.open('#training');
+    await evolveAll(page);
+    const before = await readRow(page, 'circle');
+    await page.focus('#goal-position');
+    await page.press(Key.ARROW_UP);
+    await page.until('it is out of date', () =>
+      document.querySelector('#training-circle')?.classList.contains('old'),
+    );
+    assert.equal(await text(page, 'training-status'), 'Evolved for another goal: evolve again.');
+    assert.deepEqual(await readRow(page, 'circle'), before);
+    const moved = { ...velocityLimits, goal: { ...velocityLimits.goal, y: 2.1 } };
+    await page.until(
+      "the paper's row is up to date",
+      () => !document.querySelector('#training-paper-ep')?.classList.contains('old'),
+    );
+    assert.deepEqual(await readRow(page, 'paper-ep'), rowOf(moved, paperGains('velocity-limits', 'ep')));
+    await page.click('#restore-postures');
+    await page.until(
+      'it is up to date',
+      () => !document.querySelector('#training-circle')?.classList.contains('old'),
+    );
+    assert.equal(await text(page, 'training-status'), '');
+  },
+);

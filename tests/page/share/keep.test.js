@@ -1,0 +1,194 @@
+import assert from 'node:assert/strict';
+import { openRunFile, runFile } from '../../../www/link/run-file.js';
+import { openLink } from '../../../www/link/link.js';
+import { driveCsv, generationsCsv } from '../../../www/share/csv.js';
+import { pageTest } from '../harness/browsers.js';
+import { Evolution, evolve, experiment, simulate, simulateAll, stability } from '../harness/core.js';
+import { test } from '../harness/once.js';
+import { readEvolution } from '../harness/reading.js';
+import { saved } from '../harness/saved.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+/** @typedef {import('../../../www/core/engine.js').Engine} Engine */
+/** @typedef {import('../../../www/core/engine.js').Statistics} Statistics */
+/** @typedef {Parameters<typeof runFile>[0]} Kept */
+
+const velocityLimits = experiment('velocity-limits');
+
+/** An evolution, and what the page knows of it. @param {Experiment} from @param {number} generations */
+function evolved(from, generations) {
+  const evolution = new Evolution(from);
+  const history = [evolution.statistics()];
+  while (history.length <= generations) history.push(evolution.step());
+  const engine = /** @type {Engine} */ (
+    /** @type {unknown} */ ({
+      experiment,
+      version: () => '0.1.0',
+      hash: () => evolution.hash(),
+      drive: (/** @type {Experiment} */ e, /** @type {number[][]} */ gains) => simulateAll(e, gains.flat()),
+      surveys: {
+        evolve: async (/** @type {Experiment} */ e, /** @type {number} */ count) => evolve(e, count),
+      },
+    })
+  );
+  const { view, ...run } = openLink('lab', engine).opened;
+  /** @type {Kept} */
+  const state = { ...run, ...view, experiment: from, generation: 3, history };
+  return { engine, state };
+}
+
+test('a file holds the run: opened again it is the same', async () => {
+  const { engine, state } = evolved(experiment({ evolution: { seed: 9 } }), 5);
+  const { opened, generations } = await openRunFile(runFile(state, engine), engine);
+  assert.equal(generations, 5);
+  assert.equal(opened.generation, 3);
+  assert.deepEqual(opened.experiment, state.experiment);
+});
+
+test('a file that is damaged or foreign is refused with the reason', async () => {
+  const { engine, state } = evolved(velocityLimits, 4);
+  const good = JSON.parse(runFile(state, engine));
+  const rows = /** @type {const} */ ([
+    ['', /no run/],
+    ['{', /no run/],
+    ['null', /no run/],
+    ['[1, 2]', /no run/],
+    [JSON.stringify({ ...good, format: 'other' }), /no run/],
+    [JSON.stringify({ ...good, version: 2 }), /version 2.*version 1/],
+    [JSON.stringify({ ...good, link: 5 }), /link, hash/],
+    [JSON.stringify({ ...good, link: 'lab&goal.x=1e9' }), /goal\.x/],
+    [JSON.stringify({ ...good, generations: -1 }), /generations/],
+    [JSON.stringify({ ...good, generations: 1e9 }), /generations/],
+    [JSON.stringify({ ...good, generations: 2 }), /generations/],
+    [JSON.stringify({ ...good, link: good.link.replace('lab', 'lab&seed=2') }), /was changed/],
+    [runFile(state, engine).slice(0, 300), /no run/],
+  ]);
+  for (const [text, reason] of rows)
+    await assert.rejects(openRunFile(text, engine), { message: reason }, text.slice(0, 60));
+});
+
+test('the tables have units in their headers and every digit of the numbers', () => {
+  const { state } = evolved(velocityLimits, 4);
+  const origin = ['ep-locomotion 0.1.0', 'http://host/#lab'];
+  const [first, second, header, ...rows] = generationsCsv(state.history, origin).trim().split('\r\n');
+  assert.deepEqual([first, second], ['# ep-locomotion 0.1.0', '# http://host/#lab']);
+  assert.match(header, /^generation,drives,J best,.*kx \(1\/s\)/);
+  assert.equal(rows.length, 5);
+  const { generation, evaluations, best, median, worst, meanSigmas } = state.history[4];
+  assert.deepEqual(rows[4].split(',').map(Number), [
+    generation,
+    evaluations,
+    best.cost,
+    median,
+    worst,
+    ...best.gains,
+    ...meanSigmas,
+  ]);
+
+  const run = simulate(velocityLimits, [3, 0.1, 5]);
+  const v = stability(velocityLimits, [3, 0.1, 5]);
+  const drive = driveCsv(run, v, origin).trim().split('\r\n').slice(2);
+  const heads = drive[0].split(',');
+  assert.deepEqual([heads[1], heads[11], heads[15]], ['x (m)', 'V (m^2)', 'dV/dt (m^2/s)']);
+  assert.equal(drive.length, run.time.length + 1);
+  const last = run.time.length - 1;
+  assert.deepEqual(
+    drive[last + 1].split(',').map(Number),
+    [
+      ...[run.time, run.x, run.y, run.theta],
+      ...[run.linear, run.angular, run.commandLinear, run.commandAngular],
+      ...[v.errorX, v.errorY, v.errorTheta, v.lyapunov],
+      ...[v.promisedX, v.promisedY, v.promisedTheta, v.rate],
+    ].map((column) => column[last]),
+  );
+});
+
+/** Opens a file as if it had been chosen. @param {Page} page @param {string} name @param {string} text */
+async function choose(page, name, text) {
+  await page.evaluate(
+    (fileName, content) => {
+      const input = /** @type {HTMLInputElement} */ (document.getElementById('keep-file'));
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([content], fileName));
+      input.files = transfer.files;
+      input.dispatchEvent(new Event('change'));
+    },
+    name,
+    text,
+  );
+  await page.until(
+    `${name} is dealt with`,
+    (fileName) => document.getElementById('keep-status')?.textContent?.includes(fileName),
+    name,
+  );
+  return page.text('#keep-status');
+}
+
+pageTest('a run is saved, and opened again as it was', async (page) => {
+  await page.open('#lab&seed=5&generation=6');
+  await page.focus('#one-back');
+  await page.click('#one-back');
+  const before = await readEvolution(page);
+  assert.equal(before.generation, '5');
+  await page.click('#keep-button');
+  assert.match(
+    await page.text('#keep-status'),
+    new RegExp(evolve(experiment({ evolution: { seed: 5 } }), 6).hash),
+  );
+  const link = await page.evaluate(
+    () => /** @type {HTMLInputElement} */ (document.getElementById('keep-link')).value,
+  );
+  assert.ok(link.endsWith('#lab&v=1&seed=5&generation=5'), link);
+  const text = await saved(page, '#keep-save');
+  const table = await saved(page, '#keep-generations');
+  assert.equal(table.trim().split('\r\n').length, 2 + 1 + 7);
+  assert.ok(table.includes(link));
+
+  await page.open();
+  await page.click('#keep-button');
+  assert.match(await choose(page, 'mine.json', text), /“mine.json” is open: all 6 generations/);
+  await page.click('#keep-close');
+  assert.deepEqual(await readEvolution(page), before);
+  assert.equal(
+    await page.evaluate(() => /** @type {HTMLInputElement} */ (document.getElementById('timeline')).max),
+    '6',
+  );
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('a long run is opened at the generation that was shown when it was saved', async (page) => {
+  const many = { ...velocityLimits, evolution: { ...velocityLimits.evolution, population: 1000 } };
+  const { engine, state } = evolved(many, 150);
+  const text = runFile({ ...state, generation: 60 }, engine);
+  await page.click('#keep-button');
+  assert.match(await choose(page, 'long.json', text), /“long.json” is open: all 150 generations/);
+  await page.click('#keep-close');
+  await page.until('evolution rests', () => document.getElementById('run')?.textContent === 'Run');
+  assert.deepEqual(await readEvolution(page), {
+    generation: '60',
+    seed: '1',
+    ...evolve(many, 60).shown,
+  });
+  // The whole run is there, the link is that of what is shown, and how to go on is still as it was chosen.
+  await page.until('the link', () => /generation=60(&|$)/.test(location.hash));
+  const { last, pace, until } = await page.evaluate(() => {
+    const value = (/** @type {string} */ id) =>
+      /** @type {HTMLSelectElement} */ (document.getElementById(id)).value;
+    const timeline = /** @type {HTMLInputElement} */ (document.getElementById('timeline'));
+    return { last: timeline.max, pace: value('pace'), until: value('until') };
+  });
+  assert.deepEqual([last, pace, until], ['150', '8', 'every']);
+  await page.click('#keep-button');
+  assert.match(await page.text('#keep-status'), new RegExp(engine.hash()));
+});
+
+pageTest('a file that is no run changes nothing and says why', async (page) => {
+  await page.click('#one-generation');
+  const before = await readEvolution(page);
+  await page.click('#keep-button');
+  assert.match(await choose(page, 'photo.json', '{"a": 1}'), /“photo.json” was not opened: it is no run/);
+  await page.click('#keep-close');
+  assert.deepEqual(await readEvolution(page), before);
+  assert.deepEqual(await page.obstacles(), []);
+});

@@ -1,5 +1,0 @@
-import { createEngine } from '../../../www/engine.js';
-
-// One file must hold this text unharmed.
-document.title = '</script><!--<script>';
-Object.assign(window, { engine: await createEngine() });

@@ -1,0 +1,82 @@
+// Nothing is in the way of assistive technology, also where other tests do not look: every part and every step of the lesson
+// in the dark on a small screen, and some of them in the reader's own colours on large ones and in a frame, in one language
+// or the other. Light and in English each is looked at in every engine where it is tested.
+import assert from 'node:assert/strict';
+import { Command } from 'selenium-webdriver/lib/command.js';
+import { linkOfStep, steps } from '../../../www/lesson/steps.js';
+import { pageNames } from '../../../www/run/state.js';
+import { languageNames } from '../../../www/words/language.js';
+import { pageTest } from '../harness/browsers.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {readonly [number, number]} Size */
+
+const pin = 'pin1=a~5,1,5';
+const views = [
+  ...pageNames.map((name) => `${name}&v=1&generation=2&${pin}`),
+  ...['stability', 'compare', 'numbers'].map((view) => `curves&v=1&view=${view}&generation=2&${pin}`),
+  ...steps.map((_, i) => linkOfStep(i + 1)),
+];
+
+/** @typedef {{ size: Size, media?: Record<string, string>, search?: string, isDue: (view: number) => boolean }} Surroundings */
+
+/** @type {Record<import('../../../www/words/language.js').Language, readonly Surroundings[]>} */
+const surroundings = {
+  en: [
+    { size: [390, 844], media: { 'prefers-color-scheme': 'dark' }, isDue: (view) => view % 2 === 0 },
+    { size: [1440, 900], media: { 'forced-colors': 'active' }, isDue: (view) => view % 6 === 3 },
+    { size: [400, 300], search: '?embed', isDue: (view) => view % 6 === 1 },
+  ],
+  ko: [
+    { size: [390, 844], media: { 'prefers-color-scheme': 'dark' }, isDue: (view) => view % 2 === 1 },
+    { size: [1024, 768], media: { 'forced-colors': 'active' }, isDue: (view) => view % 6 === 0 },
+    { size: [400, 300], search: '?embed', isDue: (view) => view % 6 === 4 },
+  ],
+};
+
+/** What can be told to Chromium alone. @param {Page} page @param {string} cmd @param {object} params */
+function tell(page, cmd, params) {
+  const executor = /** @type {any} */ (page.driver.getExecutor());
+  executor.defineCommand('tellChromium', 'POST', '/session/:sessionId/goog/cdp/execute');
+  return page.driver.execute(new Command('tellChromium').setParameters({ cmd, params }));
+}
+
+/** @param {Page} page @param {Size} size @param {Record<string, string>} media */
+async function surround(page, [width, height], media) {
+  const screen = { width, height, deviceScaleFactor: 1, mobile: false };
+  await tell(page, 'Emulation.setDeviceMetricsOverride', screen);
+  const features = Object.entries(media).map(([name, value]) => ({ name, value }));
+  await tell(page, 'Emulation.setEmulatedMedia', { features });
+}
+
+/** Follows a link without loading the page again. @param {Page} page @param {string} link */
+const follow = (page, link) =>
+  page.evaluate(async (hash) => {
+    const opened = new Promise((resolve) => addEventListener('popstate', resolve, { once: true }));
+    location.replace(hash);
+    await opened;
+    for (let i = 0; i < 2; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+  }, `#${link}`);
+
+pageTest('nothing is in the way of assistive technology, wherever the page is', async (page) => {
+  if (page.engine !== 'chromium') return;
+  /** @type {Record<string, string[]>} */
+  const found = {};
+  try {
+    for (const language of languageNames)
+      for (const { size, media = {}, search = '', isDue } of surroundings[language]) {
+        await surround(page, size, media);
+        await page.open(`${search}#lab&v=1&lang=${language}`);
+        for (const view of views.filter((_, i) => isDue(i))) {
+          await follow(page, `${view}&lang=${language}`);
+          // What stands around a step of the lesson is looked at as a part.
+          const obstacles = await page.obstacles(view.includes('lesson=') ? '#lesson' : undefined);
+          if (obstacles.length > 0) found[`${view}, ${language}, ${size.join(' × ')}`] = obstacles;
+        }
+      }
+  } finally {
+    await tell(page, 'Emulation.clearDeviceMetricsOverride', {});
+    await tell(page, 'Emulation.setEmulatedMedia', { features: [] });
+  }
+  assert.deepEqual(found, {});
+});

@@ -1,0 +1,108 @@
+import assert from 'node:assert/strict';
+import { pageTest } from '../harness/browsers.js';
+import { read } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** About the width of an A4 sheet between its margins. */
+const paper = 680;
+
+/** From now on the rules for paper hold on the screen, where one can look. @param {Page} page */
+const asOnPaper = (page) =>
+  page.evaluate(() => {
+    let found = 0;
+    const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
+    for (const rule of rules)
+      if (rule instanceof CSSMediaRule && rule.media.mediaText === 'print') {
+        rule.media.mediaText = 'all';
+        found += 1;
+      }
+    return found;
+  });
+
+for (const part of [
+  'lab&v=1&generation=20',
+  'generation&v=1&generation=3&phase=mutation',
+  'curves',
+  'curves&v=1&view=compare',
+  'landscape',
+  'robustness',
+  'training',
+  'disturbance',
+  'luck',
+])
+  pageTest(
+    `on paper there is the plane and the open part, whole, and nothing to press: ${part}`,
+    async (page) => {
+      await page.open(`#${part}`);
+      await read(page);
+      assert.ok((await asOnPaper(page)) > 0);
+      await page.resize(paper, 900);
+      await page.until('everything is drawn', () =>
+        [...document.querySelectorAll('canvas')].every(
+          (canvas) => !canvas.checkVisibility() || canvas.width !== 300 || canvas.height !== 150,
+        ),
+      );
+      await read(page);
+      const seen = await page.evaluate(() => {
+        const all = (/** @type {string} */ selector) =>
+          [...document.querySelectorAll(selector)].filter((element) => element.checkVisibility());
+        const shapeOf = (/** @type {Element} */ canvas) => {
+          const { width, height } = canvas.getBoundingClientRect();
+          const bitmap = /** @type {HTMLCanvasElement} */ (canvas);
+          return { id: canvas.id, shown: width / height, drawn: bitmap.width / bitmap.height };
+        };
+        return {
+          controls: all('button, select, progress, input[type="range"], input[type="checkbox"]')
+            .filter((element) => !element.matches('.training-name, .generation-details .link'))
+            .map(({ id }) => id),
+          chosen: all('.pages a, .segmented label').map(
+            (element) => /** @type {HTMLElement} */ (element).innerText,
+          ),
+          excess: document.documentElement.scrollWidth - innerWidth,
+          shapes: all('main canvas').map(shapeOf),
+          together: all('canvas + canvas:not(#training-unseen)').map((over) => {
+            const [a, b] = [over, /** @type {Element} */ (over.previousElementSibling)].map((canvas) =>
+              canvas.getBoundingClientRect(),
+            );
+            return Math.hypot(a.left - b.left, a.top - b.top, a.right - b.right, a.bottom - b.bottom);
+          }),
+          // Else what is rubbed out of the upper canvas is rubbed out of the lower one when Chromium prints.
+          groups: all('main canvas').every((canvas) => Number(getComputedStyle(canvas).opacity) < 1),
+        };
+      });
+      assert.deepEqual(seen.controls, []);
+      assert.ok(seen.excess <= 0, `${seen.excess} px too wide`);
+      assert.ok(seen.chosen.includes('Velocity limits'), String(seen.chosen));
+      for (const { id, shown, drawn } of seen.shapes)
+        assert.ok(Math.abs(shown / drawn - 1) < 0.05, `${id} is ${shown} wide for its height, not ${drawn}`);
+      for (const apart of seen.together) assert.ok(apart < 1, `${apart} px apart`);
+      assert.equal(seen.groups, true);
+    },
+  );
+
+pageTest('what is drawn gets the colours of paper before it is printed, and its own again', async (page) => {
+  await page.open('#lab&v=1&generation=5');
+  await read(page);
+  const reds = () =>
+    page.evaluate(() => {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('plane-robots'));
+      const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
+        0,
+        0,
+        canvas.width,
+        canvas.height,
+      );
+      return data.filter((value, i) => i % 4 === 0 && value > 200 && data[i + 1] < 50 && data[i + 3] > 200)
+        .length;
+    });
+  assert.equal(await reds(), 0);
+  // A printer waits for no frame: this is all in one.
+  await page.evaluate(() => {
+    document.styleSheets[0].insertRule('[data-printing] { --ink: #f00 !important }');
+    dispatchEvent(new Event('beforeprint'));
+  });
+  assert.ok((await reds()) > 100);
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  assert.equal(await reds(), 0);
+});

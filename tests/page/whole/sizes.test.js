@@ -1,0 +1,103 @@
+import assert from 'node:assert/strict';
+import { Key, pageTest } from '../harness/browsers.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+const parts = /** @type {const} */ ([
+  'lab',
+  'generation',
+  'curves',
+  'landscape',
+  'robustness',
+  'training',
+  'disturbance',
+  'luck',
+]);
+/** Laptops and projectors. */
+const sizes = /** @type {const} */ ([
+  [1440, 900],
+  [1366, 768],
+  [1280, 720],
+  [1024, 768],
+]);
+
+/** How far the page can be scrolled, to the right and down, once it has its new size. @param {Page} page */
+const excess = (page) =>
+  page.evaluate(async () => {
+    for (let frame = 0; frame < 2; frame++) await new Promise((resolve) => requestAnimationFrame(resolve));
+    const { scrollWidth, scrollHeight } = document.documentElement;
+    return [scrollWidth - innerWidth, scrollHeight - innerHeight];
+  });
+
+/** @param {Page} page @param {typeof parts[number]} part */
+async function openPart(page, part) {
+  await page.click(`#page-${part}`);
+  await page.until(`${part} is open`, (name) => document.body.dataset.open === name, part);
+}
+
+for (const link of ['lab', 'lab&v=1&lang=ko', 'lab&v=1&preset=acceleration-limits&generation=100'])
+  pageTest(`no part needs to be scrolled on a laptop or a projector: ${link}`, async (page) => {
+    await page.open(`#${link}`);
+    for (const [width, height] of sizes) {
+      await page.resize(width, height);
+      for (const part of parts) {
+        await openPart(page, part);
+        assert.deepEqual(await excess(page), [0, 0], `${part} at ${width} × ${height}`);
+      }
+    }
+  });
+
+/** Types what cannot be used, and waits until the page says so. @param {Page} page @param {string} id @param {string} letter @param {string} message */
+async function refuse(page, id, letter, message) {
+  await page.focus(`#${id}`);
+  await page.evaluate((name) => /** @type {HTMLInputElement} */ (document.getElementById(name)).select(), id);
+  await page.press(letter, Key.ENTER);
+  await page.until(
+    `${id} is refused`,
+    (name, typed) => {
+      const element = document.getElementById(name);
+      return element?.checkVisibility() && element.innerText.includes(typed);
+    },
+    message,
+    `“${letter}”`,
+  );
+}
+
+pageTest('what is refused makes no part taller, and its message is in sight', async (page) => {
+  await page.open('#lab');
+  for (const [i, [width, height]] of sizes.entries()) {
+    await page.resize(width, height);
+    for (const [part, id, message, choice = ''] of /** @type {const} */ ([
+      ['lab', 'gain-kx', 'gain-kx-error'],
+      ['lab', 'gain-ktheta', 'gain-ktheta-error'],
+      ['lab', 'until-value', 'until-error', 'until'],
+      ['landscape', 'landscape-third', 'landscape-third-error'],
+      ['disturbance', 'gain-epsilon1', 'gain-epsilon1-error', 'disturbance-kind-random'],
+      ['disturbance', 'gain-epsilon2', 'gain-epsilon2-error'],
+    ])) {
+      await openPart(page, part);
+      if (choice === 'until') await untilGeneration(page);
+      else if (choice) await page.click(`#${choice}`);
+      // Another one each time: the same again would be no change.
+      await refuse(page, id, 'abcd'[i], message);
+      assert.deepEqual(await excess(page), [0, 0], `${id} at ${width} × ${height}`);
+      const covered = await page.evaluate((name) => {
+        const element = /** @type {HTMLElement} */ (document.getElementById(name));
+        const { left, right, top, bottom } = element.getBoundingClientRect();
+        const found = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+        return found !== element && found?.id;
+      }, message);
+      assert.equal(covered, false, `${message} at ${width} × ${height}`);
+    }
+  }
+});
+
+/** Evolution is to pause at a generation, whose field is there then. @param {Page} page */
+async function untilGeneration(page) {
+  await page.evaluate(() => {
+    const until = /** @type {HTMLSelectElement} */ (document.getElementById('until'));
+    until.value = 'generation';
+    until.dispatchEvent(new Event('change'));
+  });
+  await page.until('its field', () => document.getElementById('until-value')?.checkVisibility());
+}

@@ -1,0 +1,430 @@
+// The languages of the page: each is complete, the link carries it, and longer words find their place.
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { pageNames } from '../../../www/run/state.js';
+import * as en from '../../../www/words/en/index.js';
+import * as ko from '../../../www/words/ko/index.js';
+import { languageOf } from '../../../www/words/language.js';
+import { linkOfStep, steps } from '../../../www/lesson/steps.js';
+import { Key, pageTest } from '../harness/browsers.js';
+import { within } from '../harness/host.js';
+import { test } from '../harness/once.js';
+import { checked, read } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+const source = fileURLToPath(new URL('../../../www/', import.meta.url));
+
+/** Shorter ones are symbols and units. */
+const latinWord = /[A-Za-z]{3,}/;
+/** Names, keys, units and functions that stay as they are, and the title of the paper. */
+const names =
+  /Kim and H\.-S\. Shim, “Evolutionary Programming-Based [^”]*”, Proceedings [^,]*, MIT Press|\b(CITATION\.cff|CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
+
+/** Every text of a language by its place; functions are named. @param {unknown} value @param {string} place @returns {[string, string][]} */
+function textsOf(value, place) {
+  if (typeof value === 'function') return [[place, 'function']];
+  if (value === null || typeof value !== 'object') return [[place, `${typeof value}: ${value}`]];
+  return Object.entries(value).flatMap(([key, inner]) => textsOf(inner, place ? `${place}.${key}` : key));
+}
+
+/** Places that hold an identifier, which is the same in every language. @param {string} place */
+const isIdentifier = (place) =>
+  /\.(value|id|symbol|className|unit|letter|index)$|^lab\.(costParts|untils)\.\d\.0$|^keys\.single\.\d\.[02]$|^lab\.gains|^(disturbance|curves)\.units|^luck\.gainColumns|^disturbance\.formulas/.test(
+    place,
+  );
+
+test('Korean has the words of English, and none of them is English', () => {
+  const [english, korean] = [en, ko].map((words) => new Map(textsOf(words, '')));
+  assert.deepEqual([...korean.keys()].sort(), [...english.keys()].sort());
+  const kind = (/** @type {string | undefined} */ text) => text?.split(':')[0];
+  for (const [place, text] of english) {
+    assert.equal(kind(korean.get(place)), kind(text), place);
+    if (!text.startsWith('string: ') || isIdentifier(place)) continue;
+    const own = text.slice('string: '.length).replaceAll(names, '');
+    if (latinWord.test(own)) assert.notEqual(korean.get(place), text, `${place} is English in Korean`);
+  }
+});
+
+test('no view has words of its own language', () => {
+  const views = readdirSync(source, { recursive: true, encoding: 'utf8' }).filter(
+    // The element stands in pages of others, and has its language from them.
+    (name) => name.endsWith('.js') && !name.startsWith('words') && name !== join('embed', 'element.js'),
+  );
+  assert.ok(views.length > 50);
+  for (const name of views)
+    assert.doesNotMatch(readFileSync(join(source, name), 'utf8'), /from '[^']*words\/(en|ko)\//, name);
+});
+
+test('every word of index.html comes from the languages, which have one for each of its places', () => {
+  const html = readFileSync(join(source, '../index.html'), 'utf8');
+  // What is there before the page runs cannot know the language: it is told in both.
+  const built = html.replace(/<(title|noscript)>.*?<\/\1>|<div id="instead".*?<\/div>/gs, '');
+  const tags = [...built.matchAll(/<[a-z][^>]*>([^<]*)/g)];
+  assert.ok(tags.length > 200);
+  for (const [tag, text] of tags) {
+    assert.ok(!/\p{L}/u.test(text) || /^<[^>]* data-text="/.test(tag), tag);
+    assert.doesNotMatch(
+      tag,
+      /^<[^>]* (aria-(label|description|valuetext|roledescription)|title|placeholder|alt)="/,
+    );
+  }
+  const keys = [...built.matchAll(/ data-(?:text|label|content)="([^"]*)"/g)].map(([, key]) => key);
+  for (const [language, words] of Object.entries({ en, ko })) {
+    const texts = Object.assign(
+      {},
+      ...Object.values(words).map((part) => ('texts' in part ? part.texts : {})),
+    );
+    for (const key of keys) assert.match(texts[key] ?? '', /\p{L}/u, `${language} has nothing for ${key}`);
+  }
+});
+
+test('the link says the language; without a link the browser does', () => {
+  for (const [link, preferred, language] of /** @type {const} */ ([
+    ['', ['en-GB'], 'en'],
+    ['', ['ko-KR', 'en'], 'ko'],
+    ['', ['fr', 'ko'], 'ko'],
+    ['', ['fr'], 'en'],
+    ['', [], 'en'],
+    ['lab', ['ko'], 'en'],
+    ['lab&v=1&seed=7', ['ko'], 'en'],
+    ['lab&v=1&lang=ko', ['en'], 'ko'],
+    ['curves&v=1&seed=7&lang=ko', ['en'], 'ko'],
+    ['lab&v=1&lang=xx', ['ko'], 'en'],
+  ]))
+    assert.equal(languageOf(link, preferred), language, `#${link} for ${preferred}`);
+});
+
+/** What of the page that is in sight, or read aloud, is Latin letters. @param {Page} page */
+async function english(page) {
+  const texts = await page.evaluate(() => {
+    for (const details of document.querySelectorAll('details')) details.open = true;
+    const description = document.querySelector('meta[name=description]')?.getAttribute('content') ?? '';
+    /** @type {string[]} */
+    const found = [document.title, description];
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    while (walker.nextNode()) {
+      const parent = walker.currentNode.parentElement;
+      if (!parent || parent.closest('script, style, #language')) continue;
+      if ((parent.closest('select') ?? parent).checkVisibility())
+        found.push(walker.currentNode.nodeValue ?? '');
+    }
+    for (const element of document.body.querySelectorAll('*')) {
+      if (!element.checkVisibility() || element.id === 'language') continue;
+      for (const name of [
+        'aria-label',
+        'aria-valuetext',
+        'aria-description',
+        'aria-roledescription',
+        'title',
+        'placeholder',
+        'alt',
+        'label',
+      ])
+        found.push(element.getAttribute(name) ?? '');
+      // Read aloud although it may be out of sight.
+      for (const name of ['aria-labelledby', 'aria-describedby'])
+        for (const id of element.getAttribute(name)?.split(' ') ?? [])
+          found.push(document.getElementById(id)?.textContent ?? '');
+    }
+    return found;
+  });
+  return texts.filter((text) => latinWord.test(text.replaceAll(names, '')));
+}
+
+/** @param {Page} page @param {string} where */
+async function isKorean(page, where) {
+  assert.deepEqual(await english(page), [], where);
+  assert.equal(await page.evaluate(() => document.documentElement.lang), 'ko');
+}
+
+/** The link of every part, of all that it can show without a press, and of every step of the lesson. @type {readonly string[]} */
+const links = [
+  ...pageNames.map((name) => `${name}&v=1&generation=2&pin1=${encodeURIComponent('가~5,1,5')}`),
+  ...['stability', 'compare', 'numbers'].map(
+    (view) => `curves&v=1&view=${view}&generation=2&preset=acceleration-limits&seed=2`,
+  ),
+  ...['mutation', 'drive', 'tournament', 'ranking', 'survivors'].map(
+    (phase) => `generation&v=1&generation=2&phase=${phase}`,
+  ),
+  ...steps.map((_, i) => linkOfStep(i + 1)),
+];
+
+/** The page in a frame, which can be as small as a telephone where a window cannot. @param {Page} page @param {string} language @param {() => Promise<void>} body */
+async function inFrame(page, language, body) {
+  await page.visit(page.site.blank);
+  await page.evaluate((src) => {
+    const frame = document.createElement('iframe');
+    Object.assign(frame, { src, width: '1024', height: '768', frameBorder: '0' });
+    document.body.append(frame);
+  }, `${page.site.address}#lab&v=1&lang=${language}`);
+  await within(page, 0, async () => {
+    await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+    await body();
+  });
+}
+
+/** Follows a link of the page, which does not load it again. @param {Page} page @param {string} link @param {string} language */
+async function follow(page, link, language) {
+  const wanted = `#${link}&lang=${language}`;
+  await page.evaluate(async (hash) => {
+    const opened = new Promise((resolve) => addEventListener('popstate', resolve, { once: true }));
+    location.replace(hash);
+    await opened;
+    for (let i = 0; i < 2; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+  }, wanted);
+  const [, name, value] = /^(?:(lesson)&step=)?(\w+)/.exec(link) ?? [];
+  const open = await page.evaluate(() => ({
+    part: document.body.dataset.open,
+    lesson: document.body.hasAttribute('data-lesson'),
+    message: document.getElementById('message')?.textContent,
+  }));
+  assert.equal(open.message, '', link);
+  assert.equal(name ? open.lesson : open.part, name ? true : value, link);
+}
+
+pageTest(
+  'every part and every step is Korean with lang=ko, and the strictest policy refuses nothing',
+  async (page) => {
+    await inFrame(page, 'ko', async () => {
+      for (const link of links) {
+        await follow(page, link, 'ko');
+        await isKorean(page, link);
+      }
+      for (const [part, button] of Object.entries(tableButtons)) {
+        await openTable(page, part, button, 'ko');
+        await isKorean(page, button);
+        await page.press(Key.ESCAPE);
+      }
+      assert.deepEqual(await page.problems(), []);
+    });
+  },
+);
+
+pageTest('what is opened, refused and computed is Korean', async (page) => {
+  await page.open('#lab&v=1&lang=ko');
+  await page.click('#keys-button');
+  await isKorean(page, 'the keys');
+  await page.click('#keys-close');
+  await page.click('#keep-button');
+  await isKorean(page, 'the dialog that keeps a run');
+  await page.click('#keep-checks');
+  await checked(page);
+  await isKorean(page, 'the checks');
+  await page.click('#checks-close');
+  await page.click('#settings-button');
+  await isKorean(page, 'the settings');
+  await page.click('#settings-close');
+  await page.click('#curve-choice-sigmas');
+  await isKorean(page, 'the step sizes');
+  const gain = await page.element('#gain-kx');
+  await gain.clear();
+  await gain.sendKeys('1e999', Key.ENTER);
+  await page.until('the gain is refused', () => document.querySelector('#gains [aria-invalid="true"]'));
+  await isKorean(page, 'a refused gain');
+  await page.open('#lab&v=1&lang=ko&goal.x=1000000&evolution.population=0.5');
+  assert.match(await page.text('#message'), /goal\.x: 허용되는 값은 -1000 이상 1000 m 이하의 수입니다/);
+  assert.match(await page.text('#message'), /허용되는 값은 1 이상 2000 이하의 정수입니다/);
+});
+
+pageTest('what the workers find is told in Korean', async (page) => {
+  await page.open('#training&v=1&lang=ko');
+  await page.click('#training-generations option:first-child');
+  await page.click('#training-evolve');
+  await page.until('all three are evolved', () =>
+    document.getElementById('training-finding')?.textContent?.includes('격자'),
+  );
+  await isKorean(page, 'training');
+  await page.click('#page-luck');
+  await page.click('#luck-count option:first-child');
+  await page.click('#luck-generations option:first-child');
+  await page.click('#luck-run');
+  await page.until('the seeds have run', () =>
+    document.getElementById('luck-finding')?.textContent?.includes('무작위 탐색의 중앙값'),
+  );
+  await isKorean(page, 'luck');
+  await page.click('#luck-table');
+  await isKorean(page, 'the table of all seeds');
+  await page.click('#luck-close');
+  for (const [name, found] of [
+    ['robustness', '#robustness-share'],
+    ['landscape', '#landscape-readout'],
+    ['disturbance', '#remains-text'],
+  ]) {
+    await page.click(`#page-${name}`);
+    await page.until(
+      `${name} is computed`,
+      (selector) => /\d/.test(document.querySelector(selector)?.textContent ?? ''),
+      found,
+    );
+    await isKorean(page, name);
+  }
+});
+
+/** Waits until the page is there in a language. @param {Page} page @param {string} language */
+const loaded = (page, language) =>
+  page.until(
+    `the page is in ${language}`,
+    (name) => document.documentElement.lang === name && document.documentElement.dataset.ready === 'true',
+    language,
+  );
+
+pageTest(
+  'the link to the other language keeps the run, and "back" brings the first one back',
+  async (page) => {
+    await page.open('#lab&v=1&seed=7&generation=5&drives=paper-ep');
+    const before = await read(page);
+    assert.equal(await page.text('#language'), '한국어');
+    await page.focus('#language');
+    await page.press(Key.ENTER);
+    await loaded(page, 'ko');
+    assert.equal(await page.text('h1'), ko.lab.texts.pageTitle);
+    const korean = await read(page);
+    for (const key of /** @type {const} */ (['seed', 'generation', 'driver', 'cost']))
+      assert.equal(korean[key], before[key], key);
+    assert.match(await page.evaluate(() => location.hash), /[&]lang=ko/);
+    await page.click('#page-curves');
+    await page.until('the link of the part says the language', () =>
+      /^#curves&.*lang=ko/.test(location.hash),
+    );
+    await page.click('#page-lab');
+    await page.click('#language');
+    await loaded(page, 'en');
+    assert.doesNotMatch(await page.evaluate(() => location.hash), /lang/);
+    const after = await read(page);
+    for (const key of /** @type {const} */ (['seed', 'generation', 'driver', 'cost']))
+      assert.equal(after[key], before[key], key);
+    await page.evaluate(() => history.back());
+    await loaded(page, 'ko');
+  },
+);
+
+/** At each of these sizes: makes every text on the page 40 % longer, and says what then finds no place. @param {Page} page @param {string} where */
+const overflowing = (page, where) =>
+  page.evaluate(
+    async (place, sizes) => {
+      for (const details of document.querySelectorAll('details')) details.open = true;
+      /** What is longer already, and what it then says. */
+      const own = /** @type {{ longer?: WeakMap<Node, string | null> }} */ (/** @type {unknown} */ (window));
+      own.longer ??= new WeakMap();
+      /** @type {string[]} */
+      const problems = [];
+      // Beginning with the size that it has.
+      const order = sizes[0][0] === innerWidth ? sizes : [...sizes].reverse();
+      for (const [width, height] of order) {
+        Object.assign(/** @type {object} */ (frameElement), { width, height });
+        // The page learns its size, then draws for it.
+        for (let i = 0; i < 3; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+        lengthen(own.longer);
+        // Pictures follow the new size within some frames.
+        for (let i = 0; i < 30 && [...whatHasNoPlace(width)].length > 0; i += 1)
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+        for (const problem of whatHasNoPlace(width))
+          problems.push(`${place} at ${width} × ${height}: ${problem}`);
+      }
+      return problems;
+
+      /** @param {WeakMap<Node, string | null>} longer */
+      function lengthen(longer) {
+        const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+        while (walker.nextNode()) {
+          const node = walker.currentNode;
+          if (longer.get(node) === node.nodeValue) continue;
+          const text = (node.nodeValue ?? '').trim();
+          // Korean has words of two letters.
+          if (!/\p{L}{3}|\p{Script=Hangul}{2}/u.test(text)) continue;
+          node.nodeValue = `${text}${text.slice(0, Math.ceil(0.4 * text.length))}`;
+          longer.set(node, node.nodeValue);
+        }
+      }
+
+      /** @param {number} width */
+      function* whatHasNoPlace(width) {
+        const { clientWidth, scrollWidth: whole } = document.documentElement;
+        if (clientWidth > width || innerWidth !== width) yield `the window is ${innerWidth} px wide`;
+        if (whole > clientWidth) {
+          const last = [...document.body.querySelectorAll('*')].filter(
+            (element) => Math.ceil(element.getBoundingClientRect().right) >= whole,
+          );
+          const name = last.map(({ tagName, id, className }) => `${tagName}#${id}.${className}`).join(', ');
+          yield `the page is ${whole} px wide: ${name}`;
+        }
+        const scrolling = 'nav, .generation-scroll, .curves-scroll, .luck-scroll, .table-scroll';
+        for (const face of document.querySelectorAll('button, .segmented span, nav a, #language')) {
+          if (!face.checkVisibility() || !face.textContent?.trim()) continue;
+          // What is only read aloud has no place to find.
+          const end = face.querySelector('span:not(.symbol)');
+          const range = document.createRange();
+          range.selectNodeContents(face);
+          if (end && getComputedStyle(end).clipPath !== 'none') range.setEndBefore(end);
+          const [text, box] = [range.getBoundingClientRect(), face.getBoundingClientRect()];
+          const cut = text.left < box.left - 1 || text.right > box.right + 1;
+          if (cut || (!face.closest(scrolling) && (text.left < 0 || text.right > clientWidth)))
+            yield `${face.id || face.parentElement?.id || face.className}: ${face.textContent}`;
+        }
+        for (const box of document.querySelectorAll('select, .bar, .heading, .segmented, p, ul, table')) {
+          const { left, right } = box.getBoundingClientRect();
+          if (box.closest(`${scrolling}, .visually-hidden`) || !box.checkVisibility()) continue;
+          if (left < -1 || right > clientWidth + 1) yield `${box.id || box.className} ends at ${right}`;
+        }
+      }
+    },
+    where,
+    /** @type {const} */ ([
+      [1440, 900],
+      [1024, 768],
+      [390, 844],
+    ]),
+  );
+
+/** What opens a table, by its part. */
+const tableButtons = {
+  lab: 'fitness-table',
+  generation: 'generation-table',
+  landscape: 'landscape-table',
+  robustness: 'robustness-table',
+  'curves&view=stability': 'stability-table',
+};
+
+/** Opens a table as soon as there is something to fill it with. @param {Page} page @param {string} part @param {string} button @param {string} language */
+async function openTable(page, part, button, language) {
+  await follow(page, `${part}&generation=2`, language);
+  await page.until(
+    `the table of ${part} is open`,
+    (id) => {
+      if (!document.querySelector('dialog[open]')) document.getElementById(id)?.click();
+      return document.querySelector('dialog[open] tbody tr');
+    },
+    button,
+  );
+}
+
+for (const [language, name] of Object.entries({ en: 'English', ko: 'Korean' }))
+  pageTest(`${name} words that are 40 % longer find their place on every screen`, async (page) => {
+    await inFrame(page, language, async () => {
+      /** @type {string[]} */
+      const problems = [];
+      for (const link of links) {
+        await follow(page, link, language);
+        problems.push(...(await overflowing(page, link)));
+      }
+      for (const button of ['keys', 'keep', 'settings']) {
+        await page.click(`#${button}-button`);
+        problems.push(...(await overflowing(page, button)));
+        if (button === 'keys') {
+          await page.click('#keys-checks');
+          await checked(page);
+          problems.push(...(await overflowing(page, 'checks')));
+        }
+        await page.click(button === 'keys' ? '#checks-close' : `#${button}-close`);
+      }
+      for (const [part, button] of Object.entries(tableButtons)) {
+        await openTable(page, part, button, language);
+        problems.push(...(await overflowing(page, button)));
+        await page.press(Key.ESCAPE);
+      }
+      assert.deepEqual(problems, []);
+    });
+  });

@@ -1,0 +1,73 @@
+// The same bits on every machine: whole runs of evolution by their hashes, and the first random draws.
+import { check, differing, same } from './check.js';
+
+/** @typedef {import('../../../pkg/ep_locomotion.js').Experiment} Experiment */
+/** @typedef {import('../../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
+/** @typedef {import('./check.js').Check} Check */
+/** @typedef {import('./check.js').Core} Core */
+/** @typedef {import('./check.js').Golden} Golden */
+
+/** @param {Golden} golden @returns {Check[]} */
+export const bitChecks = ({ evolutions, draws }) => [
+  ...evolutions.map(({ task, preset, changes, generations, hash }) =>
+    check('hash', [task, preset, Number(changes.evolution?.seed), generations], (core) => {
+      const evolution = new core.Evolution(changed(core.experiment(preset), changes));
+      for (let i = 0; i < generations; i++) evolution.step();
+      return same(hash, hashOf(evolution));
+    }),
+  ),
+  check('watched', [watchedGenerations], (core) => {
+    const [straight, watched] = [new core.Evolution({}), new core.Evolution({})];
+    for (let i = 0; i < watchedGenerations; i++) {
+      straight.step();
+      watched.record(Math.floor(i / 2));
+      watched.step();
+      watched.population(0);
+    }
+    return same(hashOf(straight), hashOf(watched));
+  }),
+  check('draws', [draws.seed], (core) => same(0, differing(drawsOf(draws), firstDraws(core, draws.seed)))),
+];
+
+const watchedGenerations = 40;
+
+/** @param {InstanceType<Core['Evolution']>} evolution */
+function hashOf(evolution) {
+  const hash = evolution.hash();
+  evolution.free();
+  return hash;
+}
+
+/** An experiment with some fields changed, as the core itself completes the usual one. @param {Experiment} experiment @param {PartialExperiment} changes @returns {PartialExperiment} */
+function changed(experiment, changes) {
+  /** @type {Record<string, unknown>} */
+  const result = { ...experiment };
+  for (const [name, change] of Object.entries(changes)) {
+    const isPart = typeof change === 'object' && !Array.isArray(change);
+    result[name] = isPart ? { .../** @type {object} */ (result[name]), ...change } : change;
+  }
+  return result;
+}
+
+/** @param {Golden['draws']} draws */
+const drawsOf = ({ parent, gains, common, sigmas, opponents, noise }) => [
+  ...parent,
+  ...gains,
+  common,
+  ...sigmas,
+  ...opponents,
+  ...noise,
+];
+
+/** The same numbers as they are drawn now. @param {Core} core @param {number} seed */
+function firstDraws(core, seed) {
+  const evolution = new core.Evolution({ evolution: { seed } });
+  evolution.step();
+  const [founders, first] = [evolution.record(0), evolution.record(1)];
+  evolution.free();
+  const disturbance = { kind: /** @type {const} */ ('random'), linear: 1, angular: 1, seed };
+  const { x, theta } = core.simulate({ disturbance }, [0, 0, 0]);
+  const { gains, common, sigmas } = first.mutations[0];
+  const [parent] = founders.parents;
+  return [...parent.gains, ...gains, common, ...sigmas, ...first.opponents[0], x[1], theta[1]];
+}

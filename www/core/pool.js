@@ -1,0 +1,258 @@
+// Runs long jobs part by part in plain Web Workers. Which worker does a part, and when, never shows in the result.
+import { messageOf } from '../words/errors.js';
+
+/** @typedef {import('./worker.js').Answer} Answer */
+/** @typedef {import('./worker.js').Calls} Calls */
+
+/**
+ * One call for each part, which is the list of its arguments.
+ * @template {keyof Calls} K
+ * @typedef {{ call: K, parts: Parameters<Calls[K]>[] }} Job
+ */
+
+/**
+ * @typedef {object} RunOptions
+ * @property {(done: number) => void} [onProgress] Gets the part that is done, from 0 to 1, which never falls.
+ * @property {AbortSignal} [signal]
+ */
+
+/**
+ * Resolves to the results in the order of the parts. Rejects with the core's own error, with an AbortError once the job
+ * is aborted or superseded, or with an error that says what became of the worker.
+ * @typedef {<K extends keyof Calls>(job: Job<K>, options?: RunOptions) => Promise<ReturnType<Calls[K]>[]>} Run
+ */
+
+/** @typedef {{ run: Run }} Channel */
+/** @typedef {ReturnType<typeof createPool>} Pool */
+
+/** What the pool needs of a Worker. @typedef {Pick<Worker, 'addEventListener' | 'postMessage' | 'terminate'>} WorkerLike */
+
+/**
+ * A job under way.
+ * @typedef {object} Task
+ * @property {keyof Calls} call
+ * @property {unknown[][]} parts
+ * @property {boolean} urgent Goes before all that is not, and has parts so short that none is worth a termination.
+ * @property {number} next The first part that no worker has taken.
+ * @property {number[]} again Parts that are to be done again, because their worker was lost.
+ * @property {Set<number>} lost All parts whose worker was lost once.
+ * @property {number} finished
+ * @property {number} done As it was told last, from 0 to 1.
+ * @property {unknown[]} results
+ * @property {((done: number) => void) | undefined} onProgress
+ * @property {(results: any[]) => void} resolve
+ * @property {(error: unknown) => void} reject
+ * @property {() => void} forget Stops to listen for an abort.
+ */
+
+/** A worker, and the parts of one task that it has been given, in their order. @typedef {{ worker: WorkerLike, task: Task | null, indices: number[], progress: number }} Hand */
+
+/** A worker has the next short part already when it ends one, for a page that draws may be slow to hear of it. */
+const shortPartsAhead = 2;
+
+/** A worker whose job was aborted has so many milliseconds to answer before it is terminated. */
+const grace = 100;
+
+/** @param {string} reason */
+const abortError = (reason) => new DOMException(reason, 'AbortError');
+
+/** @param {{ spawn: () => WorkerLike, size?: number }} options `spawn` starts a worker that has the core already. */
+export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrency || 2, 8) }) {
+  /** @type {Set<Hand>} */
+  const hands = new Set();
+  /** The tasks with parts that no worker has taken, oldest first. @type {Set<Task>} */
+  const waiting = new Set();
+
+  /** Gives parts to idle workers while there are both. */
+  function assign() {
+    for (;;) {
+      const tasks = [...waiting];
+      const task = tasks.find(({ urgent }) => urgent) ?? tasks[0];
+      if (!task) return;
+      try {
+        const hand = handFor(task);
+        if (!hand) return;
+        give(hand, task);
+      } catch (error) {
+        fail(task, error);
+      }
+    }
+  }
+
+  /** Who takes the next part of a task, if anybody can. @param {Task} task */
+  function handFor(task) {
+    const all = [...hands];
+    const idle = all.find((hand) => hand.task === null);
+    if (idle) return idle;
+    if (hands.size < size) return hire();
+    const own = all
+      .filter((hand) => task.urgent && hand.task === task)
+      .sort((a, b) => a.indices.length - b.indices.length);
+    return own.find((hand) => hand.indices.length < shortPartsAhead);
+  }
+
+  function hire() {
+    const worker = start();
+    /** @type {Hand} */
+    const hand = { worker, task: null, indices: [], progress: 0 };
+    worker.addEventListener('message', ({ data }) => hear(hand, data));
+    worker.addEventListener('error', (event) => {
+      event.preventDefault();
+      lose(hand, event.message || 'it could not be started');
+    });
+    worker.addEventListener('messageerror', () => lose(hand, 'its answer cannot be read'));
+    hands.add(hand);
+    return hand;
+  }
+
+  function start() {
+    try {
+      return spawn();
+    } catch (cause) {
+      throw new Error(`No worker can be started: ${messageOf(cause)}`, { cause });
+    }
+  }
+
+  /** @param {Hand} hand @param {Task} task */
+  function give(hand, task) {
+    // Throws when an argument is nothing that can be sent.
+    const index = task.again[0] ?? task.next;
+    hand.worker.postMessage({ call: task.call, args: task.parts[index] });
+    hand.task = task;
+    hand.indices.push(index);
+    if (index === task.again[0]) task.again.shift();
+    else task.next += 1;
+    if (task.next === task.parts.length && task.again.length === 0) waiting.delete(task);
+  }
+
+  /** @param {Hand} hand @param {Answer} answer */
+  function hear(hand, answer) {
+    if ('life' in answer) {
+      navigator.locks.request(answer.life, () => lose(hand, 'it was ended')).catch(() => {});
+      return;
+    }
+    const { task } = hand;
+    // What a terminated worker had sent before its end.
+    if (!task) return;
+    if ('progress' in answer) {
+      hand.progress = answer.progress;
+      report(task);
+      return;
+    }
+    const index = /** @type {number} */ (hand.indices.shift());
+    hand.progress = 0;
+    if (hand.indices.length === 0) hand.task = null;
+    if ('error' in answer) {
+      if (answer.lost) dismiss(hand);
+      fail(task, new Error(answer.error));
+    } else {
+      task.results[index] = answer.result;
+      task.finished += 1;
+      if (task.finished === task.parts.length) {
+        task.forget();
+        task.resolve(task.results);
+      }
+    }
+    assign();
+    report(task);
+  }
+
+  /** @param {Task} task */
+  function report(task) {
+    let done = task.finished;
+    for (const hand of hands) if (hand.task === task) done += hand.progress;
+    // What a lost worker had done falls away.
+    task.done = Math.max(task.done, done / task.parts.length);
+    task.onProgress?.(task.done);
+  }
+
+  /** Ends a task before its time. @param {Task} task @param {unknown} error */
+  function fail(task, error) {
+    waiting.delete(task);
+    task.forget();
+    task.onProgress = undefined;
+    task.reject(error);
+    const busy = [...hands].filter((hand) => hand.task === task);
+    if (task.urgent || busy.length === 0) return;
+    setTimeout(() => {
+      for (const hand of busy) if (hand.task === task) dismiss(hand);
+      assign();
+    }, grace);
+  }
+
+  /** Another does what a lost worker had to do. What is lost twice takes its task with it, and only that. @param {Hand} hand @param {string} reason */
+  function lose(hand, reason) {
+    const { task, indices } = hand;
+    dismiss(hand);
+    if (task && indices.some((index) => task.lost.has(index)))
+      fail(task, new Error(`A worker was lost: ${reason}`));
+    else if (task) {
+      for (const index of indices) task.lost.add(index);
+      task.again.push(...indices);
+      waiting.add(task);
+    }
+    assign();
+  }
+
+  /** Another is hired in its place when there is work. @param {Hand} hand */
+  function dismiss(hand) {
+    hand.worker.terminate();
+    hand.task = null;
+    hand.indices = [];
+    hands.delete(hand);
+  }
+
+  /**
+   * @template {keyof Calls} K
+   * @param {Job<K>} job @param {RunOptions} options @param {boolean} urgent
+   */
+  function begin({ call, parts }, { onProgress, signal }, urgent) {
+    const abort = () => fail(task, abortError('The job was aborted'));
+    /** @type {Task} */
+    const task = {
+      call,
+      parts,
+      urgent,
+      next: 0,
+      again: [],
+      lost: new Set(),
+      finished: 0,
+      done: 0,
+      results: [],
+      onProgress,
+      resolve() {},
+      reject() {},
+      forget: () => signal?.removeEventListener('abort', abort),
+    };
+    /** @type {Promise<ReturnType<Calls[K]>[]>} */
+    const results = new Promise((resolve, reject) => Object.assign(task, { resolve, reject }));
+    if (signal?.aborted) abort();
+    else if (parts.length === 0) task.resolve([]);
+    else {
+      signal?.addEventListener('abort', abort);
+      waiting.add(task);
+      assign();
+    }
+    return { results, supersede: () => fail(task, abortError('A newer request took its place')) };
+  }
+
+  return {
+    size,
+
+    /** @type {Run} */
+    run: (job, options = {}) => begin(job, options, false).results,
+
+    /** Runs only the newest of its jobs, before all others of the pool. @returns {Channel} */
+    channel() {
+      let supersede = () => {};
+      return {
+        run(job, options = {}) {
+          supersede();
+          const begun = begin(job, options, true);
+          supersede = begun.supersede;
+          return begun.results;
+        },
+      };
+    },
+  };
+}

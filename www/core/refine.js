@@ -1,0 +1,48 @@
+// Asking the workers for a picture: coarse while something moves, finer when it rests.
+import { messageOf } from '../words/errors.js';
+
+/**
+ * What to ask for next, given what is wanted, what runs and what is done.
+ * @template S, R
+ * @param {object} job
+ * @param {readonly number[]} job.counts How fine, from the coarse one that is short to the last.
+ * @param {(spec: S, count: number) => Promise<R>} job.compute Rejects with an AbortError when something newer took its place.
+ * @param {(result: R) => void} job.onResult
+ * @param {(message: string) => void} job.onFailure
+ */
+export function createRefining({ counts, compute, onResult, onFailure }) {
+  const last = counts.length - 1;
+  /** @type {{ spec: S, level: number } | null} */
+  let running = null;
+  /** @type {{ spec: S, level: number } | null} */
+  let done = null;
+
+  /** @param {S} spec @param {number} level */
+  const ask = async (spec, level) => {
+    const own = { spec, level };
+    running = own;
+    try {
+      const result = await compute(spec, counts[level]);
+      done = own;
+      onResult(result);
+    } catch (error) {
+      if (running !== own || (error instanceof DOMException && error.name === 'AbortError')) return;
+      // Asked for no more: the picture stays, and the page says why.
+      done = { spec, level: last };
+      onFailure(messageOf(error));
+    } finally {
+      if (running === own) running = null;
+    }
+  };
+
+  return {
+    /** The same object as spec means the same picture. @param {S} spec @param {boolean} moving */
+    follow(spec, moving) {
+      const level = done?.spec === spec ? done.level + 1 : 0;
+      if (level > last || (level > 0 && moving)) return;
+      // What is not the last is short and is let end, so that pictures keep coming while the goal is dragged.
+      if (running && (running.spec === spec || running.level < last)) return;
+      ask(spec, level);
+    },
+  };
+}

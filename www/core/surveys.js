@@ -1,0 +1,153 @@
+// The long jobs: each is split by index into parts for the pool, and the parts' results are joined in order.
+
+/** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
+/** @typedef {import('../../pkg/ep_locomotion.js').Gains} Gains */
+/** @typedef {import('../../pkg/ep_locomotion.js').Landscape} Landscape */
+/** @typedef {import('../../pkg/ep_locomotion.js').Robustness} Robustness */
+/** @typedef {import('../../pkg/ep_locomotion.js').StartGrid} StartGrid */
+/** @typedef {import('./checks/check.js').Golden} Golden */
+/** @typedef {import('./pool.js').Channel} Channel */
+/** @typedef {import('./pool.js').Pool} Pool */
+/** @typedef {import('./pool.js').Run} Run */
+/** @typedef {import('./pool.js').RunOptions} RunOptions */
+
+/** With a channel, the newest request makes the earlier one reject. @typedef {RunOptions & { channel?: Channel }} SurveyOptions */
+/** Seeds from `first` on. @typedef {{ first: number, count: number, generations: number }} Seeds */
+/** @typedef {ReturnType<typeof createSurveys>} Surveys */
+
+/** As many samples as a worker drives in 4 to 8 ms: so short that a newer request need not wait. */
+const samplesOfPart = 8e5;
+/** More would be a burden to the page. So a job without measure has parts without measure, which the core refuses. */
+const mostParts = 1024;
+
+/** @param {Pool} pool */
+export function createSurveys(pool) {
+  /** @type {(options: SurveyOptions | undefined) => Run} */
+  const runOf = (options) => options?.channel?.run ?? pool.run;
+
+  /**
+   * [first, end) of each part, for `count` things of which each drives `samples`.
+   * @param {number} count @param {number} samples
+   */
+  function split(count, samples) {
+    const quick = Math.floor(samplesOfPart / samples);
+    const shared = Math.floor(count / (2 * pool.size));
+    // What cannot be counted stays in one part, because the core knows best what is wrong with it.
+    const each = Math.max(Math.min(quick, shared), Math.ceil(count / mostParts), 1) || count;
+    /** @type {[number, number][]} */
+    const parts = [];
+    let first = 0;
+    do {
+      parts.push([first, Math.min(first + each, count)]);
+      first += each;
+    } while (first < count);
+    return parts;
+  }
+
+  return {
+    /** For the `channel` of options: one for each thing on screen that follows the pointer. */
+    channel: pool.channel,
+
+    /** J over two gains, row by row. @param {Experiment} experiment @param {Omit<Landscape, 'rows'>} landscape @param {SurveyOptions} [options] */
+    async landscape(experiment, landscape, options) {
+      const rows = split(landscape.y.count, landscape.x.count * samplesOfRobot(experiment));
+      /** @type {[Experiment, Landscape][]} */
+      const parts = rows.map((part) => [experiment, { ...landscape, rows: part }]);
+      const results = await runOf(options)({ call: 'landscape', parts }, options);
+      return join(Float64Array, results, (costs) => costs);
+    },
+
+    /** How one robot fares from every start of a grid. @param {Experiment} experiment @param {Omit<StartGrid, 'part'>} grid @param {SurveyOptions} [options] @returns {Promise<Robustness>} */
+    async robustness(experiment, grid, options) {
+      const starts = split(grid.x.count * grid.y.count * grid.headings, samplesOfDrive(experiment));
+      /** @type {[Experiment, StartGrid][]} */
+      const parts = starts.map((part) => [experiment, { ...grid, part }]);
+      const results = await runOf(options)({ call: 'robustness', parts }, options);
+      return {
+        cost: join(Float64Array, results, (result) => result.cost),
+        finalTime: join(Float64Array, results, (result) => result.finalTime),
+        arrived: join(Uint8Array, results, (result) => result.arrived),
+      };
+    },
+
+    /** Evolution with each seed, beside random search. @param {Experiment} experiment @param {Seeds} seeds @param {SurveyOptions} [options] */
+    async seedRuns(experiment, { first, count, generations }, options) {
+      const robots = 2 * experiment.evolution.population * (generations + 1);
+      /** @type {[Experiment, import('../../pkg/ep_locomotion.js').SeedRuns][]} */
+      const parts = split(count, robots * samplesOfRobot(experiment)).map(([from, to]) => [
+        experiment,
+        { seeds: [first + from, first + to], generations },
+      ]);
+      return (await runOf(options)({ call: 'seedRuns', parts }, options)).flat();
+    },
+
+    /** One whole evolution. @param {Experiment} experiment @param {number} generations @param {SurveyOptions} [options] */
+    async evolve(experiment, generations, options) {
+      const [evolved] = await runOf(options)({ call: 'evolve', parts: [[experiment, generations]] }, options);
+      return evolved;
+    },
+
+    /** Many at once. @param {readonly Experiment[]} experiments @param {number} generations @param {SurveyOptions} [options] */
+    evolveAll: (experiments, generations, options) =>
+      runOf(options)({ call: 'evolve', parts: experiments.map((one) => [one, generations]) }, options),
+
+    /** The sizes of the error over time that Theorem 2 bounds, from every start. @param {Experiment} experiment @param {Gains} gains @param {SurveyOptions} [options] */
+    async errorParts(experiment, gains, options) {
+      // Not split, because the draws of a disturbance go by the number of the start.
+      const [runs] = await runOf(options)({ call: 'errorParts', parts: [[experiment, gains]] }, options);
+      return runs;
+    },
+
+    /** What remains of them in the last seconds, in each of these experiments. @param {readonly Experiment[]} experiments @param {Gains} gains @param {number} seconds @param {SurveyOptions} [options] */
+    remainingErrors: (experiments, gains, seconds, options) =>
+      runOf(options)(
+        { call: 'remainingErrors', parts: experiments.map((one) => [one, gains, seconds]) },
+        options,
+      ),
+
+    /** How each robot fares from every start of its experiment. @param {readonly (readonly [Experiment, Gains])[]} robots @param {SurveyOptions} [options] */
+    fares: (robots, options) =>
+      runOf(options)(
+        { call: 'fares', parts: robots.map(([experiment, gains]) => [experiment, gains]) },
+        options,
+      ),
+
+    /** J of each triple of gains. @param {Experiment} experiment @param {Gains} gains @param {SurveyOptions} [options] */
+    async evaluate(experiment, gains, options) {
+      // Not split, so that an error counts the gains as they were given.
+      const [costs] = await runOf(options)({ call: 'evaluate', parts: [[experiment, gains]] }, options);
+      return costs;
+    },
+
+    /** What came of the checks of the core's own numbers: a list for each group. @param {Golden} golden @param {SurveyOptions} [options] */
+    async checks(golden, options) {
+      // Not split, because every worker more would first have to learn the same code: that takes longer than the checks.
+      const [groups] = await runOf(options)({ call: 'checks', parts: [[golden]] }, options);
+      return groups;
+    },
+  };
+}
+
+/** At most, for a robot that never arrives. @param {Experiment} experiment */
+const samplesOfDrive = ({ horizon, sampleTime }) => horizon / sampleTime;
+
+/** A robot drives from every start. @param {Experiment} experiment */
+const samplesOfRobot = (experiment) => experiment.starts.length * samplesOfDrive(experiment);
+
+/**
+ * @template R
+ * @template {Float64Array | Uint8Array} A
+ * @param {new (length: number) => A} TypedArray
+ * @param {R[]} results
+ * @param {(result: R) => A} arrayOf
+ */
+function join(TypedArray, results, arrayOf) {
+  const arrays = results.map(arrayOf);
+  const joined = new TypedArray(arrays.reduce((length, array) => length + array.length, 0));
+  let at = 0;
+  for (const array of arrays) {
+    joined.set(array, at);
+    at += array.length;
+  }
+  return joined;
+}

@@ -1,0 +1,31 @@
+// Whether the page stands in a frame of another page, which its address says, ?embed, or the name of the frame.
+import { frameName } from '../embed/frame.js';
+
+const asked = new URLSearchParams(globalThis.location?.search);
+
+export const isEmbedded = asked.has('embed') || globalThis.window?.name === frameName;
+
+let used = !isEmbedded;
+if (isEmbedded)
+  for (const type of ['pointerdown', 'keydown'])
+    addEventListener(
+      type,
+      () => {
+        used = true;
+      },
+      { capture: true, once: true },
+    );
+
+/** In a frame nothing moves until someone has used the figure. */
+export const standsStill = () => !used;
+
+/** The address of the whole page, or with `embed` of its figure for a frame. @param {string} page @param {string} link the text after # @param {boolean} embed */
+export function addressOf(page, link, embed) {
+  const address = new URL(page);
+  address.searchParams.delete('embed');
+  // URL would write ?embed=, which is longer to no end.
+  const others = address.searchParams.toString();
+  address.search = [embed ? 'embed' : '', others].filter(Boolean).join('&');
+  address.hash = link;
+  return address.href;
+}

@@ -1,0 +1,92 @@
+// The one transform between the plane in metres and the canvas in pixels.
+
+/** @typedef {import('../core/engine.js').Posture} Posture */
+/** @typedef {{ left: number, right: number, bottom: number, top: number }} Box Metres. */
+/** @typedef {ReturnType<typeof createView>} View */
+
+/** From a posture to the knob that turns it, in pixels. */
+export const knobDistance = 52;
+const smallestSpan = 1.2;
+
+/** The pixels that start and goal keep free at each edge, so that no handle lies under a note or outside. @param {{ width: number, height: number }} size */
+function insets({ width, height }) {
+  const side = width < 560 ? { left: 64, right: 56 } : { left: 96, right: 88 };
+  if (height < 280) return { ...side, top: 44, bottom: 40 };
+  return height < 440 ? { ...side, top: 84, bottom: 64 } : { ...side, top: 96, bottom: 104 };
+}
+
+/** @param {Posture[]} postures @returns {Box} */
+export function boxAround(postures) {
+  const span = (/** @type {number[]} */ values) => {
+    const middle = (Math.min(...values) + Math.max(...values)) / 2;
+    const half = Math.max(smallestSpan, Math.max(...values) - Math.min(...values)) / 2;
+    return [middle - half, middle + half];
+  };
+  const [left, right] = span(postures.map((posture) => posture.x));
+  const [bottom, top] = span(postures.map((posture) => posture.y));
+  return { left, right, bottom, top };
+}
+
+/** @param {Box} box @param {{ width: number, height: number }} size */
+export function createView(box, { width, height }) {
+  const inset = insets({ width, height });
+  const free = {
+    width: Math.max(40, width - inset.left - inset.right),
+    height: Math.max(40, height - inset.top - inset.bottom),
+  };
+  const scale = Math.min(free.width / (box.right - box.left), free.height / (box.top - box.bottom));
+  const originX = inset.left + free.width / 2 - (scale * (box.left + box.right)) / 2;
+  const originY = inset.top + free.height / 2 + (scale * (box.bottom + box.top)) / 2;
+  return {
+    width,
+    height,
+    /** Pixels a metre. */
+    scale,
+    originX,
+    originY,
+    inset,
+    /** @param {number} x */
+    screenX: (x) => originX + x * scale,
+    /** @param {number} y */
+    screenY: (y) => originY - y * scale,
+    /** @param {number} px @param {number} py */
+    world: (px, py) => ({ x: (px - originX) / scale, y: (originY - py) / scale }),
+  };
+}
+
+/**
+ * The box for these postures: the old one while they lie well inside it and fill it, else a new one.
+ * @param {Box} box @param {{ width: number, height: number }} size @param {Posture[]} postures
+ */
+export function refit(box, size, postures) {
+  const view = createView(box, size);
+  const next = boxAround(postures);
+  const outside = postures.some(({ x, y }) => {
+    const [px, py] = [view.screenX(x), view.screenY(y)];
+    return (
+      px < view.inset.left - 1 ||
+      px > size.width - view.inset.right + 1 ||
+      py < view.inset.top - 1 ||
+      py > size.height - view.inset.bottom + 1
+    );
+  });
+  return outside || createView(next, size).scale > 1.6 * view.scale ? next : box;
+}
+
+/** Where the knob that turns a posture is drawn; never outside the plane. @param {View} view @param {Posture} posture */
+export function knobOf(view, { x, y, theta }) {
+  return keepInside(
+    view,
+    view.screenX(x) + knobDistance * Math.cos(theta),
+    view.screenY(y) - knobDistance * Math.sin(theta),
+  );
+}
+
+/** @param {{ width: number, height: number }} size @param {number} px @param {number} py */
+export function keepInside({ width, height }, px, py) {
+  const margin = 16;
+  return {
+    px: Math.min(Math.max(px, margin), width - margin),
+    py: Math.min(Math.max(py, margin), height - margin),
+  };
+}

@@ -1,0 +1,178 @@
+// Start and goal in the hand: transparent buttons over the plane, for pointer, touch and keyboard.
+import { keepInside, knobOf } from '../kit/transform.js';
+import { watch } from '../run/state.js';
+import { lab as strings } from '../words/index.js';
+
+/** @typedef {import('../core/engine.js').Posture} Posture */
+/** @typedef {import('../kit/transform.js').View} View */
+/** @typedef {'start' | 'goal'} End */
+/** @typedef {'position' | 'heading'} Part */
+/** @typedef {{ view: View, start: Posture, goal: Posture }} HandlesModel */
+/**
+ * @typedef {object} HandleEvents
+ * @property {(end: End) => Posture} postureOf The newest, which may not be drawn yet.
+ * @property {(end: End, posture: Posture, dragging: boolean) => void} onMove
+ * @property {() => void} onRelease
+ */
+
+const turn = Math.PI / 36;
+const fineTurn = Math.PI / 180;
+
+/** @param {HTMLElement} root @param {HandleEvents} events */
+export function createHandles(root, events) {
+  /** @type {HandlesModel | null} */
+  let model = null;
+  const changed = watch();
+  const handles = /** @type {const} */ (['start', 'goal']).flatMap((end) =>
+    /** @type {const} */ (['position', 'heading']).map((part) =>
+      createHandle(end, part, () => model?.view, events),
+    ),
+  );
+  root.replaceChildren(...handles.map(({ button }) => button));
+  return {
+    /** @param {HandlesModel} next */
+    draw(next) {
+      model = next;
+      if (!changed(next.view, next.start, next.goal)) return;
+      for (const handle of handles) handle.draw(next);
+    },
+  };
+}
+
+/** @param {End} end @param {Part} part @param {() => View | undefined} current @param {HandleEvents} events */
+function createHandle(end, part, current, events) {
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.id = `${end}-${part}`;
+  button.className = `handle ${part}`;
+  const name = end === 'start' ? strings.startName : strings.goalName;
+  drag(button, end, part, current, events);
+
+  // A key that is held is one gesture, like a drag.
+  let isKeyHeld = false;
+  const letGo = () => {
+    if (isKeyHeld) events.onRelease();
+    isKeyHeld = false;
+  };
+  button.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey) return;
+    const posture = events.postureOf(end);
+    const moved = part === 'heading' ? turnedByKey(posture, event) : movedByKey(posture, event);
+    if (!moved) return;
+    event.preventDefault();
+    isKeyHeld = true;
+    events.onMove(end, tidy(moved), true);
+  });
+  button.addEventListener('keyup', (event) => {
+    if (event.key.startsWith('Arrow')) letGo();
+  });
+  button.addEventListener('blur', letGo);
+
+  return {
+    button,
+    /** @param {HandlesModel} model */
+    draw(model) {
+      const posture = model[end];
+      const { px, py } =
+        part === 'heading'
+          ? knobOf(model.view, posture)
+          : { px: model.view.screenX(posture.x), py: model.view.screenY(posture.y) };
+      button.style.transform = `translate(${px}px, ${py}px) translate(-50%, -50%)`;
+      button.setAttribute(
+        'aria-label',
+        part === 'heading' ? strings.headingLabel(name, posture) : strings.positionLabel(name, posture),
+      );
+    },
+  };
+}
+
+/** @param {HTMLButtonElement} button @param {End} end @param {Part} part @param {() => View | undefined} current @param {HandleEvents} events */
+function drag(button, end, part, current, events) {
+  /** @type {{ pointerId: number, before: Posture, offsetX: number, offsetY: number } | null} */
+  let held = null;
+  /** @type {Posture | null} */
+  let pending = null;
+
+  const apply = () => {
+    if (pending) events.onMove(end, pending, true);
+    pending = null;
+  };
+
+  button.addEventListener('pointerdown', (event) => {
+    if (held || event.button !== 0) return;
+    const box = button.getBoundingClientRect();
+    held = {
+      pointerId: event.pointerId,
+      before: events.postureOf(end),
+      offsetX: event.clientX - (box.left + box.width / 2),
+      offsetY: event.clientY - (box.top + box.height / 2),
+    };
+    button.setPointerCapture(event.pointerId);
+  });
+
+  button.addEventListener('pointermove', (event) => {
+    const view = current();
+    const plane = button.offsetParent;
+    if (!held || !view || !plane || event.pointerId !== held.pointerId) return;
+    const { left, top } = plane.getBoundingClientRect();
+    const px = event.clientX - held.offsetX - left - plane.clientLeft;
+    const py = event.clientY - held.offsetY - top - plane.clientTop;
+    const posture = events.postureOf(end);
+    if (!pending) requestAnimationFrame(apply);
+    pending = tidy(part === 'heading' ? turnedTo(view, posture, px, py) : movedTo(view, posture, px, py));
+  });
+
+  /** @param {PointerEvent} event */
+  const release = (event) => {
+    if (!held || event.pointerId !== held.pointerId) return;
+    if (event.type === 'pointercancel') pending = held.before;
+    held = null;
+    apply();
+    events.onRelease();
+  };
+  button.addEventListener('pointerup', release);
+  button.addEventListener('pointercancel', release);
+}
+
+/** @param {View} view @param {Posture} posture @param {number} px @param {number} py @returns {Posture} */
+function movedTo(view, posture, px, py) {
+  const inside = keepInside(view, px, py);
+  return { ...posture, ...view.world(inside.px, inside.py) };
+}
+
+/** @param {View} view @param {Posture} posture @param {number} px @param {number} py @returns {Posture} */
+function turnedTo(view, posture, px, py) {
+  const [dx, dy] = [px - view.screenX(posture.x), view.screenY(posture.y) - py];
+  return Math.hypot(dx, dy) < 4 ? posture : { ...posture, theta: Math.atan2(dy, dx) };
+}
+
+/** @param {Posture} posture @param {KeyboardEvent} event @returns {Posture | null} */
+function movedByKey(posture, event) {
+  const [right, up] = directionOf(event.key);
+  if (!right && !up) return null;
+  if (event.shiftKey) return right ? { ...posture, theta: posture.theta - right * turn } : null;
+  const step = event.altKey ? 0.01 : 0.1;
+  return { ...posture, x: posture.x + right * step, y: posture.y + up * step };
+}
+
+/** @param {Posture} posture @param {KeyboardEvent} event @returns {Posture | null} */
+function turnedByKey(posture, event) {
+  const [right, up] = directionOf(event.key);
+  const left = up - right;
+  return left ? { ...posture, theta: posture.theta + left * (event.altKey ? fineTurn : turn) } : null;
+}
+
+/** @param {string} key @returns {readonly [number, number]} */
+function directionOf(key) {
+  if (key === 'ArrowRight') return [1, 0];
+  if (key === 'ArrowLeft') return [-1, 0];
+  if (key === 'ArrowUp') return [0, 1];
+  return key === 'ArrowDown' ? [0, -1] : [0, 0];
+}
+
+/** Whole centimetres and degrees, so that the numbers in the text are the numbers that drive. @param {Posture} posture @returns {Posture} */
+function tidy({ x, y, theta }) {
+  const turns = Math.round((theta * 180) / Math.PI);
+  const wrapped = turns - 360 * Math.ceil((turns - 180) / 360);
+  return { x: Math.round(x * 100) / 100, y: Math.round(y * 100) / 100, theta: (wrapped * Math.PI) / 180 };
+}

@@ -1,0 +1,54 @@
+// The button that pins the run on screen, beside the choice of who drives.
+import { byId, create } from '../kit/elements.js';
+import { gainsOf, watch } from '../run/state.js';
+import { curves as words } from '../words/index.js';
+import { isFull, pinOf, withPin, withoutPin } from '../run/pins.js';
+
+/** @typedef {import('../run/pins.js').Driven} Driven */
+/** @typedef {import('../run/state.js').Scene} Scene */
+/** @typedef {import('../run/state.js').State} State */
+
+/** @param {Pick<import('./navigation.js').PageParts, 'store' | 'paper'>} parts @param {(state: State) => Scene} sceneOf */
+export function createPinButton({ store, paper }, sceneOf) {
+  const button = byId('pin');
+  const note = byId('pin-note');
+  // Both texts stay in the button: a press in which the text is written again is no click in WebKit.
+  const [pinText, unpinText] = [words.pinThis, words.unpinThis].map((text) => create('span', '', text));
+  button.replaceChildren(pinText, unpinText);
+  /** The run on screen. @param {State} state @param {Scene} scene @returns {Driven} */
+  const drivenIn = (state, { experiment }) => ({ experiment, gains: gainsOf(state, state.driver, paper) });
+
+  const press = () => {
+    const state = store.get();
+    const driven = drivenIn(state, sceneOf(state));
+    const pin = pinOf(state.pins, driven);
+    const curves = { ...state.curves, refused: null };
+    if (pin) store.update({ pins: withoutPin(state.pins, pin.slot), curves });
+    else if (isFull(state.pins)) store.update({ curves: { ...curves, refused: driven } });
+    else store.update({ pins: withPin(state.pins, driven, nameOf(state, driven)), curves });
+  };
+  button.addEventListener('click', press);
+
+  const changed = watch();
+  return {
+    /** @param {State} state @param {Scene} scene */
+    draw(state, scene) {
+      const driven = drivenIn(state, scene);
+      const { experiment, gains } = driven;
+      if (!changed(state.pins, state.curves.refused, experiment, gains)) return;
+      const pin = pinOf(state.pins, driven);
+      const { refused } = state.curves;
+      const isRefused = refused !== null && refused.experiment === experiment && refused.gains === gains;
+      unpinText.hidden = !pin;
+      pinText.hidden = pin !== undefined;
+      const said = pin ? words.pinnedAs(pin.name) : isRefused && isFull(state.pins) ? words.noRoom : '';
+      if (note.textContent !== said) note.textContent = said;
+      note.classList.toggle('field-error', !pin && said !== '');
+    },
+  };
+}
+
+/** @param {State} state @param {Driven} driven */
+function nameOf({ driver, found, generation }, { experiment, gains }) {
+  return words.pinName(driver, { generation, seed: experiment.evolution.seed, gains, found });
+}

@@ -1,0 +1,119 @@
+// The elements of the page, each given to the view that draws in it.
+import { createEvolutionBar, createRobotBar } from './bars.js';
+import { createCost } from './cost.js';
+import { createCurve } from './fitness.js';
+import { byId } from '../kit/elements.js';
+import { createGains } from './gains.js';
+import { createHandles } from './handles.js';
+import { createNotes } from './notes.js';
+import { createPlane } from './plane.js';
+import { createSegmented } from '../kit/segmented.js';
+import { createSigmas } from './sigmas.js';
+import { curves as curveWords, lab as strings, texts } from '../words/index.js';
+import { language } from '../words/language.js';
+import { createPages } from './navigation.js';
+
+/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {ReturnType<typeof createViews>} Views */
+
+/** @param {string} text */
+export function showMessage(text) {
+  const message = byId('message');
+  if (message.textContent !== text) message.textContent = text;
+  message.hidden = text === '';
+}
+
+/** What index.html leaves to the language. */
+export function fillTexts() {
+  document.documentElement.lang = language;
+  document.title = texts.pageTitle;
+  for (const element of document.querySelectorAll('[data-content]'))
+    element.setAttribute('content', texts[element.getAttribute('data-content') ?? '']);
+  for (const element of document.querySelectorAll('[data-text]'))
+    element.textContent = texts[element.getAttribute('data-text') ?? ''];
+  for (const element of document.querySelectorAll('[data-label]'))
+    element.setAttribute('aria-label', texts[element.getAttribute('data-label') ?? '']);
+}
+
+/** @param {Actions} actions @param {() => void} onLesson */
+export function createViews(actions, onLesson) {
+  return {
+    pages: createPages(
+      byId('pages'),
+      byId('tagline'),
+      document.querySelectorAll('[data-page]'),
+      actions.openPage,
+      onLesson,
+    ),
+    preset: createSegmented(byId('preset'), strings.presetLegend, strings.presets, actions.choosePreset),
+    drivers: createSegmented(byId('drives'), strings.driverLegend, strings.drivers, actions.chooseDriver),
+    plane: createPlane(byId('plane-paths'), byId('plane-robots')),
+    handles: createHandles(byId('handles'), {
+      postureOf: actions.postureOf,
+      onMove: actions.movePosture,
+      onRelease: actions.releasePosture,
+    }),
+    notes: createNotes(
+      {
+        legend: byId('legend'),
+        postures: byId('postures'),
+        planeText: byId('plane-text'),
+        curve: byId('curve'),
+        announcer: byId('announcer'),
+      },
+      { onRestore: actions.restorePostures },
+    ),
+    robotBar: createRobotBar(
+      { play: byId('play'), speed: byId('speed'), clock: byId('clock'), scrub: byId('scrub') },
+      { onPlay: actions.togglePlay, onSpeed: actions.setSpeed, onScrub: actions.scrub },
+    ),
+    cost: createCost({
+      title: byId('cost-title'),
+      total: byId('cost-total'),
+      outcome: byId('outcome'),
+      note: byId('cost-note'),
+      bar: byId('cost-bar'),
+      parts: byId('cost-parts'),
+    }),
+    curve: createCurve(byId('curve')),
+    sigmas: createSigmas(byId('sigmas')),
+    curveChoice: createSegmented(
+      byId('curve-choice'),
+      curveWords.curveLegend,
+      curveWords.curveChoices,
+      actions.chooseCurve,
+    ),
+    evolutionBar: createEvolutionBar(
+      {
+        run: byId('run'),
+        back: byId('one-back'),
+        one: byId('one-generation'),
+        timeline: byId('timeline'),
+        pace: byId('pace'),
+        until: byId('until'),
+        untilValue: byId('until-value'),
+        untilError: byId('until-error'),
+        reset: byId('reset'),
+        seedButton: byId('new-seed'),
+        seed: byId('seed'),
+        generation: byId('generation'),
+        note: byId('evolution-note'),
+      },
+      {
+        onRun: actions.toggleEvolution,
+        onOne: actions.oneGeneration,
+        onReset: actions.reset,
+        onNewSeed: actions.newSeed,
+        onBack: actions.oneBack,
+        onShow: actions.showGeneration,
+        onPace: actions.setPace,
+        onUntil: actions.setUntil,
+      },
+    ),
+    gains: createGains(byId('gains'), byId('gains-note'), {
+      onSlide: actions.slideGain,
+      onSlid: actions.driveAgain,
+      onType: actions.typeGain,
+    }),
+  };
+}

@@ -1,0 +1,121 @@
+// Keeps the address and the state in step: the address always holds the link of what is on screen.
+import { byId } from '../kit/elements.js';
+import { isEmbedded } from '../kit/host.js';
+import { createLanguageSwitch } from './language-switch.js';
+import { linkOfStep } from '../lesson/steps.js';
+import { linkOf, openLink, withExercise } from './link.js';
+import { pageNames, watch } from '../run/state.js';
+import { language, languageOfAddress } from '../words/language.js';
+
+/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../core/engine.js').Engine} Engine */
+/** @typedef {import('../run/state.js').State} State */
+/** @typedef {import('../run/state.js').Store} Store */
+
+/** Browsers refuse an address that changes more often. */
+const pauseMilliseconds = 400;
+
+/** @param {Engine} engine @param {Store} store @param {Actions} actions */
+export function createAddress(engine, store, actions) {
+  const changed = watch();
+  /** The host's “back” is not for what happens within a frame. */
+  const onward = isEmbedded ? 'replaceState' : 'pushState';
+  let waiting = false;
+  let written = location.hash.slice(1);
+
+  const open = () => {
+    // The words are chosen when the page loads.
+    if (languageOfAddress() !== language) return location.reload();
+    written = location.hash.slice(1);
+    const { opened, problems } = openLink(written || linkOfStep(1), engine);
+    actions.openLinked(opened, problems);
+  };
+
+  /** Where the address is: the part, and the step of the lesson. */
+  const place = () => ({
+    page: pageNames.find((name) => name === written.split('&')[0]) ?? 'lab',
+    lesson: Number(/&lesson=(\d+)/.exec(written)?.[1] ?? 0),
+  });
+  const isElsewhere = (/** @type {State} */ state) =>
+    state.page !== place().page || state.lesson !== place().lesson;
+  /** Another part is not to wait until evolution rests: one goes back from there too. */
+  const isDue = (/** @type {State} */ state) => rests(state) || isElsewhere(state);
+  const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
+
+  const write = () => {
+    waiting = false;
+    const state = store.get();
+    if (!isDue(state)) return;
+    const link = linkFor(state);
+    if (link === written) return;
+    if (!isElsewhere(state) || written === '') history.replaceState(null, '', `#${link}`);
+    else {
+      // A step that "back" takes back: to all that the part before has come to.
+      history.replaceState(null, '', `#${linkFor({ ...state, ...place() })}`);
+      history[onward](null, '', `#${link}`);
+    }
+    written = link;
+  };
+
+  const other = createLanguageSwitch((name) => linkOf(store.get(), engine.experiment, name));
+
+  addEventListener('popstate', () => {
+    if (location.hash.slice(1) !== written) open();
+  });
+  open();
+
+  return {
+    /** Opens a link of this page, as if it had been followed. An exercise goes on. @param {string} link */
+    go(link) {
+      history[onward](null, '', `#${withExercise(link, store.get().exercise)}`);
+      open();
+    },
+
+    /** Writes what has changed, once it rests. @param {State} state */
+    follow(state) {
+      if (!isDue(state) || !changed(...partsOf(state))) return;
+      for (const name of pageNames)
+        byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name, lesson: 0 })}`);
+      byId('page-lesson').setAttribute(
+        'href',
+        `#${withExercise(linkOfStep(state.lastStep), state.exercise)}`,
+      );
+      other.follow();
+      // Another part at once, so that "back" is there when it is wanted.
+      if (isElsewhere(state)) write();
+      else if (!waiting) {
+        waiting = true;
+        setTimeout(write, pauseMilliseconds);
+      }
+    },
+  };
+}
+
+/** @param {State} state */
+const rests = (state) => !state.dragging && !state.evolving;
+
+/** All that a link carries. @param {State} state */
+const partsOf = ({ landscape, anatomy, curves, robustness, ...run }) => [
+  run.page,
+  run.lesson,
+  run.preset,
+  run.experiment,
+  run.generation,
+  run.driver,
+  run.handGains,
+  run.found,
+  run.trial,
+  run.pins,
+  run.exercise,
+  anatomy.phase,
+  anatomy.chosen,
+  curves.view,
+  curves.lab,
+  curves.scale,
+  landscape.x,
+  landscape.y,
+  landscape.third,
+  robustness.quantity,
+  robustness.half,
+  robustness.heading,
+];

@@ -1,0 +1,17 @@
+// The link to the same page in the other language.
+import { byId } from '../kit/elements.js';
+import { language, languageNames, languages } from '../words/language.js';
+
+/** @typedef {import('../words/language.js').Language} Language */
+
+/** @param {(language: Language) => string} linkIn The link of what is on screen. */
+export function createLanguageSwitch(linkIn) {
+  const other = languageNames.find((name) => name !== language) ?? language;
+  /** @type {HTMLAnchorElement} */
+  const link = byId('language');
+  Object.assign(link, { textContent: languages[other], lang: other, hreflang: other, hidden: false });
+  const follow = () => link.setAttribute('href', `#${linkIn(other)}`);
+  // What moves is written into no address: only a press takes it along as it is now.
+  link.addEventListener('click', follow);
+  return { follow };
+}

@@ -1,0 +1,65 @@
+// A run as a file: its link, which is all that is needed to make it again, and what it came to, which proves that it is.
+import { linkOf, openLink } from './link.js';
+import { keep as words } from '../words/index.js';
+
+/** @typedef {import('../core/engine.js').Engine} Engine */
+/** @typedef {import('./link.js').Linked} Linked */
+/** @typedef {import('./link.js').Opened} Opened */
+/** @typedef {import('../core/engine.js').Statistics} Statistics */
+
+const format = 'ep-locomotion run';
+const version = 1;
+/** No run's file is near as large: what is larger is not read. */
+const mostCharacters = 50_000_000;
+
+/** @param {Linked & { history: Statistics[] }} state @param {Engine} engine */
+export function runFile(state, engine) {
+  const newest = state.history.length - 1;
+  const content = {
+    format,
+    version,
+    program: engine.version(),
+    link: linkOf(state, engine.experiment),
+    hash: engine.hash(),
+    generations: newest,
+    experiment: state.experiment,
+    statistics: state.history,
+  };
+  return `${JSON.stringify(content, null, 1)}\n`;
+}
+
+/**
+ * Reads a run, and makes it again to see that it comes to the same. Throws an Error that says what is wrong with the file.
+ * @param {string} text @param {Engine} engine
+ * @returns {Promise<{ opened: Opened, generations: number }>}
+ */
+export async function openRunFile(text, engine) {
+  const content = parse(text);
+  if (content.format !== format) throw new Error(words.foreignFile);
+  if (typeof content.version !== 'number') throw new Error(words.damagedFile('version'));
+  if (content.version !== version) throw new Error(words.otherVersion(content.version, version));
+  const { link, hash, generations, statistics } = content;
+  if (typeof link !== 'string' || typeof hash !== 'string') throw new Error(words.damagedFile('link, hash'));
+  // To make a run again takes time: only as many generations as the file holds.
+  const held = Array.isArray(statistics) ? statistics.length - 1 : -1;
+  if (!Number.isInteger(generations) || generations < 0 || generations > 100_000 || generations !== held)
+    throw new Error(words.damagedFile('generations'));
+  const { opened, problems } = openLink(link, engine);
+  if (problems.length > 0) throw new Error(words.damagedLink(problems));
+  if (opened.generation > generations) throw new Error(words.damagedFile('generations'));
+  const again = await engine.surveys.evolve(opened.experiment, generations);
+  if (again.hash !== hash) throw new Error(words.otherHash(hash, again.hash));
+  return { opened, generations };
+}
+
+/** @param {string} text @returns {Record<string, any>} */
+function parse(text) {
+  if (text.length > mostCharacters) throw new Error(words.largeFile);
+  try {
+    const content = JSON.parse(text);
+    if (content !== null && typeof content === 'object') return content;
+  } catch {
+    // Said below.
+  }
+  throw new Error(words.foreignFile);
+}

@@ -1,0 +1,104 @@
+// The values in a link as text, and back again; what cannot be read throws an Error that says what it must be.
+import { gainNames } from '../parts/landscape/request.js';
+import { link as words } from '../words/index.js';
+import { numberOf } from '../words/numbers.js';
+
+/** @typedef {import('../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../core/engine.js').Posture} Posture */
+/** @typedef {import('../parts/landscape/request.js').AxisChoice} AxisChoice */
+/** @typedef {import('../run/state.js').Triple} Triple */
+
+/** @param {number} value The shortest text that gives back the same bits. */
+export const numberText = (value) => (Object.is(value, -0) ? '-0' : String(value));
+
+/** An angle in degrees where that gives back the same bits, else in radians. @param {number} radians */
+export function angleText(radians) {
+  const degrees = numberText(Number(((radians * 180) / Math.PI).toFixed(9)));
+  return Object.is(angle(`${degrees}deg`), radians) ? `${degrees}deg` : numberText(radians);
+}
+
+/** @param {string} text */
+export const angle = (text) =>
+  text.endsWith('deg') ? (number(text.slice(0, -3)) * Math.PI) / 180 : number(text);
+
+/** @param {Posture} posture */
+export const postureText = ({ x, y, theta }) => [numberText(x), numberText(y), angleText(theta)].join(',');
+
+/** @param {string} text @returns {Posture} */
+export function posture(text) {
+  const parts = text.split(',');
+  if (parts.length !== 3) throw new Error(words.expected(words.aPosture, text));
+  return { x: number(parts[0]), y: number(parts[1]), theta: angle(parts[2]) };
+}
+
+/** @param {Experiment['disturbance']} disturbance */
+export const disturbanceText = ({ kind, linear, angular, seed }) =>
+  [kind, numberText(linear), numberText(angular), String(seed)].join(',');
+
+/** @param {string} text @returns {Experiment['disturbance']} */
+export function disturbanceOf(text) {
+  const [kind, ...numbers] = text.split(',');
+  const [linear, angular, seed] = numbers.map(number);
+  return { kind: /** @type {Experiment['disturbance']['kind']} */ (kind), linear, angular, seed };
+}
+
+/** @param {AxisChoice} axis */
+export const axisText = ({ gain, log }) => (log ? `${gain}-log` : gain);
+
+/** @param {string} text @returns {AxisChoice} */
+export const axisOf = (text) => ({
+  gain: oneOf(gainNames, text.replace(/-log$/, '')),
+  log: text.endsWith('-log'),
+});
+
+/** @param {string} text @returns {Triple} */
+export function triple(text) {
+  const gains = text.split(',').map(number);
+  if (gains.length !== 3) throw new Error(words.expected(words.threeNumbers, text));
+  return /** @type {[number, number, number]} */ (gains);
+}
+
+/** @param {string} text */
+export function number(text) {
+  const value = numberOf(text);
+  if (!Number.isFinite(value)) throw new Error(words.expected(words.aNumber, text));
+  return value;
+}
+
+/** @param {string} text @param {number} most */
+export function wholeNumber(text, most) {
+  const value = numberOf(text);
+  if (!Number.isInteger(value) || value < 0 || value > most)
+    throw new Error(words.expected(words.wholeNumber(most), text));
+  // No −0.
+  return value + 0;
+}
+
+/** @template {string} T @param {readonly T[]} choices @param {string} text */
+export function oneOf(choices, text) {
+  const found = choices.find((choice) => choice === text);
+  if (found === undefined) throw new Error(words.expected(words.oneOf(choices), text));
+  return found;
+}
+
+/** @param {string} text @returns {[string, string]} */
+export function pairOf(text) {
+  const at = text.indexOf('=');
+  return at < 0 ? [decoded(text), ''] : [decoded(text.slice(0, at)), decoded(text.slice(at + 1))];
+}
+
+/** Only what would end a value, or what browsers change, is written as %. @param {string} text */
+export const encoded = (text) =>
+  encodeURIComponent(wellFormed(text)).replaceAll('%2C', ',').replaceAll('%3B', ';');
+
+/** Half a character, which a cut can leave, has no code in an address. @param {string} text */
+export const wellFormed = (text) => text.replaceAll(/\p{Surrogate}/gu, '\ufffd');
+
+/** @param {string} text */
+export function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}

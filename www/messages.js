@@ -1,9 +1,0 @@
-import { instead, messages } from './words/index.js';
-
-/** What went wrong, in the language of the page. @param {unknown} error */
-export const messageOf = (error) =>
-  isLost(error) ? instead.stopped : messages.said(error instanceof Error ? error.message : String(error));
-
-/** Whether the core has failed, which must not be used again then, and has not only refused something. @param {unknown} error */
-export const isLost = (error) =>
-  error instanceof Error && (error.name === 'RuntimeError' || error.message.includes('internal error'));

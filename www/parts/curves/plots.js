@@ -1,0 +1,278 @@
+// Runs against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
+import { createLayer } from '../../kit/canvas.js';
+import { symbolFont, textFont } from '../../kit/fonts.js';
+import { drawMark } from '../../kit/swatch.js';
+import { styles } from '../../run/pins.js';
+import { sampleBefore } from '../../lab/plane.js';
+import { colour, sameDigits, spread } from '../../kit/plot.js';
+import { watch } from '../../run/state.js';
+import { curves as words, lab } from '../../words/index.js';
+import { drawCursorDot, drawCursorLine, drawGrid, drawTimeAxis, line, pointsOf, through } from './axes.js';
+import { curvesOf, layoutOf } from './layout.js';
+
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../../core/engine.js').Run} Run */
+/** @typedef {import('../../run/pins.js').Pins} Pins */
+/** @typedef {import('./layout.js').Layout} Layout */
+/** @typedef {import('./layout.js').Plot} Plot */
+/** @typedef {import('./layout.js').PlotName} PlotName */
+/** @typedef {(run: Run, i: number) => number} Value */
+/** @template [R=Run] @typedef {{ run: R, colour: string | null, dash: readonly number[], width: number, slot: number | null }} Line Without a colour: that of what is drawn. */
+/**
+ * @typedef {object} PlotsModel
+ * @property {Run} driving
+ * @property {Run} comparison
+ * @property {Pins} pins
+ * @property {Run[]} pinned One for each pin.
+ * @property {Experiment['limits']} limits
+ * @property {number} time
+ * @property {{ width: number, height: number }} size
+ * @property {number} theme
+ */
+
+/** @type {Readonly<Record<PlotName, readonly string[]>>} */
+const tokens = {
+  position: ['--x', '--y'],
+  theta: ['--theta'],
+  linear: ['--energy'],
+  angular: ['--omega'],
+  cost: ['--ink'],
+};
+/** What the velocity limits cut. @type {Readonly<Partial<Record<PlotName, Value>>>} */
+const commands = {
+  linear: (run, i) => run.commandLinear[i],
+  angular: (run, i) => run.commandAngular[i],
+};
+/** The parts of J that are paid on the way, from the bottom. @type {readonly (readonly [string, string, Value])[]} */
+const parts = [
+  ['time', '--ink', (run, i) => run.time[i]],
+  ['path', '--x', (run, i) => run.time[i] + run.pathCost[i]],
+  ['energy', '--energy', curvesOf.cost[0]],
+];
+
+/** @param {{ lines: HTMLCanvasElement, cursor: HTMLCanvasElement }} elements */
+export function createPlots({ lines, cursor }) {
+  const under = createLayer(lines);
+  const over = createLayer(cursor);
+  const linesChanged = watch();
+  const cursorChanged = watch();
+  /** @type {Layout | null} */
+  let layout = null;
+  return {
+    /** @param {PlotsModel} model */
+    draw(model) {
+      const { driving, comparison, pinned, limits, time, size, theme } = model;
+      if (size.width === 0) return;
+      if (linesChanged(driving, comparison, pinned, limits, size, theme) || !layout) {
+        layout = layoutOf(size, driving, [comparison, ...pinned], limits);
+        under.clear(size);
+        for (const plot of layout.plots) drawPlot(under.context, layout, plot, model);
+        const { time: scale, plots } = layout;
+        drawTimeAxis(under.context, scale, plots[plots.length - 1].frame.bottom);
+      }
+      if (cursorChanged(layout, time)) {
+        over.clear(size);
+        drawCursor(over.context, layout, driving, time);
+      }
+    },
+    /** The time at a place of the picture. @param {number} px */
+    timeAt: (px) => layout?.time.invert(px) ?? 0,
+  };
+}
+
+/**
+ * The runs in the order in which they are drawn.
+ * @template R @param {{ driving: R, comparison: R, pins: Pins, pinned: readonly R[] }} model @returns {Line<R>[]}
+ */
+export const linesOf = ({ driving, comparison, pins, pinned }) => [
+  { run: comparison, colour: colour('--muted'), dash: [2, 4], width: 1.75, slot: null },
+  ...pins.map(({ slot }, i) => ({
+    run: pinned[i],
+    colour: colour(styles[slot].token),
+    dash: styles[slot].dash,
+    width: 1.75,
+    slot,
+  })),
+  { run: driving, colour: null, dash: [], width: 2.25, slot: null },
+];
+
+/** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {PlotsModel} model */
+function drawPlot(context, layout, plot, model) {
+  const { frame, name } = plot;
+  const ticks = plot.scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
+  const texts = sameDigits(/** @type {any} */ (null), ticks);
+  drawGrid(
+    context,
+    { time: layout.time, ...plot },
+    ticks,
+    texts.map((text) => words.tickText(name, text)),
+  );
+  drawLimits(context, plot);
+  context.save();
+  context.beginPath();
+  context.rect(frame.left, frame.top, layout.time.range()[1] - frame.left, frame.bottom - frame.top);
+  context.clip();
+  context.lineJoin = 'round';
+  if (name === 'cost') drawParts(context, layout, plot, model.driving);
+  drawCommand(context, layout, plot, model.driving);
+  for (const line of linesOf(model)) drawLine(context, layout, plot, line);
+  context.restore();
+  drawNames(context, plot, model.driving);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Plot} plot */
+function drawLimits(context, { frame, scale, limit }) {
+  if (limit === null) return;
+  context.strokeStyle = colour('--muted');
+  context.setLineDash([3, 3]);
+  context.beginPath();
+  const [low, high] = scale.domain();
+  for (const value of [-limit, limit].filter((one) => one > low && one < high))
+    line(context, [frame.left, scale(value)], [frame.right, scale(value)]);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+/** One run in one plot. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Line} line */
+function drawLine(context, layout, plot, { run, colour: own, dash, width, slot }) {
+  context.lineWidth = width;
+  context.setLineDash([...dash]);
+  for (const [i, value] of curvesOf[plot.name].entries()) {
+    context.strokeStyle = own ?? colour(tokens[plot.name][i]);
+    context.beginPath();
+    trace(context, layout, plot, run, value);
+    context.stroke();
+    if (slot === null) continue;
+    const last = run.time.length - 1;
+    drawMark(context, slot, layout.time(run.time[last]), plot.scale(value(run, last)), {
+      fill: String(own),
+      edge: colour('--paper'),
+    });
+  }
+}
+
+/** A velocity is applied until the next sample, everything else changes on the way. @param {PlotName} name */
+const isHeld = (name) => name in commands;
+
+/** Adds a curve to the path. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run @param {Value} value */
+function trace(context, { time }, { scale, name, frame }, run, value) {
+  const axes = { time, scale, frame };
+  through(
+    context,
+    pointsOf(axes, run.time, (i) => value(run, i), isHeld(name)),
+  );
+}
+
+/** What the law asked for, where the limits gave less. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run */
+function drawCommand(context, layout, plot, run) {
+  const command = commands[plot.name];
+  if (!command) return;
+  const [applied] = curvesOf[plot.name];
+  const isCut = (/** @type {number} */ i) => Math.abs(command(run, i) - applied(run, i)) > 1e-9;
+  context.strokeStyle = colour(tokens[plot.name][0]);
+  context.globalAlpha = 0.45;
+  context.lineWidth = 1.25;
+  context.setLineDash([]);
+  context.beginPath();
+  trace(context, layout, plot, run, (_, i) => (isCut(i) ? command(run, i) : applied(run, i)));
+  context.stroke();
+  context.globalAlpha = 1;
+}
+
+/** J in its parts, each on top of the one before; what is due at the end stands at the end. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run */
+function drawParts(context, layout, plot, run) {
+  const { time } = layout;
+  const { scale, frame } = plot;
+  const last = run.time.length - 1;
+  for (const [i, [, token, value]] of [...parts.entries()].reverse()) {
+    context.beginPath();
+    trace(context, layout, plot, run, value);
+    context.lineTo(time(run.time[last]), frame.bottom);
+    context.lineTo(frame.left, frame.bottom);
+    // Its own colour, without what shines through from the part above.
+    context.fillStyle = colour('--paper');
+    context.fill();
+    context.globalAlpha = 0.28;
+    context.fillStyle = colour(token);
+    context.fill();
+    context.globalAlpha = 1;
+    if (i === parts.length - 1) continue;
+    context.strokeStyle = colour(token);
+    context.lineWidth = 1;
+    context.setLineDash([]);
+    context.beginPath();
+    trace(context, layout, plot, run, value);
+    context.stroke();
+  }
+  let paid = parts[parts.length - 1][2](run, last);
+  for (const [token, due] of /** @type {const} */ ([
+    ['--y', run.cost.finalError],
+    ['--error', run.cost.penalty],
+  ])) {
+    if (!(due > 0)) continue;
+    context.fillStyle = colour(token);
+    const top = Math.max(frame.top, scale(Math.min(paid + due, 1e9)));
+    context.fillRect(time(run.time[last]) - 2, top, 4, Math.max(0, scale(paid) - top));
+    paid += due;
+  }
+}
+
+/** @typedef {{ text: string, token: string, font: string, y: number }} Name */
+
+/** The names at the ends of the lines. @param {CanvasRenderingContext2D} context @param {Plot} plot @param {Run} run */
+function drawNames(context, plot, run) {
+  const { name, frame } = plot;
+  const px = frame.right + 8;
+  const half = 8;
+  const names = namesOf(plot, run).map(({ y, ...rest }) => ({
+    ...rest,
+    y: Math.min(Math.max(y, frame.top + half), frame.bottom - half) - frame.top - half,
+  }));
+  spread(names, frame.bottom - frame.top - 2 * half);
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  for (const { text, token, font: own, y } of names) {
+    context.font = own;
+    context.fillStyle = colour(token);
+    context.fillText(text, px, frame.top + half + y);
+  }
+  if (name === 'cost') return;
+  const symbols = names.filter((one) => one.font === symbolFont);
+  const wide = Math.max(...symbols.map(({ text }) => context.measureText(text).width));
+  const middle = symbols.reduce((sum, { y }) => sum + y, 0) / symbols.length;
+  context.font = textFont;
+  context.fillStyle = colour('--muted');
+  context.fillText(words.units[name], px + wide + 5, frame.top + half + middle);
+}
+
+/** @param {Plot} plot @param {Run} run @returns {Name[]} */
+function namesOf({ name, scale, limit }, run) {
+  const last = run.time.length - 1;
+  if (name === 'cost')
+    return [
+      ...parts.map(([part, token, value], i) => {
+        const below = i === 0 ? 0 : parts[i - 1][2](run, last);
+        const text = lab.costParts.find(([one]) => one === part)?.[1] ?? '';
+        return { text, token, font: textFont, y: scale((below + value(run, last)) / 2) };
+      }),
+      { text: lab.costSymbol, token: '--ink', font: symbolFont, y: scale(run.cost.total) },
+    ];
+  const ends = curvesOf[name].map((value, i) => ({
+    text: words.symbols[name][i],
+    token: tokens[name][i],
+    font: symbolFont,
+    y: scale(value(run, last)),
+  }));
+  const isSeen = limit !== null && limit < scale.domain()[1];
+  return isSeen ? [...ends, { text: words.limit, token: '--muted', font: textFont, y: scale(limit) }] : ends;
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Run} run @param {number} now */
+function drawCursor(context, { time, plots }, run, now) {
+  const i = sampleBefore(run, now);
+  const px = time(run.time[i]);
+  drawCursorLine(context, px, plots[0].frame.top, plots[plots.length - 1].frame.bottom);
+  for (const { name, frame, scale } of plots)
+    for (const [curve, value] of curvesOf[name].entries())
+      drawCursorDot(context, frame, px, scale(value(run, i)), tokens[name][curve]);
+}

@@ -1,0 +1,243 @@
+// V and V̇ against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
+import { createLayer } from '../../../kit/canvas.js';
+import { drawCursorDot, drawCursorLine, drawGrid, drawTimeAxis, line, pointsOf, through } from '../axes.js';
+import { linesOf } from '../plots.js';
+import { symbolFont, textFont } from '../../../kit/fonts.js';
+import { drawMark } from '../../../kit/swatch.js';
+import { sampleBefore } from '../../../lab/plane.js';
+import { colour } from '../../../kit/plot.js';
+import { watch } from '../../../run/state.js';
+import { stability as words } from '../../../words/index.js';
+import { drawnOf, layoutOf } from './layout.js';
+import { risesOf } from './summary.js';
+
+/** @typedef {import('../axes.js').Axes} Axes */
+/** @typedef {import('../axes.js').Scale} Scale */
+/** @typedef {import('../../../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../../../core/engine.js').Stability} Stability */
+/** @typedef {import('./layout.js').Layout} Layout */
+/**
+ * @typedef {object} StabilityModel
+ * @property {Stability} driving
+ * @property {Experiment['law']} law
+ * @property {Stability} comparison
+ * @property {import('../../../run/pins.js').Pins} pins
+ * @property {readonly Stability[]} pinned One for each pin.
+ * @property {boolean} isLog
+ * @property {number} time
+ * @property {{ width: number, height: number }} size
+ * @property {number} theme
+ */
+
+/** @param {{ lines: HTMLCanvasElement, cursor: HTMLCanvasElement }} elements */
+export function createPlots({ lines, cursor }) {
+  const under = createLayer(lines);
+  const over = createLayer(cursor);
+  const linesChanged = watch();
+  const cursorChanged = watch();
+  /** @type {Layout | null} */
+  let layout = null;
+  return {
+    /** @param {StabilityModel} model */
+    draw(model) {
+      const { driving, law, comparison, pinned, isLog, time, size, theme } = model;
+      if (size.width === 0) return;
+      if (linesChanged(driving, law, comparison, pinned, isLog, size, theme) || !layout) {
+        layout = layoutOf(size, driving, [comparison, ...pinned], isLog);
+        under.clear(size);
+        drawLyapunov(under.context, layout, model);
+        drawRate(under.context, layout, driving);
+        drawTimeAxis(under.context, layout.time, layout.rate.frame.bottom);
+      }
+      if (cursorChanged(layout, time)) {
+        over.clear(size);
+        drawCursor(over.context, layout, driving, time);
+      }
+    },
+    /** The time at a place of the picture. @param {number} px */
+    timeAt: (px) => layout?.time.invert(px) ?? 0,
+  };
+}
+
+/** What is drawn stays within the axes. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {() => void} draw */
+function within(context, { frame }, draw) {
+  context.save();
+  context.beginPath();
+  context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top);
+  context.clip();
+  context.lineJoin = 'round';
+  draw();
+  context.restore();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {StabilityModel} model */
+function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
+  const { driving, law } = model;
+  const ticks = isLog ? decadesOf(axes) : ticksOf(axes);
+  drawGrid(
+    context,
+    axes,
+    ticks,
+    ticks.map((tick) => words.tickText(tick, isLog)),
+  );
+  within(context, axes, () => {
+    drawLimited(context, axes, driving);
+    for (const { run, colour: own, dash, width, slot } of linesOf(model)) {
+      context.lineWidth = width;
+      context.setLineDash([...dash]);
+      context.strokeStyle = own ?? colour('--ink');
+      context.beginPath();
+      through(
+        context,
+        pointsOf(axes, run.time, (i) => run.lyapunov[i]),
+      );
+      context.stroke();
+      const last = run.time.length - 1;
+      if (slot !== null)
+        drawMark(context, slot, axes.time(run.time[last]), axes.scale(run.lyapunov[last]), {
+          fill: String(own),
+          edge: colour('--paper'),
+        });
+    }
+    drawRises(context, axes, driving);
+  });
+  drawTitle(context, axes, words.lyapunovFormula(law, driving.headingWeight !== null));
+  drawName(context, axes, driving.lyapunov[driving.time.length - 1]);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Stability} driving */
+function drawRate(context, { rate: axes, isLog }, driving) {
+  const { rate, promised, areas } = drawnOf(driving, isLog);
+  const { frame, scale } = axes;
+  const ticks = ticksOf(axes);
+  drawGrid(
+    context,
+    axes,
+    ticks,
+    ticks.map((tick) => words.tickText(tick, false)),
+  );
+  within(context, axes, () => {
+    for (const { token, from, to } of areas) {
+      const outer = pointsOf(axes, driving.time, to);
+      context.beginPath();
+      through(context, [...outer, ...pointsOf(axes, driving.time, from).reverse()]);
+      context.globalAlpha = 0.28;
+      context.fillStyle = colour(token);
+      context.fill();
+      context.globalAlpha = 1;
+      context.strokeStyle = colour(token);
+      context.lineWidth = 1;
+      context.setLineDash([]);
+      context.beginPath();
+      through(context, outer);
+      context.stroke();
+    }
+    drawLimited(context, axes, driving);
+    context.strokeStyle = colour('--muted');
+    context.lineWidth = 1;
+    context.beginPath();
+    line(context, [frame.left, scale(0)], [frame.right, scale(0)]);
+    context.stroke();
+    context.setLineDash([4, 3]);
+    context.beginPath();
+    if (areas.length > 0) through(context, pointsOf(axes, driving.time, promised));
+    context.stroke();
+    context.setLineDash([]);
+    context.strokeStyle = colour('--ink');
+    context.lineWidth = 2.25;
+    context.beginPath();
+    through(context, pointsOf(axes, driving.time, rate));
+    context.stroke();
+  });
+  drawName(context, axes, rate(driving.time.length - 1), isLog ? words.relative : '');
+}
+
+/** Where the limits cut the command. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving */
+function drawLimited(context, { time: across, frame, scale: _ }, { time, limited }) {
+  context.fillStyle = colour('--ink');
+  context.globalAlpha = 0.06;
+  for (let from = 0; from < time.length; from += 1) {
+    if (!limited[from]) continue;
+    let to = from;
+    while (to + 1 < time.length && limited[to]) to += 1;
+    const [left, right] = [across(time[from]), across(time[to])];
+    context.fillRect(left, frame.top, Math.max(0, right - left), frame.bottom - frame.top);
+    from = to;
+  }
+  context.globalAlpha = 1;
+}
+
+/** Where V rises, over its line. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving */
+function drawRises(context, { time: across, scale }, driving) {
+  const { time, lyapunov } = driving;
+  const isRising = risesOf(driving);
+  context.strokeStyle = colour('--error');
+  context.lineWidth = 3.5;
+  context.beginPath();
+  for (let i = 0; i + 1 < time.length; i += 1) {
+    if (!isRising(i)) continue;
+    if (i === 0 || !isRising(i - 1)) context.moveTo(across(time[i]), scale(lyapunov[i]));
+    context.lineTo(across(time[i + 1]), scale(lyapunov[i + 1]));
+  }
+  context.stroke();
+}
+
+/** @param {Axes} axes */
+const ticksOf = ({ frame, scale }) => scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
+
+/** Powers of ten, not too close; where there are hardly any, 1, 2 and 5 times each. @param {Axes} axes */
+function decadesOf({ frame, scale }) {
+  const [from, to] = scale.domain();
+  const [low, high] = [Math.log10(from), Math.log10(to)];
+  const every = Math.max(1, Math.ceil(((high - low) * 22) / (frame.bottom - frame.top)));
+  const first = Math.floor(low / every) * every;
+  const powers = Array.from(
+    { length: Math.ceil((high - first) / every) },
+    (_, i) => 10 ** (first + i * every),
+  );
+  const factors = high - low < 2 ? [1, 2, 5] : [1];
+  return powers
+    .flatMap((power) => factors.map((factor) => factor * power))
+    .filter((tick) => tick >= from && tick <= to);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {string} text */
+function drawTitle(context, { frame }, text) {
+  context.font = textFont;
+  context.textAlign = 'left';
+  context.textBaseline = 'alphabetic';
+  context.fillStyle = colour('--muted');
+  context.fillText(text, frame.left, frame.top - 6);
+}
+
+/** V at the end of its line, or V with a dot. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} end @param {string} [after] What follows V with a dot. */
+function drawName(context, { frame, scale }, end, after) {
+  const half = 10;
+  const px = frame.right + 8;
+  const wanted = Number.isFinite(end) ? scale(end) : frame.top;
+  const py = Math.min(Math.max(wanted, frame.top + half), frame.bottom - half);
+  const letter = words.lyapunovSymbol;
+  context.font = symbolFont;
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  context.fillStyle = colour('--ink');
+  context.fillText(letter, px, py);
+  if (after === undefined) return;
+  const { width, actualBoundingBoxAscent: ascent } = context.measureText(letter);
+  context.fillText(after, px + width, py);
+  // Not every font puts a dot over its letter.
+  context.beginPath();
+  context.arc(px + 0.6 * width, py - ascent - 2.5, 1.3, 0, 2 * Math.PI);
+  context.fill();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Stability} driving @param {number} now */
+function drawCursor(context, { time, lyapunov, rate, isLog }, driving, now) {
+  const i = sampleBefore(driving, now);
+  const px = time(driving.time[i]);
+  drawCursorLine(context, px, lyapunov.frame.top, rate.frame.bottom);
+  const drawn = drawnOf(driving, isLog);
+  drawCursorDot(context, lyapunov.frame, px, lyapunov.scale(drawn.lyapunov(i)), '--ink');
+  for (const { token, to } of drawn.areas) drawCursorDot(context, rate.frame, px, rate.scale(to(i)), token);
+  drawCursorDot(context, rate.frame, px, rate.scale(drawn.rate(i)), '--ink');
+}

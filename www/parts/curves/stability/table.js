@@ -1,0 +1,24 @@
+// V and V̇ of a run in numbers.
+import { readableSamples } from '../numbers.js';
+import { stability as words } from '../../../words/index.js';
+
+/** @typedef {import('../../../core/engine.js').Stability} Stability */
+
+/** @param {string} name @param {Stability} run @returns {import('../../../lab/tables.js').Table} */
+export function stabilityTable(name, run) {
+  const { every, samples } = readableSamples(run.time.length);
+  return {
+    caption: words.tableCaption(name, every * (run.time[1] ?? 0)),
+    columns: words.tableColumns,
+    rows: samples.map((i) => [
+      words.timeText(run.time[i]),
+      ...[run.errorX, run.errorY].map((values) => words.amount(values[i])),
+      words.angleText(run.errorTheta[i]),
+      words.amount(run.lyapunov[i]),
+      ...[run.promisedX, run.promisedY, run.promisedTheta].map((values) => words.amount(values[i])),
+      words.amount(run.promisedX[i] + run.promisedY[i] + run.promisedTheta[i]),
+      words.amount(run.rate[i]),
+      words.limitedText(run.limited[i] === 1),
+    ]),
+  };
+}

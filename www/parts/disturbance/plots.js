@@ -1,0 +1,215 @@
+// The three parts of the error over time: what is measured on one canvas, the robots' clock on another.
+import { bisectRight } from 'd3-array';
+import { scaleLinear, scaleSymlog } from 'd3-scale';
+import { createLayer } from '../../kit/canvas.js';
+import { textFont } from '../../kit/fonts.js';
+import { colour } from '../../kit/plot.js';
+import { watch } from '../../run/state.js';
+import { disturbance as words } from '../../words/index.js';
+
+/** @typedef {import('./request.js').Measured} Measured */
+/** @typedef {import('./request.js').ErrorParts} ErrorParts */
+/** @typedef {import('./summary.js').PartName} PartName */
+/** @typedef {{ measured: Measured, time: number, theme: number }} PlotsModel */
+/** @typedef {{ width: number, height: number }} Size */
+/** @typedef {{ left: number, right: number, top: number, bottom: number }} Frame */
+/** @typedef {ReturnType<typeof axesOf>} Axes */
+
+const margin = { left: 36, right: 8, top: 5 };
+/** Below this the axis is nearly even, above it nearly logarithmic. */
+const evenUpTo = 0.01;
+const decades = [0, 0.01, 0.1, 1, 10, 100, 1000];
+const labelHeight = 15;
+
+/** @param {{ part: PartName, root: HTMLElement }[]} places @param {() => void} onResize */
+export function createPlots(places, onResize) {
+  const plots = places.map(({ part, root }) => createPlot(part, root, onResize));
+  return {
+    /** @param {PlotsModel} model */
+    draw(model) {
+      const { runs } = model.measured;
+      const most = Math.max(3, ...runs.flatMap((run) => [run.x[0], run.y[0]]));
+      for (const plot of plots) plot.draw(model, most);
+    },
+  };
+}
+
+/** @param {PartName} part @param {HTMLElement} root @param {() => void} onResize */
+function createPlot(part, root, onResize) {
+  const lines = createLayer(root.appendChild(document.createElement('canvas')));
+  const clock = createLayer(root.appendChild(document.createElement('canvas')));
+  const isLast = part === 'theta';
+  let size = { width: 0, height: 0 };
+  new ResizeObserver(() => {
+    size = { width: root.clientWidth, height: root.clientHeight };
+    onResize();
+  }).observe(root);
+  const linesChanged = watch();
+  const clockChanged = watch();
+  return {
+    /** @param {PlotsModel} model @param {number} most The largest distance on the axis. */
+    draw({ measured, time, theme }, most) {
+      if (size.width === 0) return;
+      const axes = axesOf(measured, size, part === 'theta' ? 1 : most, isLast);
+      if (linesChanged(measured, most, size, theme)) {
+        lines.clear(size);
+        drawLines(lines.context, axes, measured, part, isLast);
+      }
+      if (clockChanged(measured, most, size, theme, time)) {
+        clock.clear(size);
+        drawClock(clock.context, axes, measured.runs[0], part, time);
+      }
+    },
+  };
+}
+
+/** @param {Measured} measured @param {Size} size @param {number} most @param {boolean} isLast */
+function axesOf({ spec }, { width, height }, most, isLast) {
+  const frame = {
+    ...margin,
+    right: width - margin.right,
+    bottom: height - (isLast ? 22 : 5),
+  };
+  const { horizon } = spec.experiment;
+  return {
+    frame,
+    horizon,
+    time: scaleLinear([0, horizon], [frame.left, frame.right]),
+    /** What lies beyond the axis is drawn at its end. */
+    size: scaleSymlog([0, most], [frame.bottom, frame.top]).constant(evenUpTo).clamp(true),
+  };
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Measured} measured @param {PartName} part @param {boolean} isLast */
+function drawLines(context, axes, measured, part, isLast) {
+  const { spec, runs } = measured;
+  const { frame } = axes;
+  const since = axes.time(axes.horizon - spec.seconds);
+  context.fillStyle = colour('--panel');
+  context.fillRect(since, frame.top, frame.right - since, frame.bottom - frame.top);
+  drawAxes(context, axes, isLast ? spec.seconds : null);
+  if (isLast) {
+    context.textAlign = 'center';
+    context.fillText(words.lastText(spec.seconds), (since + frame.right) / 2, frame.bottom + 12);
+  }
+  drawSet(context, axes, measured, part);
+
+  context.lineJoin = 'round';
+  context.strokeStyle = colour('--muted');
+  context.lineWidth = 1;
+  context.globalAlpha = 0.3;
+  context.beginPath();
+  for (const run of runs.slice(1)) trace(context, axes, ...crests(run.time, run[part]));
+  context.stroke();
+  context.globalAlpha = 1;
+  context.strokeStyle = colour('--ink');
+  context.lineWidth = 2;
+  context.beginPath();
+  trace(context, axes, runs[0].time, runs[0][part]);
+  context.stroke();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number | null} seconds At the end of the time axis, if there is one. */
+function drawAxes(context, axes, seconds) {
+  const { frame } = axes;
+  context.font = textFont;
+  context.fillStyle = colour('--muted');
+  context.strokeStyle = colour('--hairline');
+  context.lineWidth = 1;
+  context.textAlign = 'right';
+  context.textBaseline = 'middle';
+  context.beginPath();
+  let free = Number.POSITIVE_INFINITY;
+  for (const value of decades.filter((one) => one <= axes.size.domain()[1])) {
+    const py = Math.round(axes.size(value)) + 0.5;
+    context.moveTo(frame.left, py);
+    context.lineTo(frame.right, py);
+    const place = Math.min(py, frame.bottom - 5);
+    if (place > free) continue;
+    context.fillText(String(value), frame.left - 6, place);
+    free = place - labelHeight;
+  }
+  context.textAlign = 'center';
+  for (const time of axes.time.ticks(5)) {
+    const px = Math.round(axes.time(time)) + 0.5;
+    context.moveTo(px, frame.top);
+    context.lineTo(px, frame.bottom);
+    if (seconds !== null && time < axes.horizon - seconds)
+      context.fillText(`${time} s`, px, frame.bottom + 12);
+  }
+  context.stroke();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Measured} measured @param {PartName} part */
+function drawSet(context, axes, { runs, disturbed }, part) {
+  const { frame } = axes;
+  const { time, ySet } = runs[0];
+  const reach = disturbed.sets[part][0];
+  context.fillStyle = colour(`--${part}`);
+  context.strokeStyle = colour(`--${part}`);
+  context.lineWidth = 1.5;
+  context.setLineDash([5, 4]);
+  context.beginPath();
+  if (part === 'y') trace(context, axes, ...crests(time, ySet));
+  else {
+    context.moveTo(frame.left, axes.size(reach));
+    context.lineTo(frame.right, axes.size(reach));
+  }
+  context.stroke();
+  context.setLineDash([]);
+  context.lineTo(frame.right, frame.bottom);
+  context.lineTo(frame.left, frame.bottom);
+  context.globalAlpha = 0.14;
+  context.fill();
+  context.globalAlpha = 1;
+}
+
+/** The largest of each fifth of a second, because what trembles would hide the rest. @param {Float64Array} times @param {Float64Array} sizes @returns {[number[], number[]]} */
+function crests(times, sizes) {
+  const each = Math.max(1, Math.round(words.crestSeconds / (times[1] - times[0])));
+  /** @type {[number[], number[]]} */
+  const [crestTimes, crestSizes] = [[], []];
+  for (let from = 0; from < times.length; from += each) {
+    const block = sizes.subarray(from, from + each);
+    crestTimes.push(times[from]);
+    crestSizes.push(Math.max(...block));
+  }
+  crestTimes.push(times[times.length - 1]);
+  crestSizes.push(crestSizes[crestSizes.length - 1]);
+  return [crestTimes, crestSizes];
+}
+
+/** Adds a curve to the path, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {ArrayLike<number>} times @param {ArrayLike<number>} sizes */
+function trace(context, axes, times, sizes) {
+  const least = 0.6;
+  let [drawnX, drawnY] = [axes.time(times[0]), axes.size(sizes[0])];
+  context.moveTo(drawnX, drawnY);
+  for (let i = 1; i < times.length; i += 1) {
+    const [px, py] = [axes.time(times[i]), axes.size(sizes[i])];
+    if (i < times.length - 1 && Math.abs(px - drawnX) + Math.abs(py - drawnY) < least) continue;
+    context.lineTo(px, py);
+    [drawnX, drawnY] = [px, py];
+  }
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {ErrorParts} run @param {PartName} part @param {number} time */
+function drawClock(context, axes, run, part, time) {
+  const { frame } = axes;
+  const now = Math.max(0, bisectRight(run.time, time + 1e-9) - 1);
+  const px = axes.time(Math.min(time, axes.horizon));
+  context.strokeStyle = colour('--ink');
+  context.lineWidth = 1;
+  context.globalAlpha = 0.5;
+  context.beginPath();
+  context.moveTo(px, frame.top);
+  context.lineTo(px, frame.bottom);
+  context.stroke();
+  context.globalAlpha = 1;
+  context.fillStyle = colour('--ink');
+  context.strokeStyle = colour('--paper');
+  context.lineWidth = 2;
+  context.beginPath();
+  context.arc(px, axes.size(run[part][now]), 5, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+}

@@ -1,0 +1,103 @@
+// What is measured of a disturbed drive, and asking the workers for it.
+import { messageOf } from '../../words/errors.js';
+import { endsOf, gainsOf, remember, undisturbed, withDisturbance } from '../../run/state.js';
+
+/** @typedef {import('../../core/engine.js').Engine} Engine */
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
+/** @typedef {import('../../core/engine.js').Posture} Posture */
+/** @typedef {import('../../run/state.js').State} State */
+/** @typedef {import('../../run/state.js').Store} Store */
+/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../../pkg/ep_locomotion.js').ErrorParts} ErrorParts */
+/** @typedef {import('../../../pkg/ep_locomotion.js').RemainingErrors} RemainingErrors */
+/** The experiment's first start is that of the drive. @typedef {{ experiment: Experiment, gains: Triple, seconds: number }} Spec */
+/** @typedef {{ spec: Spec, runs: ErrorParts[], disturbed: RemainingErrors, calm: RemainingErrors }} Measured One value for each start. */
+
+/**
+ * @typedef {object} DisturbanceState
+ * @property {Experiment['disturbance']} tried
+ * @property {{ index: number, text: string } | null} error Beside one of its two sizes.
+ * @property {Measured | null} measured
+ * @property {string} message
+ */
+
+/** @type {DisturbanceState} */
+export const firstDisturbance = {
+  tried: { kind: 'slip', linear: 0.1, angular: 0.2, seed: 1 },
+  error: null,
+  measured: null,
+  message: '',
+};
+
+/** The other starts: as far from the goal as the paper's, all around. */
+const circle = { radius: Math.hypot(2, 2), count: 32, seed: 1 };
+/** What remains is measured at the end of the run. */
+const measuredSeconds = 2;
+/** Most samples of all starts together: more would be slow to drive and to draw. */
+const mostSamples = 200_000;
+
+/** What a state asks for; the same object while nothing that matters has changed. @param {Engine} engine @param {PaperResult[]} paper */
+export function createSpec(engine, paper) {
+  const startsAround = remember(
+    (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ count) =>
+      engine.startsOnCircle({ ...circle, x, y, count }),
+  );
+  const spec = remember(
+    /** @returns {Spec} */
+    (
+      /** @type {Experiment} */ experiment,
+      /** @type {Experiment['disturbance']} */ disturbance,
+      /** @type {Posture} */ start,
+      /** @type {Triple} */ gains,
+    ) => {
+      const { goal, horizon, sampleTime } = experiment;
+      const affordable = Math.floor((mostSamples * sampleTime) / horizon);
+      const others = startsAround(goal.x, goal.y, Math.max(1, Math.min(circle.count, affordable)));
+      return {
+        experiment: { ...experiment, ...withDisturbance(disturbance), starts: [start, ...others] },
+        gains,
+        seconds: Math.min(measuredSeconds, horizon),
+      };
+    },
+  );
+  return (/** @type {State} */ state) =>
+    spec(state.experiment, state.disturbance.tried, endsOf(state).start, gainsOf(state, state.driver, paper));
+}
+
+/** @param {Engine} engine @param {Store} store */
+export function createRequests(engine, store) {
+  /** @type {Spec | null} */
+  let asked = null;
+  let isRunning = false;
+
+  /** @param {Partial<DisturbanceState>} patch */
+  const update = (patch) => store.update({ disturbance: { ...store.get().disturbance, ...patch } });
+
+  /** @param {Spec} spec */
+  const ask = async (spec) => {
+    const { experiment, gains, seconds } = spec;
+    try {
+      const [runs, [disturbed, calm]] = await Promise.all([
+        engine.surveys.errorParts(experiment, gains),
+        engine.surveys.remainingErrors([experiment, undisturbed(experiment)], gains, seconds),
+      ]);
+      isRunning = false;
+      update({ measured: { spec, runs, disturbed, calm }, message: '' });
+    } catch (error) {
+      isRunning = false;
+      // Asked for no more: what was measured last stays, and the page says why.
+      update({ message: messageOf(error) });
+    }
+  };
+
+  return {
+    /** Each measurement is let end, so that numbers keep coming while something moves. @param {Spec} spec */
+    follow(spec) {
+      if (isRunning || spec === asked) return;
+      asked = spec;
+      isRunning = true;
+      ask(spec);
+    },
+  };
+}

@@ -1,0 +1,142 @@
+// A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
+import { ascending } from 'd3-array';
+import { remember } from '../../run/state.js';
+import { generation as words } from '../../words/index.js';
+
+/** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */
+/** @typedef {import('../../core/engine.js').Individual} Individual */
+/** @typedef {import('../../run/state.js').State} State */
+/** @typedef {import('../../run/state.js').Statistics} Statistics */
+/** @typedef {typeof phases[number]} Phase */
+/** @typedef {{ phase: Phase, chosen: number | null }} GenerationState The number of the chosen one in the record; null: the luckiest survivor, or the best offspring. */
+/** @typedef {{ survivor: number, fallen: number }} Upset One that survives though a better one fell. */
+
+/**
+ * @typedef {object} Anatomy
+ * @property {GenerationRecord} record
+ * @property {number} count N
+ * @property {Individual[]} all The parents, then the offspring: an individual's place here is its number.
+ * @property {number[]} ranking All numbers, best ranked first; the survivors are its first half.
+ * @property {number[]} ranks The place in the ranking of each number, from 0.
+ * @property {Upset | null} upset
+ */
+
+/** @typedef {{ gains: Individual['gains'], name: string }} Named */
+/**
+ * @typedef {object} ChosenDrives What drives on the plane while the page is open.
+ * @property {string} name
+ * @property {Individual[]} population The one in ink, then the others.
+ * @property {(others: number, arrived: number | null) => string} othersText
+ * @property {Named | null} partner Its parent, or its offspring.
+ */
+
+export const phases = /** @type {const} */ ([
+  'parents',
+  'mutation',
+  'drive',
+  'tournament',
+  'ranking',
+  'survivors',
+]);
+
+/** @type {GenerationState} */
+export const firstGeneration = { phase: 'parents', chosen: null };
+
+/** @param {GenerationRecord} record @returns {Anatomy} */
+export function dissect(record) {
+  const all = [...record.parents, ...record.offspring];
+  const ranking = isInitial(record) ? record.survivors : rank(all, record.wins);
+  const ranks = new Array(all.length);
+  for (const [place, number] of ranking.entries()) ranks[number] = place;
+  return { record, count: record.parents.length, all, ranking, ranks, upset: upsetOf(record, all) };
+}
+
+/** Generation 0 has no offspring and no tournament. @param {GenerationRecord} record */
+export const isInitial = (record) => record.offspring.length === 0;
+
+/** The rule of the core: most wins first, then lower J, then lower number. @param {Individual[]} all @param {number[]} wins */
+const rank = (all, wins) =>
+  all
+    .map((_, number) => number)
+    .sort((a, b) => wins[b] - wins[a] || ascending(all[a].cost, all[b].cost) || a - b);
+
+/** Whether the tournament gives a bout to the one with this J. @param {number} cost @param {number} opponent */
+export const winsBout = (cost, opponent) => Number.isFinite(cost) && cost <= opponent;
+
+/** The worst that survives and the best that falls, if the wrong way round. @param {GenerationRecord} record @param {Individual[]} all @returns {Upset | null} */
+function upsetOf({ survivors }, all) {
+  const stays = new Set(survivors);
+  const fallen = all.map((_, number) => number).filter((number) => !stays.has(number));
+  if (fallen.length === 0) return null;
+  const cost = (/** @type {number} */ number) => all[number].cost;
+  const worst = survivors.reduce((a, b) => (cost(b) > cost(a) ? b : a));
+  const best = fallen.reduce((a, b) => (cost(b) < cost(a) ? b : a));
+  return cost(worst) > cost(best) ? { survivor: worst, fallen: best } : null;
+}
+
+/** The shown generation, taken apart once. @param {(generation: number) => GenerationRecord} recordOf @returns {(state: State) => Anatomy} */
+export function createAnatomy(recordOf) {
+  const of = remember((/** @type {Statistics} */ { generation }) => dissect(recordOf(generation)));
+  return ({ history, generation }) => of(history[generation]);
+}
+
+/** Generation 0 knows only the first and the last phase. @param {Anatomy} anatomy @param {Phase} phase @returns {Phase} */
+export const phaseOf = ({ record }, phase) =>
+  isInitial(record) && phase !== 'survivors' ? 'parents' : phase;
+
+/** The phase before or after one, among those that the generation has. @param {Anatomy} anatomy @param {Phase} phase @param {1 | -1} step @returns {Phase | undefined} */
+export function phaseAfter({ record }, phase, step) {
+  /** @type {readonly Phase[]} */
+  const there = isInitial(record) ? ['parents', 'survivors'] : phases;
+  return there[there.indexOf(phase) + step];
+}
+
+/** Whom the page is about: among the parents only a parent. @param {Anatomy} anatomy @param {GenerationState} state */
+export function chosenOf(anatomy, state) {
+  const { count, all, record, upset } = anatomy;
+  const newborn = isInitial(record) ? 0 : count;
+  const chosen = state.chosen ?? upset?.survivor ?? newborn + bestOf(all.slice(newborn));
+  return chosen >= all.length || phaseOf(anatomy, state.phase) === 'parents' ? chosen % count : chosen;
+}
+
+/** @param {Individual[]} individuals */
+const bestOf = (individuals) =>
+  individuals.reduce((best, { cost }, i) => (cost < individuals[best].cost ? i : best), 0);
+
+/** The offspring of a parent, the parent of an offspring. @param {Anatomy} anatomy @param {number} number */
+export const partnerOf = ({ count }, number) => (number < count ? number + count : number - count);
+
+/** What drives while the page is open; null on the other pages. @param {(state: State) => Anatomy} anatomyOf */
+export function createChosenDrives(anatomyOf) {
+  const drives = remember(drivesOf);
+  return (/** @type {State} */ state) =>
+    state.page === 'generation' ? drives(anatomyOf(state), state.anatomy) : null;
+}
+
+/** @param {Anatomy} anatomy @param {GenerationState} state @returns {ChosenDrives} */
+function drivesOf(anatomy, state) {
+  const { all, count, record } = anatomy;
+  const phase = phaseOf(anatomy, state.phase);
+  const chosen = chosenOf(anatomy, state);
+  // An offspring has not driven before its phase: until then it is its parent that drives.
+  const undriven = phase === 'parents' || phase === 'mutation';
+  const driving = undriven ? chosen % count : chosen;
+  const others = othersOf(anatomy, phase, driving).filter((number) => number !== driving);
+  const name = (/** @type {number} */ number) => words.nameOf(anatomy, number);
+  const partner = partnerOf(anatomy, driving);
+  return {
+    name: words.drivingText(name(driving), record.generation),
+    population: [driving, ...others].map((number) => all[number]),
+    othersText: (shown, arrived) => words.othersText(phase, shown, others.length, arrived),
+    partner: undriven || isInitial(record) ? null : { gains: all[partner].gains, name: name(partner) },
+  };
+}
+
+/** Who else drives on the plane. @param {Anatomy} anatomy @param {Phase} phase @param {number} driving */
+function othersOf({ count, all, record, ranking }, phase, driving) {
+  const numbers = all.map((_, number) => number);
+  if (phase === 'tournament') return [...new Set(record.opponents[driving])];
+  if (phase === 'survivors') return record.survivors;
+  if (phase === 'ranking') return ranking;
+  return phase === 'drive' ? numbers.slice(count) : numbers.slice(0, count);
+}

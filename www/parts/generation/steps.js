@@ -1,0 +1,92 @@
+// From phase to phase of a generation, and over its last one into the next: by hand, or by a clock.
+import { pausesAt, playsPhases, watch } from '../../run/state.js';
+import { chosenOf, phaseAfter, phaseOf } from './record.js';
+
+/** @typedef {import('../../run/state.js').State} State */
+/** @typedef {import('./record.js').Anatomy} Anatomy */
+/** @typedef {import('./record.js').GenerationState} GenerationState */
+/** @typedef {import('./record.js').Phase} Phase */
+/** @typedef {ReturnType<typeof createSteps>} Steps */
+
+/** Long enough to read what happens in a phase, and for a screen reader to say it. */
+const secondsOfPhase = 2;
+
+/** @param {{ store: import('../../run/state.js').Store, actions: import('../../run/actions.js').Actions, anatomyOf: (state: State) => Anatomy }} parts */
+export function createSteps({ store, actions, anatomyOf }) {
+  /** @param {Partial<GenerationState>} patch */
+  const update = (patch) => store.update({ anatomy: { ...store.get().anatomy, ...patch } });
+  const pause = () => store.update({ evolving: false });
+  const shown = () => {
+    const state = store.get();
+    const anatomy = anatomyOf(state);
+    return { state, anatomy, phase: phaseOf(anatomy, state.anatomy.phase) };
+  };
+
+  /** The next phase, or the next generation with whoever is chosen, if it stays. */
+  const goOn = () => {
+    const { state, anatomy, phase } = shown();
+    const following = phaseAfter(anatomy, phase, 1);
+    if (following) update({ phase: following });
+    else {
+      actions.forward();
+      if (store.get().generation === state.generation) return;
+      const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, state.anatomy));
+      update({ phase: 'parents', chosen: state.anatomy.chosen === null || place < 0 ? null : place });
+    }
+    actions.driveAgain();
+  };
+
+  /** @param {Phase} phase */
+  const show = (phase) => {
+    pause();
+    update({ phase });
+    actions.driveAgain();
+  };
+
+  /** The generation that was played from its first phase on. @type {State['history'][number] | null} */
+  let played = null;
+  /** Where evolution is to pause, it does so after the last phase. */
+  const play = () => {
+    goOn();
+    const { state, anatomy, phase } = shown();
+    const statistics = state.history[state.generation];
+    if (phase === 'parents') played = statistics;
+    if (!phaseAfter(anatomy, phase, 1) && played === statistics && pausesAt(state.until, statistics)) pause();
+  };
+
+  return {
+    show,
+
+    next() {
+      pause();
+      goOn();
+    },
+
+    back() {
+      const { state, anatomy, phase } = shown();
+      const before = phaseAfter(anatomy, phase, -1);
+      if (before) return show(before);
+      const chosen = chosenOf(anatomy, state.anatomy);
+      actions.oneBack();
+      const after = shown();
+      if (after.state.generation === state.generation) return;
+      const { survivors } = after.anatomy.record;
+      update({ phase: 'survivors', chosen: state.anatomy.chosen === null ? null : survivors[chosen] });
+      actions.driveAgain();
+    },
+
+    /** To be called at every frame: goes on when a phase has had its time. */
+    tick: createPhaseClock(play),
+  };
+}
+
+/** @param {() => void} goOn */
+function createPhaseClock(goOn) {
+  let waited = 0;
+  const changed = watch();
+  return (/** @type {State} */ state, /** @type {number} */ seconds) => {
+    const plays = playsPhases(state) && !state.dragging;
+    waited = changed(plays, state.generation, state.anatomy) ? 0 : waited + seconds;
+    if (plays && waited >= secondsOfPhase) goOn();
+  };
+}

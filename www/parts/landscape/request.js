@@ -1,0 +1,110 @@
+// What the landscape shows, and asking the workers for it: coarse while something moves, fine when it rests.
+import { createRefining } from '../../core/refine.js';
+import { gainsOf, remember } from '../../run/state.js';
+
+/** @typedef {import('../../core/engine.js').Engine} Engine */
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
+/** @typedef {import('../../run/state.js').Preset} Preset */
+/** @typedef {import('../../run/state.js').State} State */
+/** @typedef {import('../../run/state.js').Store} Store */
+/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {'kx' | 'ky' | 'ktheta'} GainName */
+/** @typedef {{ gain: GainName, log: boolean }} AxisChoice */
+/** @typedef {{ experiment: Experiment, x: AxisChoice, y: AxisChoice, range: readonly [number, number], third: number }} Spec */
+/** @typedef {{ spec: Spec, count: number, costs: Float64Array, milliseconds: number }} Landscape */
+
+/**
+ * @typedef {object} LandscapeState
+ * @property {AxisChoice} x
+ * @property {AxisChoice} y
+ * @property {number | null} third The gain that is on no axis; null: that of who drives.
+ * @property {string} thirdError
+ * @property {readonly [number, number] | null} cursor Values of the gains on the axes.
+ * @property {Landscape | null} result
+ * @property {string} message
+ */
+
+export const gainNames = /** @type {const} */ (['kx', 'ky', 'ktheta']);
+
+/** @type {LandscapeState} */
+export const firstLandscape = {
+  x: { gain: 'kx', log: false },
+  y: { gain: 'ktheta', log: false },
+  third: null,
+  thirdError: '',
+  cursor: null,
+  result: null,
+  message: '',
+};
+
+export const linearRange = {
+  'velocity-limits': /** @type {const} */ ([0, 12]),
+  'acceleration-limits': /** @type {const} */ ([0, 32]),
+};
+const logFloor = 0.01;
+/** Gains on an axis, from the coarse map that is short to the last. */
+export const counts = /** @type {const} */ ([64, 128]);
+
+/** @param {AxisChoice} axis @param {readonly [number, number]} range @returns {[number, number]} */
+export const endsOfAxis = ({ log }, [low, high]) => (log ? [logFloor, 10 * high] : [low, high]);
+
+/** The gain at a part of an axis, from 0 to 1. @param {AxisChoice} axis @param {readonly [number, number]} range @param {number} part */
+export function gainOn(axis, range, part) {
+  const [low, high] = endsOfAxis(axis, range);
+  return axis.log ? low * (high / low) ** part : low + (high - low) * part;
+}
+
+/** The gain that is on no axis. @param {Pick<LandscapeState, 'x' | 'y'>} landscape */
+export const thirdOf = ({ x, y }) => gainNames.findIndex((name) => name !== x.gain && name !== y.gain);
+
+/** All three gains of a point. @param {Pick<Spec, 'x' | 'y' | 'third'>} spec @param {readonly [number, number]} point @returns {Triple} */
+export const gainsAt = ({ x, y, third }, [across, up]) =>
+  /** @type {[number, number, number]} */ (
+    gainNames.map((name) => (name === x.gain ? across : name === y.gain ? up : third))
+  );
+
+/** The landscape that a state asks for; the same object while nothing that matters has changed. @param {PaperResult[]} paper */
+export function createSpec(paper) {
+  const spec = remember(
+    /** @returns {Spec} */
+    (
+      /** @type {Experiment} */ experiment,
+      /** @type {Preset} */ preset,
+      /** @type {AxisChoice} */ x,
+      /** @type {AxisChoice} */ y,
+      /** @type {number} */ third,
+    ) => ({ experiment, x, y, range: linearRange[preset], third }),
+  );
+  return (/** @type {State} */ state) => {
+    const { x, y, third } = state.landscape;
+    const driven = gainsOf(state, state.driver, paper)[thirdOf(state.landscape)];
+    return spec(state.experiment, state.preset, x, y, third ?? driven);
+  };
+}
+
+/** @param {Engine} engine @param {Store} store */
+export function createLandscapeRequests(engine, store) {
+  /** @type {ReturnType<Engine['surveys']['channel']> | null} */
+  let channel = null;
+  const update = (/** @type {Partial<LandscapeState>} */ patch) =>
+    store.update({ landscape: { ...store.get().landscape, ...patch } });
+
+  return createRefining({
+    counts,
+    /** @param {Spec} spec @param {number} count @returns {Promise<Landscape>} */
+    async compute(spec, count) {
+      const began = performance.now();
+      const axis = (/** @type {AxisChoice} */ choice) => {
+        const [from, to] = endsOfAxis(choice, spec.range);
+        return { ...choice, from, to, count };
+      };
+      channel ??= engine.surveys.channel();
+      const asked = { x: axis(spec.x), y: axis(spec.y), gains: gainsAt(spec, [1, 1]) };
+      const costs = await engine.surveys.landscape(spec.experiment, asked, { channel });
+      return { spec, count, costs, milliseconds: performance.now() - began };
+    },
+    onResult: (result) => update({ result, message: '' }),
+    onFailure: (message) => update({ message }),
+  });
+}

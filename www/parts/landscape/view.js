@@ -1,0 +1,335 @@
+// The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
+import { contours } from 'd3-contour';
+import { createLayer } from '../../kit/canvas.js';
+import { strongFont, textFont } from '../../kit/fonts.js';
+import { drawMark } from '../../kit/swatch.js';
+import { shadeAt } from '../../kit/shades.js';
+import { watch } from '../../run/state.js';
+import { fixed } from '../../words/numbers.js';
+import { landscape as words } from '../../words/index.js';
+import { endsOfAxis, gainNames } from './request.js';
+import { createAxis, createCostScale, paint } from './scale.js';
+
+/** @typedef {import('../../core/engine.js').Individual} Individual */
+/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('./request.js').Landscape} Landscape */
+/** @typedef {import('./request.js').Spec} Spec */
+/** @typedef {import('./scale.js').Axis} Axis */
+/** @typedef {import('./scale.js').CostScale} CostScale */
+/** @typedef {{ gains: Triple, name: string, mark: 'diamond' | 'cross' | 'ring' | number }} Point A number is the slot of a pin. */
+/**
+ * @typedef {object} MapModel
+ * @property {Spec} spec
+ * @property {Landscape | null} result
+ * @property {Individual[]} population
+ * @property {readonly Triple[]} path The best of each generation.
+ * @property {readonly Point[]} points
+ * @property {readonly [number, number] | null} cursor
+ * @property {{ width: number, height: number }} size
+ * @property {number} theme
+ */
+
+/** Contours of fewer points are single cells: a speckle, where a robot arrives or not by a hair. */
+const smallestRing = 12;
+const margin = { left: 44, right: 14, top: 10, bottom: 30 };
+// The same in both themes, as the shades are.
+const [dark, light] = ['#14161a', '#ffffff'];
+
+/** @param {MapModel} model */
+export function axesOf({ spec, size }) {
+  const frame = {
+    left: margin.left,
+    right: size.width - margin.right,
+    top: margin.top,
+    bottom: size.height - margin.bottom,
+  };
+  return {
+    frame,
+    x: createAxis(spec.x, endsOfAxis(spec.x, spec.range), [frame.left, frame.right]),
+    y: createAxis(spec.y, endsOfAxis(spec.y, spec.range), [frame.bottom, frame.top]),
+  };
+}
+
+/** @typedef {ReturnType<typeof axesOf>} Axes */
+
+/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement, legend: HTMLCanvasElement }} elements */
+export function createMap({ picture, marks, legend }) {
+  const under = createLayer(picture);
+  const over = createLayer(marks);
+  const bar = createLayer(legend);
+  const cells = document.createElement('canvas');
+  const pictureChanged = watch();
+  const marksChanged = watch();
+
+  return {
+    /** @param {MapModel} model */
+    draw(model) {
+      const { spec, result, population, path, points, cursor, size, theme } = model;
+      if (size.width === 0) return;
+      const axes = axesOf(model);
+      if (pictureChanged(result, spec.x, spec.y, spec.range, size, theme)) {
+        under.clear(size);
+        const fits =
+          result && result.spec.x === spec.x && result.spec.y === spec.y && result.spec.range === spec.range;
+        if (fits)
+          drawLandscape(
+            { context: under.context, cells, legend: bar, width: legend.clientWidth },
+            result,
+            axes,
+          );
+        drawAxes(under.context, axes, spec);
+      }
+      if (
+        marksChanged(
+          spec.x,
+          spec.y,
+          spec.range,
+          population,
+          path,
+          ...points.flatMap(({ gains, mark }) => [...gains, mark]),
+          cursor,
+          size,
+          theme,
+        )
+      ) {
+        over.clear(size);
+        drawMarks(over.context, axes, model);
+      }
+    },
+  };
+}
+
+/**
+ * @param {{ context: CanvasRenderingContext2D, cells: HTMLCanvasElement, legend: import('../../kit/canvas.js').Layer, width: number }} on
+ * @param {Landscape} landscape @param {Axes} axes
+ */
+function drawLandscape({ context, cells, legend, width }, { costs, count }, { frame }) {
+  const scale = createCostScale(costs);
+  cells.width = count;
+  cells.height = count;
+  cells.getContext('2d')?.putImageData(paint(costs, count, scale), 0, 0);
+  // The outer cells have their middles on the frame.
+  const [wide, high] = [(frame.right - frame.left) / (count - 1), (frame.bottom - frame.top) / (count - 1)];
+  context.save();
+  context.beginPath();
+  context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top);
+  context.clip();
+  context.imageSmoothingEnabled = true;
+  context.drawImage(cells, frame.left - wide / 2, frame.top - high / 2, count * wide, count * high);
+  const flat = Array.from(costs, (cost) => Math.min(cost, scale.high));
+  context.strokeStyle = light;
+  context.lineWidth = 1;
+  for (const line of contours().size([count, count]).thresholds(scale.levels)(flat)) {
+    context.globalAlpha = 0.55;
+    context.beginPath();
+    for (const ring of line.coordinates.flat().filter(({ length }) => length >= smallestRing)) {
+      for (const [i, [column, row]] of ring.entries()) {
+        const [px, py] = [frame.left + (column - 0.5) * wide, frame.bottom - (row - 0.5) * high];
+        if (i === 0) context.moveTo(px, py);
+        else context.lineTo(px, py);
+      }
+    }
+    context.stroke();
+  }
+  context.restore();
+  drawLegend(legend, scale, width);
+}
+
+/** @param {import('../../kit/canvas.js').Layer} layer @param {CostScale} scale @param {number} width */
+function drawLegend(layer, scale, width) {
+  const { context } = layer;
+  layer.clear({ width, height: 34 });
+  const [left, right] = [margin.left, width - margin.right];
+  const colours = context.createLinearGradient(left, 0, right, 0);
+  for (let i = 0; i <= 16; i += 1) colours.addColorStop(i / 16, shadeAt(i / 16));
+  context.fillStyle = colours;
+  context.fillRect(left, 0, right - left, 12);
+  const { muted } = coloursOfText();
+  context.font = textFont;
+  context.fillStyle = muted;
+  context.textBaseline = 'top';
+  context.textAlign = 'center';
+  const digits = scale.levels.some((level) => level % 1 !== 0) ? 1 : 0;
+  for (const level of scale.levels) {
+    const px = left + scale.part(level) * (right - left);
+    context.fillRect(px - 0.5, 12, 1, 4);
+    context.fillText(level < 100 ? fixed(level, digits) : fixed(level, 0), px, 18);
+  }
+  context.textAlign = 'left';
+  context.fillText(words.legendLow, 8, 18);
+}
+
+function coloursOfText() {
+  const style = getComputedStyle(document.documentElement);
+  const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+  return {
+    muted: colour('--muted'),
+    hairline: colour('--hairline'),
+    gains: { kx: colour('--x'), ky: colour('--y'), ktheta: colour('--theta') },
+  };
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Spec} spec */
+function drawAxes(context, { frame, x, y }, spec) {
+  const { muted, hairline, gains } = coloursOfText();
+  context.strokeStyle = hairline;
+  context.lineWidth = 1;
+  context.strokeRect(
+    frame.left - 0.5,
+    frame.top - 0.5,
+    frame.right - frame.left + 1,
+    frame.bottom - frame.top + 1,
+  );
+  context.font = textFont;
+  context.fillStyle = muted;
+  context.textBaseline = 'top';
+  context.textAlign = 'center';
+  for (const tick of x.ticks)
+    if (x.at(tick) < frame.right - 30) context.fillText(String(tick), x.at(tick), frame.bottom + 7);
+  context.textBaseline = 'middle';
+  context.textAlign = 'right';
+  for (const tick of y.ticks)
+    if (y.at(tick) > frame.top + 26) context.fillText(String(tick), frame.left - 8, y.at(tick));
+  drawSymbol(context, spec.x.gain, gains[spec.x.gain], frame.right - 8, frame.bottom + 14);
+  drawSymbol(context, spec.y.gain, gains[spec.y.gain], frame.left - 24, frame.top + 8);
+}
+
+/** kx, ky or kθ as in the formulas. @param {CanvasRenderingContext2D} context @param {string} gain @param {string} colour @param {number} px @param {number} py */
+function drawSymbol(context, gain, colour, px, py) {
+  context.save();
+  context.fillStyle = colour;
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  context.font = 'italic 18px "STIX Two Text", "Cambria Math", Georgia, serif';
+  context.fillText('k', px, py);
+  context.font = 'italic 13px "STIX Two Text", "Cambria Math", Georgia, serif';
+  context.fillText(gain === 'ktheta' ? 'θ' : gain.slice(1), px + 9, py + 5);
+  context.restore();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {MapModel} model */
+function drawMarks(context, { frame, x, y }, { spec, population, path, points, cursor }) {
+  const [across, up] = [gainNames.indexOf(spec.x.gain), gainNames.indexOf(spec.y.gain)];
+  /** @param {Triple} gains @returns {[number, number]} */
+  const place = (gains) => [x.at(gains[across]), y.at(gains[up])];
+  context.save();
+  context.beginPath();
+  context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top);
+  context.clip();
+  context.lineJoin = 'round';
+
+  context.strokeStyle = light;
+  context.lineWidth = 1;
+  context.globalAlpha = 0.35;
+  context.beginPath();
+  for (const { gains, sigmas } of population) {
+    const [px, py] = place(gains);
+    context.moveTo(x.at(gains[across] - sigmas[across]), py);
+    context.lineTo(x.at(gains[across] + sigmas[across]), py);
+    context.moveTo(px, y.at(gains[up] - sigmas[up]));
+    context.lineTo(px, y.at(gains[up] + sigmas[up]));
+  }
+  context.stroke();
+  context.globalAlpha = 1;
+
+  for (const [colour, width] of /** @type {const} */ ([
+    [dark, 4],
+    [light, 2],
+  ])) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.beginPath();
+    for (const [i, gains] of path.entries()) {
+      if (i === 0) context.moveTo(...place(gains));
+      else context.lineTo(...place(gains));
+    }
+    context.stroke();
+  }
+
+  context.lineWidth = 1;
+  context.strokeStyle = dark;
+  context.fillStyle = light;
+  for (const { gains } of [...population].reverse()) disc(context, place(gains), 3.5);
+  context.fillStyle = dark;
+  context.strokeStyle = light;
+  context.lineWidth = 2;
+  if (population.length > 0) disc(context, place(population[0].gains), 6);
+
+  if (cursor) {
+    context.strokeStyle = light;
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(x.at(cursor[0]), frame.top);
+    context.lineTo(x.at(cursor[0]), frame.bottom);
+    context.moveTo(frame.left, y.at(cursor[1]));
+    context.lineTo(frame.right, y.at(cursor[1]));
+    context.stroke();
+  }
+  context.restore();
+
+  // Whole also at the edge, where a gain is 0.
+  context.save();
+  context.lineJoin = 'round';
+  for (const { gains, name, mark } of points)
+    if (x.holds(gains[across]) && y.holds(gains[up])) drawPoint(context, place(gains), name, mark, frame);
+  context.restore();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {number} radius */
+function disc(context, [px, py], radius) {
+  context.beginPath();
+  context.arc(px, py, radius, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {string} name @param {Point['mark']} mark @param {Axes['frame']} frame */
+function drawPoint(context, [px, py], name, mark, frame) {
+  // The names of the pins are in the legend, beside the same marks.
+  if (typeof mark === 'number') return drawMark(context, mark, px, py, { fill: light, edge: dark });
+  context.beginPath();
+  if (mark === 'diamond')
+    for (const [dx, dy] of [
+      [0, -7],
+      [7, 0],
+      [0, 7],
+      [-7, 0],
+      [0, -7],
+    ])
+      context.lineTo(px + dx, py + dy);
+  else if (mark === 'ring') context.arc(px, py, 7, 0, 2 * Math.PI);
+  else
+    for (const [dx, dy] of [
+      [-6, -6],
+      [6, 6],
+      [0, 0],
+      [-6, 6],
+      [6, -6],
+    ])
+      context.lineTo(px + dx, py + dy);
+  for (const [colour, width] of /** @type {const} */ ([
+    [dark, 5],
+    [light, 2.5],
+  ])) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.stroke();
+  }
+  context.font = strongFont;
+  const onLeft = px + 14 + context.measureText(name).width > frame.right;
+  const nameX = px + (onLeft ? -12 : 12);
+  const nameY = Math.min(Math.max(py, frame.top + 10), frame.bottom - 10);
+  context.textAlign = onLeft ? 'right' : 'left';
+  context.textBaseline = 'middle';
+  context.lineWidth = 4;
+  context.strokeStyle = dark;
+  context.fillStyle = light;
+  context.strokeText(name, nameX, nameY);
+  context.fillText(name, nameX, nameY);
+}
+
+/** How many lie outside. @param {Axes} axes @param {Spec} spec @param {Individual[]} population */
+export function countOutside({ x, y }, spec, population) {
+  const [across, up] = [gainNames.indexOf(spec.x.gain), gainNames.indexOf(spec.y.gain)];
+  return population.filter(({ gains }) => !x.holds(gains[across]) || !y.holds(gains[up])).length;
+}

@@ -1,0 +1,212 @@
+// The part of the page that runs evolution with many seeds: how much of a result is luck?
+import { byId } from '../../kit/elements.js';
+import { gainsOf, remember, watch } from '../../run/state.js';
+import { luck as words } from '../../words/index.js';
+import { createSeedCurve } from './curve.js';
+import { createSeedRequests, drivesOf, isSameButSeed, update } from './request.js';
+import { createStrips } from './strips.js';
+import { createTable } from './table.js';
+
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../../lab/navigation.js').PageParts} PageParts */
+/** @typedef {import('../../lab/navigation.js').Page} Page */
+/** @typedef {import('../../run/state.js').State} State */
+/** @typedef {import('../../run/state.js').Store} Store */
+/** @typedef {import('./request.js').LuckState} LuckState */
+/** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
+
+const counts = [20, 100, 500];
+const lengths = [50, 100, 200];
+
+/** @param {PageParts} parts @returns {Page} */
+export function createLuckPage({ engine, store, actions, paper }) {
+  const requests = createSeedRequests(engine, store, paper);
+  const luck = () => store.get().luck;
+
+  /** Drives with the gains that a seed ended with. @param {number} index */
+  const choose = (index) => {
+    const run = luck().result?.runs[index];
+    if (!run) return;
+    update(store, { chosen: index });
+    actions.driveGains(run.champion.gains, 'luck');
+    actions.driveAgain();
+  };
+  /** @param {number} index */
+  const point = (index) => {
+    const pointed = index < 0 ? null : index;
+    if (pointed !== luck().pointed) update(store, { pointed });
+  };
+  const on = { onPoint: point, onChoose: choose };
+  const curve = createSeedCurve(byId('luck-curve'), on);
+  const strips = createStrips(byId('luck-gains'), on);
+  const table = createTable(() => luck().result);
+  const controls = createControls(store, {
+    onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
+    onTable: table.show,
+    onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
+    onOpen: (seed) => {
+      actions.useSeed(seed);
+      actions.chooseDriver('evolved');
+      actions.openPage('lab');
+    },
+  });
+
+  const isFresh = remember(
+    (/** @type {Experiment} */ experiment, /** @type {SeedSurvey | null} */ result) =>
+      !result || isSameButSeed(experiment, result.experiment),
+  );
+  const labLine = remember((/** @type {Statistics[]} */ history, /** @type {number} */ seed) => ({
+    name: words.labLine(seed),
+    costs: history.map(({ best }) => best.cost),
+  }));
+  const seedLine = remember((/** @type {SeedSurvey} */ { first, runs }, /** @type {number} */ index) => ({
+    name: words.seedLine(first + index),
+    costs: runs[index].best,
+  }));
+
+  return {
+    name: 'luck',
+    draw(state) {
+      const { result, generations, log } = state.luck;
+      const fresh = isFresh(state.experiment, result);
+      const index = questionOf(state);
+      const seed = result && index >= 0 ? seedLine(result, index) : null;
+      const labSeed = state.experiment.evolution.seed;
+      const isLab = result && index >= 0 && fresh && result.first + index === labSeed;
+      curve.draw({
+        survey: result,
+        generations: result?.generations ?? generations,
+        lab: fresh && !isLab ? labLine(state.history, labSeed) : null,
+        seed,
+        index,
+        log,
+        theme: state.theme,
+      });
+      strips.draw({
+        survey: result,
+        paper: result?.paper.gains ?? gainsOf(state, 'paper-ep', paper),
+        range: state.experiment.evolution.initialRange,
+        index,
+        theme: state.theme,
+      });
+      controls.draw(state, index, fresh);
+    },
+  };
+}
+
+/** The index of the seed in question: under the pointer, else chosen, else the lab's own. @param {State} state */
+function questionOf({ luck, experiment }) {
+  const { result, pointed, chosen } = luck;
+  if (!result) return -1;
+  const lab = experiment.evolution.seed - result.first;
+  return pointed ?? chosen ?? (lab >= 0 && lab < result.runs.length ? lab : result.summary.ranking[0]);
+}
+
+/**
+ * @param {Store} store
+ * @param {{ onRun: () => void, onTable: () => void, onRank: (rank: number) => void, onOpen: (seed: number) => void }} on
+ */
+function createControls(store, { onRun, onTable, onRank, onOpen }) {
+  const run = byId('luck-run');
+  /** @type {HTMLSelectElement} */
+  const count = byId('luck-count');
+  /** @type {HTMLSelectElement} */
+  const generations = byId('luck-generations');
+  /** @type {HTMLInputElement} */
+  const log = byId('luck-log');
+  /** @type {HTMLInputElement} */
+  const rank = byId('luck-rank');
+  /** @type {HTMLProgressElement} */
+  const progress = byId('luck-progress');
+  const open = byId('luck-open');
+  count.replaceChildren(...counts.map((one) => new Option(words.countChoice(one), String(one))));
+  generations.replaceChildren(...lengths.map((one) => new Option(words.generationsChoice(one), String(one))));
+
+  run.addEventListener('click', onRun);
+  count.addEventListener('change', () => update(store, { count: Number(count.value) }));
+  generations.addEventListener('change', () => update(store, { generations: Number(generations.value) }));
+  log.addEventListener('change', () => update(store, { log: log.checked }));
+  byId('luck-table').addEventListener('click', onTable);
+  rank.addEventListener('input', () => onRank(Number(rank.value)));
+  open.addEventListener('click', () => onOpen(Number(open.dataset.seed)));
+  const changed = watch();
+
+  return {
+    /** @param {State} state @param {number} index @param {boolean} fresh */
+    draw(state, index, fresh) {
+      const { luck, experiment, history } = state;
+      const { result } = luck;
+      if (!changed(luck, experiment, history, index, fresh)) return;
+      const runs = luck.progress !== null;
+      write(run, runs ? words.cancel : words.runText(luck.count));
+      progress.classList.toggle('visually-hidden', !runs);
+      progress.value = luck.progress ?? 0;
+      count.value = String(luck.count);
+      generations.value = String(luck.generations);
+      log.checked = luck.log;
+      write(byId('luck-note'), noteText(state));
+      write(byId('luck-status'), statusText(state, fresh));
+      const finding = result
+        ? words.finding(result)
+        : words.invitation(luck.count, luck.generations, drivesOf(experiment, luck.generations));
+      write(byId('luck-finding'), finding);
+      byId('luck').classList.toggle('stale', !fresh);
+      byId('luck-curve').setAttribute(
+        'aria-label',
+        result ? words.curveLabel(result, finding) : words.emptyCurveLabel,
+      );
+      byId('luck-gains').setAttribute(
+        'aria-label',
+        result ? words.gainsLabel(result) : words.emptyGainsLabel,
+      );
+      for (const id of ['luck-seed', 'luck-table', 'luck-median']) byId(id).hidden = !result;
+      log.disabled = !result;
+      if (!result || index < 0) return;
+      const own = result.summary.ranking.indexOf(index) + 1;
+      const text = words.readout(result, index, own);
+      rank.max = String(result.runs.length);
+      rank.value = String(own);
+      rank.setAttribute('aria-valuetext', text);
+      write(byId('luck-readout'), text);
+      const seed = result.first + index;
+      open.dataset.seed = String(seed);
+      write(open, words.openSeed(seed));
+      open.hidden = !fresh;
+    },
+  };
+}
+
+/** Only what is new: a button whose text is replaced while it is held gets no click in WebKit. @param {HTMLElement} element @param {string} text */
+function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** @param {State} state */
+function noteText({ luck, experiment, history }) {
+  const { result, progress, count } = luck;
+  if (progress !== null) return words.progressText(progress, count);
+  return result ? words.surveyNote(result) : words.labNote(experiment.evolution.seed, history.length - 1);
+}
+
+/** @param {State} state @param {boolean} fresh */
+function statusText({ luck, experiment }, fresh) {
+  const { result, cancelled, message } = luck;
+  if (message) return words.failed(message, result !== null);
+  const stale = result && !fresh ? words.outOfDate(changesOf(result.experiment, experiment)) : '';
+  return [cancelled ? words.cancelled(result !== null) : '', stale].filter((text) => text !== '').join(' ');
+}
+
+/** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('../../words/en/luck.js').Change[]} */
+function changesOf(then, now) {
+  const named = /** @type {const} */ ([
+    ['start', then.starts, now.starts],
+    ['goal', then.goal, now.goal],
+    ['limits', then.limits, now.limits],
+  ]);
+  const changes = named
+    .filter(([, before, after]) => JSON.stringify(before) !== JSON.stringify(after))
+    .map(([name]) => name);
+  const { starts, goal, limits } = now;
+  return isSameButSeed({ ...then, starts, goal, limits }, now) ? changes : [...changes, 'other'];
+}

@@ -1,0 +1,148 @@
+// The gains that the seeds ended with: a strip for each gain, one dot a seed.
+import { scaleLinear } from 'd3-scale';
+import { createLayer } from '../../kit/canvas.js';
+import { textFont } from '../../kit/fonts.js';
+import { colour } from '../../kit/plot.js';
+import { watch } from '../../run/state.js';
+import { luck as words } from '../../words/index.js';
+import { fixed } from '../../words/numbers.js';
+import { drawDots, drawRing } from './curve.js';
+import { diameterOf, nearestDot, stackDots } from './dots.js';
+
+/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('./dots.js').Dots} Dots */
+/** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
+/** @typedef {{ survey: SeedSurvey | null, paper: Triple, range: readonly [number, number], index: number, theme: number }} StripsModel */
+
+const colours = /** @type {const} */ (['--x', '--y', '--theta']);
+const axisHeight = 18;
+const margin = { left: 26, right: 64, top: 2 };
+const diamond = /** @type {const} */ ([
+  [0, -6],
+  [6, 0],
+  [0, 6],
+  [-6, 0],
+]);
+
+/** @param {HTMLCanvasElement} canvas @param {{ onPoint: (index: number) => void, onChoose: (index: number) => void }} on */
+export function createStrips(canvas, { onPoint, onChoose }) {
+  const layer = createLayer(canvas);
+  const changed = watch();
+  let size = { width: 0, height: 0 };
+  /** @type {Dots[]} */
+  let strips = [];
+  /** @type {StripsModel | null} */
+  let model = null;
+
+  const strip = () => (size.height - axisHeight) / 3;
+
+  const draw = () => {
+    if (!model || size.width === 0) return;
+    const { survey, paper, range, index } = model;
+    layer.clear(size);
+    const { context } = layer;
+    const scale = scaleLinear()
+      .domain(survey ? domainOf(survey, paper) : range)
+      .range([margin.left, size.width - margin.right])
+      .clamp(true);
+    drawAxis(context, scale, size.height);
+    const diameter = diameterOf(survey?.runs.length ?? 1);
+    strips = [];
+    for (const [i, name] of colours.entries()) {
+      const base = Math.round((i + 1) * strip()) - 0.5;
+      drawSymbol(context, i, base);
+      context.fillStyle = colour('--hairline');
+      context.fillRect(margin.left, base, size.width - margin.left - margin.right, 1);
+      if (survey) {
+        const positions = survey.runs.map(({ champion }) => scale(champion.gains[i]));
+        const dots = stackDots(positions, diameter, strip() - margin.top - 4);
+        strips.push(dots);
+        context.fillStyle = colour(name);
+        drawDots(context, dots, diameter, (along, away) => [along, base - away]);
+        if (index >= 0) drawRing(context, dots.along[index], base - dots.away[index]);
+      }
+      drawDiamond(context, scale(paper[i]), base);
+      if (survey) drawMedian(context, survey.summary.gains[i].median, size.width, base);
+    }
+  };
+
+  new ResizeObserver(() => {
+    size = { width: canvas.clientWidth, height: canvas.clientHeight };
+    draw();
+  }).observe(canvas);
+
+  /** The seed whose dot is there. @param {PointerEvent | MouseEvent} event */
+  const at = (event) => {
+    const { left, top } = canvas.getBoundingClientRect();
+    const i = Math.min(2, Math.max(0, Math.floor((event.clientY - top) / strip())));
+    const base = (i + 1) * strip();
+    return strips[i] ? nearestDot(strips[i], event.clientX - left, base - (event.clientY - top)) : -1;
+  };
+  canvas.addEventListener('pointermove', (event) => onPoint(at(event)));
+  canvas.addEventListener('pointerleave', () => onPoint(-1));
+  canvas.addEventListener('click', (event) => onChoose(at(event)));
+
+  return {
+    /** @param {StripsModel} next */
+    draw(next) {
+      if (!changed(next.survey, next.paper, next.range, next.index, next.theme)) return;
+      model = next;
+      draw();
+    },
+  };
+}
+
+/** All but the strangest gains; those stand at the end. @param {SeedSurvey} survey @param {Triple} paper @returns {[number, number]} */
+function domainOf({ summary }, paper) {
+  const reach = summary.gains.map(({ low, high, least, most }) => [
+    Math.max(least, low - 6 * (high - low)),
+    Math.min(most, high + 6 * (high - low)),
+  ]);
+  const low = Math.min(0, ...reach.map(([end]) => end));
+  const high = Math.max(...paper, ...reach.map(([, end]) => end));
+  return [low, high + 0.02 * (high - low)];
+}
+
+/** @param {CanvasRenderingContext2D} context @param {import('d3-scale').ScaleLinear<number, number>} scale @param {number} height */
+function drawAxis(context, scale, height) {
+  context.font = textFont;
+  context.textAlign = 'center';
+  context.textBaseline = 'alphabetic';
+  for (const tick of scale.ticks(7)) {
+    context.fillStyle = colour('--hairline');
+    context.fillRect(Math.round(scale(tick)) - 0.5, 0, 1, height - axisHeight + 2);
+    context.fillStyle = colour('--muted');
+    context.fillText(words.tick(tick), scale(tick), height - 3);
+  }
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} gain @param {number} base */
+function drawSymbol(context, gain, base) {
+  context.fillStyle = colour(colours[gain]);
+  context.textAlign = 'left';
+  context.textBaseline = 'alphabetic';
+  context.font = 'italic 18px "STIX Two Text", "Cambria Math", Georgia, serif';
+  context.fillText('k', 0, base - 6);
+  context.font = 'italic 13px "STIX Two Text", "Cambria Math", Georgia, serif';
+  context.fillText(words.gainIndices[gain], 9, base - 2);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} median @param {number} right @param {number} base */
+function drawMedian(context, median, right, base) {
+  context.font = textFont;
+  context.textAlign = 'right';
+  context.fillStyle = colour('--ink');
+  context.fillText(fixed(median, 3), right, base - 6);
+}
+
+/** The paper's gain. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y */
+function drawDiamond(context, x, y) {
+  context.beginPath();
+  for (const [dx, dy] of diamond) context.lineTo(x + dx, y + dy);
+  context.closePath();
+  context.fillStyle = colour('--paper');
+  context.fill();
+  context.strokeStyle = colour('--muted');
+  context.lineWidth = 2;
+  context.stroke();
+}

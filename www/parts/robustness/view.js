@@ -1,0 +1,238 @@
+// The map: cells and axes on one canvas, redrawn with the survey; goal, starts, the run and the cursor on another.
+import { scaleLinear } from 'd3-scale';
+import { createLayer } from '../../kit/canvas.js';
+import { strongFont, textFont } from '../../kit/fonts.js';
+import { kite } from '../../lab/plane.js';
+import { colour } from '../../kit/plot.js';
+import { watch } from '../../run/state.js';
+import { fixed } from '../../words/numbers.js';
+import { robustness as words } from '../../words/index.js';
+import { cellNear, startOf } from './grid.js';
+import { paintCells } from './scale.js';
+
+/** @typedef {import('../../core/engine.js').Posture} Posture */
+/** @typedef {import('../../core/engine.js').Run} Run */
+/** @typedef {import('./grid.js').Grid} Grid */
+/** @typedef {import('./scale.js').Shading} Shading */
+/**
+ * @typedef {object} MapModel
+ * @property {Grid} grid
+ * @property {Shading | null} shading
+ * @property {number | null} heading In radians; null: all of them together.
+ * @property {Posture} goal
+ * @property {readonly Posture[]} starts Those of the experiment.
+ * @property {Posture} watched The start of the run.
+ * @property {Run} run
+ * @property {{ x: number, y: number } | null} cursor
+ * @property {{ width: number, height: number }} size
+ * @property {number} theme
+ */
+
+const margin = { left: 34, right: 8, top: 8, bottom: 26 };
+// The same in both themes, as the shades are.
+const [dark, light] = ['#14161a', '#ffffff'];
+
+/** Metres in pixels, the same on both axes; the middles of the outer cells are half a cell inside. @param {Pick<MapModel, 'grid' | 'size'>} model */
+export function axesOf({ grid, size }) {
+  const side = Math.max(
+    40,
+    Math.min(size.width - margin.left - margin.right, size.height - margin.top - margin.bottom),
+  );
+  const frame = { left: margin.left, right: margin.left + side, top: margin.top, bottom: margin.top + side };
+  const half = (grid.x.to - grid.x.from) / (grid.x.count - 1) / 2;
+  /** @param {import('./grid.js').Grid['x']} range @param {[number, number]} pixels */
+  const axis = ({ from, to }, pixels) =>
+    scaleLinear()
+      .domain([from - half, to + half])
+      .range(pixels)
+      .clamp(false);
+  return {
+    frame,
+    side,
+    cell: side / grid.x.count,
+    x: axis(grid.x, [frame.left, frame.right]),
+    y: axis(grid.y, [frame.bottom, frame.top]),
+  };
+}
+
+/** @typedef {ReturnType<typeof axesOf>} Axes */
+
+/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement }} elements */
+export function createMap({ picture, marks }) {
+  const under = createLayer(picture);
+  const over = createLayer(marks);
+  const cells = document.createElement('canvas');
+  const pictureChanged = watch();
+  const marksChanged = watch();
+  return {
+    /** @param {MapModel} model */
+    draw(model) {
+      const { grid, shading, heading, goal, starts, watched, run, cursor, size, theme } = model;
+      if (size.width === 0) return;
+      const axes = axesOf(model);
+      if (pictureChanged(grid, shading, size, theme)) {
+        under.clear(size);
+        if (shading) drawCells(under.context, cells, shading, axes, grid.x.count);
+        drawAxes(under.context, axes);
+      }
+      if (marksChanged(grid, goal, starts, watched, run, cursor, heading, size, theme)) {
+        over.clear(size);
+        drawMarks(over.context, axes, model);
+      }
+    },
+  };
+}
+
+/** What stands for "none arrives", on the map and in its legend. @param {CanvasRenderingContext2D} context */
+export function hatch(context) {
+  const step = 6;
+  const pixels = globalThis.devicePixelRatio || 1;
+  const tile = document.createElement('canvas');
+  tile.width = tile.height = Math.round(step * pixels);
+  const on = /** @type {CanvasRenderingContext2D} */ (tile.getContext('2d'));
+  const edge = tile.width;
+  on.fillStyle = colour('--paper');
+  on.fillRect(0, 0, edge, edge);
+  on.strokeStyle = colour('--muted');
+  on.globalAlpha = 0.55;
+  on.lineWidth = pixels * 0.8;
+  on.beginPath();
+  for (const shift of [-edge, 0, edge]) {
+    on.moveTo(shift - 1, edge + 1);
+    on.lineTo(shift + edge + 1, -1);
+  }
+  on.stroke();
+  const pattern = /** @type {CanvasPattern} */ (context.createPattern(tile, 'repeat'));
+  pattern.setTransform(new DOMMatrix().scale(1 / pixels));
+  return pattern;
+}
+
+/** @param {CanvasRenderingContext2D} context @param {HTMLCanvasElement} cells @param {Shading} shading @param {Axes} axes @param {number} count */
+function drawCells(context, cells, shading, { frame, side }, count) {
+  cells.width = count;
+  cells.height = count;
+  cells.getContext('2d')?.putImageData(paintCells(shading, count), 0, 0);
+  context.fillStyle = hatch(context);
+  context.fillRect(frame.left, frame.top, side, side);
+  // Each cell is one place that was tried: between them nothing is known.
+  context.imageSmoothingEnabled = false;
+  context.drawImage(cells, frame.left, frame.top, side, side);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes */
+function drawAxes(context, { frame, side, x, y }) {
+  context.strokeStyle = colour('--hairline');
+  context.lineWidth = 1;
+  context.strokeRect(frame.left - 0.5, frame.top - 0.5, side + 1, side + 1);
+  context.font = textFont;
+  context.fillStyle = colour('--muted');
+  context.textBaseline = 'top';
+  context.textAlign = 'center';
+  const ticks = side > 260 ? 8 : 4;
+  const digits = Math.abs((x.ticks(ticks)[1] ?? 1) % 1) > 1e-9 ? 1 : 0;
+  for (const [i, tick] of x.ticks(ticks).entries()) {
+    const last = i === x.ticks(ticks).length - 1;
+    const text = last ? words.metres(fixed(tick, digits)) : fixed(tick, digits);
+    context.fillText(text, Math.min(x(tick), frame.right - 10), frame.bottom + 7);
+  }
+  context.textBaseline = 'middle';
+  context.textAlign = 'right';
+  for (const tick of y.ticks(ticks))
+    context.fillText(fixed(tick, digits), frame.left - 8, Math.max(y(tick), frame.top + 6));
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {MapModel} model */
+function drawMarks(context, axes, { grid, goal, starts, watched, run, cursor, heading }) {
+  const { frame, side, cell, x, y } = axes;
+  context.save();
+  context.beginPath();
+  context.rect(frame.left, frame.top, side, side);
+  context.clip();
+  context.lineJoin = 'round';
+  context.lineCap = 'round';
+  drawWay(context, axes, run);
+  for (const start of starts) {
+    if (start === watched) continue;
+    arrow(context, axes, start, { fill: light, line: dark, size: 9 });
+  }
+  arrow(context, axes, goal, { fill: light, line: dark, size: 12 });
+  arrow(context, axes, watched, { fill: dark, line: light, size: 11 });
+  label(context, axes, goal, words.goal);
+  for (const start of starts) label(context, axes, start, words.ownStart);
+  if (cursor) {
+    const at = startOf(grid, cellNear(grid, cursor), 0);
+    for (const [line, width] of /** @type {const} */ ([
+      [dark, 4],
+      [light, 2],
+    ])) {
+      context.strokeStyle = line;
+      context.lineWidth = width;
+      const size = Math.max(cell, 9);
+      context.strokeRect(x(at.x) - size / 2, y(at.y) - size / 2, size, size);
+    }
+  }
+  if (heading !== null) drawHeading(context, frame, heading);
+  context.restore();
+}
+
+/** Where the run that is watched goes. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Run} run */
+function drawWay(context, { x, y }, run) {
+  context.beginPath();
+  let [px, py] = [Number.NaN, Number.NaN];
+  for (let i = 0; i < run.x.length; i += 1) {
+    const [nx, ny] = [x(run.x[i]), y(run.y[i])];
+    if (i > 0 && i < run.x.length - 1 && Math.abs(nx - px) + Math.abs(ny - py) < 1) continue;
+    context.lineTo(nx, ny);
+    [px, py] = [nx, ny];
+  }
+  for (const [line, width] of /** @type {const} */ ([
+    [light, 4],
+    [dark, 2],
+  ])) {
+    context.strokeStyle = line;
+    context.lineWidth = width;
+    context.stroke();
+  }
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Posture} posture @param {{ fill: string, line: string, size: number }} look */
+function arrow(context, { x, y }, posture, { fill, line, size }) {
+  kite(context, x(posture.x), y(posture.y), posture.theta, size);
+  context.lineWidth = 4;
+  context.strokeStyle = fill === dark ? line : fill;
+  context.stroke();
+  context.lineWidth = 2;
+  context.strokeStyle = fill === dark ? fill : line;
+  context.stroke();
+  context.fillStyle = fill;
+  context.fill();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Posture} posture @param {string} text */
+function label(context, { frame, x, y }, posture, text) {
+  context.font = strongFont;
+  const px = Math.max(x(posture.x), frame.left);
+  const onLeft = px + 18 + context.measureText(text).width > frame.right;
+  context.textAlign = onLeft ? 'right' : 'left';
+  context.textBaseline = 'middle';
+  context.lineWidth = 4;
+  context.strokeStyle = dark;
+  context.fillStyle = light;
+  context.strokeText(text, px + (onLeft ? -14 : 14), y(posture.y) + 14);
+  context.fillText(text, px + (onLeft ? -14 : 14), y(posture.y) + 14);
+}
+
+/** The heading of all starts of the map, in its corner. @param {CanvasRenderingContext2D} context @param {Axes['frame']} frame @param {number} angle */
+function drawHeading(context, frame, angle) {
+  const [px, py] = [frame.right - 24, frame.top + 24];
+  context.beginPath();
+  context.arc(px, py, 17, 0, 2 * Math.PI);
+  context.fillStyle = light;
+  context.strokeStyle = dark;
+  context.lineWidth = 1.5;
+  context.fill();
+  context.stroke();
+  kite(context, px, py, angle, 11);
+  context.fillStyle = dark;
+  context.fill();
+}

@@ -1,0 +1,133 @@
+// A picture of starts around the goal: filled where the robot arrives, open where it does not.
+import { createLayer } from '../../kit/canvas.js';
+import { kite } from '../../lab/plane.js';
+import { colour } from '../../kit/plot.js';
+import { watch } from '../../run/state.js';
+
+/** @typedef {import('../../core/engine.js').Posture} Posture */
+/** @typedef {{ width: number, height: number }} Size */
+/**
+ * @typedef {object} PictureModel
+ * @property {readonly Posture[]} starts
+ * @property {Uint8Array | null} arrived Null: nobody has driven yet.
+ * @property {Posture} goal
+ * @property {Posture | null} tried The start that a robot drives from now.
+ * @property {number} theme
+ */
+
+/** Metres beside the outermost start, for its arrow. */
+const margin = 0.3;
+/** As near as a press must come to a start, in pixels. */
+const nearest = 18;
+
+/** @param {HTMLCanvasElement} canvas `radius`: metres around the goal that are shown. @param {{ radius: number, onTry: (start: Posture) => void, onSize: () => void }} options */
+export function createPicture(canvas, { radius, onTry, onSize }) {
+  const layer = createLayer(canvas);
+  const changed = watch();
+  /** @type {Size} */
+  let size = { width: 0, height: 0 };
+  /** @type {PictureModel | null} */
+  let model = null;
+
+  const placeOf = (/** @type {Posture} */ goal) => {
+    const scale = Math.min(size.width, size.height) / (2 * (radius + margin));
+    return {
+      scale,
+      at: (/** @type {Posture} */ { x, y }) => ({
+        px: size.width / 2 + (x - goal.x) * scale,
+        py: size.height / 2 - (y - goal.y) * scale,
+      }),
+    };
+  };
+
+  /** Known at once, because a second key may come before the next frame. @param {PictureModel} from @param {Posture} tried */
+  const drive = (from, tried) => {
+    model = { ...from, tried };
+    onTry(tried);
+  };
+
+  new ResizeObserver(() => {
+    size = { width: canvas.clientWidth, height: canvas.clientHeight };
+    onSize();
+  }).observe(canvas);
+
+  canvas.addEventListener('click', ({ offsetX, offsetY }) => {
+    if (!model) return;
+    const { at } = placeOf(model.goal);
+    const distances = model.starts.map((start) => {
+      const { px, py } = at(start);
+      return Math.hypot(px - offsetX, py - offsetY);
+    });
+    const least = Math.min(...distances);
+    if (least <= nearest) drive(model, model.starts[distances.indexOf(least)]);
+  });
+
+  canvas.addEventListener('keydown', (event) => {
+    const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+    if (!model || !step || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    const { starts, tried } = model;
+    const now = starts.findIndex((start) => isSame(start, tried));
+    const next = now < 0 ? (step > 0 ? 0 : -1) : now + step;
+    drive(model, starts[(next + starts.length) % starts.length]);
+  });
+
+  return {
+    /** @param {PictureModel} next */
+    draw(next) {
+      model = next;
+      const { starts, arrived, goal, tried, theme } = next;
+      if (size.width === 0 || !changed(starts, arrived, goal, tried, theme, size)) return;
+      layer.clear(size);
+      drawStarts(layer.context, next, placeOf(goal));
+    },
+  };
+}
+
+/** @param {Posture} a @param {Posture | null} b */
+const isSame = (a, b) => b !== null && a.x === b.x && a.y === b.y && a.theta === b.theta;
+
+/**
+ * @param {CanvasRenderingContext2D} context @param {PictureModel} model
+ * @param {{ scale: number, at: (posture: Posture) => { px: number, py: number } }} place
+ */
+function drawStarts(context, { starts, arrived, goal, tried }, { scale, at }) {
+  const [ink, muted, paper] = ['--ink', '--muted', '--paper'].map(colour);
+  // As large as fits, so that one does not hide the next.
+  const size = starts.length > 100 ? Math.max(2.6, 0.095 * scale) : Math.max(6, 0.22 * scale);
+  context.lineJoin = 'round';
+  for (const [i, start] of starts.entries()) {
+    const { px, py } = at(start);
+    kite(context, px, py, start.theta, size);
+    if (arrived?.[i]) {
+      context.fillStyle = ink;
+      context.fill();
+    } else {
+      context.strokeStyle = muted;
+      context.lineWidth = starts.length > 100 ? 0.6 : 1.25;
+      context.globalAlpha = starts.length > 100 ? 0.75 : 1;
+      context.stroke();
+      context.globalAlpha = 1;
+    }
+  }
+  const { px, py } = at(goal);
+  kite(context, px, py, goal.theta, 12);
+  context.fillStyle = paper;
+  context.strokeStyle = ink;
+  context.lineWidth = 2;
+  context.fill();
+  context.stroke();
+  const current = starts.find((start) => isSame(start, tried));
+  if (!current) return;
+  const place = at(current);
+  for (const [stroke, width] of /** @type {const} */ ([
+    [paper, 5],
+    [ink, 2],
+  ])) {
+    context.beginPath();
+    context.arc(place.px, place.py, size + 5, 0, 2 * Math.PI);
+    context.strokeStyle = stroke;
+    context.lineWidth = width;
+    context.stroke();
+  }
+}

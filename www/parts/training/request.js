@@ -1,0 +1,217 @@
+// Asking the workers: to evolve gains on each set of starts, and to drive all gains from starts that no evolution sees.
+import { messageOf } from '../../words/errors.js';
+import { createRefining } from '../../core/refine.js';
+import { gainsOf, remember } from '../../run/state.js';
+import { createSets, setNames } from './sets.js';
+
+/** @typedef {import('../../core/engine.js').Engine} Engine */
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
+/** @typedef {import('../../core/engine.js').Posture} Posture */
+/** @typedef {import('../../run/state.js').Preset} Preset */
+/** @typedef {import('../../run/state.js').State} State */
+/** @typedef {import('../../run/state.js').Store} Store */
+/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/surveys.js').SurveyOptions} SurveyOptions */
+/** @typedef {import('./sets.js').SetName} SetName */
+/** @typedef {SetName | 'paper-ep' | 'paper-arbitrary' | 'hand'} RowName */
+/** How gains fare from a set of starts; J is the mean over all of them. @typedef {{ starts: Posture[], arrived: Uint8Array, count: number, cost: number }} Fares */
+/** @typedef {{ gains: Triple, training: Fares, unseen: Fares, own: number }} Result `own` is J from the experiment's own start. */
+/** @typedef {{ name: RowName, gains: Triple, starts: Posture[] }} Robot */
+/** @typedef {{ experiment: Experiment, generations: number, drives: number, milliseconds: number, results: Record<SetName, Result> }} Evolved */
+/** @typedef {{ experiment: Experiment, robots: Robot[] }} Spec */
+
+/**
+ * @typedef {object} TrainingState
+ * @property {number} generations
+ * @property {RowName | null} chosen
+ * @property {number | null} progress From 0 to 1; null: nothing is evolved now.
+ * @property {boolean} cancelled
+ * @property {string} message
+ * @property {Evolved | null} evolved
+ * @property {{ spec: Spec, results: Partial<Record<RowName, Result>> } | null} given What was not evolved here.
+ * @property {Triple | null} byHand Gains by hand, kept while a row of the table drives.
+ */
+
+/** @type {TrainingState} */
+export const firstTraining = {
+  generations: 100,
+  chosen: null,
+  progress: null,
+  cancelled: false,
+  message: '',
+  evolved: null,
+  given: null,
+  byHand: null,
+};
+
+export const lengths = [50, 100, 200];
+
+/** @param {Store} store @param {Partial<TrainingState>} patch */
+export const update = (store, patch) => store.update({ training: { ...store.get().training, ...patch } });
+
+/** @param {Triple} a @param {Triple} b */
+const isSame = (a, b) => a.every((gain, i) => gain === b[i]);
+
+/** The gains by hand that are not those of an evolved row. @param {Pick<State, 'handGains' | 'training'>} state */
+export function handOf({ handGains, training: { evolved, byHand } }) {
+  const isRow = Object.values(evolved?.results ?? {}).some(
+    ({ gains }) => handGains && isSame(gains, handGains),
+  );
+  return isRow ? byHand : handGains;
+}
+
+/** A population of one, because who drives from many starts here is not evolved on them. @param {Experiment} experiment @param {Posture[]} starts @returns {Experiment} */
+const testOn = (experiment, starts) => ({
+  ...experiment,
+  starts,
+  evolution: { ...experiment.evolution, population: 1 },
+});
+
+/**
+ * How robots fare from their own starts, from those that no evolution sees, and from the experiment's own.
+ * @param {Engine} engine @param {import('./sets.js').Sets} sets @param {Experiment} experiment @param {Robot[]} robots @param {SurveyOptions} [options]
+ * @returns {Promise<Record<string, Result>>}
+ */
+export async function testRobots(engine, { one, unseen }, experiment, robots, options) {
+  const drives = robots.flatMap(({ gains, starts }) =>
+    [starts, unseen, one].map((from) => /** @type {const} */ ([testOn(experiment, from), gains])),
+  );
+  const all = await engine.surveys.fares(drives, options);
+  const fares = all.map(({ arrived, cost }, i) => ({
+    starts: drives[i][0].starts,
+    arrived,
+    count: arrived.reduce((sum, one) => sum + one, 0),
+    cost: cost.reduce((sum, one) => sum + one, 0) / cost.length,
+  }));
+  return Object.fromEntries(
+    robots.map(({ name, gains }, i) => {
+      const [training, apart, own] = fares.slice(3 * i, 3 * i + 3);
+      return [name, { gains, training, unseen: apart, own: own.cost }];
+    }),
+  );
+}
+
+/** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
+export function createTraining(engine, store, paper) {
+  const setsOf = createSets(engine);
+  /** @type {AbortController | null} */
+  let evolution = null;
+  /** @type {ReturnType<Engine['surveys']['channel']> | null} */
+  let channel = null;
+
+  const given = createRefining({
+    counts: [1],
+    compute: async (/** @type {Spec} */ spec) => {
+      channel ??= engine.surveys.channel();
+      const { experiment, robots } = spec;
+      return { spec, results: await testRobots(engine, setsOf(experiment), experiment, robots, { channel }) };
+    },
+    onResult: (result) => update(store, { given: result, message: '' }),
+    onFailure: (message) => update(store, { message }),
+  });
+
+  const specOf = remember(
+    /** @returns {Spec} */
+    (
+      /** @type {Experiment} */ experiment,
+      /** @type {Triple} */ ep,
+      /** @type {Triple} */ arbitrary,
+      /** @type {Triple | null} */ hand,
+    ) => {
+      const robot = (/** @type {RowName} */ name, /** @type {Triple} */ gains) => ({
+        name,
+        gains,
+        starts: experiment.starts,
+      });
+      return {
+        experiment,
+        robots: [
+          robot('paper-ep', ep),
+          robot('paper-arbitrary', arbitrary),
+          ...(hand ? [robot('hand', hand)] : []),
+        ],
+      };
+    },
+  );
+
+  /** @param {Experiment} experiment @param {number} generations @param {AbortSignal} signal @returns {Promise<Evolved>} */
+  async function evolveAll(experiment, generations, signal) {
+    const began = performance.now();
+    const sets = setsOf(experiment);
+    const total = setNames.reduce((sum, name) => sum + sets[name].length, 0);
+    const done = setNames.map(() => 0);
+    const champions = await Promise.all(
+      setNames.map((name, i) =>
+        engine.surveys.evolve({ ...experiment, starts: sets[name] }, generations, {
+          signal,
+          onProgress(part) {
+            // Work goes by the number of starts.
+            done[i] = (part * sets[name].length) / total;
+            update(store, { progress: done.reduce((sum, one) => sum + one, 0) });
+          },
+        }),
+      ),
+    );
+    const robots = setNames.map((name, i) => ({ name, gains: champions[i].gains, starts: sets[name] }));
+    const results = /** @type {Record<SetName, Result>} */ (
+      await testRobots(engine, sets, experiment, robots, { signal })
+    );
+    return {
+      experiment,
+      generations,
+      drives: champions.reduce((sum, { evaluations }) => sum + evaluations, 0),
+      milliseconds: performance.now() - began,
+      results,
+    };
+  }
+
+  return {
+    setsOf,
+
+    /** @param {State} state */
+    follow(state) {
+      const [ep, arbitrary] = /** @type {const} */ (['paper-ep', 'paper-arbitrary']).map((driver) =>
+        gainsOf(state, driver, paper),
+      );
+      given.follow(specOf(state.experiment, ep, arbitrary, handOf(state)), state.dragging);
+    },
+
+    /** On each set of starts, with the experiment's own seed and settings. @returns {Promise<boolean>} whether it came to its end */
+    async evolve() {
+      evolution = new AbortController();
+      const { signal } = evolution;
+      const { experiment, training } = store.get();
+      update(store, { progress: 0, cancelled: false, message: '' });
+      try {
+        const evolved = await evolveAll(experiment, training.generations, signal);
+        update(store, { byHand: handOf(store.get()), progress: null });
+        update(store, { evolved });
+        return true;
+      } catch (error) {
+        const cancelled = signal.aborted;
+        evolution.abort();
+        update(store, { progress: null, cancelled, message: cancelled ? '' : messageOf(error) });
+        return false;
+      }
+    },
+
+    /** What was evolved last stays. */
+    cancel() {
+      evolution?.abort();
+    },
+  };
+}
+
+/** What is another one than when the gains were evolved. @param {Experiment} then @param {Experiment} now @returns {('start' | 'goal' | 'limits' | 'seed' | 'settings')[]} */
+export function changesOf(then, now) {
+  if (then === now) return [];
+  const split = (/** @type {Experiment} */ experiment) => {
+    const { starts, goal, limits, evolution, ...rest } = experiment;
+    const { seed, ...evolving } = evolution;
+    return { start: starts, goal, limits, seed, settings: { ...rest, evolving } };
+  };
+  const [before, after] = [split(then), split(now)];
+  const names = /** @type {const} */ (['start', 'goal', 'limits', 'seed', 'settings']);
+  return names.filter((name) => JSON.stringify(before[name]) !== JSON.stringify(after[name]));
+}

@@ -1,0 +1,54 @@
+// An exercise: a task in the words of who made the link, and which controls are locked or hidden for who follows it.
+
+/** @typedef {import('./state.js').State} State */
+/** @typedef {typeof groupNames[number]} Group Controls that are locked or hidden together. */
+/** @typedef {'free' | 'locked' | 'hidden'} Way */
+/** @typedef {{ task: string, locked: readonly Group[], hidden: readonly Group[] }} Exercise What is in both is hidden. */
+/** @typedef {{ open: boolean, draft: Exercise }} MakerState An exercise in the making, which the page shows as it will be. */
+
+export const groupNames = /** @type {const} */ ([
+  'gains',
+  'drives',
+  'paper',
+  'postures',
+  'run',
+  'seed',
+  'clock',
+  'settings',
+  'parts',
+  'lesson',
+  'share',
+]);
+
+/** @type {Exercise} */
+export const noExercise = Object.freeze({ task: '', locked: [], hidden: [] });
+/** @type {MakerState} */
+export const firstMaker = { open: false, draft: noExercise };
+
+/** A task is read beside the figure: longer ones belong on a page of their own. In UTF-16 units, as fields count them. */
+export const mostOfTask = 300;
+
+/** In one line, without what is no text or turns text around. @param {string} text */
+export const tidyTask = (text) =>
+  text
+    .replace(/\p{Cs}|[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/gu, '')
+    .replace(/[\p{Cc}\s]+/gu, ' ')
+    .trim();
+
+/** The exercise that the page shows: the link's, or the one in the making. @param {Pick<State, 'exercise' | 'maker'>} state */
+export const shownExercise = ({ exercise, maker }) => (maker.open ? maker.draft : exercise);
+
+/** @param {Exercise} exercise @param {Group} group @returns {Way} */
+export const wayOf = ({ locked, hidden }, group) =>
+  hidden.includes(group) ? 'hidden' : locked.includes(group) ? 'locked' : 'free';
+
+/** @param {Exercise} exercise @param {Group} group @param {Way} way @returns {Exercise} */
+export function withWay(exercise, group, way) {
+  const inOrder = (/** @type {Way} */ wanted) =>
+    groupNames.filter((name) => (name === group ? way : wayOf(exercise, name)) === wanted);
+  return { ...exercise, locked: inOrder('locked'), hidden: inOrder('hidden') };
+}
+
+/** @param {Exercise} exercise */
+export const isEmpty = ({ task, locked, hidden }) =>
+  tidyTask(task) === '' && locked.length === 0 && hidden.length === 0;

@@ -1,0 +1,69 @@
+// A run as tables for other programs. Headers carry the units; numbers have all their digits.
+
+/** @typedef {import('../core/engine.js').Run} Run */
+/** @typedef {import('../core/engine.js').Stability} Stability */
+/** @typedef {import('../core/engine.js').Statistics} Statistics */
+
+/** Lines that say where the numbers come from, which readers of tables can skip. @typedef {readonly string[]} Origin */
+
+/** @param {Statistics[]} history @param {Origin} origin */
+export function generationsCsv(history, origin) {
+  const header = [
+    'generation',
+    'drives',
+    'J best',
+    'J median',
+    'J worst',
+    'kx (1/s)',
+    'ky (1/(m^2 s))',
+    'ktheta (rad/s)',
+    'mean sigma_x (1/s)',
+    'mean sigma_y (1/(m^2 s))',
+    'mean sigma_theta (rad/s)',
+  ];
+  const rows = history.map(({ generation, evaluations, best, median, worst, meanSigmas }) => [
+    generation,
+    evaluations,
+    best.cost,
+    median,
+    worst,
+    ...best.gains,
+    ...meanSigmas,
+  ]);
+  return csv(origin, header, rows);
+}
+
+/** @param {Run} run @param {Stability} stability Of the same run. @param {Origin} origin */
+export function driveCsv(run, stability, origin) {
+  /** @type {readonly (readonly [string, Float64Array])[]} */
+  const columns = [
+    ['t (s)', run.time],
+    ['x (m)', run.x],
+    ['y (m)', run.y],
+    ['theta (rad)', run.theta],
+    ['v (m/s)', run.linear],
+    ['omega (rad/s)', run.angular],
+    ['v commanded (m/s)', run.commandLinear],
+    ['omega commanded (rad/s)', run.commandAngular],
+    ['x_e (m)', stability.errorX],
+    ['y_e (m)', stability.errorY],
+    ['theta_e (rad)', stability.errorTheta],
+    ['V (m^2)', stability.lyapunov],
+    ['dV/dt promised on x_e (m^2/s)', stability.promisedX],
+    ['dV/dt promised on y_e (m^2/s)', stability.promisedY],
+    ['dV/dt promised on theta_e (m^2/s)', stability.promisedTheta],
+    ['dV/dt (m^2/s)', stability.rate],
+  ];
+  const rows = Array.from(run.time, (_, i) => columns.map(([, values]) => values[i]));
+  return csv(
+    origin,
+    columns.map(([name]) => name),
+    rows,
+  );
+}
+
+/** @param {Origin} origin @param {readonly string[]} header @param {readonly (readonly number[])[]} rows */
+const csv = (origin, header, rows) =>
+  [...origin.map((line) => `# ${line}`), header.join(','), ...rows.map((row) => row.join(','))]
+    .map((line) => `${line}\r\n`)
+    .join('');
