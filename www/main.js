@@ -1,7 +1,7 @@
 // Wires the page: experiment → engine → views. The views get numbers and draw them.
 import { createActions, firstState } from './run/actions.js';
 import { createAddress } from './link/address.js';
-import { createAccumulator, createFrameLoop } from './lab/bars.js';
+import { createAccumulator, createFrameLoop } from './kit/loop.js';
 import { createChecks } from './share/checks/dialog.js';
 import { createEngine } from './core/engine.js';
 import { createCurvesPage } from './parts/curves/page.js';
@@ -22,14 +22,15 @@ import { createLesson } from './lesson/page.js';
 import { linkOfStep } from './lesson/steps.js';
 import { createLuckPage } from './parts/luck/page.js';
 import { createRobustnessPage } from './parts/robustness/page.js';
-import { advanceRobot, createScene, createStore, endsOf, gainsOf, pausesAt, remember } from './run/state.js';
+import { advanceRobot, createScene, createStore, endsOf, gainsOf, pausesAt } from './run/state.js';
 import { createPinButton } from './lab/pin-button.js';
 import { createSettingsPanel } from './settings/panel.js';
 import { createTables } from './lab/tables.js';
 import { curves as curveWords, lab as strings } from './words/index.js';
 import { createTrainingPage } from './parts/training/page.js';
+import { remember } from './kit/memo.js';
 import { createView } from './kit/transform.js';
-import { byId } from './kit/elements.js';
+import { byId, followSize } from './kit/elements.js';
 import { createViews, fillTexts, showMessage } from './lab/views.js';
 
 /** @typedef {import('./run/actions.js').Actions} Actions */
@@ -144,10 +145,9 @@ function start(engine) {
 /** @param {Store} store @param {() => void} redraw */
 function followSurroundings(store, redraw) {
   const plane = byId('plane');
-  const measure = () => store.update({ size: { width: plane.clientWidth, height: plane.clientHeight } });
-  new ResizeObserver(measure).observe(plane);
+  const sizeOf = followSize(plane, (size) => store.update({ size }));
   // Another pixel density comes without another size.
-  addEventListener('resize', measure);
+  addEventListener('resize', () => store.update({ size: { ...sizeOf() } }));
   // At once, because a printer does not wait for the next frame.
   for (const media of ['(prefers-color-scheme: dark)', 'print'])
     matchMedia(media).addEventListener('change', redraw);

@@ -1,8 +1,8 @@
 // The page as a figure in a frame of another page: its foot, the height it asks for, and what it says to its host.
-import { byId, create } from '../kit/elements.js';
+import { byId, create, svg } from '../kit/elements.js';
 import { noExercise } from '../run/exercise.js';
 import { linkOf } from '../link/link.js';
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { embed as words, texts } from '../words/index.js';
 import { addressOf } from '../kit/host.js';
 import { version, wantedHeight } from './frame.js';
@@ -82,17 +82,8 @@ const icons = {
 function createFullScreen() {
   const button = /** @type {HTMLButtonElement} */ (create('button', 'icon'));
   Object.assign(button, { type: 'button', id: 'embed-screen' });
-  const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-  const picture = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  for (const [name, value] of [
-    ['viewBox', '0 0 16 16'],
-    ['width', '14'],
-    ['height', '14'],
-    ['aria-hidden', 'true'],
-  ])
-    picture.setAttribute(name, value);
-  picture.append(path);
-  button.append(picture);
+  const path = svg('path', {});
+  button.append(svg('svg', { viewBox: '0 0 16 16', width: 14, height: 14, 'aria-hidden': 'true' }, path));
   const draw = () => {
     const isFull = document.fullscreenElement !== null;
     path.setAttribute('d', isFull ? icons.leave : icons.enter);

@@ -9,15 +9,28 @@ export function create(tag, className, ...children) {
   return element;
 }
 
+/** A new element of a picture. @param {string} tag @param {Record<string, string | number>} attributes @param {(Node | string)[]} children */
+export function svg(tag, attributes, ...children) {
+  const element = /** @type {SVGElement} */ (document.createElementNS('http://www.w3.org/2000/svg', tag));
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
+  return element;
+}
+
+/** Only what is new: a button whose text is replaced while it is held gets no click in WebKit. @param {Element} element @param {string} text */
+export function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
 /** A formula, every second piece of which is a subscript. @param {readonly string[]} pieces */
 export const formula = (pieces) => pieces.map((piece, i) => (i % 2 ? create('sub', '', piece) : piece));
 
-/** The size of an element in pixels, kept up to date. @param {HTMLElement} element @param {() => void} onResize */
+/** The size of an element in pixels, kept up to date. @param {HTMLElement} element @param {(size: { width: number, height: number }) => void} onResize */
 export function followSize(element, onResize) {
   let size = { width: 0, height: 0 };
   new ResizeObserver(() => {
     size = { width: element.clientWidth, height: element.clientHeight };
-    onResize();
+    onResize(size);
   }).observe(element);
   return () => size;
 }

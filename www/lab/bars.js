@@ -1,47 +1,10 @@
-// Two clocks that never meet: the robot's bar, evolution's bar, and the loop that turns real time into both.
-import { paces, watch } from '../run/state.js';
+// Two clocks that never meet: the robot's bar and evolution's bar.
+import { write } from '../kit/elements.js';
+import { watch } from '../kit/memo.js';
+import { paces } from '../run/state.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {import('../run/state.js').Until} Until */
-
-/** After a hidden tab or a long frame, no more than this much time is made up for. */
-const longestFrame = 0.25;
-
-/**
- * Calls `frame` once for each animation frame in which something was requested or is moving.
- * @param {(seconds: number) => boolean} frame Gets the real seconds since the last frame of an unbroken row; true asks for another.
- */
-export function createFrameLoop(frame) {
-  let requested = false;
-  let last = Number.NaN;
-  const run = (/** @type {number} */ now) => {
-    requested = false;
-    const seconds = Number.isNaN(last) ? 0 : Math.min(longestFrame, Math.max(0, (now - last) / 1000));
-    const again = frame(seconds);
-    last = again ? now : Number.NaN;
-    if (again) request();
-  };
-  const request = () => {
-    if (requested) return;
-    requested = true;
-    requestAnimationFrame(run);
-  };
-  return { request };
-}
-
-/** Whole generations out of real time. */
-export function createAccumulator() {
-  let owed = 0;
-  return {
-    /** @param {number} seconds @param {number} perSecond */
-    take(seconds, perSecond) {
-      owed += seconds * perSecond;
-      const whole = Math.floor(owed);
-      owed -= whole;
-      return whole;
-    },
-  };
-}
 
 /** @typedef {{ play: HTMLButtonElement, speed: HTMLSelectElement, clock: HTMLElement, scrub: HTMLInputElement }} RobotBarElements */
 /** @typedef {{ onPlay: () => void, onSpeed: (speed: number) => void, onScrub: (time: number) => void }} RobotBarEvents */
@@ -126,8 +89,7 @@ export function createEvolutionBar(elements, events) {
     draw(model) {
       if (!changed(...Object.values(model))) return;
       const verb = model.evolving ? strings.pauseEvolution : strings.run;
-      // A press in which the text is written again is no click in WebKit.
-      if (elements.run.textContent !== verb) elements.run.textContent = verb;
+      write(elements.run, verb);
       elements.generation.textContent = String(model.generation);
       elements.seed.textContent = String(model.seed);
       elements.note.textContent = model.note;

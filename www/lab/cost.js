@@ -1,5 +1,5 @@
 // J and its parts.
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {import('../core/engine.js').Run} Run */

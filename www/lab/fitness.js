@@ -12,7 +12,7 @@ import {
   spread,
   wholeSteps,
 } from '../kit/plot.js';
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {import('../core/engine.js').Statistics} Statistics */

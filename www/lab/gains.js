@@ -1,5 +1,5 @@
 // The three gains: a slider and a number for each.
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {import('../run/state.js').Triple} Triple */

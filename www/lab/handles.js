@@ -1,6 +1,7 @@
 // Start and goal in the hand: transparent buttons over the plane, for pointer, touch and keyboard.
 import { keepInside, knobOf } from '../kit/transform.js';
-import { watch } from '../run/state.js';
+import { arrowOf } from '../kit/keyboard.js';
+import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {import('../core/engine.js').Posture} Posture */
@@ -148,8 +149,9 @@ function turnedTo(view, posture, px, py) {
 
 /** @param {Posture} posture @param {KeyboardEvent} event @returns {Posture | null} */
 function movedByKey(posture, event) {
-  const [right, up] = directionOf(event.key);
-  if (!right && !up) return null;
+  const arrow = arrowOf(event.key);
+  if (!arrow) return null;
+  const [right, up] = arrow;
   if (event.shiftKey) return right ? { ...posture, theta: posture.theta - right * turn } : null;
   const step = event.altKey ? 0.01 : 0.1;
   return { ...posture, x: posture.x + right * step, y: posture.y + up * step };
@@ -157,17 +159,10 @@ function movedByKey(posture, event) {
 
 /** @param {Posture} posture @param {KeyboardEvent} event @returns {Posture | null} */
 function turnedByKey(posture, event) {
-  const [right, up] = directionOf(event.key);
-  const left = up - right;
-  return left ? { ...posture, theta: posture.theta + left * (event.altKey ? fineTurn : turn) } : null;
-}
-
-/** @param {string} key @returns {readonly [number, number]} */
-function directionOf(key) {
-  if (key === 'ArrowRight') return [1, 0];
-  if (key === 'ArrowLeft') return [-1, 0];
-  if (key === 'ArrowUp') return [0, 1];
-  return key === 'ArrowDown' ? [0, -1] : [0, 0];
+  const arrow = arrowOf(event.key);
+  if (!arrow) return null;
+  const left = arrow[1] - arrow[0];
+  return { ...posture, theta: posture.theta + left * (event.altKey ? fineTurn : turn) };
 }
 
 /** Whole centimetres and degrees, so that the numbers in the text are the numbers that drive. @param {Posture} posture @returns {Posture} */

@@ -1,5 +1,6 @@
 // The parts of the page: links to all, and only what belongs to the open one in sight.
-import { pageNames, watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
+import { pageNames } from '../run/state.js';
 import { lesson as lessonWords, lab as strings } from '../words/index.js';
 
 /** @typedef {import('../run/actions.js').Actions} Actions */

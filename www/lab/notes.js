@@ -1,7 +1,7 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
 import { createSwatch } from '../kit/swatch.js';
 import { isTracking } from '../core/reference.js';
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {import('../core/engine.js').Posture} Posture */

@@ -1,6 +1,7 @@
 // The button that pins the run on screen, beside the choice of who drives.
-import { byId, create } from '../kit/elements.js';
-import { gainsOf, watch } from '../run/state.js';
+import { byId, create, write } from '../kit/elements.js';
+import { watch } from '../kit/memo.js';
+import { gainsOf } from '../run/state.js';
 import { curves as words } from '../words/index.js';
 import { isFull, pinOf, withPin, withoutPin } from '../run/pins.js';
 
@@ -42,7 +43,7 @@ export function createPinButton({ store, paper }, sceneOf) {
       unpinText.hidden = !pin;
       pinText.hidden = pin !== undefined;
       const said = pin ? words.pinnedAs(pin.name) : isRefused && isFull(state.pins) ? words.noRoom : '';
-      if (note.textContent !== said) note.textContent = said;
+      write(note, said);
       note.classList.toggle('field-error', !pin && said !== '');
     },
   };

@@ -7,7 +7,7 @@ import { styles } from '../run/pins.js';
 import { drawMark } from '../kit/swatch.js';
 import { keepInside, knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {import('../kit/canvas.js').Layer} Layer */

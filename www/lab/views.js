@@ -2,7 +2,7 @@
 import { createEvolutionBar, createRobotBar } from './bars.js';
 import { createCost } from './cost.js';
 import { createCurve } from './fitness.js';
-import { byId } from '../kit/elements.js';
+import { byId, write } from '../kit/elements.js';
 import { createGains } from './gains.js';
 import { createHandles } from './handles.js';
 import { createNotes } from './notes.js';
@@ -19,7 +19,7 @@ import { createPages } from './navigation.js';
 /** @param {string} text */
 export function showMessage(text) {
   const message = byId('message');
-  if (message.textContent !== text) message.textContent = text;
+  write(message, text);
   message.hidden = text === '';
 }
 

@@ -1,6 +1,6 @@
 // The generation that is shown, taken apart for the lesson, and the pair that is in question there.
 import { chosenOf, dissect, isInitial } from '../parts/generation/record.js';
-import { remember } from '../run/state.js';
+import { remember } from '../kit/memo.js';
 
 /** @typedef {import('../core/engine.js').Engine} Engine */
 /** @typedef {import('../core/engine.js').GenerationRecord} GenerationRecord */

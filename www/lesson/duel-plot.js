@@ -2,7 +2,7 @@
 import uPlot from 'uplot';
 import { drawPath } from '../kit/swatch.js';
 import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../kit/plot.js';
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { generationsIn, longestOf, lowestOf } from './duel.js';
 
 /** @typedef {import('./duel.js').Duel} Duel */

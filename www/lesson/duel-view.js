@@ -1,7 +1,8 @@
 // The duel on the page: first your own drives until they are locked in, then how the three compare.
-import { create } from '../kit/elements.js';
+import { create, write } from '../kit/elements.js';
 import { messageOf } from '../words/errors.js';
-import { noTrial, watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
+import { noTrial } from '../run/state.js';
 import { isDuelOf, judge, lockedIn, longestOf, lowestOf, nextSeed, roundOf, scoreOf } from './duel.js';
 import { swatchOf } from '../kit/swatch.js';
 import { createDuelPlot, looks } from './duel-plot.js';
@@ -28,11 +29,6 @@ function button(id, className, act) {
   element.setAttribute('type', 'button');
   element.addEventListener('click', act);
   return element;
-}
-
-/** Only what is new: a button whose text is replaced while it is held gets no click in WebKit. @param {HTMLElement} element @param {string} text */
-function write(element, text) {
-  if (element.textContent !== text) element.textContent = text;
 }
 
 /** Your drives so far, and the button that locks them in. @param {Tools} tools @param {Words} words @returns {Block} */

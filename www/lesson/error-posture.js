@@ -1,20 +1,12 @@
 // The error posture on the plane: x_e and y_e as lengths along and across the goal's heading, θ_e as an angle at the robot.
+import { svg } from '../kit/elements.js';
 import { createView } from '../kit/transform.js';
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { symbolInText } from './symbols.js';
 
 /** @typedef {import('./page.js').Live} Live */
 
-const namespace = 'http://www.w3.org/2000/svg';
 const radius = 56;
-
-/** @param {string} tag @param {Record<string, string>} attributes @param {Element[]} children */
-function svg(tag, attributes, ...children) {
-  const element = document.createElementNS(namespace, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  element.append(...children);
-  return element;
-}
 
 /** @param {HTMLElement} root The svg, and beside it the labels. */
 export function createErrorPosture(root) {

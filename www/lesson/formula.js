@@ -1,5 +1,5 @@
 // Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
-import { create } from '../kit/elements.js';
+import { create, write } from '../kit/elements.js';
 import { lesson as words } from '../words/index.js';
 import { isSymbol, mathml, symbol } from './symbols.js';
 
@@ -55,7 +55,7 @@ export function createFormula({ label, build, filled = build, numbers }) {
     element,
     draw(live) {
       for (const [term, text] of Object.entries(numbers(live)))
-        for (const leaf of leaves.get(term) ?? []) if (leaf.textContent !== text) leaf.textContent = text;
+        for (const leaf of leaves.get(term) ?? []) write(leaf, text);
     },
   };
 }

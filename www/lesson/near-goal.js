@@ -1,6 +1,6 @@
 // The last centimetres: where a disturbed robot stays, and the strips in which Theorem 2 lets it.
-import { create } from '../kit/elements.js';
-import { watch } from '../run/state.js';
+import { create, svg } from '../kit/elements.js';
+import { watch } from '../kit/memo.js';
 
 /** @typedef {import('./page.js').Live} Live */
 /** @typedef {import('../core/engine.js').Posture} Posture */
@@ -13,28 +13,20 @@ const farthest = 6.4;
 /** Of the picture, from the middle to its edge. */
 const reach = 100;
 
-const namespace = 'http://www.w3.org/2000/svg';
-
-/** @param {string} tag @param {string} className @param {Record<string, string>} [attributes] */
-function svg(tag, className, attributes = {}) {
-  const element = document.createElementNS(namespace, tag);
-  element.setAttribute('class', className);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
-}
-
 /** @param {import('./page.js').Tools} tools @param {NearWords} words @returns {import('./page.js').Block} */
 export function createNearGoal({ actions }, { near: words }) {
-  const strips = svg('g', '');
-  const [stripX, stripY] = ['x', 'y'].map((part) => svg('rect', `near-set of-${part}`));
-  strips.append(stripY, stripX);
-  const calm = svg('path', 'near-calm');
-  const path = svg('path', 'near-path');
+  const [stripX, stripY] = ['x', 'y'].map((part) => svg('rect', { class: `near-set of-${part}` }));
+  const strips = svg('g', {}, stripY, stripX);
+  const calm = svg('path', { class: 'near-calm' });
+  const path = svg('path', { class: 'near-path' });
   const arrow = 'M13,0L-9,-8L-4,0L-9,8Z';
-  const goal = svg('path', 'near-end', { d: arrow });
-  const robot = svg('path', 'near-robot', { d: arrow });
-  const picture = svg('svg', '', { viewBox: `${-reach} ${-reach} ${2 * reach} ${2 * reach}`, role: 'img' });
-  picture.append(strips, calm, path, goal, robot);
+  const goal = svg('path', { class: 'near-end', d: arrow });
+  const robot = svg('path', { class: 'near-robot', d: arrow });
+  const picture = svg(
+    'svg',
+    { viewBox: `${-reach} ${-reach} ${2 * reach} ${2 * reach}`, role: 'img' },
+    ...[strips, calm, path, goal, robot],
+  );
   const caption = create('p', 'muted');
   const button = create('button', 'link', words.again);
   button.setAttribute('type', 'button');
@@ -45,10 +37,9 @@ export function createNearGoal({ actions }, { near: words }) {
   const element = create(
     'div',
     'near-goal',
-    create('div', 'near-picture'),
+    create('div', 'near-picture', picture),
     create('div', 'near-text', caption, button),
   );
-  element.firstElementChild?.append(picture);
   element.id = 'near-goal';
   const driveChanged = watch();
   const timeChanged = watch();

@@ -1,6 +1,7 @@
 // The lesson: the words of one step beside the lab's own views.
-import { byId, create } from '../kit/elements.js';
-import { gainsOf, watch } from '../run/state.js';
+import { byId, create, write } from '../kit/elements.js';
+import { watch } from '../kit/memo.js';
+import { gainsOf } from '../run/state.js';
 import { lesson as words } from '../words/index.js';
 import { createErrorPosture } from './error-posture.js';
 import { createFormula } from './formula.js';
@@ -162,8 +163,7 @@ function createStep(article, step, number, tools) {
           return;
         const known = step.values?.(live) ?? {};
         for (const element of values) {
-          const now = known[element.dataset.value ?? ''] ?? '–';
-          if (element.textContent !== now) element.textContent = now;
+          write(element, known[element.dataset.value ?? ''] ?? '–');
         }
       },
     },

@@ -1,6 +1,6 @@
 // The terms of the law (5) at the robots' clock: what each adds to v and to ω, what is asked for in all, and what the limits leave.
 import { create } from '../kit/elements.js';
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { signed } from '../words/numbers.js';
 import { lawTerms } from './formulas.js';
 import { row } from './notation.js';

@@ -1,6 +1,6 @@
 // The best by hand so far, in one line.
 import { create } from '../kit/elements.js';
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 
 /** @typedef {import('./tally.js').Tally} Tally */
 

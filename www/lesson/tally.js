@@ -1,5 +1,5 @@
 // How often somebody has driven by hand, and the best that came of it.
-import { remember } from '../run/state.js';
+import { remember } from '../kit/memo.js';
 
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../run/state.js').Scene} Scene */

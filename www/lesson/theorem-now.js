@@ -1,7 +1,7 @@
 // Which of the inequalities of Theorem 2 hold at the robot's clock, and what follows.
 import { create } from '../kit/elements.js';
 import { isInside, parts } from '../parts/disturbance/summary.js';
-import { watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { disturbance as names } from '../words/index.js';
 
 /** @typedef {import('./page.js').Live} Live */

@@ -1,6 +1,6 @@
 // The weights of J where the lesson speaks of them: the settings' own rows.
 import { create } from '../kit/elements.js';
-import { remember, watch } from '../run/state.js';
+import { remember, watch } from '../kit/memo.js';
 import { fieldPath, valueAt } from '../run/paths.js';
 import { createNumber } from '../settings/rows.js';
 import { table } from '../settings/table.js';

@@ -4,7 +4,8 @@ import { isEmbedded } from '../kit/host.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { linkOfStep } from '../lesson/steps.js';
 import { linkOf, openLink, withExercise } from './link.js';
-import { pageNames, watch } from '../run/state.js';
+import { watch } from '../kit/memo.js';
+import { pageNames } from '../run/state.js';
 import { language, languageOfAddress } from '../words/language.js';
 
 /** @typedef {import('../run/actions.js').Actions} Actions */

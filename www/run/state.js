@@ -1,5 +1,7 @@
 // The one state of the page, and what follows from it.
 
+import { remember } from '../kit/memo.js';
+
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../core/engine.js').Individual} Individual */
 /** @typedef {import('../core/engine.js').PaperResult} PaperResult */
@@ -134,35 +136,6 @@ export function createStore(initial, onChange) {
 }
 
 /** @typedef {ReturnType<typeof createStore>} Store */
-
-/**
- * The same function, computed anew only when an argument is another one.
- * @template {unknown[]} A @template R
- * @param {(...args: A) => R} compute
- * @returns {(...args: A) => R}
- */
-export function remember(compute) {
-  /** @type {{ args: A, value: R } | null} */
-  let last = null;
-  return (...args) => {
-    if (!last || args.some((arg, i) => arg !== last?.args[i])) last = { args, value: compute(...args) };
-    return last.value;
-  };
-}
-
-/**
- * True when it is called with other arguments than the last time.
- * @returns {(...args: unknown[]) => boolean}
- */
-export function watch() {
-  /** @type {unknown[] | null} */
-  let last = null;
-  return (...args) => {
-    const changed = !last || args.some((arg, i) => arg !== last?.[i]);
-    last = args;
-    return changed;
-  };
-}
 
 /**
  * The gains that someone drives with.

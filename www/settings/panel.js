@@ -1,6 +1,6 @@
 // The panel beside any part of the page in which every setting of the experiment can be changed.
 import { byId } from '../kit/elements.js';
-import { remember, watch } from '../run/state.js';
+import { remember, watch } from '../kit/memo.js';
 import { settings as words } from '../words/index.js';
 import { fieldPath, valueAt } from '../run/paths.js';
 import { createChoice, createNumber, typingMark } from './rows.js';

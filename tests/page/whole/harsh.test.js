@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
-import { createAccumulator, createFrameLoop } from '../../../www/lab/bars.js';
+import { createAccumulator, createFrameLoop } from '../../../www/kit/loop.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, memory } from '../harness/core.js';
 import { inHost, within } from '../harness/host.js';

@@ -1,5 +1,5 @@
 // Step 6: what is "good"? J, its parts and its weights.
-import { remember } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { costFormula } from '../formulas.js';
 import { entrantsOf, createStandings, gentle, winnerOf } from '../standings.js';

@@ -1,5 +1,5 @@
 // Step 10: J as a landscape, and where evolution walked in it.
-import { remember } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { lowestPoint } from '../lowest.js';

@@ -1,5 +1,5 @@
 // Step 3: the control law, term by term, and what each gain does alone.
-import { remember } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
 import { degreesText, fixed, signed } from '../../words/numbers.js';
 import { lawFormula } from '../formulas.js';
 import { createPushes } from '../pushes.js';

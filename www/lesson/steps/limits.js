@@ -1,5 +1,5 @@
 // Step 5: what the wheels cannot do, and what that does to the theory. Figures 4 to 7 of the paper.
-import { remember } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 
 /** @typedef {import('../page.js').Live} Live */

@@ -5,7 +5,7 @@ import { createSwatch } from '../../kit/swatch.js';
 import { createQuantity } from '../../settings/quantity.js';
 import { fieldPath, valueAt } from '../../run/paths.js';
 import { rows as settingRows } from '../../settings/table.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { curves as words, lab, settings as settingWords } from '../../words/index.js';
 
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */

@@ -1,6 +1,6 @@
 // The run in numbers, for who wants to read or to hear them; the row of the robots' clock is marked.
 import { sampleBefore } from '../../lab/plane.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { curves as words } from '../../words/index.js';
 import { paidUntil } from '../../core/paid.js';
 

@@ -5,7 +5,7 @@ import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
 import { sampleBefore } from '../../lab/plane.js';
 import { colour, sameDigits, spread } from '../../kit/plot.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { curves as words, lab } from '../../words/index.js';
 import { drawCursorDot, drawCursorLine, drawGrid, drawTimeAxis, line, pointsOf, through } from './axes.js';
 import { curvesOf, layoutOf } from './layout.js';

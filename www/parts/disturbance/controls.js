@@ -3,7 +3,7 @@ import { byId } from '../../kit/elements.js';
 import { createRow } from '../../lab/gains.js';
 import { messageOf } from '../../words/errors.js';
 import { createSegmented } from '../../kit/segmented.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { disturbance as words, lab } from '../../words/index.js';
 
 /** @typedef {import('../../lab/navigation.js').PageParts} PageParts */

@@ -1,6 +1,6 @@
 // The part of the page that shows what error remains under a disturbance, against the sets of Theorem 2.
 import { byId } from '../../kit/elements.js';
-import { remember, watch } from '../../run/state.js';
+import { remember, watch } from '../../kit/memo.js';
 import { disturbance as words } from '../../words/index.js';
 import { createControls } from './controls.js';
 import { createPlots } from './plots.js';

@@ -2,9 +2,10 @@
 import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
+import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/plot.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { disturbance as words } from '../../words/index.js';
 
 /** @typedef {import('./request.js').Measured} Measured */
@@ -39,16 +40,13 @@ function createPlot(part, root, onResize) {
   const lines = createLayer(root.appendChild(document.createElement('canvas')));
   const clock = createLayer(root.appendChild(document.createElement('canvas')));
   const isLast = part === 'theta';
-  let size = { width: 0, height: 0 };
-  new ResizeObserver(() => {
-    size = { width: root.clientWidth, height: root.clientHeight };
-    onResize();
-  }).observe(root);
+  const sizeOf = followSize(root, onResize);
   const linesChanged = watch();
   const clockChanged = watch();
   return {
     /** @param {PlotsModel} model @param {number} most The largest distance on the axis. */
     draw({ measured, time, theme }, most) {
+      const size = sizeOf();
       if (size.width === 0) return;
       const axes = axesOf(measured, size, part === 'theta' ? 1 : most, isLast);
       if (linesChanged(measured, most, size, theme)) {

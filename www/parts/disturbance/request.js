@@ -1,6 +1,7 @@
 // What is measured of a disturbed drive, and asking the workers for it.
 import { messageOf } from '../../words/errors.js';
-import { endsOf, gainsOf, remember, undisturbed, withDisturbance } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
+import { endsOf, gainsOf, undisturbed, withDisturbance } from '../../run/state.js';
 
 /** @typedef {import('../../core/engine.js').Engine} Engine */
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */

@@ -1,6 +1,6 @@
 // The table of what remains: a row for each part of the error, with its plot and its numbers.
 import { byId, create, formula } from '../../kit/elements.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { disturbance as words } from '../../words/index.js';
 import { parts } from './summary.js';
 

@@ -1,5 +1,6 @@
 // The density of N(0, 1) as a small picture, with the draw on it.
-const svgSpace = 'http://www.w3.org/2000/svg';
+import { svg } from '../../kit/elements.js';
+
 const width = 84;
 const height = 40;
 const base = height - 6;
@@ -16,22 +17,15 @@ const outline = Array.from({ length: 45 }, (_, i) => {
 
 /** @param {number | null} draw Null: nothing has been drawn yet. */
 export function createBell(draw) {
-  const picture = part('svg', { viewBox: `0 0 ${width} ${height}`, class: 'bell', 'aria-hidden': 'true' });
+  const picture = svg('svg', { viewBox: `0 0 ${width} ${height}`, class: 'bell', 'aria-hidden': 'true' });
   picture.append(
-    part('path', { d: `M${outline}`, class: 'density' }),
-    part('path', { d: `M0 ${base}H${width}M${width / 2} ${base}v4`, class: 'base' }),
+    svg('path', { d: `M${outline}`, class: 'density' }),
+    svg('path', { d: `M0 ${base}H${width}M${width / 2} ${base}v4`, class: 'base' }),
   );
   if (draw !== null)
     picture.append(
-      part('path', { d: `M${x(draw)} ${base}V${Math.min(y(draw), base - 8)}`, class: 'draw' }),
-      part('circle', { cx: String(x(draw)), cy: String(base), r: '3.5', class: 'drawn' }),
+      svg('path', { d: `M${x(draw)} ${base}V${Math.min(y(draw), base - 8)}`, class: 'draw' }),
+      svg('circle', { cx: String(x(draw)), cy: String(base), r: '3.5', class: 'drawn' }),
     );
   return picture;
-}
-
-/** @param {string} name @param {Record<string, string>} attributes */
-function part(name, attributes) {
-  const element = document.createElementNS(svgSpace, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  return element;
 }

@@ -1,6 +1,6 @@
 // What the chosen individual went through in a phase, in the numbers of the record.
 import { create } from '../../kit/elements.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { generation as words, lab } from '../../words/index.js';
 import { createBell } from './bell.js';
 import { isInitial, partnerOf, winsBout } from './record.js';

@@ -1,7 +1,8 @@
 // The part of the page that shows one generation phase by phase, and what its controls do.
 import { byId, create } from '../../kit/elements.js';
 import { createSegmented } from '../../kit/segmented.js';
-import { playsPhases, watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
+import { playsPhases } from '../../run/state.js';
 import { generation as words } from '../../words/index.js';
 import { createDetails } from './details.js';
 import { createPicture } from './picture.js';

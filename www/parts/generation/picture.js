@@ -1,7 +1,9 @@
 // The picture of a generation: every individual is a mark that keeps its height, its J, through all phases.
 import { tickStep, ticks as ticksOf } from 'd3-array';
+import { followSize, svg } from '../../kit/elements.js';
+import { isChord } from '../../kit/keyboard.js';
 import { sameDigits } from '../../kit/plot.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { generation as words } from '../../words/index.js';
 import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
 import { isInitial, winsBout } from './record.js';
@@ -13,7 +15,6 @@ import { isInitial, winsBout } from './record.js';
 /** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, still: boolean }} PictureModel Still: nobody has asked for motion. */
 /** @typedef {{ model: PictureModel, size: Size, places: Place[] }} Drawn */
 
-const svgSpace = 'http://www.w3.org/2000/svg';
 /** More than that move too slowly, and nobody can follow them. */
 const mostMoving = 400;
 /** More lines than that hide what they lead to. */
@@ -62,11 +63,11 @@ export function createPicture(root, { onChoose }) {
     describe(root, model);
   };
 
-  new ResizeObserver(() => {
-    size = { width: root.clientWidth, height: root.clientHeight };
+  followSize(root, (now) => {
+    size = now;
     picture.setAttribute('viewBox', `0 0 ${size.width} ${size.height}`);
     if (latest) show(latest);
-  }).observe(root);
+  });
   /** @type {PictureModel | null} */
   let latest = null;
 
@@ -77,7 +78,7 @@ export function createPicture(root, { onChoose }) {
     if (number !== null) onChoose(number);
   });
   root.addEventListener('keydown', (event) => {
-    if (!drawn || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!drawn || isChord(event)) return;
     const { anatomy, phase, chosen } = drawn.model;
     const number = stepped(orderOf(anatomy, phase), chosen, event.key);
     if (number === null) return;
@@ -134,14 +135,6 @@ function describe(root, { anatomy, phase, chosen }) {
   root.setAttribute('aria-valuemax', String(order.length));
   root.setAttribute('aria-valuenow', String(Math.max(1, order.indexOf(chosen) + 1)));
   root.setAttribute('aria-valuetext', words.chosenText(anatomy, phase, chosen));
-}
-
-/** @param {string} name @param {Record<string, string | number>} attributes @param {string} [text] */
-function svg(name, attributes, text) {
-  const element = document.createElementNS(svgSpace, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  if (text !== undefined) element.textContent = text;
-  return element;
 }
 
 /** As many elements as there are things. @param {Element} layer @param {number} count @param {string} name @param {Record<string, string>} attributes */

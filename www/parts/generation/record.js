@@ -1,6 +1,6 @@
 // A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
 import { ascending } from 'd3-array';
-import { remember } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
 import { generation as words } from '../../words/index.js';
 
 /** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */

@@ -1,5 +1,6 @@
 // From phase to phase of a generation, and over its last one into the next: by hand, or by a clock.
-import { pausesAt, playsPhases, watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
+import { pausesAt, playsPhases } from '../../run/state.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
 
 /** @typedef {import('../../run/state.js').State} State */

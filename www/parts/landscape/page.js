@@ -1,5 +1,7 @@
 // The part of the page that shows J over two gains, and what its controls do.
-import { gainsOf, remember, watch } from '../../run/state.js';
+import { arrowOf, isChord } from '../../kit/keyboard.js';
+import { remember, watch } from '../../kit/memo.js';
+import { gainsOf } from '../../run/state.js';
 import { byId, followSize } from '../../kit/elements.js';
 import { lab, landscape as words } from '../../words/index.js';
 import { createLandscapeRequests, createSpec, gainNames, gainsAt, thirdOf } from './request.js';
@@ -140,12 +142,6 @@ function followPointer(store, actions, modelOf) {
 function followKeys(store, actions, modelOf) {
   const element = byId('landscape-map');
   element.setAttribute('aria-label', words.mapLabel);
-  const steps = /** @type {Record<string, readonly [number, number]>} */ ({
-    ArrowRight: [1, 0],
-    ArrowLeft: [-1, 0],
-    ArrowUp: [0, -1],
-    ArrowDown: [0, 1],
-  });
   element.addEventListener('keydown', (event) => {
     const model = modelOf();
     const { spec } = model;
@@ -160,14 +156,14 @@ function followKeys(store, actions, modelOf) {
       actions.driveGains(gainsAt(spec, /** @type {[number, number]} */ (from)), 'map');
       actions.driveAgain();
     } else if (event.key === 'Escape') update(store, { cursor: null });
-    const step = steps[event.key];
-    if (!step || event.ctrlKey || event.metaKey || event.altKey) return;
+    const step = arrowOf(event.key);
+    if (!step || isChord(event)) return;
     event.preventDefault();
     const pixels = event.shiftKey ? 40 : 4;
     update(store, {
       cursor: [
         tidy(axes.x.value(axes.x.at(from[0]) + step[0] * pixels)),
-        tidy(axes.y.value(axes.y.at(from[1]) + step[1] * pixels)),
+        tidy(axes.y.value(axes.y.at(from[1]) - step[1] * pixels)),
       ],
     });
   });

@@ -1,6 +1,7 @@
 // What the landscape shows, and asking the workers for it: coarse while something moves, fine when it rests.
 import { createRefining } from '../../core/refine.js';
-import { gainsOf, remember } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
+import { gainsOf } from '../../run/state.js';
 
 /** @typedef {import('../../core/engine.js').Engine} Engine */
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */

@@ -4,7 +4,7 @@ import { createLayer } from '../../kit/canvas.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
 import { drawMark } from '../../kit/swatch.js';
 import { shadeAt } from '../../kit/shades.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { landscape as words } from '../../words/index.js';
 import { endsOfAxis, gainNames } from './request.js';

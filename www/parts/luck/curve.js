@@ -2,7 +2,7 @@
 import uPlot from 'uplot';
 import { createLayer } from '../../kit/canvas.js';
 import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../../kit/plot.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { luck as words } from '../../words/index.js';
 import { diameterOf, nearestDot, stackDots } from './dots.js';
 

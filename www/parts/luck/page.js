@@ -1,6 +1,7 @@
 // The part of the page that runs evolution with many seeds: how much of a result is luck?
-import { byId } from '../../kit/elements.js';
-import { gainsOf, remember, watch } from '../../run/state.js';
+import { byId, write } from '../../kit/elements.js';
+import { remember, watch } from '../../kit/memo.js';
+import { gainsOf } from '../../run/state.js';
 import { luck as words } from '../../words/index.js';
 import { createSeedCurve } from './curve.js';
 import { createSeedRequests, drivesOf, isSameButSeed, update } from './request.js';
@@ -175,11 +176,6 @@ function createControls(store, { onRun, onTable, onRank, onOpen }) {
       open.hidden = !fresh;
     },
   };
-}
-
-/** Only what is new: a button whose text is replaced while it is held gets no click in WebKit. @param {HTMLElement} element @param {string} text */
-function write(element, text) {
-  if (element.textContent !== text) element.textContent = text;
 }
 
 /** @param {State} state */

@@ -1,9 +1,10 @@
 // The gains that the seeds ended with: a strip for each gain, one dot a seed.
 import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
+import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/plot.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { luck as words } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { drawDots, drawRing } from './curve.js';
@@ -66,10 +67,10 @@ export function createStrips(canvas, { onPoint, onChoose }) {
     }
   };
 
-  new ResizeObserver(() => {
-    size = { width: canvas.clientWidth, height: canvas.clientHeight };
+  followSize(canvas, (now) => {
+    size = now;
     draw();
-  }).observe(canvas);
+  });
 
   /** The seed whose dot is there. @param {PointerEvent | MouseEvent} event */
   const at = (event) => {

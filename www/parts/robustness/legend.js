@@ -1,7 +1,7 @@
 // What the colours of the map mean: a bar with its ticks, and the hatching where no robot arrives.
 import { createLayer } from '../../kit/canvas.js';
 import { shadeAt } from '../../kit/shades.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { robustness as words } from '../../words/index.js';
 import { hatch } from './view.js';
 

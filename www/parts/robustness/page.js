@@ -1,7 +1,9 @@
 // The part of the page that shows from where one set of gains arrives, and what its controls do.
-import { byId, followSize } from '../../kit/elements.js';
+import { byId, followSize, write } from '../../kit/elements.js';
 import { createSegmented } from '../../kit/segmented.js';
-import { endsOf, remember, watch } from '../../run/state.js';
+import { arrowOf, isChord } from '../../kit/keyboard.js';
+import { remember, watch } from '../../kit/memo.js';
+import { endsOf } from '../../run/state.js';
 import { lab, robustness as words } from '../../words/index.js';
 import {
   angleOf,
@@ -141,23 +143,17 @@ function followMap(store, actions, size) {
   });
   element.addEventListener('blur', () => update(store, { cursor: null }));
 
-  const steps = /** @type {Record<string, readonly [number, number]>} */ ({
-    ArrowRight: [1, 0],
-    ArrowLeft: [-1, 0],
-    ArrowUp: [0, 1],
-    ArrowDown: [0, -1],
-  });
   element.addEventListener('keydown', (event) => {
     const state = store.get();
     const { survey, cursor } = state.robustness;
-    if (!survey || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!survey || isChord(event)) return;
     const from = cursor ?? endsOf(state).start;
     if (event.key === 'Enter' || event.key === ' ') {
       event.preventDefault();
       update(store, { cursor: from });
       driveFrom(from);
     } else if (event.key === 'Escape') update(store, { cursor: null });
-    const step = steps[event.key];
+    const step = arrowOf(event.key);
     if (!step) return;
     event.preventDefault();
     const cells = event.shiftKey ? 8 : 1;
@@ -218,10 +214,6 @@ function createTexts() {
   ].map((name) => byId(`robustness-${name}`));
   const surveyChanged = watch();
   const readoutChanged = watch();
-  /** @param {HTMLElement} element @param {string} text */
-  const write = (element, text) => {
-    if (element.textContent !== text) element.textContent = text;
-  };
 
   return {
     /** @param {State} state @param {Scene} scene @param {{ spec: Spec, rivalSpec: Spec }} specs */

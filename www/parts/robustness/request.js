@@ -1,6 +1,7 @@
 // What the map shows, and asking the workers for it.
 import { createRefining } from '../../core/refine.js';
-import { gainsOf, remember } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
+import { gainsOf } from '../../run/state.js';
 import { gridAround, tally } from './grid.js';
 
 /** @typedef {import('../../core/engine.js').Engine} Engine */

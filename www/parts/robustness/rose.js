@@ -1,13 +1,14 @@
 // The headings of one place as a rose: which of them arrive; and a dial that chooses one.
+import { svg } from '../../kit/elements.js';
+import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { shadeAt } from '../../kit/shades.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { robustness as words } from '../../words/index.js';
 import { angleOf, headingNear, headings } from './grid.js';
 
 /** @typedef {{ heading: number | null, parts: readonly (number | null)[] }} RoseModel Of each heading the part of the scale; null where it does not arrive. */
 
 const radius = { inner: 24, outer: 52, reach: 60 };
-const svgSpace = 'http://www.w3.org/2000/svg';
 
 /** @param {HTMLElement} root @param {{ chosen: () => number | null, onChoose: (heading: number | null) => void }} events `chosen` is the newest, which may not be drawn yet. */
 export function createRose(root, { chosen, onChoose }) {
@@ -15,8 +16,7 @@ export function createRose(root, { chosen, onChoose }) {
   const petals = Array.from({ length: headings }, (_, heading) => svg('path', { d: petal(heading) }));
   const hand = svg('path', { class: 'hand', d: 'M18 0L-13 12L-6 0L-13 -12Z' });
   const ring = svg('circle', { class: 'ring', r: String(radius.reach), cx: '0', cy: '0' });
-  const all = svg('text', { 'text-anchor': 'middle', 'dominant-baseline': 'central' });
-  all.textContent = words.allShort;
+  const all = svg('text', { 'text-anchor': 'middle', 'dominant-baseline': 'central' }, words.allShort);
   picture.append(ring, ...petals, hand, all);
   root.replaceChildren(picture);
   root.setAttribute('aria-label', words.roseLabel(360 / headings));
@@ -24,11 +24,12 @@ export function createRose(root, { chosen, onChoose }) {
   root.setAttribute('aria-valuemax', String(360 - 360 / headings));
   followPointer(root, onChoose);
   root.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const step = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 }[event.key];
-    if (step === undefined && event.key !== 'Escape') return;
+    if (isChord(event)) return;
+    const arrow = arrowOf(event.key);
+    if (!arrow && event.key !== 'Escape') return;
     event.preventDefault();
-    onChoose(step === undefined ? null : ((chosen() ?? 0) + step + headings) % headings);
+    // Headings are counted to the left.
+    onChoose(arrow && ((chosen() ?? 0) + arrow[1] - arrow[0] + headings) % headings);
   });
 
   const changed = watch();
@@ -79,11 +80,4 @@ function petal(heading) {
   const [from, to] = [angleOf(heading) - half, angleOf(heading) + half];
   const { inner, outer } = radius;
   return `M${at(inner, from)}L${at(outer, from)}A${outer} ${outer} 0 0 0 ${at(outer, to)}L${at(inner, to)}Z`;
-}
-
-/** @param {string} name @param {Record<string, string>} attributes */
-function svg(name, attributes) {
-  const element = document.createElementNS(svgSpace, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  return element;
 }

@@ -4,7 +4,7 @@ import { createLayer } from '../../kit/canvas.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
 import { kite } from '../../lab/plane.js';
 import { colour } from '../../kit/plot.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { robustness as words } from '../../words/index.js';
 import { cellNear, startOf } from './grid.js';

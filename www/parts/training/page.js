@@ -1,6 +1,6 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
-import { byId } from '../../kit/elements.js';
-import { remember, watch } from '../../run/state.js';
+import { byId, write } from '../../kit/elements.js';
+import { remember, watch } from '../../kit/memo.js';
 import { training as words } from '../../words/index.js';
 import { createPicture } from './picture.js';
 import { changesOf, createTraining, handOf, lengths, update } from './request.js';
@@ -87,10 +87,8 @@ export function createTrainingPage({ engine, store, actions, paper }) {
       const around = isSet(chosen) && state.training.evolved ? state.training.evolved.experiment.goal : goal;
       for (const [i, { starts, arrived }] of [seen, unseen].entries()) {
         const { canvas, title, picture } = pictures[i];
-        if (title.textContent !== titles[i]) {
-          title.textContent = titles[i];
-          canvas.setAttribute('aria-label', words.pictureLabel(titles[i]));
-        }
+        write(title, titles[i]);
+        canvas.setAttribute('aria-label', words.pictureLabel(titles[i]));
         picture.draw({ starts, arrived, goal: around, tried: state.trial.start, theme: state.theme });
       }
     },
@@ -156,8 +154,7 @@ function createControls(store, onEvolve) {
       const runs = training.progress !== null;
       const changes = evolved ? changesOf(evolved.experiment, experiment) : [];
       const press = runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll;
-      // Only when it is another text: WebKit drops a press whose text is replaced while the pointer is down.
-      if (button.textContent !== press) button.textContent = press;
+      write(button, press);
       button.classList.toggle('primary', !runs);
       generations.value = String(training.generations);
       progress.classList.toggle('visually-hidden', !runs);

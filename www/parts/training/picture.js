@@ -1,8 +1,10 @@
 // A picture of starts around the goal: filled where the robot arrives, open where it does not.
 import { createLayer } from '../../kit/canvas.js';
+import { followSize } from '../../kit/elements.js';
+import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { kite } from '../../lab/plane.js';
 import { colour } from '../../kit/plot.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 
 /** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {{ width: number, height: number }} Size */
@@ -46,10 +48,10 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
     onTry(tried);
   };
 
-  new ResizeObserver(() => {
-    size = { width: canvas.clientWidth, height: canvas.clientHeight };
+  followSize(canvas, (now) => {
+    size = now;
     onSize();
-  }).observe(canvas);
+  });
 
   canvas.addEventListener('click', ({ offsetX, offsetY }) => {
     if (!model) return;
@@ -63,10 +65,11 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
   });
 
   canvas.addEventListener('keydown', (event) => {
-    const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-    if (!model || !step || event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrow = arrowOf(event.key);
+    if (!model || !arrow || isChord(event)) return;
     event.preventDefault();
     const { starts, tried } = model;
+    const step = arrow[0] - arrow[1];
     const now = starts.findIndex((start) => isSame(start, tried));
     const next = now < 0 ? (step > 0 ? 0 : -1) : now + step;
     drive(model, starts[(next + starts.length) % starts.length]);

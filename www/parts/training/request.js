@@ -1,7 +1,8 @@
 // Asking the workers: to evolve gains on each set of starts, and to drive all gains from starts that no evolution sees.
 import { messageOf } from '../../words/errors.js';
 import { createRefining } from '../../core/refine.js';
-import { gainsOf, remember } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
+import { gainsOf } from '../../run/state.js';
 import { createSets, setNames } from './sets.js';
 
 /** @typedef {import('../../core/engine.js').Engine} Engine */

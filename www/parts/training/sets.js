@@ -1,5 +1,5 @@
 // The starts that gains are evolved on, and those that no evolution sees. All lie around the goal and move with it.
-import { remember } from '../../run/state.js';
+import { remember } from '../../kit/memo.js';
 
 /** @typedef {import('../../core/engine.js').Engine} Engine */
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */

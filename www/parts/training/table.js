@@ -1,5 +1,6 @@
 // The table: one row for each set of gains, with how they fare.
-import { watch } from '../../run/state.js';
+import { write } from '../../kit/elements.js';
+import { watch } from '../../kit/memo.js';
 import { lab, training as words } from '../../words/index.js';
 
 /** @typedef {import('./request.js').Result} Result */
@@ -78,8 +79,7 @@ function createRow(name, onChoose) {
     /** @param {Row} model @param {boolean} chosen */
     draw({ text, result, old }, chosen) {
       if (!changed(text, result, old, chosen)) return;
-      // WebKit drops a press whose text is replaced while the pointer is down.
-      if (button.textContent !== text) button.textContent = text;
+      write(button, text);
       button.title = words.chooseHint(text);
       button.setAttribute('aria-pressed', String(chosen));
       row.classList.toggle('chosen', chosen);

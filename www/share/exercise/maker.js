@@ -5,7 +5,7 @@ import { addressOf } from '../../kit/host.js';
 import { copy } from '../../kit/copy.js';
 import { linkOf } from '../../link/link.js';
 import { createSegmented } from '../../kit/segmented.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { embed as embedWords, exercise as words, keep as keepWords } from '../../words/index.js';
 import { groupNames, isEmpty, mostOfTask, wayOf, withWay } from '../../run/exercise.js';
 

@@ -2,7 +2,7 @@
 import { byId } from '../../kit/elements.js';
 import { isEmbedded } from '../../kit/host.js';
 import { linkOf } from '../../link/link.js';
-import { watch } from '../../run/state.js';
+import { watch } from '../../kit/memo.js';
 import { exercise as words } from '../../words/index.js';
 import { groupNames, isEmpty, noExercise, shownExercise, tidyTask, wayOf } from '../../run/exercise.js';
 

@@ -6,7 +6,7 @@ import { symbolFont, textFont } from '../../../kit/fonts.js';
 import { drawMark } from '../../../kit/swatch.js';
 import { sampleBefore } from '../../../lab/plane.js';
 import { colour } from '../../../kit/plot.js';
-import { watch } from '../../../run/state.js';
+import { watch } from '../../../kit/memo.js';
 import { stability as words } from '../../../words/index.js';
 import { drawnOf, layoutOf } from './layout.js';
 import { risesOf } from './summary.js';

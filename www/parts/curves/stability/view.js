@@ -1,8 +1,8 @@
 // The Lyapunov function of the run on screen: V, what the law promises of its rate, and what the robot makes of that.
 import { followPointer, sampleTime } from '../axes.js';
-import { byId, create, followSize, formula } from '../../../kit/elements.js';
+import { byId, create, followSize, formula, write } from '../../../kit/elements.js';
 import { sampleBefore } from '../../../lab/plane.js';
-import { remember, watch } from '../../../run/state.js';
+import { remember, watch } from '../../../kit/memo.js';
 import { offer } from '../../../lab/tables.js';
 import { stability as words } from '../../../words/index.js';
 import { createPlots } from './plots.js';
@@ -57,8 +57,7 @@ export function createStability({ engine, store, actions }) {
       log.checked = curves.scale === 'log';
       if (textsChanged(driving, name)) {
         const summary = summaryOf(driving, experiment, gains);
-        const said = words.noteText(summary);
-        if (note.textContent !== said) note.textContent = said;
+        write(note, words.noteText(summary));
         lines.setAttribute('aria-label', words.pictureLabel(name, summary));
       }
       readout.draw(driving, experiment.law, time);

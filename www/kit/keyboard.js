@@ -1,0 +1,10 @@
+// What keys mean where something is moved with them.
+
+/** @type {Record<string, readonly [right: number, up: number]>} */
+const arrows = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** The direction of an arrow key, null for others. @param {string} key */
+export const arrowOf = (key) => arrows[key] ?? null;
+
+/** With these keys it means something to the browser. @param {KeyboardEvent} event */
+export const isChord = ({ ctrlKey, metaKey, altKey }) => ctrlKey || metaKey || altKey;

@@ -1,0 +1,40 @@
+// From the frames of the browser to the page's time.
+
+/** After a hidden tab or a long frame, no more than this much time is made up for. */
+const longestFrame = 0.25;
+
+/**
+ * Calls `frame` once for each animation frame in which something was requested or is moving.
+ * @param {(seconds: number) => boolean} frame Gets the real seconds since the last frame of an unbroken row; true asks for another.
+ */
+export function createFrameLoop(frame) {
+  let requested = false;
+  let last = Number.NaN;
+  const run = (/** @type {number} */ now) => {
+    requested = false;
+    const seconds = Number.isNaN(last) ? 0 : Math.min(longestFrame, Math.max(0, (now - last) / 1000));
+    const again = frame(seconds);
+    last = again ? now : Number.NaN;
+    if (again) request();
+  };
+  const request = () => {
+    if (requested) return;
+    requested = true;
+    requestAnimationFrame(run);
+  };
+  return { request };
+}
+
+/** Whole generations out of real time. */
+export function createAccumulator() {
+  let owed = 0;
+  return {
+    /** @param {number} seconds @param {number} perSecond */
+    take(seconds, perSecond) {
+      owed += seconds * perSecond;
+      const whole = Math.floor(owed);
+      owed -= whole;
+      return whole;
+    },
+  };
+}

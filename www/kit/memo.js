@@ -1,0 +1,30 @@
+// What is computed or drawn anew only when something has changed.
+
+/**
+ * The same function, computed anew only when an argument is another one.
+ * @template {unknown[]} A @template R
+ * @param {(...args: A) => R} compute
+ * @returns {(...args: A) => R}
+ */
+export function remember(compute) {
+  /** @type {{ args: A, value: R } | null} */
+  let last = null;
+  return (...args) => {
+    if (!last || args.some((arg, i) => arg !== last?.args[i])) last = { args, value: compute(...args) };
+    return last.value;
+  };
+}
+
+/**
+ * True when it is called with other arguments than the last time.
+ * @returns {(...args: unknown[]) => boolean}
+ */
+export function watch() {
+  /** @type {unknown[] | null} */
+  let last = null;
+  return (...args) => {
+    const changed = !last || args.some((arg, i) => arg !== last?.[i]);
+    last = args;
+    return changed;
+  };
+}
