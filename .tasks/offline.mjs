@@ -34,7 +34,7 @@ export function oneFile() {
       for (const [name, file] of Object.entries(bundle)) {
         if (file === page) continue;
         const tag = new RegExp(`<(script|link)[^>]*"\\./${name}"[^>]*>(</script>)?`);
-        const element = elementOf(name, file.type === 'chunk' ? file.code : String(file.source));
+        const element = elementOf(name, file.type === 'chunk' ? standalone(file.code) : String(file.source));
         if (element === null || !tag.test(html)) this.error(`${name} would stay outside of the one file`);
         html = html.replace(tag, () => element);
         delete bundle[name];
@@ -44,6 +44,9 @@ export function oneFile() {
     },
   };
 }
+
+/** Where something was to be loaded on demand, Vite leaves a name in which no file is listed: nothing is to be loaded first. @param {string} code */
+const standalone = (code) => code.replaceAll('__VITE_PRELOAD__', '[]');
 
 /** What takes the place of the tag that names a file; null if it is of no kind that we have. @param {string} name @param {string} text */
 function elementOf(name, text) {

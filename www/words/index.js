@@ -1,6 +1,4 @@
-// Every word on screen, in the language of the page. Every language has the same words: the types demand it.
-import * as en from './en/index.js';
-import * as ko from './ko/index.js';
+// Every word on screen, in the language of the page, which alone is loaded. Every language has the same words: the types demand it.
 import { language } from './language.js';
 
 /**
@@ -11,8 +9,12 @@ import { language } from './language.js';
 /** @template T @typedef {{ [Name in keyof T]: Alike<T[Name]> }} Words */
 /** @template T @typedef {{ [Part in keyof T]: Words<T[Part]> }} Parts */
 
-/** Neither language has a word that the other lacks. @type {Record<import('./language.js').Language, Parts<typeof en> & Parts<typeof ko>>} */
-const all = { en, ko };
+/** Neither language has a word that the other lacks. @typedef {Parts<typeof import('./en/index.js')> & Parts<typeof import('./ko/index.js')>} All */
+
+/** @type {Record<import('./language.js').Language, () => Promise<All>>} */
+const load = { en: () => import('./en/index.js'), ko: () => import('./ko/index.js') };
+
+const all = await load[language]();
 
 export const {
   checks,
@@ -35,10 +37,10 @@ export const {
   stability,
   tables,
   training,
-} = all[language];
+} = all;
 
 /** The texts that stand in index.html, by what its data-text, data-label and data-content say. @type {Record<string, string>} */
 export const texts = Object.assign(
   {},
-  ...Object.values(all[language]).map((words) => ('texts' in words ? words.texts : {})),
+  ...Object.values(all).map((words) => ('texts' in words ? words.texts : {})),
 );

@@ -11,6 +11,10 @@ export const fixed = (value, digits) => typed(value, digits).replace('-', '−')
 /** Three digits that count, as printed. @param {number} value */
 export const threeDigits = (value) => String(Number(value.toPrecision(3))).replace('-', '−');
 
+/** As an exponent is written. @param {number | string} whole */
+export const superscript = (whole) =>
+  Array.from(String(whole), (letter) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(letter)]).join('');
+
 /** @param {number} value */
 export function costText(value) {
   if (!Number.isFinite(value)) return '∞';

@@ -48,11 +48,23 @@ test('Korean has the words of English, and none of them is English', () => {
   }
 });
 
+const modules = readdirSync(source, { recursive: true, encoding: 'utf8' }).filter((name) =>
+  name.endsWith('.js'),
+);
+
+test('no language has anything of the other, so that one is loaded without the other', () => {
+  for (const name of modules) {
+    const own = /(^|[\\/])(en|ko|common)(?=[\\/]|\.js$)/.exec(name.replace(/^words/, ''))?.[2];
+    if (!own) continue;
+    const others = ['en', 'ko'].filter((language) => language !== own).join('|');
+    const text = readFileSync(join(source, name), 'utf8');
+    assert.doesNotMatch(text, new RegExp(`(from|import\\() ?'[^']*\\b(${others})(/|\\.js)`), name);
+  }
+});
+
 test('no view has words of its own language', () => {
-  const views = readdirSync(source, { recursive: true, encoding: 'utf8' }).filter(
-    // The element stands in pages of others, and has its language from them.
-    (name) => name.endsWith('.js') && !name.startsWith('words') && name !== join('embed', 'element.js'),
-  );
+  // The element stands in pages of others, and has its language from them.
+  const views = modules.filter((name) => !name.startsWith('words') && name !== join('embed', 'element.js'));
   assert.ok(views.length > 50);
   for (const name of views)
     assert.doesNotMatch(readFileSync(join(source, name), 'utf8'), /from '[^']*words\/(en|ko)\//, name);

@@ -193,7 +193,7 @@ function statusText({ luck, experiment }, fresh) {
   return [cancelled ? words.cancelled(result !== null) : '', stale].filter((text) => text !== '').join(' ');
 }
 
-/** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('../../words/en/luck.js').Change[]} */
+/** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('../../words/common/luck.js').Change[]} */
 function changesOf(then, now) {
   const named = /** @type {const} */ ([
     ['start', then.starts, now.starts],

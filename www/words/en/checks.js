@@ -1,5 +1,7 @@
 // Every word about the page's checks of its own numbers.
-import { powerText } from './generation.js';
+import { valuesText } from '../common/checks.js';
+
+export * from '../common/checks.js';
 
 /** @typedef {import('../../core/checks/check.js').Outcome} Outcome */
 /** @typedef {import('../../core/checks/check.js').Sentences} Sentences */
@@ -146,21 +148,6 @@ export const sentences = {
   ],
 };
 
-/** A number of a check: as many digits as it is checked for. @param {number | string} value @param {number} tolerance */
-function valueText(value, tolerance) {
-  if (typeof value === 'string') return value;
-  if (!Number.isFinite(value)) return String(value);
-  if (value !== 0 && Math.abs(value) < 1e-5) return powerText(value, 2).replace(/^1·/, '');
-  const digits = tolerance > 0 ? 1 - Math.round(Math.log10(tolerance)) : 7;
-  return String(Number(value.toPrecision(Math.min(digits, 15)))).replace('-', '−');
-}
-
-/** @param {Outcome['found']} values @param {Outcome} outcome */
-export const valuesText = (values, { units, tolerance }) =>
-  values
-    .map((value, i) => [valueText(value, tolerance), units[i]].filter((text) => text).join('\u00a0'))
-    .join(', ');
-
 /** What must come out. @param {Outcome} outcome */
 export function expectedText(outcome) {
   const values = valuesText(outcome.expected, outcome);
@@ -194,9 +181,6 @@ export function summary(failed, count, milliseconds) {
 
 /** @param {string} reason */
 export const unfinished = (reason) => `The checks could not be finished: ${reason}`;
-
-/** @param {string} version @param {string} browser */
-export const about = (version, browser) => `ep-locomotion ${version} · ${browser}`;
 
 export const copied = 'The text is copied.';
 export const notCopied = 'This browser lets no page copy: the text is selected, copy it by the keyboard.';

@@ -1,7 +1,10 @@
 // Every word of the curves, of the pinned runs, and of σ over the generations.
+import { numberColumnsOf, sigmaText } from '../common/curves.js';
 import { isTracking } from '../../core/reference.js';
 import { foundName } from './lab.js';
 import { costText, fixed, threeDigits } from './numbers.js';
+
+export * from '../common/curves.js';
 
 /** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
@@ -23,53 +26,7 @@ export const views = [
   { value: 'numbers', text: 'Numbers' },
 ];
 
-export const symbols = /** @type {const} */ ({
-  position: ['x', 'y'],
-  theta: ['θ'],
-  linear: ['v'],
-  angular: ['ω'],
-});
-export const units = /** @type {const} */ ({ position: 'm', theta: '', linear: 'm/s', angular: 'rad/s' });
-
 export const limit = 'limit';
-
-/** @param {string} name @param {string} number */
-export const tickText = (name, number) => `${number.replace('-', '−')}${name === 'theta' ? '°' : ''}`;
-
-/** @param {string} number */
-export const seconds = (number) => `${number} s`;
-
-/** A number that keeps its width as long as it can. @param {number} value @param {number} digits */
-const steady = (value, digits) =>
-  Math.abs(value) < 1e5 ? fixed(value, digits) : value.toExponential(1).replace('-', '−');
-
-/** What is read at the cursor. @type {readonly { id: string, symbol: string, className: string, unit: string, text: (run: Run, i: number, paid: number) => string }[]} */
-export const readings = [
-  { id: 'x', symbol: 'x', className: 'x', unit: ' m', text: (run, i) => steady(run.x[i], 2) },
-  { id: 'y', symbol: 'y', className: 'y', unit: ' m', text: (run, i) => steady(run.y[i], 2) },
-  {
-    id: 'theta',
-    symbol: 'θ',
-    className: 'theta',
-    unit: '°',
-    text: (run, i) => steady((run.theta[i] * 180) / Math.PI, 1),
-  },
-  {
-    id: 'linear',
-    symbol: 'v',
-    className: 'linear',
-    unit: ' m/s',
-    text: (run, i) => steady(run.linear[i], 2),
-  },
-  {
-    id: 'angular',
-    symbol: 'ω',
-    className: 'angular',
-    unit: ' rad/s',
-    text: (run, i) => steady(run.angular[i], 2),
-  },
-  { id: 'cost', symbol: 'J', className: 'cost-symbol', unit: '', text: (_, __, paid) => costText(paid) },
-];
 
 /** @param {string} name @param {Run} run @param {string} outcome @param {string} comparison @param {readonly string[]} pins */
 export const pictureLabel = (name, run, outcome, comparison, pins) =>
@@ -85,18 +42,11 @@ export const figureNote = (figure) =>
 export const numbersCaption = (name, step) =>
   `${name}: one row for every ${threeDigits(step)} s, and the end. v and ω are what the robot does from then on.`;
 
-/** @type {readonly { id: string, head: string, text: (run: Run, i: number, paid: number) => string }[]} */
-export const numberColumns = [
-  { id: 'time', head: 't s', text: (run, i) => fixed(run.time[i], 2) },
-  { id: 'x', head: 'x m', text: (run, i) => steady(run.x[i], 3) },
-  { id: 'y', head: 'y m', text: (run, i) => steady(run.y[i], 3) },
-  { id: 'theta', head: 'θ °', text: (run, i) => steady((run.theta[i] * 180) / Math.PI, 1) },
-  { id: 'linear', head: 'v m/s', text: (run, i) => steady(run.linear[i], 2) },
-  { id: 'command-linear', head: 'v asked', text: (run, i) => steady(run.commandLinear[i], 2) },
-  { id: 'angular', head: 'ω rad/s', text: (run, i) => steady(run.angular[i], 2) },
-  { id: 'command-angular', head: 'ω asked', text: (run, i) => steady(run.commandAngular[i], 2) },
-  { id: 'paid', head: 'J paid', text: (_, __, paid) => costText(paid) },
-];
+export const numberColumns = numberColumnsOf({
+  'command-linear': 'v asked',
+  'command-angular': 'ω asked',
+  paid: 'J paid',
+});
 
 export const pinThis = 'Pin this run';
 export const unpinThis = 'Unpin this run';
@@ -112,9 +62,6 @@ export const pinName = (driver, { generation, seed, gains, found }) =>
     'paper-ep': 'paper’s EP',
     'paper-arbitrary': 'paper’s arbitrary',
   })[driver];
-
-/** @param {string} name @param {number} count */
-export const again = (name, count) => `${name} (${count})`;
 
 export const noPinsText =
   'Pin a run with “Pin this run”, then evolve on, take another seed or setting, or drive by hand: here you see what differs.';
@@ -145,8 +92,6 @@ export const sameSettings = 'All settings are the same.';
 export const startsHead = 'Evolved from';
 /** @param {number} count */
 export const startsText = (count) => (count === 1 ? '1 start' : `${count} starts`);
-/** @param {number} value */
-export const gainText = (value) => threeDigits(value);
 export const curveLegend = 'Curve over the generations';
 /** @type {readonly import('../../kit/segmented.js').Choice<import('../../run/state.js').State['curves']['lab']>[]} */
 export const curveChoices = [
@@ -155,10 +100,6 @@ export const curveChoices = [
 ];
 export const sigmaTitle = 'Step sizes';
 export const sigmaAxis = 'mean σ';
-
-/** @param {number} value */
-export const sigmaText = (value) =>
-  value >= 0.001 ? threeDigits(value) : value.toExponential(1).replace('-', '−');
 
 /** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */
 export const sigmaLabel = (first, shown, gains) =>
@@ -170,9 +111,3 @@ export const sigmaLabel = (first, shown, gains) =>
 
 /** What stands before and after the name of a gain at its line. */
 export const sigmaOf = ['σ of ', ''];
-
-/** A power of ten as an axis shows it. @param {number} exponent */
-export const powerOfTen = (exponent) =>
-  exponent >= -2 && exponent <= 3
-    ? String(10 ** exponent)
-    : `10${[...String(exponent)].map((digit) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(digit)]).join('')}`;

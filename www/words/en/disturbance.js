@@ -1,11 +1,12 @@
 // Every word of the disturbance part.
+import { amount, crestSeconds, formulaText, parts, unitOf } from '../common/disturbance.js';
 import { fixed, threeDigits } from './numbers.js';
+
+export * from '../common/disturbance.js';
 
 /** @typedef {import('../../parts/disturbance/summary.js').PartName} PartName */
 /** @typedef {import('../../parts/disturbance/summary.js').Summary} Summary */
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
-
-const parts = /** @type {const} */ (['x', 'y', 'theta']);
 
 export const texts = {
   disturbanceTitle: 'Disturbance',
@@ -26,19 +27,6 @@ export const kinds = [
   { value: 'slip', text: 'Slip', hint: 'The same at every sample' },
 ];
 
-/** The rows of a kind, for the linear and the angular part. */
-export const sizes = /** @type {const} */ ({
-  random: [
-    { id: 'epsilon1', name: 'ε1', letter: 'ε', index: '1' },
-    { id: 'epsilon2', name: 'ε2', letter: 'ε', index: '2' },
-  ],
-  slip: [
-    { id: 'delta1', name: 'δ1', letter: 'δ', index: '1' },
-    { id: 'delta2', name: 'δ2', letter: 'δ', index: '2' },
-  ],
-});
-export const units = /** @type {const} */ (['m/s', 'rad/s']);
-
 /** @param {Experiment['disturbance']} disturbance */
 export const kindText = ({ kind, seed }) =>
   ({
@@ -50,45 +38,21 @@ export const kindText = ({ kind, seed }) =>
 /** @param {string} message */
 export const failed = (message) => `These are the last that could be measured: ${message}`;
 
-/** What each part is, the subscripts being every second piece. */
-export const formulas = /** @type {const} */ ({
-  x: ['|x', 'e', ' cos θ', 'e', '|'],
-  y: ['|y', 'e', '|'],
-  theta: ['|sin θ', 'e', '|'],
-});
-const unitOf = /** @type {const} */ ({ x: ' m', y: ' m', theta: '' });
-
 /** @param {PartName} part */
-export const formulaText = (part) => formulas[part].map((piece, i) => (i % 2 ? 'ₑ' : piece)).join('');
-
-/** @param {PartName} part */
-export const axisUnit = (part) => (unitOf[part] ? ` in${unitOf[part]}` : '');
-
-/** @param {number} value */
-export function sizeText(value) {
-  if (!Number.isFinite(value)) return '∞';
-  if (value < 100) return fixed(value, 3);
-  return value < 1e5 ? fixed(value, 0) : value.toExponential(0).replace('e+', 'e');
-}
+export const axisUnit = (part) => (unitOf[part] ? ` in ${unitOf[part]}` : '');
 
 /** @param {number} starts */
 export const startsText = (starts) => `${starts} other starts`;
-/** @param {number} inside @param {number} starts */
-export const insideText = (inside, starts) => `${inside}/${starts}`;
 /** @param {number} seconds */
 export const lastText = (seconds) => `last ${fixed(seconds, 0)} s`;
 /** @param {number} seconds */
 export const captionText = (seconds) => `largest of the last ${fixed(seconds, 0)} s; grey: undisturbed`;
 
-/** Of the other starts, the largest of each so many seconds is drawn. */
-export const crestSeconds = 0.2;
 export const legend = {
   drive: 'this drive',
   others: `other starts, largest of each ${crestSeconds} s`,
   set: 'set of Theorem 2: outside all three, V̇ < 0',
 };
-/** The equations of the sets. */
-export const equations = /** @type {const} */ ({ x: '(6)', y: '(7)', theta: '(8)' });
 export const equationHints = {
   x: 'ε1 / kx',
   y: 'the cube root of ε1 |sin θₑ| / ky',
@@ -98,11 +62,8 @@ export const equationHints = {
 /** @param {PartName} part @param {Summary} summary */
 export const plotLabel = (part, { rows, seconds, horizon }) => {
   const { drive, set } = rows[part];
-  return `${formulaText(part)} over ${fixed(horizon, 0)} s: in the last ${fixed(seconds, 0)} s this drive stays within ${sizeText(drive)}${unitOf[part]}; its set of Theorem 2 reaches to ${sizeText(set)}${unitOf[part]}.`;
+  return `${formulaText(part)} over ${fixed(horizon, 0)} s: in the last ${fixed(seconds, 0)} s this drive stays within ${amount(part, drive)}; its set of Theorem 2 reaches to ${amount(part, set)}.`;
 };
-
-/** @param {PartName} part @param {number} value */
-const amount = (part, value) => `${sizeText(value)}${unitOf[part]}`;
 
 /** What came out, in whole sentences. @param {Summary} summary */
 export function summaryText(summary) {

@@ -1,4 +1,5 @@
 // Every word of a figure in another page's frame, and of the dialog that writes the frame.
+export * from '../common/embed.js';
 
 export const texts = {
   embedTitle: 'Embed',
@@ -10,9 +11,6 @@ export const texts = {
 };
 
 export const sizeLegend = 'Size of the frame';
-
-/** @param {number} width @param {number} height */
-export const sizeText = (width, height) => `${width} × ${height}`;
 
 export const copied = 'The text is copied.';
 export const notCopied = 'This browser lets no page copy: the text is selected, copy it by the keyboard.';

@@ -1,5 +1,8 @@
 // Every word of the generation part.
+import { costWriter, digitsFor, powerText } from '../common/generation.js';
 import { costText, fixed } from './numbers.js';
+
+export * from '../common/generation.js';
 
 /** @typedef {import('../../parts/generation/record.js').Anatomy} Anatomy */
 /** @typedef {import('../../parts/generation/record.js').Phase} Phase */
@@ -47,55 +50,6 @@ export const nameOf = ({ count, record }, number) =>
 
 /** @param {string} text */
 export const capital = (text) => text[0].toUpperCase() + text.slice(1);
-
-/** How J is written in a generation: with as many digits as tell most of its individuals apart. @param {Anatomy} anatomy @returns {(cost: number) => string} */
-export function costWriter({ all }) {
-  const costs = all.map(({ cost }) => cost).sort((a, b) => a - b);
-  const spread = costs[Math.floor(costs.length / 2)] - costs[0];
-  const digits = digitsFor(spread);
-  return (cost) => (cost < 100 ? fixed(cost, digits) : costText(cost));
-}
-
-/** The digits after the point that show a change of this size. @param {number} size */
-export const digitsFor = (size) =>
-  size > 0 && Number.isFinite(size) ? Math.min(12, Math.max(3, 2 - Math.floor(Math.log10(size)))) : 3;
-
-/** @param {number} value @param {number} [change] The size of what changes it. */
-export const gainText = (value, change = Math.abs(value)) =>
-  value === 0 || (Math.abs(value) >= 1e-6 && Math.abs(value) < 1e5)
-    ? fixed(value, digitsFor(change))
-    : powerText(value);
-
-/** A strategy parameter, which may become very small. @param {number} value */
-export const sigmaText = (value) =>
-  value >= 0.001 && value < 1000 ? fixed(value, digitsFor(value)) : powerText(value);
-
-const raised = /** @type {Record<string, string>} */ ({
-  '-': '⁻',
-  0: '⁰',
-  1: '¹',
-  2: '²',
-  3: '³',
-  4: '⁴',
-  5: '⁵',
-  6: '⁶',
-  7: '⁷',
-  8: '⁸',
-  9: '⁹',
-});
-
-/** @param {number} value @param {number} [digits] Those that count. */
-export function powerText(value, digits = 3) {
-  const [mantissa, power] = Number(value.toPrecision(digits)).toExponential().split('e');
-  const exponent = [...power.replace('+', '')].map((letter) => raised[letter]).join('');
-  return `${mantissa.replace('-', '−')}·10${exponent}`;
-}
-
-/** A draw from N(0, 1), or a rate. @param {number} value */
-export const drawText = (value) => fixed(value, 3);
-
-/** In brackets, if it follows a × and begins with a minus. @param {string} text */
-export const bracketed = (text) => (text.startsWith('−') ? `(${text})` : text);
 
 /** What happens in a phase. @param {Anatomy} anatomy @param {Phase} phase */
 export function sentence({ count, all, record }, phase) {
@@ -168,9 +122,6 @@ export function chosenText(anatomy, phase, number) {
   }
 }
 
-export const costAxis = 'J';
-/** @param {number} cost @param {number} digits */
-export const aboveText = (cost, digits) => `${fixed(cost, digits)} ↑`;
 /** The axis of J where it is too narrow for J itself. @param {number} value */
 export const beyondBest = (value) => (value === 0 ? 'best' : `+${powerText(value, 2)}`);
 export const winsAxis = 'wins';
@@ -181,8 +132,6 @@ export const parentAxis = 'parent';
 export const stay = (count) => `${count} stay`;
 /** @param {number} count */
 export const fall = (count) => `${count} fall`;
-export const won = '✓';
-export const lost = '✗';
 export const wonText = 'won against';
 export const lostText = 'lost to';
 
@@ -191,7 +140,6 @@ export const initialText = 'drawn evenly from the initial range, σ as set';
 /** @param {number} rank @param {number} generation */
 export const ranked = (rank, generation) => `ranked ${rank} in generation ${generation}`;
 
-export const formula = { gain: 'k′ = k + σ N', sigma: 'σ′ = σ e', exponent: 'τ′N + τN' };
 export const commonText = ': one draw for all three σ';
 
 /** What stands before the name of the other. @param {number} own @param {number} other */

@@ -1,4 +1,7 @@
 // Every word about keeping a run: links, files, tables, pictures.
+import { kindName } from '../common/keep.js';
+
+export * from '../common/keep.js';
 
 export const texts = {
   keepButton: 'Share',
@@ -50,12 +53,6 @@ export const notOpened = (name, reason) => `“${name}” was not opened: ${reas
 export const opened = (name, generations) =>
   `“${name}” is open: all ${generations} generations came out as they were saved.`;
 
-/** @param {string} version @param {string} link */
-export const origin = (version, link) => [`ep-locomotion ${version}`, link];
-
-/** @param {number} seed @param {number} generation */
-export const fileName = (seed, generation) => `robot-seed-${seed}-generation-${generation}`;
-
 /** What is on screen, by its data-picture. @type {Readonly<Record<string, string>>} */
 export const pictures = {
   plane: 'The plane',
@@ -71,9 +68,6 @@ export const pictures = {
   'luck-curve': 'The fitness curve of all seeds',
   'luck-gains': 'The gains of all seeds',
 };
-
-/** @param {string} kind */
-export const kindName = (kind) => kind.toUpperCase();
 
 /** @param {string} picture @param {string} kind */
 export const savePicture = (picture, kind) => `${picture}: save as ${kindName(kind)}`;

@@ -1,8 +1,8 @@
 // Every word of the lab and of what all pages share.
 import { isTracking } from '../../core/reference.js';
-import { phaseByPhase } from '../../run/state.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
+export * from '../common/lab.js';
 export * from './numbers.js';
 
 /** @typedef {import('../../core/engine.js').Posture} Posture */
@@ -63,15 +63,6 @@ export const drivers = [
     hint: 'The gains that the paper compares with, chosen without evolution',
   },
 ];
-
-export const speeds = /** @type {const} */ ([
-  [0.125, '⅛×'],
-  [0.25, '¼×'],
-  [0.5, '½×'],
-  [1, '1×'],
-  [2, '2×'],
-  [4, '4×'],
-]);
 
 /** @type {Record<PageName, string>} */
 export const pages = {
@@ -195,9 +186,9 @@ export const pause = 'Hold the robots';
 export const run = 'Run';
 export const pauseEvolution = 'Pause';
 
-/** @param {number} pace */
+/** @param {number} pace Generations in a second; with 0 it is one phase at a time. */
 export const paceText = (pace) =>
-  pace === phaseByPhase ? 'one phase at a time' : Number.isFinite(pace) ? `${pace}/s` : 'fastest';
+  pace === 0 ? 'one phase at a time' : Number.isFinite(pace) ? `${pace}/s` : 'fastest';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [
@@ -269,8 +260,6 @@ export const curveLabel = (first, newest) =>
   `Fitness curve over ${newest.generation} generations: best J from ${costText(first.best.cost)} to ${costText(newest.best.cost)}, median from ${costText(first.median)} to ${costText(newest.median)}.`;
 
 export const generationAxis = 'generation';
-export const costSymbol = 'J';
-
 /** @param {Driver} driver @param {number} evolved The best cost of the newest generation. */
 export const gainsNote = (driver, evolved) =>
   ({
@@ -279,12 +268,6 @@ export const gainsNote = (driver, evolved) =>
     'paper-ep': 'found by evolution in the paper',
     'paper-arbitrary': 'chosen without evolution',
   })[driver];
-
-export const gains = /** @type {const} */ ([
-  { id: 'kx', name: 'kx', letter: 'k', index: 'x' },
-  { id: 'ky', name: 'ky', letter: 'k', index: 'y' },
-  { id: 'ktheta', name: 'kθ', letter: 'k', index: 'θ' },
-]);
 
 /** @param {string} name */
 export const gainSliderLabel = (name) => `${name}, slider`;

@@ -1,5 +1,7 @@
 // Every word of the landscape.
-import { costText, fixed, grouped, threeDigits } from './numbers.js';
+import { costText, fixed, grouped } from './numbers.js';
+
+export * from '../common/landscape.js';
 
 /** @typedef {import('../../core/engine.js').Run} Run */
 
@@ -31,14 +33,10 @@ export const failed = (message) => `The landscape is the last that could be comp
 /** @param {string} gains @param {Run} run @param {string} outcome */
 export const readout = (gains, run, outcome) => `${gains}: J ${costText(run.cost.total)}, ${outcome}`;
 
-/** @param {string} name @param {number} value */
-export const gainText = (name, value) => `${name} ${threeDigits(value)}`;
-
 /** @param {number} count */
 export const outside = (count) =>
   count === 1 ? '1 robot of the population lies outside' : `${count} of the population lie outside`;
 
-export const legendLow = 'J';
 export const paperEp = 'paper’s EP';
 export const paperArbitrary = 'paper’s arbitrary';
 export const hand = 'by hand';

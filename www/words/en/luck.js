@@ -1,7 +1,11 @@
 // Every word of the luck part.
+import { gainNames } from '../common/luck.js';
 import { costText, fixed, grouped } from './numbers.js';
 
+export * from '../common/luck.js';
+
 /** @typedef {import('../../parts/luck/request.js').SeedSurvey} SeedSurvey */
+/** @typedef {import('../common/luck.js').Change} Change */
 
 export const texts = {
   luckTitle: 'Luck of the seed',
@@ -58,7 +62,7 @@ export const failed = (message, hasResult) =>
 export const outOfDate = (changes) =>
   `Out of date: these seeds ran ${listOf(changes.map((change) => earlier[change]))}.`;
 
-/** @typedef {keyof typeof earlier} Change */
+/** @type {Readonly<Record<Change, string>>} */
 const earlier = {
   start: 'from the earlier start',
   goal: 'to the earlier goal',
@@ -88,7 +92,6 @@ export const paperLine = 'paper’s EP';
 export const evolutionHead = 'evolution';
 export const randomHead = 'random';
 export const generationAxis = 'generation';
-export const costSymbol = 'J';
 /** @param {number} lowest */
 export const distanceAxis = (lowest) => `J above ${costText(lowest)}, the lowest of all`;
 /** @param {number} seed */
@@ -96,32 +99,11 @@ export const labLine = (seed) => `the lab’s seed ${seed}`;
 /** @param {number} seed */
 export const seedLine = (seed) => `seed ${seed}`;
 
-/** 10 to a power. @param {number} power */
-export const powerOfTen = (power) =>
-  power >= -3 && power <= 3
-    ? fixed(10 ** power, Math.max(0, Math.round(-power)))
-    : `10${[...String(power)].map((digit) => superscripts[digit]).join('')}`;
-/** @type {Record<string, string>} */
-const superscripts = {
-  '-': '⁻',
-  0: '⁰',
-  1: '¹',
-  2: '²',
-  3: '³',
-  4: '⁴',
-  5: '⁵',
-  6: '⁶',
-  7: '⁷',
-  8: '⁸',
-  9: '⁹',
-};
-
 /** @param {SeedSurvey} survey @param {string} found */
 export const curveLabel = ({ generations, paper }, found) =>
   `Best J over ${generations} generations. ${found} The paper’s EP gains have J ${costText(paper.cost)} here.`;
 export const emptyCurveLabel = 'Best J over the generations of the lab’s run. No other seed has run yet.';
 
-export const gainIndices = /** @type {const} */ (['x', 'y', 'θ']);
 /** @param {SeedSurvey} survey */
 export const gainsLabel = ({ summary }) =>
   `The gains in the end. ${summary.gains
@@ -131,11 +113,6 @@ export const gainsLabel = ({ summary }) =>
     )
     .join('; ')}.`;
 export const emptyGainsLabel = 'The gains in the end. No seed has run yet.';
-
-/** @param {number} value */
-export const tick = (value) => String(value).replace('-', '−');
-
-const gainNames = /** @type {const} */ (['kx', 'ky', 'kθ']);
 
 /** @param {SeedSurvey} survey @param {number} index @param {number} rank */
 export function readout({ first, runs }, index, rank) {
@@ -153,7 +130,6 @@ export const tableCaption = (seeds, generations) =>
 export const seedColumn = 'seed';
 /** @param {number} generation */
 export const costColumn = (generation) => `J at generation ${generation}`;
-export const gainColumns = ['kx (1/s)', 'ky (1/(m² s))', 'kθ (rad/s)'];
 export const randomColumn = 'J of random search';
 export const quartiles = {
   least: 'lowest',
@@ -162,7 +138,3 @@ export const quartiles = {
   high: 'upper quartile',
   most: 'highest',
 };
-
-/** @param {SeedSurvey} survey */
-export const fileName = ({ first, runs, generations }) =>
-  `seeds-${first}-to-${first + runs.length - 1}-${generations}-generations.csv`;

@@ -1,9 +1,12 @@
 // Every word of the robustness part.
+import { placeText } from '../common/robustness.js';
 import { costText, degrees, fixed, grouped } from './numbers.js';
 
+export * from '../common/robustness.js';
+
 /** @typedef {import('../../parts/robustness/request.js').Quantity} Quantity */
-/** @typedef {{ x: number, y: number }} Place */
-/** @typedef {{ heading: number, arrived: boolean, finalTime: number, cost: number }} Drive */
+/** @typedef {import('../common/robustness.js').Place} Place */
+/** @typedef {import('../common/robustness.js').Drive} Drive */
 
 export const texts = {
   robustnessTitle: 'Robustness',
@@ -25,9 +28,6 @@ export const headingChoices = [
   { value: 'all', text: 'All', hint: 'All headings together' },
   { value: 'one', text: 'One', hint: 'One heading, chosen on the dial' },
 ];
-
-/** @param {number} half */
-export const extent = (half) => `±${half} m`;
 
 /** @param {number} share */
 export const percent = (share) => `${fixed(100 * share, 1)} %`;
@@ -70,10 +70,6 @@ export const legendTitle = (quantity, all) =>
     cost: all ? 'their mean J' : 'J',
   })[quantity];
 
-/** @param {Quantity} quantity @param {number} tick @param {number} digits */
-export const tickText = (quantity, tick, digits) =>
-  quantity === 'share' ? fixed(100 * tick, 0) : fixed(tick, digits);
-
 /** @param {Quantity} quantity @param {string} text @param {boolean} open */
 export const lastTick = (quantity, text, open) =>
   `${open ? '≥\u202f' : ''}${text}${{ share: ' %', time: ' s', cost: '' }[quantity]}`;
@@ -83,12 +79,6 @@ export const never = (all) => (all ? 'none arrives' : 'does not arrive');
 
 export const goal = 'goal';
 export const ownStart = 'own start';
-/** @param {string} number */
-export const metres = (number) => `${number} m`;
-
-/** @param {Place} place */
-const placeText = ({ x, y }) => `x ${fixed(x, 2)} m, y ${fixed(y, 2)} m`;
-
 /** @param {Drive} drive */
 const outcome = ({ arrived, finalTime }) =>
   arrived ? `arrives after ${fixed(finalTime, 2)} s` : `has not arrived after ${fixed(finalTime, 0)} s`;

@@ -1,7 +1,9 @@
 // Every word of the settings.
+import { namer } from '../common/settings.js';
+export * from '../common/settings.js';
 
 /** @typedef {keyof typeof groups} GroupName */
-/** @typedef {{ name: string, help: string, choices?: Readonly<Record<string, string>> }} SettingWords */
+/** @typedef {import('../common/settings.js').SettingWords} SettingWords */
 
 export const texts = {
   settingsTitle: 'Settings',
@@ -113,21 +115,10 @@ export const settings = {
   },
 };
 
-/** Paths that no row has, but the core's messages do. @type {readonly (readonly [string, string])[]} */
-const otherPaths = [['evolution.initialRange', 'First gains from … to']];
-
-/** What the core says, with the names on screen. @param {string} message */
-export const named = (message) =>
-  [...Object.entries(settings).map(([path, { name }]) => /** @type {const} */ ([path, name])), ...otherPaths]
-    .filter(([path]) => path !== 'law')
-    .sort(([a], [b]) => b.length - a.length)
-    .reduce((text, [path, name]) => text.replaceAll(path, name), message);
+/** What the core says, with the names on screen; some of its paths have no row. */
+export const named = namer({ ...settings, 'evolution.initialRange': { name: 'First gains from … to' } });
 
 export const noLimit = 'no limit';
-
-/** A number with its unit. @param {string} number @param {string} unit */
-export const quantity = (number, unit) =>
-  `${number.replace('-', '−')}${unit.startsWith('°') || unit === '' ? '' : ' '}${unit}`;
 
 /** @param {string} name */
 export const sliderLabel = (name) => `${name}, slider`;

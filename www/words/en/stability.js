@@ -1,8 +1,9 @@
 // Every word of the Lyapunov function beside the robot.
-import { powerOfTen } from './curves.js';
+import { errorNames, gainNames, termsOf } from '../common/stability.js';
 import { fixed, threeDigits } from './numbers.js';
 
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
+export * from '../common/stability.js';
+
 /** @typedef {import('../../parts/curves/stability/summary.js').Summary} Summary */
 
 export const texts = {
@@ -11,68 +12,8 @@ export const texts = {
   stabilityLogHint: 'V on a logarithmic axis, and below it the slope that it then has, V̇/V',
 };
 
-/** @typedef {'lyapunov' | 'rate' | 'promised' | 'x' | 'y' | 'theta'} Term */
+export const terms = termsOf({ rate: ['V̇ robot'], promised: ['V̇ law ='] });
 
-/** What stands over each number, by the law; every second piece is a subscript. @type {Readonly<Record<Experiment['law'], Readonly<Record<Term, readonly string[]>>>>} */
-export const terms = {
-  'shim-kim': {
-    lyapunov: ['V'],
-    rate: ['V̇ robot'],
-    promised: ['V̇ law ='],
-    x: ['−k', 'x', ' x', 'e', '² cos² θ', 'e'],
-    y: ['− k', 'y', ' y', 'e', '⁴'],
-    theta: ['− k', 'θ', ' sin² θ', 'e'],
-  },
-  kanayama: {
-    lyapunov: ['V'],
-    rate: ['V̇ robot'],
-    promised: ['V̇ law ='],
-    x: ['−k', 'x', ' x²'],
-    y: ['+ 0'],
-    theta: ['− v', 'r', ' k', 'θ', '/k', 'y', ' sin² θ', 'e'],
-  },
-};
-
-export const lyapunovSymbol = 'V';
-/** What makes V̇/V of V̇. */
-export const relative = '/V';
-
-/** V as it is written on its axis. @param {Experiment['law']} law @param {boolean} isPromised */
-export const lyapunovFormula = (law, isPromised) =>
-  `V = ½ xₑ² + ½ yₑ² + (1 − cos θₑ)${law === 'kanayama' && isPromised ? '/ky' : ''}`;
-
-/** Numbers that belong together, with the same digits after the point, so that one sees them add up. @param {readonly number[]} values */
-export function amounts(values) {
-  const most = Math.max(0, ...values.map(Math.abs).filter(Number.isFinite));
-  const digits = most >= 1000 ? 0 : most >= 100 ? 1 : most >= 1 ? 2 : most >= 0.1 ? 3 : 4;
-  return values.map((value) =>
-    Number.isFinite(value) && Math.abs(value) < 1e5 ? fixed(value, digits) : amount(value),
-  );
-}
-
-/** A number of any size. @param {number} value */
-export function amount(value) {
-  if (Number.isNaN(value)) return '–';
-  if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
-  const size = Math.abs(value);
-  return size === 0 || (size >= 1e-3 && size < 1e5)
-    ? threeDigits(value)
-    : value.toExponential(2).replaceAll('-', '−');
-}
-
-/** @param {number} value @param {boolean} isLog */
-export const tickText = (value, isLog) => {
-  const size = Math.abs(value);
-  const exponent = Math.round(Math.log10(size));
-  if (isLog && Math.abs(value / 10 ** exponent - 1) < 1e-9) return powerOfTen(exponent);
-  if (size === 0 || (size >= 1e-3 && size < 1e5)) return threeDigits(value);
-  return value.toExponential().replace('e+', 'e').replaceAll('-', '−');
-};
-
-/** @param {number} radians */
-export const angleText = (radians) => fixed((radians * 180) / Math.PI, 2);
-/** @param {number} seconds */
-export const timeText = (seconds) => fixed(seconds, 2);
 /** @param {boolean} limited */
 export const limitedText = (limited) => (limited ? 'yes' : '');
 
@@ -93,9 +34,6 @@ export const tableColumns = [
   'V̇ robot',
   'cut by limits',
 ];
-
-const gains = ['kx', 'ky', 'kθ'];
-const parts = ['xₑ', 'yₑ', 'θₑ'];
 
 /** @param {readonly string[]} names */
 const listed = (names) => names.join(names.length > 2 ? ', ' : ' and ');
@@ -121,11 +59,11 @@ function raisedText({ raised, negative, referenceSpeed }) {
   const guilty = raised.filter((part) => negative.includes(part));
   const what =
     raised.length === 1
-      ? `The part of ${parts[raised[0]]} is`
-      : `The parts of ${listed(raised.map((part) => parts[part]))} are`;
+      ? `The part of ${errorNames[raised[0]]} is`
+      : `The parts of ${listed(raised.map((part) => errorNames[part]))} are`;
   const why =
     guilty.length > 0
-      ? `, because ${listed(guilty.map((part) => gains[part]))} ${guilty.length > 1 ? 'are' : 'is'} negative`
+      ? `, because ${listed(guilty.map((part) => gainNames[part]))} ${guilty.length > 1 ? 'are' : 'is'} negative`
       : referenceSpeed < 0
         ? ', because the reference drives backwards'
         : '';

@@ -1,5 +1,8 @@
 // Every word of the training part.
-import { costText, fixed, grouped } from './numbers.js';
+import { cost, isEvolved } from '../common/training.js';
+import { fixed, grouped } from './numbers.js';
+
+export * from '../common/training.js';
 
 /** @typedef {import('../../parts/training/request.js').Result} Result */
 /** @typedef {import('../../parts/training/request.js').RowName} RowName */
@@ -25,11 +28,6 @@ const whole = (value) => (value < 10_000 ? String(value) : grouped(value));
 /** @param {number} part @param {number} count */
 export const percent = (part, count) => `${fixed((100 * part) / count, 0)}\u202f%`;
 
-/** @param {number} value */
-export const cost = (value) => (value < 100 ? fixed(value, 2) : costText(value));
-/** @param {number} gain */
-export const gain = (gain) => fixed(gain, 2);
-
 /** @param {number} count */
 const starts = (count) => (count === 1 ? 'one start' : `${count} starts`);
 
@@ -51,11 +49,6 @@ export const unseenColumn = (count) => `arrives, of ${whole(count)} never seen`;
 
 /** @param {number} part @param {number} count */
 export const of = (part, count) => `${whole(part)} of ${whole(count)}`;
-export const none = '–';
-
-/** @param {RowName} name */
-const isEvolved = (name) => name === 'one' || name === 'circle' || name === 'grid';
-
 /** @param {RowName} name @param {Result | null} result @param {number} count */
 export function trainingTitle(name, result, count) {
   if (!result) return `${count === 1 ? 'The start' : `The ${count} starts`} to train on`;

@@ -1,7 +1,7 @@
 // Every word about the page's checks of its own numbers, in Korean.
-import { valuesText } from '../en/checks.js';
+import { valuesText } from '../common/checks.js';
 
-export { about, valuesText } from '../en/checks.js';
+export * from '../common/checks.js';
 
 /** @typedef {import('../../core/checks/check.js').Outcome} Outcome */
 /** @typedef {import('../../core/checks/check.js').Sentences} Sentences */

@@ -1,19 +1,10 @@
 // Every word of the curves, of the pinned runs, and of σ over the generations, in Korean.
 import { isTracking } from '../../core/reference.js';
-import { numberColumns as englishColumns, sigmaText } from '../en/curves.js';
+import { numberColumnsOf, sigmaText } from '../common/curves.js';
 import { foundName } from './lab.js';
 import { costText, fixed, threeDigits } from './numbers.js';
 
-export {
-  gainText,
-  powerOfTen,
-  readings,
-  seconds,
-  sigmaText,
-  symbols,
-  tickText,
-  units,
-} from '../en/curves.js';
+export * from '../common/curves.js';
 
 /** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
@@ -52,13 +43,11 @@ export const figureNote = (figure) =>
 export const numbersCaption = (name, step) =>
   `${name}: ${threeDigits(step)}초마다 한 줄, 그리고 마지막. v와 ω는 그 시각부터의 값입니다.`;
 
-/** @type {Readonly<Record<string, string>>} */
-const heads = { 'command-linear': 'v 명령', 'command-angular': 'ω 명령', paid: '누적 J' };
-/** @type {typeof englishColumns} */
-export const numberColumns = englishColumns.map((column) => ({
-  ...column,
-  head: heads[column.id] ?? column.head,
-}));
+export const numberColumns = numberColumnsOf({
+  'command-linear': 'v 명령',
+  'command-angular': 'ω 명령',
+  paid: '누적 J',
+});
 
 export const pinThis = '이 주행 고정';
 export const unpinThis = '이 주행 고정 해제';
@@ -74,9 +63,6 @@ export const pinName = (driver, { generation, seed, gains, found }) =>
     'paper-ep': '논문 EP',
     'paper-arbitrary': '논문 임의',
   })[driver];
-
-/** @param {string} name @param {number} count */
-export const again = (name, count) => `${name} (${count})`;
 
 export const noPinsText =
   '“이 주행 고정”으로 주행을 남겨 두고, 진화를 더 진행하거나 시드, 설정, 이득을 바꾸어 보십시오. 무엇이 다른지 여기에 나타납니다.';

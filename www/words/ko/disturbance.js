@@ -1,23 +1,12 @@
 // Every word of the disturbance part, in Korean.
-import { crestSeconds, formulaText, sizeText } from '../en/disturbance.js';
+import { amount, crestSeconds, formulaText, parts, unitOf } from '../common/disturbance.js';
 import { fixed, threeDigits } from './numbers.js';
 
-export {
-  crestSeconds,
-  equations,
-  formulas,
-  formulaText,
-  insideText,
-  sizes,
-  sizeText,
-  units,
-} from '../en/disturbance.js';
+export * from '../common/disturbance.js';
 
 /** @typedef {import('../../parts/disturbance/summary.js').PartName} PartName */
 /** @typedef {import('../../parts/disturbance/summary.js').Summary} Summary */
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
-
-const parts = /** @type {const} */ (['x', 'y', 'theta']);
 
 export const texts = {
   disturbanceTitle: '외란',
@@ -68,13 +57,7 @@ export const equationHints = {
 };
 
 /** @param {PartName} part */
-const unitOf = (part) => (part === 'theta' ? '' : ' m');
-
-/** @param {PartName} part */
-export const axisUnit = (part) => (unitOf(part) ? ' (m)' : '');
-
-/** @param {PartName} part @param {number} value */
-const amount = (part, value) => `${sizeText(value)}${unitOf(part)}`;
+export const axisUnit = (part) => (unitOf[part] ? ` (${unitOf[part]})` : '');
 
 /** @param {PartName} part @param {Summary} summary */
 export const plotLabel = (part, { rows, seconds, horizon }) => {

@@ -1,6 +1,6 @@
 // Every word of a figure in another page's frame, and of the dialog that writes the frame; in Korean.
 
-export { sizeText } from '../en/embed.js';
+export * from '../common/embed.js';
 
 export const texts = {
   embedTitle: '삽입',

@@ -1,21 +1,8 @@
 // Every word of the generation part, in Korean.
-import { costWriter, digitsFor, powerText } from '../en/generation.js';
+import { costWriter, digitsFor, powerText } from '../common/generation.js';
 import { costText, fixed } from './numbers.js';
 
-export {
-  aboveText,
-  bracketed,
-  costAxis,
-  costWriter,
-  digitsFor,
-  drawText,
-  formula,
-  gainText,
-  lost,
-  powerText,
-  sigmaText,
-  won,
-} from '../en/generation.js';
+export * from '../common/generation.js';
 
 /** @typedef {import('../../parts/generation/record.js').Anatomy} Anatomy */
 /** @typedef {import('../../parts/generation/record.js').Phase} Phase */

@@ -1,7 +1,8 @@
 // Every word about keeping a run: links, files, tables, pictures; in Korean.
 
-export { fileName, kindName, origin } from '../en/keep.js';
-import { kindName } from '../en/keep.js';
+import { kindName } from '../common/keep.js';
+
+export * from '../common/keep.js';
 
 export const texts = {
   keepButton: '공유',

@@ -1,9 +1,8 @@
 // Every word of the lab and of what all pages share, in Korean.
 import { isTracking } from '../../core/reference.js';
-import { phaseByPhase } from '../../run/state.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
-export { costSymbol, gains, speeds } from '../en/lab.js';
+export * from '../common/lab.js';
 export * from './numbers.js';
 
 /** @typedef {import('../../core/engine.js').Posture} Posture */
@@ -182,9 +181,9 @@ export const pause = '로봇 멈춤';
 export const run = '진화 시작';
 export const pauseEvolution = '멈춤';
 
-/** @param {number} pace */
+/** @param {number} pace Generations in a second; with 0 it is one phase at a time. */
 export const paceText = (pace) =>
-  pace === phaseByPhase ? '한 단계씩' : Number.isFinite(pace) ? `초당 ${pace}` : '최대 속도';
+  pace === 0 ? '한 단계씩' : Number.isFinite(pace) ? `초당 ${pace}` : '최대 속도';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [

@@ -1,7 +1,7 @@
 // Every word of the landscape, in Korean.
 import { costText, fixed, grouped } from './numbers.js';
 
-export { gainText, legendLow } from '../en/landscape.js';
+export * from '../common/landscape.js';
 
 /** @typedef {import('../../core/engine.js').Run} Run */
 

@@ -1,11 +1,11 @@
 // Every word of the luck part, in Korean.
-import { gainIndices } from '../en/luck.js';
+import { gainNames } from '../common/luck.js';
 import { costText, fixed, grouped } from './numbers.js';
 
-export { costSymbol, fileName, gainColumns, gainIndices, powerOfTen, tick } from '../en/luck.js';
+export * from '../common/luck.js';
 
 /** @typedef {import('../../parts/luck/request.js').SeedSurvey} SeedSurvey */
-/** @typedef {import('../en/luck.js').Change} Change */
+/** @typedef {import('../common/luck.js').Change} Change */
 
 export const texts = {
   luckTitle: '시드의 운',
@@ -100,18 +100,15 @@ export const gainsLabel = ({ summary }) =>
   `마지막 이득. ${summary.gains
     .map(
       ({ low, median, high }, i) =>
-        `${gainName(i)}: 중앙값 ${fixed(median, 3)}, 시드의 절반은 ${fixed(low, 3)}~${fixed(high, 3)}`,
+        `${gainNames[i]}: 중앙값 ${fixed(median, 3)}, 시드의 절반은 ${fixed(low, 3)}~${fixed(high, 3)}`,
     )
     .join('; ')}.`;
 export const emptyGainsLabel = '마지막 이득. 아직 실행한 시드가 없습니다.';
 
-/** @param {number} i */
-const gainName = (i) => `k${gainIndices[i]}`;
-
 /** @param {SeedSurvey} survey @param {number} index @param {number} rank */
 export function readout({ first, runs }, index, rank) {
   const { champion } = runs[index];
-  const gains = champion.gains.map((gain, i) => `${gainName(i)} ${fixed(gain, 3)}`).join(', ');
+  const gains = champion.gains.map((gain, i) => `${gainNames[i]} ${fixed(gain, 3)}`).join(', ');
   return `시드 ${first + index}, ${runs.length}개 중 ${rank}위: J ${costText(champion.cost)}\n${gains}`;
 }
 

@@ -1,11 +1,12 @@
 // Every word of the robustness part, in Korean.
+import { placeText } from '../common/robustness.js';
 import { costText, degrees, fixed, grouped } from './numbers.js';
 
-export { extent, metres, tickText } from '../en/robustness.js';
+export * from '../common/robustness.js';
 
 /** @typedef {import('../../parts/robustness/request.js').Quantity} Quantity */
-/** @typedef {import('../en/robustness.js').Place} Place */
-/** @typedef {import('../en/robustness.js').Drive} Drive */
+/** @typedef {import('../common/robustness.js').Place} Place */
+/** @typedef {import('../common/robustness.js').Drive} Drive */
 
 export const texts = {
   robustnessTitle: '강인성',
@@ -78,9 +79,6 @@ export const never = (all) => (all ? '모두 미도착' : '미도착');
 
 export const goal = '목표';
 export const ownStart = '원래 출발점';
-
-/** @param {Place} place */
-const placeText = ({ x, y }) => `x ${fixed(x, 2)} m, y ${fixed(y, 2)} m`;
 
 /** @param {Drive} drive */
 const outcome = ({ arrived, finalTime }) =>

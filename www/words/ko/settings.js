@@ -1,6 +1,7 @@
 // Every word of the settings, in Korean.
+import { namer } from '../common/settings.js';
 
-export { quantity } from '../en/settings.js';
+export * from '../common/settings.js';
 
 export const texts = {
   settingsTitle: '설정',
@@ -28,7 +29,7 @@ export const groups = {
   evolution: '진화',
 };
 
-/** Names and help, by the path in the experiment. @type {Readonly<Record<string, import('../en/settings.js').SettingWords>>} */
+/** Names and help, by the path in the experiment. @type {Readonly<Record<string, import('../common/settings.js').SettingWords>>} */
 export const settings = {
   'limits.speed': { name: '속도', help: '앞으로든 뒤로든 로봇은 이보다 빨리 달릴 수 없습니다.' },
   'limits.turnRate': { name: '각속도', help: '로봇은 이보다 빨리 회전할 수 없습니다.' },
@@ -100,15 +101,8 @@ export const settings = {
   },
 };
 
-/** Paths that no row has, but the core's messages do. @type {readonly (readonly [string, string])[]} */
-const otherPaths = [['evolution.initialRange', '첫 이득의 하한과 상한']];
-
-/** What the core says, with the names on screen. @param {string} message */
-export const named = (message) =>
-  [...Object.entries(settings).map(([path, { name }]) => /** @type {const} */ ([path, name])), ...otherPaths]
-    .filter(([path]) => path !== 'law')
-    .sort(([a], [b]) => b.length - a.length)
-    .reduce((text, [path, name]) => text.replaceAll(path, name), message);
+/** What the core says, with the names on screen; some of its paths have no row. */
+export const named = namer({ ...settings, 'evolution.initialRange': { name: '첫 이득의 하한과 상한' } });
 
 export const noLimit = '제한 없음';
 

@@ -1,17 +1,8 @@
 // Every word of the Lyapunov function beside the robot, in Korean.
-import { terms as englishTerms } from '../en/stability.js';
+import { errorNames, gainNames, termsOf } from '../common/stability.js';
 import { fixed, threeDigits } from './numbers.js';
 
-export {
-  amount,
-  amounts,
-  angleText,
-  lyapunovFormula,
-  lyapunovSymbol,
-  relative,
-  tickText,
-  timeText,
-} from '../en/stability.js';
+export * from '../common/stability.js';
 
 /** @typedef {import('../../parts/curves/stability/summary.js').Summary} Summary */
 
@@ -21,12 +12,7 @@ export const texts = {
   stabilityLogHint: 'V를 로그 축에 그리고, 아래에는 그때의 기울기인 V̇/V를 그립니다',
 };
 
-const heads = { rate: ['V̇ 로봇'], promised: ['V̇ 법칙 ='] };
-/** @type {typeof englishTerms} */
-export const terms = {
-  'shim-kim': { ...englishTerms['shim-kim'], ...heads },
-  kanayama: { ...englishTerms.kanayama, ...heads },
-};
+export const terms = termsOf({ rate: ['V̇ 로봇'], promised: ['V̇ 법칙 ='] });
 
 /** @param {boolean} limited */
 export const limitedText = (limited) => (limited ? '예' : '');
@@ -48,9 +34,6 @@ export const tableColumns = [
   'V̇ 로봇',
   '제한됨',
 ];
-
-const gains = ['kx', 'ky', 'kθ'];
-const parts = ['xₑ', 'yₑ', 'θₑ'];
 
 /** What the picture shows, in whole sentences. @param {Summary} summary */
 export const noteText = (summary) =>
@@ -74,11 +57,11 @@ function raisedText({ raised, negative, referenceSpeed }) {
   const guilty = raised.filter((part) => negative.includes(part));
   const why =
     guilty.length > 0
-      ? `${guilty.map((part) => gains[part]).join(', ')}의 값이 음수여서 `
+      ? `${guilty.map((part) => gainNames[part]).join(', ')}의 값이 음수여서 `
       : referenceSpeed < 0
         ? '기준이 뒤로 달려서 '
         : '';
-  return `${why}${raised.map((part) => parts[part]).join(', ')}의 항이 0보다 크므로, 법칙 자체가 V를 키웁니다.`;
+  return `${why}${raised.map((part) => errorNames[part]).join(', ')}의 항이 0보다 크므로, 법칙 자체가 V를 키웁니다.`;
 }
 
 /** @param {Summary} summary */

@@ -1,8 +1,8 @@
 // Every word of the training part, in Korean.
+import { cost, isEvolved } from '../common/training.js';
 import { fixed, grouped } from './numbers.js';
 
-export { cost, gain, none } from '../en/training.js';
-import { cost } from '../en/training.js';
+export * from '../common/training.js';
 
 /** @typedef {import('../../parts/training/request.js').Result} Result */
 /** @typedef {import('../../parts/training/request.js').RowName} RowName */
@@ -42,9 +42,6 @@ export const unseenColumn = (count) => `처음 보는 ${grouped(count)}개 중 �
 
 /** @param {number} part @param {number} count */
 export const of = (part, count) => `${grouped(part)} / ${grouped(count)}`;
-
-/** @param {RowName} name */
-const isEvolved = (name) => name === 'one' || name === 'circle' || name === 'grid';
 
 /** @param {RowName} name @param {Result | null} result @param {number} count */
 export function trainingTitle(name, result, count) {

@@ -1,7 +1,7 @@
 // Step 7 in Korean.
 import { costText } from '../numbers.js';
 
-/** @typedef {import('../../en/lesson/generation.js').Fate} Fate */
+/** @typedef {{ stays: boolean, cost: number, wins: number, place: number }} Fate */
 
 export const generation = {
   title: '한 세대를 손으로',
