@@ -1,8 +1,6 @@
-//! Which numbers and words a field may be, and the error that says so.
+//! Which numbers a field may be, and the error that says so.
 
 use core::fmt;
-
-use super::record::record;
 
 /// An input that was refused: which field, what it must be, and what it was.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,7 +59,7 @@ pub struct Allowed {
 }
 
 impl Allowed {
-    /// Any number.
+    /// Any number, also one that is not finite: whoever computes with it says what it must be.
     pub const ANY: Self = Self::within("", f64::NEG_INFINITY, f64::INFINITY);
     /// Any seed of a stream of random numbers.
     pub const SEED: Self = Self::whole(0, u32::MAX);
@@ -81,9 +79,10 @@ impl Allowed {
         Self { nullable: true, ..self }
     }
 
-    /// Whether a value is among them, and whole where it must be; NaN never is.
+    /// Whether a value is among them, and whole where it must be; NaN is in no range.
     pub fn allows(&self, value: f64) -> bool {
-        value >= self.min && value <= self.max && (!self.integer || value.fract() == 0.0)
+        let within = value >= self.min && value <= self.max;
+        *self == Self::ANY || (within && (!self.integer || value.fract() == 0.0))
     }
 
     /// What such a number must be, in words.
@@ -98,82 +97,10 @@ impl Allowed {
     }
 
     /// Refuses a number that is not among them.
-    pub(crate) fn check(&self, name: &str, value: f64) -> Result<(), InvalidInput> {
+    pub(crate) fn check(&self, name: impl fmt::Display, value: f64) -> Result<(), InvalidInput> {
         if self.allows(value) {
             return Ok(());
         }
-        Err(InvalidInput::new(name, self.expected(), shown(value)))
-    }
-}
-
-record! {
-    /// The range of one numeric field of an experiment.
-    pub struct NumberField {
-        /// Where it stands in the experiment; `[]` means each element.
-        pub path: String => "path",
-        /// Empty for a pure number.
-        pub unit: &'static str => "unit",
-        /// Smallest allowed value.
-        pub min: f64 => "min",
-        /// Largest allowed value.
-        pub max: f64 => "max",
-        /// Whether it must be a whole number.
-        pub integer: bool => "integer",
-        /// Whether it may be null, for "not limited".
-        pub nullable: bool => "nullable",
-    }
-}
-
-impl NumberField {
-    /// Which numbers it may be.
-    pub fn allowed(&self) -> Allowed {
-        let Self { unit, min, max, integer, nullable, .. } = *self;
-        Allowed { unit, min, max, integer, nullable }
-    }
-}
-
-record! {
-    /// A field of an experiment that is one of a few words.
-    pub struct WordField {
-        /// Where it stands in the experiment.
-        pub path: String => "path",
-        /// Always empty: a word has none.
-        pub unit: &'static str => "unit",
-        /// What it may be.
-        pub words: &'static [&'static str] => "words",
-    }
-}
-
-/// One field of an experiment.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Field {
-    /// A number, or each number of a list.
-    Number(NumberField),
-    /// One of a few words.
-    Word(WordField),
-}
-
-impl Field {
-    /// Where it stands in the experiment; `[]` means each element.
-    pub fn path(&self) -> &str {
-        match self {
-            Self::Number(field) => &field.path,
-            Self::Word(field) => &field.path,
-        }
-    }
-}
-
-impl super::Plain for Field {
-    fn typescript(types: &mut super::Types) -> String {
-        let kinds = [NumberField::typescript(types), WordField::typescript(types)].join(" | ");
-        let about = "One field of an experiment: a word if `'words' in field`, else a number.";
-        types.alias("Field", &[about], &kinds)
-    }
-
-    fn write<W: super::Writer>(&self, to: &W) -> W::Value {
-        match self {
-            Self::Number(field) => field.write(to),
-            Self::Word(field) => field.write(to),
-        }
+        Err(InvalidInput::new(name.to_string(), self.expected(), shown(value)))
     }
 }

@@ -2,8 +2,10 @@
 //!
 //! Reading looks at what a value is; whether a number is in its range is checked once, afterwards, by [`Input::check`].
 
-use super::{Allowed, Field, InvalidInput, NumberField, Place, Plain};
-use crate::schema::shown;
+use super::allowed::{Allowed, InvalidInput};
+use super::field::{Field, NumberField};
+use super::place::Place;
+use super::plain::Plain;
 
 /// A value that can be read from its plain form.
 pub trait Input: Plain {
@@ -97,10 +99,7 @@ impl Input for f64 {
     }
 
     fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<(), InvalidInput> {
-        if allowed.allows(*self) {
-            return Ok(());
-        }
-        Err(InvalidInput::new(place.to_string(), allowed.expected(), shown(*self)))
+        allowed.check(place, *self)
     }
 
     fn read<S: Source>(

@@ -5,17 +5,23 @@
 //! is written.
 
 mod allowed;
+
 mod place;
 
-mod plain;
 mod types;
+
+mod plain;
+
+mod record;
+
+mod words;
+
+mod field;
 
 mod input;
 
-mod record;
-mod words;
-
-pub use allowed::{Allowed, Field, InvalidInput, NumberField, WordField};
+pub use allowed::{Allowed, InvalidInput};
+pub use field::{Field, NumberField, WordField};
 pub use input::{Input, Keys, Source};
 pub use place::Place;
 pub use plain::{Column, Columns, Flags, Plain, Writer};

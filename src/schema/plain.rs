@@ -2,7 +2,7 @@
 
 use core::ops::Deref;
 
-use super::Types;
+use super::types::Types;
 
 /// A value that has a plain form: a number, a word, a list, an object.
 pub trait Plain {

@@ -94,7 +94,7 @@ impl Range {
                 return Err(InvalidInput::new(format!("{name}.{end}"), "a finite number", found));
             }
         }
-        AXIS_COUNT.check(&format!("{name}.count"), self.count.into())
+        AXIS_COUNT.check(format!("{name}.count"), self.count.into())
     }
 }
 
@@ -141,7 +141,7 @@ impl StartGrid {
         for (name, range) in [("x", self.x), ("y", self.y)] {
             range.validate(name)?;
             for (end, value) in [("from", range.from), ("to", range.to)] {
-                METRES.check(&format!("{name}.{end}"), value)?;
+                METRES.check(format!("{name}.{end}"), value)?;
             }
         }
         AXIS_COUNT.check("headings", self.headings.into())
