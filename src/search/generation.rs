@@ -1,9 +1,9 @@
 //! One generation of evolutionary programming, steps 1 to 6 of the paper's procedure.
 
-use super::individual::{Individual, best, drawn};
+use super::individual::{Individual, drawn};
 use super::mutation::Mutation;
 use super::settings::EvolutionSettings;
-use super::tournament::Tournament;
+use super::tournament::{Tournament, in_order};
 use crate::number::{Purpose, stream};
 use crate::robot::Gains;
 use crate::schema::{record, told};
@@ -102,12 +102,13 @@ impl Brood {
     }
 }
 
+/// The numbers of these, the lowest cost first.
+fn by_cost(population: &[Individual]) -> Vec<u32> {
+    in_order(population.len(), &|i, j| population[i].cost.total_cmp(&population[j].cost))
+}
+
 fn founded(parents: Vec<Individual>) -> GenerationRecord {
-    let mut survivors: Vec<u32> = (0..parents.len() as u32).collect();
-    survivors.sort_unstable_by(|a, b| {
-        let [i, j] = [a, b].map(|number| parents[*number as usize].cost);
-        i.total_cmp(&j).then(a.cmp(b))
-    });
+    let survivors = by_cost(&parents);
     GenerationRecord {
         generation: 0,
         parents,
@@ -156,16 +157,16 @@ record! { (Copy)
 impl Statistics {
     /// Of a population that is left by a generation, when each trial is driven from so many starts.
     pub(crate) fn new(generation: u32, population: &[Individual], starts: usize) -> Self {
-        let mut costs: Vec<f64> = population.iter().map(|individual| individual.cost).collect();
-        costs.sort_unstable_by(f64::total_cmp);
-        let n = costs.len();
+        let ranked = by_cost(population);
+        let n = ranked.len();
+        let at = |rank: usize| population[ranked[rank] as usize];
         let mean = |j: usize| population.iter().map(|i| i.sigmas[j]).sum::<f64>() / n as f64;
         Self {
             generation,
             evaluations: (f64::from(generation) + 1.0) * (n * starts) as f64,
-            best: best(population),
-            median: 0.5 * (costs[(n - 1) / 2] + costs[n / 2]),
-            worst: costs[n - 1],
+            best: at(0),
+            median: 0.5 * (at((n - 1) / 2).cost + at(n / 2).cost),
+            worst: at(n - 1).cost,
             mean_sigmas: [0, 1, 2].map(mean),
         }
     }

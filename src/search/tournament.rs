@@ -1,5 +1,7 @@
 //! The stochastic tournament (steps 5 and 6 of the paper's procedure).
 
+use core::cmp::Ordering;
+
 use rand::{Rng, RngExt};
 
 /// Whom each solution met, and how many bouts it won.
@@ -45,11 +47,15 @@ impl Tournament {
     /// All solutions in the order of their rank: most wins first, then lower J, then lower number. How ties are
     /// broken is our choice.
     pub fn ranking(&self, costs: &[f64]) -> Vec<u32> {
-        let mut ranked: Vec<u32> = (0..costs.len() as u32).collect();
-        ranked.sort_unstable_by(|a, b| {
-            let [i, j] = [*a as usize, *b as usize];
-            self.wins[j].cmp(&self.wins[i]).then(costs[i].total_cmp(&costs[j])).then(a.cmp(b))
-        });
-        ranked
+        in_order(costs.len(), &|i, j| {
+            self.wins[j].cmp(&self.wins[i]).then(costs[i].total_cmp(&costs[j]))
+        })
     }
+}
+
+/// The numbers of so many solutions in this order; those that are equal by their number.
+pub(super) fn in_order(count: usize, order: &dyn Fn(usize, usize) -> Ordering) -> Vec<u32> {
+    let mut numbers: Vec<u32> = (0..count as u32).collect();
+    numbers.sort_unstable_by(|a, b| order(*a as usize, *b as usize).then(a.cmp(b)));
+    numbers
 }

@@ -169,7 +169,7 @@ impl Landscape {
         self.x.validate("x")?;
         self.y.validate("y")?;
         if self.x.gain == self.y.gain {
-            let found = format!("{:?} on both", self.y.gain).to_lowercase();
+            let found = format!("{} on both", ["x", "y", "theta"][self.y.gain as usize]);
             return Err(InvalidInput::new("y.gain", "another gain than x.gain", found));
         }
         let [first, end] = validate_part("rows", rows, self.y.count)?;
