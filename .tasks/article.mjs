@@ -10,13 +10,15 @@ const { document, Element } = parseHTML('<html></html>');
 Object.assign(globalThis, { document, Element, location: { hash: `#lab&lang=${language}`, search: '' } });
 globalThis.navigator ??= /** @type {Navigator} */ ({});
 
-const { createSpec, firstDisturbance } = await import('../www/parts/disturbance/request.js');
+const { createSpec } = await import('../www/parts/disturbance/request.js');
+const { disturbanceSlice } = await import('../www/parts/disturbance/state.js');
+const { landscapeSlice } = await import('../www/parts/landscape/state.js');
 const { create } = await import('../www/kit/elements.js');
 const { counts, endsOfAxis, gainsAt, linearRange } = await import('../www/parts/landscape/request.js');
 const { createFormula } = await import('../www/lesson/formula.js');
 const { list, paragraphs } = await import('../www/lesson/prose.js');
 const { steps } = await import('../www/lesson/steps.js');
-const { undisturbed } = await import('../www/run/state.js');
+const { undisturbed } = await import('../www/run/scene.js');
 const { instead, lesson: words } = await import('../www/words/index.js');
 const { costText } = await import('../www/words/numbers.js');
 const { landscape, remainingErrors } = await import('../tests/page/harness/core.js');
@@ -36,16 +38,19 @@ function opened(step) {
   /** @type {Live['state']} */
   const state = {
     ...live.state,
-    landscape: {
-      ...live.state.landscape,
-      get result() {
-        return landscapeOf(state);
+    slices: {
+      ...live.state.slices,
+      landscape: {
+        ...landscapeSlice.of(live.state),
+        get result() {
+          return landscapeOf(state);
+        },
       },
-    },
-    disturbance: {
-      ...firstDisturbance,
-      get measured() {
-        return measuredOf({ ...live, engine, state });
+      disturbance: {
+        ...disturbanceSlice.first,
+        get measured() {
+          return measuredOf({ ...live, engine, state });
+        },
       },
     },
   };
@@ -53,7 +58,9 @@ function opened(step) {
 }
 
 /** @param {Live['state']} state */
-function landscapeOf({ experiment, preset, landscape: { x, y, third } }) {
+function landscapeOf(state) {
+  const { experiment, preset } = state;
+  const { x, y, third } = landscapeSlice.of(state);
   const spec = { experiment, x, y, range: linearRange[preset], third: third ?? 0 };
   const count = Math.max(...counts);
   const [across, up] = [x, y].map((axis) => {

@@ -17,6 +17,11 @@ import { createPool } from './pool.js';
 import { createSurveys } from './surveys.js';
 import SurveyWorker from './worker.js?worker';
 
+/** @typedef {import('../../pkg/ep_locomotion.js').ErrorParts} ErrorParts */
+/** @typedef {import('../../pkg/ep_locomotion.js').Range} Range */
+/** @typedef {import('../../pkg/ep_locomotion.js').RemainingErrors} RemainingErrors */
+/** @typedef {import('../../pkg/ep_locomotion.js').Robustness} Robustness */
+/** @typedef {import('../../pkg/ep_locomotion.js').SeedRun} SeedRun */
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').Field} Field */

@@ -1,5 +1,4 @@
 // Runs long jobs part by part in plain Web Workers. Which worker does a part, and when, never shows in the result.
-import { messageOf } from '../words/errors.js';
 
 /** @typedef {import('./worker.js').Answer} Answer */
 /** @typedef {import('./worker.js').Calls} Calls */
@@ -109,7 +108,9 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
     try {
       return spawn();
     } catch (cause) {
-      throw new Error(`No worker can be started: ${messageOf(cause)}`, { cause });
+      throw new Error(`No worker can be started: ${cause instanceof Error ? cause.message : cause}`, {
+        cause,
+      });
     }
   }
 

@@ -1,11 +1,7 @@
-// How a line looks that has a dash and a mark of its own, as a pinned run has: a piece of it for lists and tables.
+// How a line looks that has a dash and a mark of its own: a piece of it for lists and tables.
 import { svg } from './elements.js';
-import { styles } from '../run/pins.js';
 
 /** The mark is a path around (0, 0). @typedef {{ token: string, dash: readonly number[], mark: string }} Look */
-
-/** @param {number} slot */
-export const createSwatch = (slot) => swatchOf(styles[slot]);
 
 /** @param {Look} look */
 export function swatchOf({ token, dash, mark }) {
@@ -18,10 +14,6 @@ export function swatchOf({ token, dash, mark }) {
   picture.style.color = `var(${token})`;
   return picture;
 }
-
-/** The mark of a pinned run on a canvas. @param {CanvasRenderingContext2D} context @param {number} slot @param {number} px @param {number} py @param {{ fill: string, edge: string }} colours */
-export const drawMark = (context, slot, px, py, colours) =>
-  drawPath(context, styles[slot].mark, px, py, colours);
 
 /** @param {CanvasRenderingContext2D} context @param {string} path @param {number} px @param {number} py @param {{ fill: string, edge: string }} colours */
 export function drawPath(context, path, px, py, { fill, edge }) {

@@ -1,10 +1,10 @@
 // Two clocks that never meet: the robot's bar and evolution's bar.
 import { write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
-import { paces } from '../run/state.js';
+import { paces } from '../run/pace.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {import('../run/state.js').Until} Until */
+/** @typedef {import('../run/pace.js').Until} Until */
 
 /** @typedef {{ play: HTMLButtonElement, speed: HTMLSelectElement, clock: HTMLElement, scrub: HTMLInputElement }} RobotBarElements */
 /** @typedef {{ onPlay: () => void, onSpeed: (speed: number) => void, onScrub: (time: number) => void }} RobotBarEvents */

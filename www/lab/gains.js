@@ -2,7 +2,7 @@
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {import('../run/state.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Triple} Triple */
 /** @typedef {{ gains: Triple, errors: readonly [string, string, string], range: readonly [number, number], note: string }} GainsModel */
 /**
  * @typedef {object} GainEvents

@@ -1,26 +1,13 @@
 // The parts of the page: links to all, and only what belongs to the open one in sight.
 import { watch } from '../kit/memo.js';
-import { pageNames } from '../run/state.js';
 import { lesson as lessonWords, lab as strings } from '../words/index.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../run/state.js').PageName} PageName */
-/** @typedef {import('../run/state.js').Scene} Scene */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Store} Store */
-
-/** @typedef {import('../parts/generation/record.js').Anatomy} Anatomy */
-/** @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], anatomyOf: (state: State) => Anatomy, steps: import('../parts/generation/steps.js').Steps }} PageParts */
-/** Drawn while it is open, at every change of the state. @typedef {{ name: PageName, draw: (state: State, scene: Scene) => void }} Page */
-
 /**
- * @param {HTMLElement} nav @param {HTMLElement} tagline @param {NodeListOf<HTMLElement>} parts Each names the pages it belongs to.
- * @param {(page: PageName) => void} onOpen @param {() => void} onLesson
+ * @param {readonly string[]} pages @param {HTMLElement} nav @param {HTMLElement} tagline @param {NodeListOf<HTMLElement>} parts Each names the pages it belongs to.
+ * @param {(page: string) => void} onOpen @param {() => void} onLesson
  */
-export function createPages(nav, tagline, parts, onOpen, onLesson) {
-  const links = /** @type {const} */ (['lesson', ...pageNames]).map((name) => {
+export function createPages(pages, nav, tagline, parts, onOpen, onLesson) {
+  const links = ['lesson', ...pages].map((name) => {
     const link = document.createElement('a');
     const text = name === 'lesson' ? lessonWords.nav : strings.pages[name];
     Object.assign(link, { id: `page-${name}`, href: `#${name}`, textContent: text });
@@ -36,7 +23,7 @@ export function createPages(nav, tagline, parts, onOpen, onLesson) {
   nav.replaceChildren(...links.map(({ link }) => link));
   const changed = watch();
   return {
-    /** @param {PageName} open @param {number} lesson @param {number} population */
+    /** @param {string} open @param {number} lesson @param {number} population */
     draw(open, lesson, population) {
       if (!changed(open, lesson, population)) return;
       document.body.dataset.open = open;

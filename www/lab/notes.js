@@ -1,5 +1,5 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
-import { createSwatch } from '../kit/swatch.js';
+import { createSwatch } from './pin-marks.js';
 import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
@@ -8,7 +8,7 @@ import { lab as strings } from '../words/index.js';
 /** @typedef {import('../core/engine.js').Run} Run */
 /** @typedef {import('../core/engine.js').Statistics} Statistics */
 /** @typedef {import('../run/state.js').Driver} Driver */
-/** @typedef {import('../run/state.js').Scene} Scene */
+/** @typedef {import('../run/scene.js').Scene} Scene */
 /** @typedef {{ legend: HTMLElement, postures: HTMLElement, planeText: HTMLElement, curve: HTMLElement, announcer: HTMLElement }} NotesElements */
 /**
  * @typedef {object} NotesModel

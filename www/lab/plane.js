@@ -4,7 +4,7 @@ import { createLayer } from '../kit/canvas.js';
 import { paidAt } from '../core/paid.js';
 import { textFont } from '../kit/fonts.js';
 import { styles } from '../run/pins.js';
-import { drawMark } from '../kit/swatch.js';
+import { drawMark } from './pin-marks.js';
 import { keepInside, knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
@@ -13,7 +13,7 @@ import { lab as strings } from '../words/index.js';
 /** @typedef {import('../kit/canvas.js').Layer} Layer */
 /** @typedef {import('../core/engine.js').Posture} Posture */
 /** @typedef {import('../core/engine.js').Run} Run */
-/** @typedef {import('../run/state.js').Scene} Scene */
+/** @typedef {import('../run/scene.js').Scene} Scene */
 /** @typedef {import('../kit/transform.js').View} View */
 /** @typedef {Pick<Run, 'time' | 'x' | 'y' | 'theta'>} Track */
 /** @typedef {import('../run/pins.js').Pins} Pins */

@@ -1,13 +1,15 @@
 // Pictures as tables, for those who cannot see them or want the numbers: one dialog for all.
+import { gainNames, landscapeSlice } from '../parts/landscape/state.js';
+import { robustnessSlice } from '../parts/robustness/state.js';
 import { byId, create } from '../kit/elements.js';
-import { gainNames, gainOn, thirdOf } from '../parts/landscape/request.js';
+import { gainOn, thirdOf } from '../parts/landscape/request.js';
 import { startOf } from '../parts/robustness/grid.js';
 import { lab, tables as words } from '../words/index.js';
 
 /** @typedef {import('../parts/landscape/request.js').Landscape} Landscape */
 /** @typedef {import('../parts/robustness/request.js').Survey} Survey */
-/** @typedef {import('../run/state.js').Statistics} Statistics */
-/** @typedef {import('../run/state.js').Store} Store */
+/** @typedef {import('../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../run/store.js').Store} Store */
 /** @typedef {{ caption: string, columns: readonly string[], rows: readonly (readonly string[])[] }} Table Each row begins with its name. */
 
 /** A map has too many cells to read: so many rows and columns of it. */
@@ -30,11 +32,11 @@ export function createTables(store) {
   );
   offer('fitness-table', () => fitnessTable(store.get().history));
   offer('landscape-table', () => {
-    const { result } = store.get().landscape;
+    const { result } = landscapeSlice.of(store.get());
     return result && landscapeTable(result);
   });
   offer('robustness-table', () => {
-    const { survey } = store.get().robustness;
+    const { survey } = robustnessSlice.of(store.get());
     return survey && robustnessTable(survey);
   });
 }

@@ -12,8 +12,9 @@ import { createSigmas } from './sigmas.js';
 import { curves as curveWords, lab as strings, texts } from '../words/index.js';
 import { language } from '../words/language.js';
 import { createPages } from './navigation.js';
+import { labSlice } from './state.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {ReturnType<typeof createViews>} Views */
 
 /** @param {string} text */
@@ -35,10 +36,11 @@ export function fillTexts() {
     element.setAttribute('aria-label', texts[element.getAttribute('data-label') ?? '']);
 }
 
-/** @param {Actions} actions @param {() => void} onLesson */
-export function createViews(actions, onLesson) {
+/** @param {import('../run/store.js').Store} store @param {Actions} actions @param {readonly string[]} pages @param {() => void} onLesson */
+export function createViews(store, actions, pages, onLesson) {
   return {
     pages: createPages(
+      pages,
       byId('pages'),
       byId('tagline'),
       document.querySelectorAll('[data-page]'),
@@ -81,7 +83,7 @@ export function createViews(actions, onLesson) {
       byId('curve-choice'),
       curveWords.curveLegend,
       curveWords.curveChoices,
-      actions.chooseCurve,
+      (curve) => labSlice.update(store, { curve }),
     ),
     evolutionBar: createEvolutionBar(
       {

@@ -1,4 +1,5 @@
 // The generation that is shown, taken apart for the lesson, and the pair that is in question there.
+import { generationSlice } from '../parts/generation/state.js';
 import { chosenOf, dissect, isInitial } from '../parts/generation/record.js';
 import { remember } from '../kit/memo.js';
 
@@ -20,7 +21,7 @@ export const anatomyOf = ({ engine, state }) => dissected(engine, state.history[
 /** The number of the individual that is chosen in the figure, whatever the phase. @param {Live} live */
 export const chosenIn = (live) =>
   chosenOf(anatomyOf(live), {
-    ...live.state.anatomy,
+    ...generationSlice.of(live.state),
     phase: isInitial(anatomyOf(live).record) ? 'parents' : 'survivors',
   });
 

@@ -6,10 +6,12 @@ import { noTrial } from '../run/state.js';
 import { isDuelOf, judge, lockedIn, longestOf, lowestOf, nextSeed, roundOf, scoreOf } from './duel.js';
 import { swatchOf } from '../kit/swatch.js';
 import { createDuelPlot, looks } from './duel-plot.js';
+import { progressSlice } from './state.js';
 import { paragraphs } from './prose.js';
-import { noTally, tallyOf } from './tally.js';
+import { noTally } from './state.js';
+import { tallyOf } from './tally.js';
 
-/** @typedef {import('../run/state.js').Store} Store */
+/** @typedef {import('../run/store.js').Store} Store */
 /** @typedef {import('./duel.js').Duel} Duel */
 /** @typedef {import('./page.js').Block} Block */
 /** @typedef {import('./page.js').Live} Live */
@@ -19,8 +21,7 @@ import { noTally, tallyOf } from './tally.js';
 /** Under which name the prediction is kept. */
 const prediction = 'duel.ahead';
 
-/** @param {Store} store @param {Partial<import('./page.js').Progress>} patch */
-const update = (store, patch) => store.update({ progress: { ...store.get().progress, ...patch } });
+const { update } = progressSlice;
 
 /** @param {string} id @param {string} className @param {() => void} act */
 function button(id, className, act) {
@@ -45,7 +46,7 @@ export function createDuelDrives({ store }, { duel: words }) {
     if (live) update(store, { duel: lockedIn(tallyIn(live), live.scene.experiment) });
   });
   const again = button('duel-new', '', () => {
-    const { [prediction]: _, ...answers } = store.get().progress.answers;
+    const { [prediction]: _, ...answers } = progressSlice.of(store.get()).answers;
     update(store, { answers, tally: noTally, duel: null });
   });
   write(lock, words.lock);
@@ -68,7 +69,7 @@ export function createDuelDrives({ store }, { duel: words }) {
     element,
     draw(now) {
       live = now;
-      const { duel } = now.state.progress;
+      const { duel } = progressSlice.of(now.state);
       const tally = tallyIn(now);
       const { population } = now.state.experiment.evolution;
       const here = duel !== null && isDuelOf(duel, now.scene.experiment);
@@ -86,16 +87,17 @@ export function createDuelDrives({ store }, { duel: words }) {
 }
 
 /** @param {Live} live */
-const tallyIn = ({ state, scene }) => tallyOf(state.progress.tally, scene.experiment);
+const tallyIn = ({ state, scene }) => tallyOf(progressSlice.of(state).tally, scene.experiment);
 
 /** What is locked in, or what the prediction locks in. @param {Live} live @returns {Duel} */
-export const duelIn = (live) => live.state.progress.duel ?? lockedIn(tallyIn(live), live.scene.experiment);
+export const duelIn = (live) =>
+  progressSlice.of(live.state).duel ?? lockedIn(tallyIn(live), live.scene.experiment);
 
 /** How the three compare, once it is predicted. @param {Tools} tools @param {Words} words @returns {Block} */
 export function createDuelResult({ store, engine, actions }, { duel: words, texts }) {
-  const rounds = createRounds(store, engine);
+  const rounds = createRounds({ store, engine, actions });
   const newest = () => {
-    const { duel } = store.get().progress;
+    const { duel } = progressSlice.of(store.get());
     const round = duel?.rounds.at(-1);
     return duel && round ? { duel, verdict: judge(duel, round) } : null;
   };
@@ -118,7 +120,7 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
   picture.id = 'duel-plot';
   picture.setAttribute('role', 'img');
   const further = button('duel-further', 'primary', () => {
-    const { duel } = store.get().progress;
+    const { duel } = progressSlice.of(store.get());
     if (duel) update(store, { duel: { ...duel, goesOn: !duel.goesOn } });
   });
   const again = button('duel-again', '', () => rounds.run());
@@ -127,10 +129,10 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
     if (!shown) return;
     const { experiment } = shown.duel;
     const { seed, generation } = shown.verdict;
-    const { page, lesson, preset, handGains, found, pins, exercise, ...view } = store.get();
+    const { page, lesson, preset, handGains, found, pins, exercise } = store.get();
     actions.openLinked(
       {
-        ...{ page, lesson, preset, handGains, found, pins, exercise, generation, view },
+        ...{ page, lesson, preset, handGains, found, pins, exercise, generation, parts: {} },
         experiment: { ...experiment, evolution: { ...experiment.evolution, seed } },
         driver: 'evolved',
         trial: noTrial,
@@ -161,7 +163,8 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
   return {
     element,
     draw(live) {
-      const { progress, theme, evolving } = live.state;
+      const { theme, evolving } = live.state;
+      const progress = progressSlice.of(live.state);
       const predicted = progress.answers[prediction] !== undefined;
       if (predicted && !evolving) rounds.begin(duelIn(live));
       const { duel } = progress;
@@ -204,8 +207,8 @@ function rowsOf({ costs, drives, given, winner }, words) {
     });
 }
 
-/** Asks the workers for evolution and random search. @param {Store} store @param {import('../core/engine.js').Engine} engine */
-function createRounds(store, engine) {
+/** Asks the workers for evolution and random search. @param {Pick<Tools, 'store' | 'engine' | 'actions'>} tools */
+function createRounds({ store, engine, actions }) {
   /** @type {Duel | null} */
   let asked = null;
   /** @param {Duel} duel */
@@ -214,22 +217,22 @@ function createRounds(store, engine) {
     asked = duel;
     try {
       const round = await roundOf(engine, duel, nextSeed(duel));
-      if (store.get().progress.duel === duel)
+      if (progressSlice.of(store.get()).duel === duel)
         update(store, { duel: { ...duel, rounds: [...duel.rounds, round] } });
     } catch (error) {
       asked = null;
-      store.update({ message: messageOf(error) });
+      actions.say(messageOf(error));
     }
   };
   return {
     /** Locks in, and runs the first seed. @param {Duel} duel */
     begin(duel) {
       if (duel.rounds.length > 0) return;
-      if (store.get().progress.duel !== duel) update(store, { duel });
+      if (progressSlice.of(store.get()).duel !== duel) update(store, { duel });
       ask(duel);
     },
     run() {
-      const { duel } = store.get().progress;
+      const { duel } = progressSlice.of(store.get());
       if (duel) ask(duel);
     },
   };

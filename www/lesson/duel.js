@@ -4,7 +4,7 @@ import { taskText } from './tally.js';
 
 /** @typedef {import('../core/engine.js').Engine} Engine */
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('./tally.js').Tally} Tally */
+/** @typedef {import('./state.js').Tally} Tally */
 /**
  * The best J of each generation, and what random search had found by then.
  * @typedef {{ seed: number, evolution: ArrayLike<number>, random: ArrayLike<number> }} Round

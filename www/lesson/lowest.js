@@ -1,14 +1,15 @@
 // The lowest point of a landscape of J, on the very points that the map shows.
-import { counts, gainNames, gainsAt, linearRange } from '../parts/landscape/request.js';
+import { counts, gainsAt, linearRange } from '../parts/landscape/request.js';
+import { gainNames } from '../parts/landscape/state.js';
 
 /** @typedef {import('../core/engine.js').Engine} Engine */
 /** @typedef {import('../parts/landscape/request.js').GainName} GainName */
-/** @typedef {import('../run/state.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Triple} Triple */
 /** @typedef {{ gains: Triple, cost: number, most: number }} Lowest With the gain at which the axes end. */
 
 /**
  * @param {Engine} engine
- * @param {{ experiment: import('../core/engine.js').Experiment, preset: import('../run/state.js').Preset, x: GainName, y: GainName, gains: Triple }} map The gain that is on no axis is that of `gains`.
+ * @param {{ experiment: import('../core/engine.js').Experiment, preset: import('../core/engine.js').Preset, x: GainName, y: GainName, gains: Triple }} map The gain that is on no axis is that of `gains`.
  * @returns {Promise<Lowest>}
  */
 export async function lowestPoint(engine, { experiment, preset, x, y, gains }) {

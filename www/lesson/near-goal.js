@@ -1,4 +1,5 @@
 // The last centimetres: where a disturbed robot stays, and the strips in which Theorem 2 lets it.
+import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { create, svg } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 
@@ -49,7 +50,7 @@ export function createNearGoal({ actions }, { near: words }) {
     /** @param {Live} live */
     draw({ state, scene }) {
       const { driving, comparison, withoutDisturbance, experiment } = scene;
-      const { measured } = state.disturbance;
+      const { measured } = disturbanceSlice.of(state);
       const end = experiment.goal;
       const half = halfOf(driving, end);
       const scale = reach / half;

@@ -1,7 +1,10 @@
 // The lesson: the words of one step beside the lab's own views.
+import { disturbanceSlice } from '../parts/disturbance/state.js';
+import { generationSlice } from '../parts/generation/state.js';
+import { landscapeSlice } from '../parts/landscape/state.js';
 import { byId, create, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
-import { gainsOf } from '../run/state.js';
+import { gainsOf } from '../run/drivers.js';
 import { lesson as words } from '../words/index.js';
 import { createErrorPosture } from './error-posture.js';
 import { createFormula } from './formula.js';
@@ -10,15 +13,16 @@ import { inline, list, paragraphs } from './prose.js';
 import { createQuiz } from './quiz.js';
 import { createSights } from './sights.js';
 import { hrefOf, steps } from './steps.js';
+import { progressSlice } from './state.js';
 import { createTally } from './tally.js';
 
 /** @typedef {import('../core/engine.js').Engine} Engine */
 /** @typedef {import('../core/engine.js').PaperResult} PaperResult */
 /** @typedef {import('../core/engine.js').Sample} Sample */
-/** @typedef {import('../run/state.js').Scene} Scene */
+/** @typedef {import('../run/scene.js').Scene} Scene */
 /** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Store} Store */
-/** @typedef {import('../run/state.js').Triple} Triple */
+/** @typedef {import('../run/store.js').Store} Store */
+/** @typedef {import('../core/engine.js').Triple} Triple */
 /** @typedef {import('./quiz.js').Quiz} Quiz */
 /** @typedef {import('./quiz.js').Outcome} Outcome */
 /** @typedef {import('./steps.js').Step} Step */
@@ -26,8 +30,7 @@ import { createTally } from './tally.js';
 /** What runs now: all that a step's values, answers and views are made of. @typedef {{ engine: Engine, state: State, scene: Scene, paper: PaperResult[], gains: Triple, sample: Sample, decided: Sample }} Live At the robots’ clock: what is, and what the law decided last, which at the end of a drive is one sample old. */
 /** What a step holds, drawn at every change. @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
 /** A prediction, and what came out once it is known. @typedef {{ choice: number, outcome: Outcome | null }} Answer */
-/** What is kept in this tab, and leaves with it. @typedef {{ answers: Record<string, Answer>, tally: import('./tally.js').Tally, duel: import('./duel.js').Duel | null }} Progress */
-/** @typedef {{ go: (link: string) => void, store: Store, actions: import('../run/actions.js').Actions, engine: Engine }} Tools */
+/** @typedef {{ go: (link: string) => void, store: Store, actions: import('../run/actions/actions.js').Actions, engine: Engine }} Tools */
 
 /** @param {Tools & { paper: PaperResult[] }} parts */
 export function createLesson({ engine, store, actions, paper, go }) {
@@ -71,7 +74,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
       if (stepChanged(lesson)) {
         blocks = createStep(article, step, lesson, tools);
         if (!state.dragging) for (const one of [window, article]) one.scrollTo({ top: 0 });
-        if (step.time !== undefined) actions.scrub(step.time);
+        if (step.time !== undefined) actions.standAt(step.time);
       }
       tally.count(state, scene);
       const live = {
@@ -112,16 +115,14 @@ function settle(live, step, store) {
   for (const block of step.blocks) {
     if (block.kind !== 'quiz') continue;
     const key = `${step.name}.${block.name}`;
-    const answer = live.state.progress.answers[key];
+    const answer = progressSlice.of(live.state).answers[key];
     if (!answer || answer.outcome || pending.has(answer)) continue;
     if (block.quiz.ready && !block.quiz.ready(live)) continue;
     pending.add(answer);
     Promise.resolve(block.quiz.answer(live)).then((outcome) => {
-      const { progress } = store.get();
-      if (progress.answers[key] === answer)
-        store.update({
-          progress: { ...progress, answers: { ...progress.answers, [key]: { ...answer, outcome } } },
-        });
+      const { answers } = progressSlice.of(store.get());
+      if (answers[key] === answer)
+        progressSlice.update(store, { answers: { ...answers, [key]: { ...answer, outcome } } });
     });
   }
 }
@@ -154,10 +155,10 @@ function createStep(article, step, number, tools) {
             live.sample,
             live.state.history,
             live.state.generation,
-            live.state.anatomy,
-            live.state.progress,
-            live.state.landscape.result,
-            live.state.disturbance.measured,
+            generationSlice.of(live.state),
+            progressSlice.of(live.state),
+            landscapeSlice.of(live.state).result,
+            disturbanceSlice.of(live.state).measured,
           )
         )
           return;
@@ -209,13 +210,12 @@ function createBlock(block, step, text, href, tools) {
 function createQuestion({ name, quiz }, step, text, href, { store, go }) {
   const key = `${step.name}.${name}`;
   const keep = (/** @type {Answer | undefined} */ answer) => {
-    const { progress } = store.get();
-    const { [key]: _, ...others } = progress.answers;
-    store.update({ progress: { ...progress, answers: answer ? { ...others, [key]: answer } : others } });
+    const { [key]: _, ...others } = progressSlice.of(store.get()).answers;
+    progressSlice.update(store, { answers: answer ? { ...others, [key]: answer } : others });
   };
   const view = createQuiz(text.quizzes[name], href, {
     onAnswer(choice) {
-      if (store.get().progress.answers[key]) return;
+      if (progressSlice.of(store.get()).answers[key]) return;
       if (quiz.shows) go(href(quiz.shows).slice(1));
       keep({ choice, outcome: null });
     },
@@ -224,7 +224,7 @@ function createQuestion({ name, quiz }, step, text, href, { store, go }) {
   view.element.id = `quiz-${name}`;
   return {
     element: view.element,
-    draw: (/** @type {Live} */ { state }) => view.draw(state.progress.answers[key]),
+    draw: (/** @type {Live} */ { state }) => view.draw(progressSlice.of(state).answers[key]),
   };
 }
 

@@ -7,7 +7,7 @@ import { row } from './notation.js';
 import { mathml, symbol, symbolInText } from './symbols.js';
 
 /** @typedef {import('../core/engine.js').Sample} Sample */
-/** @typedef {import('../run/state.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Triple} Triple */
 /** @typedef {import('./notation.js').Part} Part */
 /** @typedef {{ speed: string, turnRate: string, moving: string, asked: string, left: string, otherLaw: string, tableLabel: string }} PushWords */
 

@@ -3,7 +3,6 @@ import { isEmbedded } from '../kit/host.js';
 import { createSegmented } from '../kit/segmented.js';
 import { lesson as words, lab } from '../words/index.js';
 
-/** @typedef {import('../run/state.js').PageName} PageName */
 /** @typedef {import('./steps.js').Step} Step */
 /** @typedef {'robot' | 'part' | 'gains'} Sight */
 
@@ -19,7 +18,7 @@ export function createSights(fieldset) {
   };
   narrow.addEventListener('change', show);
   return {
-    /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {PageName} page */
+    /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {string} page */
     open(step, page) {
       chosen = null;
       if (step) {

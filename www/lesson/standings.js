@@ -1,7 +1,7 @@
 // Some drives by what they cost under the present weights; the cheapest is marked.
 import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
-import { gainsOf } from '../run/state.js';
+import { gainsOf } from '../run/drivers.js';
 import { lab } from '../words/index.js';
 import { costText, threeDigits } from '../words/numbers.js';
 

@@ -1,8 +1,9 @@
 // The best by hand so far, in one line.
 import { create } from '../kit/elements.js';
+import { progressSlice } from './state.js';
 import { watch } from '../kit/memo.js';
 
-/** @typedef {import('./tally.js').Tally} Tally */
+/** @typedef {import('./state.js').Tally} Tally */
 
 /** @param {import("./page.js").Tools} _tools @param {{ tally: (tally: Tally) => string }} words @returns {import('./page.js').Block} */
 export function createTallyLine(_tools, words) {
@@ -12,7 +13,8 @@ export function createTallyLine(_tools, words) {
   return {
     element,
     draw({ state }) {
-      if (changed(state.progress.tally)) element.textContent = words.tally(state.progress.tally);
+      const { tally } = progressSlice.of(state);
+      if (changed(tally)) element.textContent = words.tally(tally);
     },
   };
 }

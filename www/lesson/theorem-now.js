@@ -1,4 +1,5 @@
 // Which of the inequalities of Theorem 2 hold at the robot's clock, and what follows.
+import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { create } from '../kit/elements.js';
 import { isInside, parts } from '../parts/disturbance/summary.js';
 import { watch } from '../kit/memo.js';
@@ -24,7 +25,7 @@ export function createTheoremNow(_tools, { holds: words }) {
     element,
     /** @param {Live} live */
     draw({ state, scene }) {
-      const { measured } = state.disturbance;
+      const { measured } = disturbanceSlice.of(state);
       if (!measured) return;
       const { runs, disturbed } = measured;
       const { time } = runs[0];

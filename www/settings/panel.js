@@ -6,11 +6,11 @@ import { fieldPath, valueAt } from '../run/paths.js';
 import { createChoice, createNumber, typingMark } from './rows.js';
 import { rows, table } from './table.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../core/engine.js').Engine} Engine */
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Store} Store */
+/** @typedef {import('../run/store.js').Store} Store */
 /** @typedef {import('./rows.js').RowView} RowView */
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {{ open: boolean, error: { path: string, text: string } | null }} SettingsState */

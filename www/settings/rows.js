@@ -3,7 +3,7 @@ import { numberOf } from '../words/numbers.js';
 import { settings as words } from '../words/index.js';
 import { createQuantity, createSliderScale } from './quantity.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../core/engine.js').Field} Field */
 /** @typedef {import('../run/paths.js').Value} Value */

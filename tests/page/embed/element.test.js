@@ -1,5 +1,6 @@
 // The element <ep-locomotion> in a page of another host.
 import assert from 'node:assert/strict';
+import { parts } from '../../../www/parts/parts.js';
 import { wantedHeight } from '../../../www/embed/frame.js';
 import * as en from '../../../www/words/en/element.js';
 import * as ko from '../../../www/words/ko/element.js';
@@ -60,7 +61,7 @@ pageTest('an element shows a figure, does what its page asks, and tells what com
     await isReady(page, 'own');
     await isReady(page, 'other');
     const [width, height] = await use(page, 'own', '[it.offsetWidth, it.offsetHeight]');
-    assert.equal(height, wantedHeight('lab', 0, width));
+    assert.equal(height, wantedHeight(parts, 'lab', 0, width));
     assert.equal(await use(page, 'other', 'it.offsetHeight'), 400);
     assert.equal((await use(page, 'own', 'it.state')).link, 'lab&v=1&seed=7');
 

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { addressOf } from '../../../www/kit/host.js';
 import { frameText, sizes, wantedHeight } from '../../../www/embed/frame.js';
-import { pageNames } from '../../../www/run/state.js';
+import { pageNames, parts } from '../../../www/parts/parts.js';
 import { pageTest } from '../harness/browsers.js';
 import { evolve, experiment, historyOf, simulate } from '../harness/core.js';
 import { ask, heardFrom, inHost, within } from '../harness/host.js';
@@ -34,7 +34,9 @@ test('the text of a frame says where, how large and what, and nothing in it ends
 test('the height that is asked for depends on the width alone, and has bounds', () => {
   for (const page of pageNames)
     for (const lesson of [0, 3]) {
-      const heights = [100, 400, 640, 800, 1200, 3000].map((width) => wantedHeight(page, lesson, width));
+      const heights = [100, 400, 640, 800, 1200, 3000].map((width) =>
+        wantedHeight(parts, page, lesson, width),
+      );
       assert.ok(heights.every(Number.isInteger));
       assert.deepEqual(
         heights,
@@ -45,6 +47,7 @@ test('the height that is asked for depends on the width alone, and has bounds', 
 });
 
 /** The picture of each part, and what one presses first. */
+/** @type {Record<string, string[]>} */
 const essentials = {
   lab: ['#plane', '#run'],
   generation: ['#generation-picture', '#generation-next'],
@@ -124,7 +127,7 @@ for (const [[width, height], language] of /** @type {const} */ ([
         }
       });
       for (const [frame, name] of pageNames.entries()) {
-        const wanted = wantedHeight(name, 0, width);
+        const wanted = wantedHeight(parts, name, 0, width);
         await within(page, frame, async () => {
           await page.until(`${name} has its height`, (expected) => innerHeight === expected, wanted);
           assert.deepEqual(await page.evaluate(misplaced, essentials[name]), [], `${name} at ${wanted}`);
@@ -374,7 +377,7 @@ pageTest(
       await page.evaluate(() => {
         /** @type {HTMLIFrameElement} */ (document.querySelector('iframe')).width = '800';
       });
-      const height = wantedHeight('lab', 0, 800);
+      const height = wantedHeight(parts, 'lab', 0, 800);
       await page.until(
         'the new height is told',
         (expected) =>

@@ -10,7 +10,8 @@ import {
   scoreOf,
   winners,
 } from '../../../www/lesson/duel.js';
-import { noTally, taskText } from '../../../www/lesson/tally.js';
+import { noTally } from '../../../www/lesson/state.js';
+import { taskText } from '../../../www/lesson/tally.js';
 import { duel as words } from '../../../www/words/en/lesson/duel.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, seedRuns, shown } from '../harness/core.js';

@@ -1,11 +1,12 @@
 import assert from 'node:assert/strict';
+import { generationSlice } from '../../../www/parts/generation/state.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { placeByCost } from '../../../www/lesson/anatomy.js';
 import { generation as step, question } from '../../../www/lesson/steps/generation.js';
 import { generation as words } from '../../../www/words/en/lesson/generation.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, simulate } from '../harness/core.js';
-import { evolved, opened } from './links.js';
+import { evolved, opened, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
@@ -42,10 +43,10 @@ const near = (a, b, what) =>
 test('step 7: the four moves show one generation and one pair, phase by phase', () => {
   const links = [step.link, ...linksIn(words.texts.mutate), ...linksIn(words.texts.select)];
   const phases = links.map((link) => {
-    const { generation, view } = opened(link);
-    assert.equal(generation, 1);
-    assert.equal(view.anatomy.chosen, 26);
-    return view.anatomy.phase;
+    const shown = shownIn(link, generationSlice);
+    assert.equal(opened(link).generation, 1);
+    assert.equal(shown.chosen, 26);
+    return shown.phase;
   });
   assert.deepEqual(phases, ['parents', 'mutation', 'drive', 'tournament', 'survivors']);
 });
@@ -116,11 +117,11 @@ test('step 7: what its tries are said to show', () => {
   const lucky = anatomyOf(tryOf('generation', 'lucky'));
   const { upset } = lucky;
   assert.equal(upset?.survivor, 12);
-  assert.equal(opened(tryOf('generation', 'lucky')).view.anatomy.chosen, 12);
+  assert.equal(shownIn(tryOf('generation', 'lucky'), generationSlice).chosen, 12);
   assert.ok(placeByCost(lucky, 12) > 20);
 
   const below = tryOf('generation', 'below');
-  const [, chosen] = [opened(below), opened(below).view.anatomy.chosen ?? 0];
+  const chosen = shownIn(below, generationSlice).chosen ?? 0;
   const { gains } = anatomyOf(below).all[chosen];
   const { cost } = simulate(usual, gains);
   assert.equal(chosen, 20 + 14);

@@ -1,5 +1,5 @@
 // What a link of the lesson sets up, under Node: so that a claim of the lesson is held by the core itself.
-import { openLink } from '../../../www/link/link.js';
+import { links } from '../../../www/lesson/links.js';
 import { Evolution, experiment, paperGains, Simulation, simulate, simulateAll } from '../harness/core.js';
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -45,10 +45,14 @@ export async function answerOf({ blocks }, name, live) {
 
 /** What a link asks for; it must not have anything wrong. @param {string} link */
 export function opened(link) {
-  const { opened, problems } = openLink(link, engine);
+  const { opened, problems } = links.openLink(link, engine);
   if (problems.length > 0) throw new Error(problems.join(' '));
   return opened;
 }
+
+/** What a link says of a part of the page. @template {object} S @param {string} link @param {import('../../../www/run/store.js').Slice<S>} slice @returns {S} */
+export const shownIn = (link, slice) =>
+  /** @type {S} */ ({ ...slice.first, ...opened(link).parts[slice.name] });
 
 /** The drive of the robot in ink. @param {string} link */
 export function driven(link) {

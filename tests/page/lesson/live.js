@@ -1,11 +1,10 @@
 // What a question of the lesson is answered from, under Node: the page's own answers on the core itself.
-import { firstTraining } from '../../../www/parts/training/request.js';
-import { noTally } from '../../../www/lesson/tally.js';
-import { gainsOf, withDisturbance } from '../../../www/run/state.js';
+import { gainsOf } from '../../../www/run/drivers.js';
+import { withDisturbance } from '../../../www/run/scene.js';
+import { places } from '../../../www/parts/parts.js';
 import { steps } from '../../../www/lesson/steps.js';
 import * as en from '../../../www/words/en/lesson.js';
 import * as ko from '../../../www/words/ko/lesson.js';
-import { firstRobustness } from '../../../www/parts/robustness/request.js';
 import {
   Evolution,
   experiment,
@@ -67,14 +66,13 @@ export function liveOf(link) {
   const evolution = ranTo(run.experiment, run.generation);
   const state = /** @type {any} */ ({
     ...run,
-    ...run.view,
+    slices: Object.fromEntries(
+      places.slices.map(({ name, first }) => [name, { ...first, ...run.parts[name] }]),
+    ),
     // No part of the page computes here.
     page: 'lab',
     history: Array.from({ length: run.generation + 1 }, (_, g) => evolution.statistics(g)),
     population: evolution.population(),
-    progress: { answers: {}, tally: noTally, duel: null },
-    robustness: { ...firstRobustness, ...run.view.robustness },
-    training: firstTraining,
   });
   const { start, disturbance } = run.trial;
   const scene = {

@@ -1,9 +1,10 @@
 import assert from 'node:assert/strict';
+import { generationSlice } from '../../../www/parts/generation/state.js';
 import { sigma as step } from '../../../www/lesson/steps/sigma.js';
 import { sigma as words } from '../../../www/words/en/lesson/sigma.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, learningRates, seedRuns } from '../harness/core.js';
-import { evolved, opened } from './links.js';
+import { evolved, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
@@ -120,7 +121,7 @@ test('step 8: what its tries are said to show', () => {
 
   const late = tryOf('sigma', 'late');
   const { evolution, generation } = evolved(late);
-  assert.equal(opened(late).view.anatomy.chosen, 0);
+  assert.equal(shownIn(late, generationSlice).chosen, 0);
   const { parents, offspring } = evolution.record(generation);
   for (const j of [0, 1, 2]) assert.ok(Math.abs(parents[0].gains[j] - offspring[0].gains[j]) < 1e-6);
 });

@@ -9,9 +9,11 @@ import { pathToFileURL } from 'node:url';
 import { isDeepStrictEqual } from 'node:util';
 import fc from 'fast-check';
 import { openRunFile, runFile } from '../../../www/link/run-file.js';
-import { linkOf, mostCharacters, openLink } from '../../../www/link/link.js';
+import { links as pageLinks } from '../../../www/lesson/links.js';
+import { mostCharacters } from '../../../www/link/link.js';
 import { groupNames } from '../../../www/run/exercise.js';
-import { finds, pageNames } from '../../../www/run/state.js';
+import { finds } from '../../../www/run/state.js';
+import { pageNames } from '../../../www/parts/parts.js';
 import { experiment, fields, simulateAll } from '../harness/core.js';
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -57,8 +59,10 @@ const engine = /** @type {Engine} */ (
   })
 );
 
+const { linkOf, openLink } = pageLinks;
+
 /** @param {Opened} opened */
-const linkAgain = ({ view, ...run }) => linkOf({ ...run, ...view }, engine.experiment);
+const linkAgain = ({ parts, ...run }) => linkOf({ ...run, slices: parts }, engine.experiment);
 
 /** No text takes longer than a reader notices; far more than any takes, for machines are busy. */
 const mostMilliseconds = 3000;
@@ -87,7 +91,7 @@ export function checkLink(link) {
 
 /** Any text is opened as a run, or refused with a reason for the reader. @param {string} text */
 export async function checkFile(text) {
-  const opened = await openRunFile(text, engine).catch((error) => {
+  const opened = await openRunFile(text, engine, pageLinks).catch((error) => {
     // Any other kind is a mistake of ours.
     assert.equal(error.constructor, Error, String(error.stack));
     assert.match(error.message, /\w/);
@@ -356,12 +360,16 @@ const anyLink = mutated(fc.oneof(linkText, fc.constantFrom(...links)));
 function fileOf(link, generations) {
   const { opened } = openLink(link, engine);
   const history = Array.from({ length: generations + 1 }, (_, generation) => ({ generation }));
-  const { view, ...run } = { ...opened, generation: Math.min(opened.generation, generations) };
-  return runFile(/** @type {any} */ ({ ...run, ...view, history }), {
-    ...engine,
-    version: () => '0.1.0',
-    hash: () => hashOf(opened.experiment, generations),
-  });
+  const { parts, ...run } = { ...opened, generation: Math.min(opened.generation, generations) };
+  return runFile(
+    /** @type {any} */ ({ ...run, slices: parts, history }),
+    {
+      ...engine,
+      version: () => '0.1.0',
+      hash: () => hashOf(opened.experiment, generations),
+    },
+    pageLinks,
+  );
 }
 /** With another value of one of its fields, or without it. */
 const changedFile = fc

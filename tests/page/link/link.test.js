@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
-import { linkOf, openLink } from '../../../www/link/link.js';
+import { links } from '../../../www/lesson/links.js';
 import { finds } from '../../../www/run/state.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate, simulateAll } from '../harness/core.js';
@@ -11,7 +11,7 @@ import { read, readEvolution } from '../harness/reading.js';
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
 /** @typedef {import('../../../www/core/engine.js').Engine} Engine */
 /** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
-/** @typedef {import('../../../www/link/link.js').Linked} Linked */
+/** @typedef {import('../../../www/link/keys.js').Linked} Linked */
 
 const velocityLimits = experiment('velocity-limits');
 const engine = /** @type {Engine} */ (
@@ -21,10 +21,11 @@ const engine = /** @type {Engine} */ (
       simulateAll(from, gains.flat()),
   })
 );
+const { linkOf, openLink } = links;
 const open = (/** @type {string} */ link) => openLink(link, engine);
 
 /** A link's content as the page holds it. @param {ReturnType<typeof open>['opened']} opened @returns {Linked} */
-const linked = ({ view, ...run }) => ({ ...run, ...view });
+const linked = ({ parts, ...run }) => ({ ...run, slices: parts });
 const plain = linked(open('lab').opened);
 
 /** Numbers that look random, the same every time. @param {number} seed */
@@ -108,10 +109,13 @@ test('every experiment comes back from its link to the bit', () => {
       trial: { start: posture(), disturbance: null },
       pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
       exercise: wildExercise(next),
-      anatomy: { phase: 'ranking', chosen: Math.floor(40 * next()) },
-      curves: { view: 'stability', lab: 'sigmas', scale: 'log' },
-      landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
-      robustness: { quantity: 'time', half: 8, heading: 3 },
+      slices: {
+        generation: { phase: 'ranking', chosen: Math.floor(40 * next()) },
+        curves: { view: 'stability', scale: 'log' },
+        lab: { curve: 'sigmas' },
+        landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
+        robustness: { quantity: 'time', half: 8, heading: 3 },
+      },
     };
     const link = linkOf(state, experiment);
     assert.match(link, /^[\w.,;=&%~-]+$/);

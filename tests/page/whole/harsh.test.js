@@ -115,7 +115,7 @@ function runIn(env) {
     const { liveOf } = await import('../lesson/live.js');
     const { stability, Evolution } = await import('../harness/core.js');
     const { driveCsv, generationsCsv } = await import('../../../www/share/csv.js');
-    const { linkOf } = await import('../../../www/link/link.js');
+    const { links } = await import('../../../www/lesson/links.js');
     const { lab } = await import('../../../www/words/index.js');
     const { engine, state, scene, gains } = liveOf('lab&seed=7&generation=30&start=0.1,-1.25,30deg&drives=hand&gains=3.5,0.1,1234.5');
     const evolution = new Evolution(state.experiment);
@@ -127,7 +127,7 @@ function runIn(env) {
         evolution.hash(),
         generationsCsv(state.history, ['origin']),
         driveCsv(scene.driving, stability(scene.experiment, gains), ['origin']),
-        linkOf(state, engine.experiment),
+        links.linkOf(state, engine.experiment),
         lab.costText(12.5), lab.grouped(118098), lab.numberOf('1234,5'),
       ],
     }));`;

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { pageNames } from '../../../www/run/state.js';
+import { pageNames } from '../../../www/parts/parts.js';
 import * as en from '../../../www/words/en/index.js';
 import * as ko from '../../../www/words/ko/index.js';
 import { languageOf } from '../../../www/words/language.js';

@@ -1,5 +1,7 @@
 // Step 12: a ground that pushes, and what Theorem 2 says of it.
-import { gainsOf, withDisturbance } from '../../run/state.js';
+import { disturbanceSlice } from '../../parts/disturbance/state.js';
+import { gainsOf } from '../../run/drivers.js';
+import { withDisturbance } from '../../run/scene.js';
 import { fixed, threeDigits } from '../../words/numbers.js';
 import { robustFormula } from '../formulas.js';
 import { createNearGoal } from '../near-goal.js';
@@ -11,7 +13,7 @@ import { createTheoremNow } from '../theorem-now.js';
 /** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 
 const slip = { kind: /** @type {const} */ ('slip'), linear: 0.1, angular: 0, seed: 1 };
 /** What remains is what the last seconds still have. */
@@ -89,7 +91,7 @@ export const disturbance = {
   ],
   values({ engine, state, paper }) {
     const { experiment } = state;
-    const { measured } = state.disturbance;
+    const { measured } = disturbanceSlice.of(state);
     const run = driveUnder(engine, experiment, gainsOf(state, 'paper-ep', paper), slip);
     // Of who drives, as beside the curves; the first start is that of the drive.
     const others = measured?.calm.error.y.subarray(1);

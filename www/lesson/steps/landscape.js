@@ -1,4 +1,5 @@
 // Step 10: J as a landscape, and where evolution walked in it.
+import { landscapeSlice } from '../../parts/landscape/state.js';
 import { remember } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
@@ -71,7 +72,7 @@ export const landscape = {
   ],
   values({ state }) {
     const { history, generation, experiment } = state;
-    const { result } = state.landscape;
+    const { result } = landscapeSlice.of(state);
     return {
       drives: result ? lab.grouped(result.costs.length) : '…',
       floor: result ? fixed(100 * floorShare(result.costs), 0) : '…',

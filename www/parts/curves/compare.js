@@ -1,7 +1,7 @@
 // The pinned runs: their names, and a table of what differs between them and the run on screen.
+import { curvesSlice } from './state.js';
 import { byId } from '../../kit/elements.js';
-import { renamed, withoutPin } from '../../run/pins.js';
-import { createSwatch } from '../../kit/swatch.js';
+import { createSwatch } from '../../lab/pin-marks.js';
 import { createQuantity } from '../../settings/quantity.js';
 import { fieldPath, valueAt } from '../../run/paths.js';
 import { rows as settingRows } from '../../settings/table.js';
@@ -11,33 +11,32 @@ import { curves as words, lab, settings as settingWords } from '../../words/inde
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../core/engine.js').Field} Field */
 /** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('../../lab/navigation.js').PageParts} PageParts */
+/** @typedef {import('../part.js').Tools} PageParts */
 /** @typedef {import('../../run/pins.js').Pin} Pin */
-/** @typedef {import('../../run/state.js').Scene} Scene */
+/** @typedef {import('../../run/scene.js').Scene} Scene */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {{ name: string, gains: Triple, experiment: Experiment, run: Run, slot: number | null }} Column */
 /** @typedef {{ id: string, head: string, className?: string, texts: readonly string[] }} Row */
 
 /** @param {PageParts} parts */
-export function createComparison({ engine, store }) {
+export function createComparison({ engine, store, actions }) {
   const list = byId('pins-list');
   const message = byId('pins-message');
   const table = byId('pins-table');
   const settingTexts = createSettingTexts(engine.fields());
-  const say = (/** @type {string} */ text) =>
-    store.update({ curves: { ...store.get().curves, message: text } });
+  const say = (/** @type {string} */ text) => curvesSlice.update(store, { message: text });
   const on = {
     /** @param {number} slot @param {string} text */
     onName(slot, text) {
       const name = text.trim();
       if (name === '') return say(words.nameNeeded);
-      store.update({ pins: renamed(store.get().pins, slot, name) });
+      actions.renamePin(slot, name);
       say('');
     },
     /** @param {number} slot */
     onUnpin(slot) {
-      store.update({ pins: withoutPin(store.get().pins, slot) });
+      actions.unpin(slot);
       say('');
       // The button that was pressed is gone.
       (list.querySelector('input') ?? byId('pin')).focus();
@@ -48,12 +47,14 @@ export function createComparison({ engine, store }) {
   const tableChanged = watch();
   return {
     /** @param {State} state @param {{ name: string, gains: Triple, scene: Scene }} driving */
-    draw({ pins, curves }, { name, gains, scene }) {
-      if (pinsChanged(pins, curves.message)) {
+    draw(state, { name, gains, scene }) {
+      const { pins } = state;
+      const said = curvesSlice.of(state).message;
+      if (pinsChanged(pins, said)) {
         byId('pins-text').textContent = pins.length === 0 ? words.noPinsText : words.pinsText(pins.length);
         list.replaceChildren(...pins.map((pin) => createItem(pin, on)));
-        message.textContent = curves.message;
-        message.hidden = curves.message === '';
+        message.textContent = said;
+        message.hidden = said === '';
       }
       if (!tableChanged(pins, scene.driving, name)) return;
       const columns = [

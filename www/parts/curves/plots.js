@@ -1,7 +1,7 @@
 // Runs against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
 import { createLayer } from '../../kit/canvas.js';
 import { symbolFont, textFont } from '../../kit/fonts.js';
-import { drawMark } from '../../kit/swatch.js';
+import { drawMark } from '../../lab/pin-marks.js';
 import { styles } from '../../run/pins.js';
 import { sampleBefore } from '../../lab/plane.js';
 import { colour, sameDigits, spread } from '../../kit/plot.js';

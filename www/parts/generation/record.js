@@ -1,4 +1,5 @@
 // A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
+import { generationSlice, phases } from './state.js';
 import { ascending } from 'd3-array';
 import { remember } from '../../kit/memo.js';
 import { generation as words } from '../../words/index.js';
@@ -6,9 +7,10 @@ import { generation as words } from '../../words/index.js';
 /** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */
 /** @typedef {import('../../core/engine.js').Individual} Individual */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Statistics} Statistics */
-/** @typedef {typeof phases[number]} Phase */
-/** @typedef {{ phase: Phase, chosen: number | null }} GenerationState The number of the chosen one in the record; null: the luckiest survivor, or the best offspring. */
+/** @typedef {import('../../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../../run/scene.js').ChosenDrives} ChosenDrives */
+/** @typedef {import('./state.js').GenerationState} GenerationState */
+/** @typedef {import('./state.js').Phase} Phase */
 /** @typedef {{ survivor: number, fallen: number }} Upset One that survives though a better one fell. */
 
 /**
@@ -20,27 +22,6 @@ import { generation as words } from '../../words/index.js';
  * @property {number[]} ranks The place in the ranking of each number, from 0.
  * @property {Upset | null} upset
  */
-
-/** @typedef {{ gains: Individual['gains'], name: string }} Named */
-/**
- * @typedef {object} ChosenDrives What drives on the plane while the page is open.
- * @property {string} name
- * @property {Individual[]} population The one in ink, then the others.
- * @property {(others: number, arrived: number | null) => string} othersText
- * @property {Named | null} partner Its parent, or its offspring.
- */
-
-export const phases = /** @type {const} */ ([
-  'parents',
-  'mutation',
-  'drive',
-  'tournament',
-  'ranking',
-  'survivors',
-]);
-
-/** @type {GenerationState} */
-export const firstGeneration = { phase: 'parents', chosen: null };
 
 /** @param {GenerationRecord} record @returns {Anatomy} */
 export function dissect(record) {
@@ -110,7 +91,7 @@ export const partnerOf = ({ count }, number) => (number < count ? number + count
 export function createChosenDrives(anatomyOf) {
   const drives = remember(drivesOf);
   return (/** @type {State} */ state) =>
-    state.page === 'generation' ? drives(anatomyOf(state), state.anatomy) : null;
+    state.page === 'generation' ? drives(anatomyOf(state), generationSlice.of(state)) : null;
 }
 
 /** @param {Anatomy} anatomy @param {GenerationState} state @returns {ChosenDrives} */

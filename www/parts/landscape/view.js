@@ -1,17 +1,18 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
+import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
 import { createLayer } from '../../kit/canvas.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
-import { drawMark } from '../../kit/swatch.js';
+import { drawMark } from '../../lab/pin-marks.js';
 import { shadeAt } from '../../kit/shades.js';
 import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { landscape as words } from '../../words/index.js';
-import { endsOfAxis, gainNames } from './request.js';
+import { endsOfAxis } from './request.js';
 import { createAxis, createCostScale, paint } from './scale.js';
 
 /** @typedef {import('../../core/engine.js').Individual} Individual */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {import('./request.js').Landscape} Landscape */
 /** @typedef {import('./request.js').Spec} Spec */
 /** @typedef {import('./scale.js').Axis} Axis */

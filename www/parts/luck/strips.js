@@ -10,7 +10,7 @@ import { fixed } from '../../words/numbers.js';
 import { drawDots, drawRing } from './curve.js';
 import { diameterOf, nearestDot, stackDots } from './dots.js';
 
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {import('./dots.js').Dots} Dots */
 /** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
 /** @typedef {{ survey: SeedSurvey | null, paper: Triple, range: readonly [number, number], index: number, theme: number }} StripsModel */

@@ -1,8 +1,8 @@
 // The starts of the map, positions on a square around the goal times headings, and what comes of them at each position.
 
 /** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Range} Range */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Robustness} Robustness */
+/** @typedef {import('../../core/engine.js').Range} Range */
+/** @typedef {import('../../core/engine.js').Robustness} Robustness */
 /** @typedef {{ x: Range, y: Range, headings: number }} Grid */
 /** @typedef {ReturnType<typeof tally>} Tally */
 

@@ -3,7 +3,7 @@ import { createLayer } from '../../../kit/canvas.js';
 import { drawCursorDot, drawCursorLine, drawGrid, drawTimeAxis, line, pointsOf, through } from '../axes.js';
 import { linesOf } from '../plots.js';
 import { symbolFont, textFont } from '../../../kit/fonts.js';
-import { drawMark } from '../../../kit/swatch.js';
+import { drawMark } from '../../../lab/pin-marks.js';
 import { sampleBefore } from '../../../lab/plane.js';
 import { colour } from '../../../kit/plot.js';
 import { watch } from '../../../kit/memo.js';

@@ -1,4 +1,5 @@
 // The Lyapunov function of the run on screen: V, what the law promises of its rate, and what the robot makes of that.
+import { curvesSlice } from '../state.js';
 import { followPointer, sampleTime } from '../axes.js';
 import { byId, create, followSize, formula, write } from '../../../kit/elements.js';
 import { sampleBefore } from '../../../lab/plane.js';
@@ -11,11 +12,11 @@ import { stabilityTable } from './table.js';
 
 /** @typedef {import('../../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../../core/engine.js').Stability} Stability */
-/** @typedef {import('../../../lab/navigation.js').PageParts} PageParts */
+/** @typedef {import('../../part.js').Tools} PageParts */
 /** @typedef {import('../../../run/pins.js').Pins} Pins */
-/** @typedef {import('../../../run/state.js').Scene} Scene */
+/** @typedef {import('../../../run/scene.js').Scene} Scene */
 /** @typedef {import('../../../run/state.js').State} State */
-/** @typedef {import('../../../run/state.js').Triple} Triple */
+/** @typedef {import('../../../core/engine.js').Triple} Triple */
 
 /** @param {Pick<PageParts, 'engine' | 'store' | 'actions'>} parts */
 export function createStability({ engine, store, actions }) {
@@ -27,10 +28,8 @@ export function createStability({ engine, store, actions }) {
   const picture = byId('stability-picture');
   /** @type {HTMLInputElement} */
   const log = byId('stability-log');
-  const size = followSize(picture, () => store.update({}));
-  log.addEventListener('change', () =>
-    store.update({ curves: { ...store.get().curves, scale: log.checked ? 'log' : 'linear' } }),
-  );
+  const size = followSize(picture, () => store.redraw());
+  log.addEventListener('change', () => curvesSlice.update(store, { scale: log.checked ? 'log' : 'linear' }));
 
   const stabilityOne = () =>
     remember((/** @type {Experiment} */ experiment, /** @type {Triple} */ gains) =>
@@ -51,10 +50,12 @@ export function createStability({ engine, store, actions }) {
   const textsChanged = watch();
   return {
     /** @param {State} state @param {Scene} scene @param {{ name: string, time: number }} of */
-    draw({ curves, pins, theme }, { experiment, gains, compared }, { name, time }) {
+    draw(state, { experiment, gains, compared }, { name, time }) {
+      const { pins, theme } = state;
+      const isLog = curvesSlice.of(state).scale === 'log';
       const driving = drivingOf(experiment, gains);
       shown = { name, driving };
-      log.checked = curves.scale === 'log';
+      log.checked = isLog;
       if (textsChanged(driving, name)) {
         const summary = summaryOf(driving, experiment, gains);
         write(note, words.noteText(summary));
@@ -67,7 +68,7 @@ export function createStability({ engine, store, actions }) {
         comparison: comparisonOf(compared.experiment, compared.gains),
         pins,
         pinned: pinnedOf(pins),
-        isLog: curves.scale === 'log',
+        isLog,
         time,
         size: size(),
         theme,
