@@ -11,17 +11,16 @@ Object.assign(globalThis, { document, Element, location: { hash: `#lab&lang=${la
 globalThis.navigator ??= /** @type {Navigator} */ ({});
 
 const { createSpec, firstDisturbance } = await import('../www/parts/disturbance/request.js');
+const { landscape, remainingErrors } = await import('../www/core/headless.js');
 const { create } = await import('../www/kit/elements.js');
 const { counts, endsOfAxis, gainsAt, linearRange } = await import('../www/parts/landscape/request.js');
 const { createFormula } = await import('../www/lesson/formula.js');
 const { list, paragraphs } = await import('../www/lesson/prose.js');
 const { steps } = await import('../www/lesson/steps.js');
+const { liveOf } = await import('../www/lesson/headless.js');
 const { undisturbed } = await import('../www/run/state.js');
 const { instead, lesson: words } = await import('../www/words/index.js');
 const { costText } = await import('../www/words/numbers.js');
-const { landscape, remainingErrors } = await import('../tests/page/harness/core.js');
-const { samples } = await import('../tests/page/lesson/links.js');
-const { liveOf } = await import('../tests/page/lesson/live.js');
 const { costs, generations, robots } = await import('./picture.mjs');
 
 /** @typedef {import('../www/lesson/page.js').Live} Live */
@@ -30,9 +29,6 @@ const { costs, generations, robots } = await import('./picture.mjs');
 /** What the page knows when a step is opened and its robots stand at the start. @param {Step} step @returns {Live} */
 function opened(step) {
   const live = liveOf(step.link);
-  const { experiment } = live.scene;
-  const engine = /** @type {Live['engine']} */ ({ ...live.engine, samples });
-  const [sample] = samples(experiment, live.gains);
   /** @type {Live['state']} */
   const state = {
     ...live.state,
@@ -45,11 +41,11 @@ function opened(step) {
     disturbance: {
       ...firstDisturbance,
       get measured() {
-        return measuredOf({ ...live, engine, state });
+        return measuredOf({ ...live, state });
       },
     },
   };
-  return { ...live, engine, state, sample, decided: sample };
+  return { ...live, state };
 }
 
 /** @param {Live['state']} state */
