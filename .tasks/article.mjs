@@ -19,7 +19,7 @@ const { list, paragraphs } = await import('../www/lesson/prose.js');
 const { steps } = await import('../www/lesson/steps.js');
 const { liveOf } = await import('../www/lesson/headless.js');
 const { undisturbed } = await import('../www/run/state.js');
-const { instead, lesson: words } = await import('../www/words/index.js');
+const { instead, lab, lesson: words } = await import('../www/words/index.js');
 const { costText } = await import('../www/words/numbers.js');
 const { costs, generations, robots } = await import('./picture.mjs');
 
@@ -105,8 +105,8 @@ function written(element, values) {
   return element.outerHTML;
 }
 
-/** @param {string} tag @param {string} text */
-const html = (tag, text) => written(create(tag, '', text), {});
+/** @param {string} text */
+const html = (text) => create('span', '', text).innerHTML;
 
 /** @type {string[]} */
 const sections = [];
@@ -121,8 +121,11 @@ for (const [i, step] of steps.entries()) {
 const [firstCost, bestCost] = [costs.first, costs.best].map(costText);
 console.log(
   JSON.stringify({
-    why: html('span', instead.waits),
-    caption: html('span', instead.caption(robots, generations, firstCost, bestCost)),
-    article: html('summary', instead.article) + html('p', instead.articleNote) + sections.join(''),
+    page: html(lab.texts.pageTitle),
+    why: html(instead.waits),
+    caption: html(instead.caption(robots, generations, firstCost, bestCost)),
+    title: html(instead.article),
+    note: html(instead.articleNote),
+    lesson: sections.join(''),
   }),
 );
