@@ -13,17 +13,16 @@ globalThis.navigator ??= /** @type {Navigator} */ ({});
 const { createSpec } = await import('../www/parts/disturbance/request.js');
 const { disturbanceSlice } = await import('../www/parts/disturbance/state.js');
 const { landscapeSlice } = await import('../www/parts/landscape/state.js');
+const { landscape, remainingErrors } = await import('../www/core/headless.js');
 const { create } = await import('../www/kit/elements.js');
 const { counts, endsOfAxis, gainsAt, linearRange } = await import('../www/parts/landscape/request.js');
 const { createFormula } = await import('../www/lesson/formula.js');
 const { list, paragraphs } = await import('../www/lesson/prose.js');
 const { steps } = await import('../www/lesson/steps.js');
+const { liveOf } = await import('../www/lesson/headless.js');
 const { undisturbed } = await import('../www/run/scene.js');
-const { instead, lesson: words } = await import('../www/words/index.js');
+const { instead, lab, lesson: words } = await import('../www/words/index.js');
 const { costText } = await import('../www/words/numbers.js');
-const { landscape, remainingErrors } = await import('../tests/page/harness/core.js');
-const { samples } = await import('../tests/page/lesson/links.js');
-const { liveOf } = await import('../tests/page/lesson/live.js');
 const { costs, generations, robots } = await import('./picture.mjs');
 
 /** @typedef {import('../www/lesson/page.js').Live} Live */
@@ -32,9 +31,6 @@ const { costs, generations, robots } = await import('./picture.mjs');
 /** What the page knows when a step is opened and its robots stand at the start. @param {Step} step @returns {Live} */
 function opened(step) {
   const live = liveOf(step.link);
-  const { experiment } = live.scene;
-  const engine = /** @type {Live['engine']} */ ({ ...live.engine, samples });
-  const [sample] = samples(experiment, live.gains);
   /** @type {Live['state']} */
   const state = {
     ...live.state,
@@ -49,12 +45,12 @@ function opened(step) {
       disturbance: {
         ...disturbanceSlice.first,
         get measured() {
-          return measuredOf({ ...live, engine, state });
+          return measuredOf({ ...live, state });
         },
       },
     },
   };
-  return { ...live, engine, state, sample, decided: sample };
+  return { ...live, state };
 }
 
 /** @param {Live['state']} state */
@@ -116,8 +112,8 @@ function written(element, values) {
   return element.outerHTML;
 }
 
-/** @param {string} tag @param {string} text */
-const html = (tag, text) => written(create(tag, '', text), {});
+/** @param {string} text */
+const html = (text) => create('span', '', text).innerHTML;
 
 /** @type {string[]} */
 const sections = [];
@@ -132,8 +128,11 @@ for (const [i, step] of steps.entries()) {
 const [firstCost, bestCost] = [costs.first, costs.best].map(costText);
 console.log(
   JSON.stringify({
-    why: html('span', instead.waits),
-    caption: html('span', instead.caption(robots, generations, firstCost, bestCost)),
-    article: html('summary', instead.article) + html('p', instead.articleNote) + sections.join(''),
+    page: html(lab.texts.pageTitle),
+    why: html(instead.waits),
+    caption: html(instead.caption(robots, generations, firstCost, bestCost)),
+    title: html(instead.article),
+    note: html(instead.articleNote),
+    lesson: sections.join(''),
   }),
 );

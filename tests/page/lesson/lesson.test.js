@@ -72,7 +72,8 @@ test('step 1: what is said of its drives is so', () => {
 
 test('step 2: turned wrong by 90° on the goal the robot turns on the spot, and only θe changes', () => {
   const { experiment, handGains } = opened(linkOf(steps[1], 'turned'));
-  const all = samples(experiment, handGains ?? []);
+  assert.ok(handGains);
+  const all = samples(experiment, handGains);
   assert.ok(Math.abs(all[0].error.theta - Math.PI / 2) < 1e-9);
   for (const { error } of all) assert.ok(Math.hypot(error.x, error.y) < 1e-9);
   assert.equal(all[all.length - 1].outcome, 'arrived');

@@ -32,7 +32,7 @@ function textsOf(value, place) {
 
 /** Places that hold an identifier, which is the same in every language. @param {string} place */
 const isIdentifier = (place) =>
-  /\.(value|id|symbol|className|unit|letter|index)$|^lab\.(costParts|untils)\.\d\.0$|^keys\.single\.\d\.[02]$|^lab\.gains|^(disturbance|curves)\.units|^luck\.gainColumns|^disturbance\.formulas/.test(
+  /\.(value|id|symbol|className|unit|letter|index)$|^lab\.(costParts|untils)\.\d\.0$|^keys\.single\.\d\.[02]$|^lab\.gains|^(disturbance|curves)\.units|^luck\.gainColumns|^disturbance\.(formulas|parts)/.test(
     place,
   );
 
