@@ -4,9 +4,8 @@
 //   npm run pictures -- OUT --site DIR           of another built site
 //   npm run pictures -- OUT --only lesson        only those whose names contain this
 //   npm run pictures -- --compare BEFORE AFTER   lists what differs, and shows it in target/pictures/
-import { existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { readFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { serve } from '../tests/page/harness/server.js';
 import { createCamera } from './pictures/camera.js';
@@ -22,12 +21,15 @@ async function takeAll(folder, site, only) {
   mkdirSync(folder, { recursive: true });
   const before = readFileSync(new URL('pictures/rest.js', import.meta.url), 'utf8');
   const served = await serve(resolve(site), { before });
-  const camera = await createCamera();
   const start = performance.now();
   const wanted = views.filter((view) => nameOf(view).includes(only));
+  const left = [...wanted];
   let failed = 0;
-  try {
-    for (const view of wanted) {
+
+  /** Takes what is left, one picture after the other. */
+  async function takeSome() {
+    const camera = await createCamera();
+    for (let view = left.shift(); view; view = left.shift()) {
       const name = nameOf(view);
       try {
         writeFileSync(join(folder, `${name}.png`), await camera.picture(served.address, view));
@@ -36,10 +38,11 @@ async function takeAll(folder, site, only) {
         console.error(`✗ ${name}: ${error instanceof Error ? error.message : error}`);
       }
     }
-  } finally {
     await camera.close();
-    await served.close();
   }
+
+  // Each waits for its page most of the time.
+  await Promise.all([takeSome(), takeSome()]).finally(() => served.close());
   const seconds = ((performance.now() - start) / 1000).toFixed(0);
   console.log(`${wanted.length - failed} pictures in ${folder}, ${seconds} s`);
   if (failed > 0) throw new Failure(`${failed} pictures could not be taken`);
