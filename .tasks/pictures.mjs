@@ -21,6 +21,9 @@ async function takeAll(folder, site, only) {
   mkdirSync(folder, { recursive: true });
   const before = readFileSync(new URL('pictures/rest.js', import.meta.url), 'utf8');
   const served = await serve(resolve(site), { before });
+  const { port, pathname } = new URL(served.address);
+  // Links are on the pictures, and must not have the port of this time.
+  const address = `http://localhost${pathname}`;
   const start = performance.now();
   const wanted = views.filter((view) => nameOf(view).includes(only));
   const left = [...wanted];
@@ -28,11 +31,11 @@ async function takeAll(folder, site, only) {
 
   /** Takes what is left, one picture after the other. */
   async function takeSome() {
-    const camera = await createCamera();
+    const camera = await createCamera('localhost', Number(port));
     for (let view = left.shift(); view; view = left.shift()) {
       const name = nameOf(view);
       try {
-        writeFileSync(join(folder, `${name}.png`), await camera.picture(served.address, view));
+        writeFileSync(join(folder, `${name}.png`), await camera.picture(address, view));
       } catch (error) {
         failed += 1;
         console.error(`✗ ${name}: ${error instanceof Error ? error.message : error}`);

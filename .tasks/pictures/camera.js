@@ -1,4 +1,5 @@
 // A browser that takes the same picture of the same page again.
+import { PNG } from 'pngjs';
 import { Builder } from 'selenium-webdriver';
 import { findEngines } from '../../tests/page/harness/engines.js';
 import { linkOf } from './states.js';
@@ -18,12 +19,15 @@ const args = [
   '--force-color-profile=srgb',
 ];
 
-export async function createCamera() {
+/** @param {string} host where the pages are @param {number} port where they are served */
+export async function createCamera(host, port) {
   const engine = findEngines().found.find(({ name }) => name === 'chromium');
   if (!engine) throw new Error('pictures are taken in Chromium, which this machine lacks');
   if (engine.driver !== null) process.env.SE_CHROMEDRIVER = engine.driver;
   const asRoot = process.getuid?.() === 0;
-  const options = { binary: engine.browser, args: asRoot ? [...args, '--no-sandbox'] : args };
+  const toServer = `--host-resolver-rules=MAP ${host}:80 127.0.0.1:${port}`;
+  const all = [...args, toServer, ...(asRoot ? ['--no-sandbox'] : [])];
+  const options = { binary: engine.browser, args: all };
   const capabilities = { browserName: 'chrome', 'goog:chromeOptions': options };
   const driver = /** @type {Driver} */ (await new Builder().withCapabilities(capabilities).build());
 
@@ -35,30 +39,50 @@ export async function createCamera() {
     const end = performance.now() + patience;
     while (performance.now() < end) {
       const isAtRest = await driver.executeScript(
-        (/** @type {number} */ longest) =>
+        (/** @type {number} */ attempts) =>
           new Promise((resolve) => {
-            const end = performance.now() + longest;
+            let left = attempts;
             const look = () => {
               const own = /** @type {{ isAtRest?: () => boolean }} */ (/** @type {unknown} */ (window));
               const is = own.isAtRest?.() ?? false;
-              if (is || performance.now() > end) resolve(is);
+              left -= 1;
+              if (is || left === 0) resolve(is);
               else setTimeout(look, 20);
             };
             look();
           }),
-        2000,
+        100,
       );
       if (isAtRest) return;
     }
     throw new Error(`the page does not come to rest within ${patience / 1000} s`);
   }
 
-  /** The whole page, beyond the window too. */
+  /** What the window shows, once it stands still. @returns {Promise<string>} */
   async function shoot() {
-    const { cssContentSize: size } = await tell('Page.getLayoutMetrics');
-    const clip = { x: 0, y: 0, width: size.width, height: size.height, scale: 1 };
-    const { data } = await tell('Page.captureScreenshot', { captureBeyondViewport: true, clip });
-    return data;
+    let latest = '';
+    for (let attempt = 0; attempt < 20; attempt += 1) {
+      const { data } = await tell('Page.captureScreenshot');
+      if (data === latest) return data;
+      latest = data;
+    }
+    throw new Error('the page does not stand still');
+  }
+
+  /** The whole page, one window's height after the other: a window as large as the page would lay it out anew. @param {View} view */
+  async function shootAll({ size: [width, height], isWithoutScripts }) {
+    const { cssContentSize: content } = await tell('Page.getLayoutMetrics');
+    const first = Buffer.from(await shoot(), 'base64');
+    if (content.height <= height) return first;
+    const whole = new PNG({ width, height: content.height });
+    PNG.bitblt(PNG.sync.read(first), whole, 0, 0, width, height, 0, 0);
+    for (let top = height; top < content.height; top += height) {
+      const y = Math.min(top, content.height - height);
+      await tell('Runtime.evaluate', { expression: `scrollTo(0, ${y})` });
+      if (!isWithoutScripts) await rest();
+      PNG.bitblt(PNG.sync.read(Buffer.from(await shoot(), 'base64')), whole, 0, 0, width, height, 0, y);
+    }
+    return PNG.sync.write(whole);
   }
 
   /** Presses what has this text. @param {string} text */
@@ -92,14 +116,7 @@ export async function createCamera() {
         await rest();
       }
     }
-    // What comes late without a frame, a font for instance, would differ.
-    let latest = await shoot();
-    for (let attempt = 0; attempt < 20; attempt += 1) {
-      const again = await shoot();
-      if (again === latest) return Buffer.from(latest, 'base64');
-      latest = again;
-    }
-    throw new Error('the page does not stand still');
+    return shootAll(view);
   }
 
   return { picture, close: () => driver.quit() };

@@ -1,7 +1,8 @@
 // Drives the page in every engine of this machine by one protocol, WebDriver.
 //
-// A test file is a list of `pageTest('what must hold', async (page) => …)`; each becomes one test per engine. When dist/
-// is built, one file in one engine runs by `ENGINES=chromium node --test tests/page/lab/page.test.js`, all by every.js.
+// A test file is a list of `pageTest('what must hold', async (page) => …)` and, for what engines can do differently,
+// `engineTest`: the one becomes a test in one engine, the other a test in each. `npm test -- plane` runs a file by its name;
+// when dist/ is built, `ENGINES=firefox node --test tests/page/lab/plane.test.js` runs all of it in that engine.
 import { spawn } from 'node:child_process';
 import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -46,14 +47,26 @@ let site;
 /** @type {Map<string, Promise<WebDriver>>} */
 const drivers = new Map();
 
-/**
- * Declares one test in each engine. The page is opened afresh, by the test itself or else at its first look.
- * @param {string} name
- * @param {(page: Page) => Promise<void>} body
- * @param {{ moves?: boolean }} [setting] moves: the robots drive by themselves. Else the browser asks for less motion, as people can: a page that stands still until it is told to move takes far less time to draw.
- */
-export function pageTest(name, body, { moves = false } = {}) {
-  for (const engine of found) {
+/** Where processes share the tests: the engine that runs those of the page itself. */
+const { FIRST_ENGINE } = process.env;
+
+/** @typedef {(page: Page) => Promise<void>} Body The page is opened afresh, by the test itself or else at its first look. */
+/** @typedef {{ moves?: boolean }} Setting moves: the robots drive by themselves. Else the browser asks for less motion, as people can: a page that stands still until it is told to move takes far less time to draw. */
+
+/** Declares a test of what the page does, the same in every engine: numbers, words, what leads where. @param {string} name @param {Body} body @param {Setting} [setting] */
+export function pageTest(name, body, setting) {
+  const first = FIRST_ENGINE ? found.filter((engine) => engine.name === FIRST_ENGINE) : found;
+  declare(first, name, body, setting);
+}
+
+/** Declares a test in each engine: input, layout, drawing, workers, files, policies, frames, bits. @param {string} name @param {Body} body @param {Setting} [setting] */
+export function engineTest(name, body, setting) {
+  declare(found, name, body, setting);
+}
+
+/** @param {readonly Engine[]} engines @param {string} name @param {Body} body @param {Setting} [setting] */
+function declare(engines, name, body, { moves = false } = {}) {
+  for (const engine of engines) {
     test(`${engine.name}: ${name}`, { timeout: testTimeout }, async () => {
       site ??= startSite();
       const key = `${engine.name} ${moves}`;
