@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { hrefOf, linkOfStep, steps } from '../../../www/lesson/steps.js';
 import * as en from '../../../www/words/en/lesson.js';
 import * as ko from '../../../www/words/ko/lesson.js';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { driven, linkOf, opened, samples } from './links.js';
 import { test } from '../harness/once.js';
 
@@ -146,7 +146,7 @@ pageTest('the lesson leads on and back, and a link of it opens there again', asy
   await stands(en.steps.drive.title);
 });
 
-pageTest('a symbol that is pointed at lights up in formula and picture', async (page) => {
+engineTest('a symbol that is pointed at lights up in formula and picture', async (page) => {
   await page.open('#lesson&step=2');
   const lit = () =>
     page.evaluate(() => ({
@@ -176,7 +176,7 @@ const sight = (page) =>
     return { shown, isOnTop: top === 0, share: Math.round((10 * (bottom - top)) / innerHeight) };
   });
 
-pageTest('where there is no room beside the words, what they speak of stays over them', async (page) => {
+engineTest('where there is no room beside the words, what they speak of stays over them', async (page) => {
   await page.resize(800, 900);
   await page.open('#lesson&step=4');
   const atTheEnd = () =>

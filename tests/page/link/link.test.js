@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
 import { links } from '../../../www/lesson/links.js';
 import { finds } from '../../../www/run/state.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate, simulateAll } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { read, readEvolution } from '../harness/reading.js';
@@ -172,7 +172,7 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
 
 const link = 'lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=hand&gains=4,0.5,6';
 
-pageTest('a link opens the same run, and the address goes on telling what is on screen', async (page) => {
+engineTest('a link opens the same run, and the address goes on telling what is on screen', async (page) => {
   await page.open(`#${link}`);
   const goal = { x: 1.5, y: 2, theta: (30 * Math.PI) / 180 };
   const moved = { ...velocityLimits, goal, evolution: { ...velocityLimits.evolution, seed: 7 } };
@@ -196,7 +196,7 @@ pageTest('a link opens the same run, and the address goes on telling what is on 
   assert.deepEqual(await page.problems(), []);
 });
 
-pageTest('another part of the page is a step that back takes back, and nothing is lost', async (page) => {
+engineTest('another part of the page is a step that back takes back, and nothing is lost', async (page) => {
   await page.click('#drives-paper-ep');
   await page.click('#one-generation');
   await page.click('#page-landscape');

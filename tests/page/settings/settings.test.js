@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { rows } from '../../../www/settings/table.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, fields } from '../harness/core.js';
 import { middleOf, read } from '../harness/reading.js';
 
@@ -125,7 +125,7 @@ pageTest('every number of an experiment has a row, with its unit and range', asy
   assert.deepEqual(await page.obstacles(), []);
 });
 
-pageTest('a weight that is dragged changes J at every step, and the landscape follows', async (page) => {
+engineTest('a weight that is dragged changes J at every step, and the landscape follows', async (page) => {
   await page.open('#landscape');
   await openSettings(page);
   const fine = () =>
@@ -338,7 +338,7 @@ pageTest('undo and redo step through drags, presets, seeds and settings', async 
   await assertAt(2);
 });
 
-pageTest('an arrow key that is held is one step of undo, each press another', async (page) => {
+engineTest('an arrow key that is held is one step of undo, each press another', async (page) => {
   const { goal } = await read(page);
   await page.focus('#goal-position');
   const { ARROW_UP: up } = Key;
@@ -353,7 +353,7 @@ pageTest('an arrow key that is held is one step of undo, each press another', as
   assert.deepEqual((await read(page)).goal, goal);
 });
 
-pageTest('the panel is opened, used and closed with the keyboard alone', async (page) => {
+engineTest('the panel is opened, used and closed with the keyboard alone', async (page) => {
   const isOpen = () =>
     page.evaluate(async () => {
       await new Promise((resolve) => requestAnimationFrame(resolve));
@@ -418,7 +418,7 @@ for (const [width, height] of /** @type {const} */ ([
   [1440, 900],
   [1024, 768],
 ]))
-  pageTest(`the open panel makes the page no taller at ${width} × ${height}`, async (page) => {
+  engineTest(`the open panel makes the page no taller at ${width} × ${height}`, async (page) => {
     await page.resize(width, height);
     const tall = () => page.evaluate(() => document.documentElement.scrollHeight);
     const closed = await tall();

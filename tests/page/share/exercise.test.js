@@ -13,7 +13,7 @@ import {
 } from '../../../www/run/exercise.js';
 import { groupOf, guarded } from '../../../www/run/guard.js';
 import { withExercise } from '../../../www/link/link.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
 import { ask, heardFrom, inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
@@ -126,7 +126,7 @@ const follow = (page, link) =>
 
 const task = 'Park <b>it</b> in 6 s & no ky.';
 
-pageTest('an exercise is made by pressing, and holds against pointer, keys and drag', async (page) => {
+engineTest('an exercise is made by pressing, and holds against pointer, keys and drag', async (page) => {
   await page.open('#lab&v=1&seed=7&generation=2&drives=hand&gains=4,0.5,6');
   await page.click('#keep-button');
   await page.click('#keep-exercise');

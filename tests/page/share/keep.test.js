@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { openRunFile, runFile } from '../../../www/link/run-file.js';
 import { links } from '../../../www/lesson/links.js';
 import { driveCsv, generationsCsv } from '../../../www/share/csv.js';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evolve, experiment, simulate, simulateAll, stability } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { readEvolution } from '../harness/reading.js';
@@ -125,7 +125,7 @@ async function choose(page, name, text) {
   return page.text('#keep-status');
 }
 
-pageTest('a run is saved, and opened again as it was', async (page) => {
+engineTest('a run is saved, and opened again as it was', async (page) => {
   await page.open('#lab&seed=5&generation=6');
   await page.focus('#one-back');
   await page.click('#one-back');

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import binaryen from 'binaryen';
 import { writeInstead } from '../../../.tasks/instead.mjs';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
 
@@ -43,7 +43,7 @@ const inSight = (page) =>
 /** A file of the site that is not sent. @param {RegExp} name @returns {Changes} */
 const without = (name) => ({ send: (file, content) => (name.test(file) ? null : content) });
 
-pageTest('what the browser or the server lacks is said, above a picture and the lesson', async (page) => {
+engineTest('what the browser or the server lacks is said, above a picture and the lesson', async (page) => {
   for (const [wrong, fragment, said] of /** @type {[Changes, string, RegExp][]} */ ([
     [{ before: 'delete globalThis.WebAssembly;' }, '', /^The robots cannot drive here: .*no WebAssembly/],
     [
@@ -107,7 +107,7 @@ async function readsLesson(page, language) {
   if (page.engine === 'chromium') assert.deepEqual(await page.obstacles(), []);
 }
 
-pageTest('without its scripts, or where they are forbidden, the page can be read', async (page) => {
+engineTest('without its scripts, or where they are forbidden, the page can be read', async (page) => {
   await withSite(page, without(/index.*\.js$/), async (address) => {
     await page.visit(address);
     assert.equal(

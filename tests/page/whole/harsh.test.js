@@ -5,12 +5,12 @@ import { fileURLToPath } from 'node:url';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { createAccumulator, createFrameLoop } from '../../../www/kit/loop.js';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, memory } from '../harness/core.js';
 import { inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 
-pageTest('a frame without an origin, where all storage is forbidden, drives and computes', async (page) => {
+engineTest('a frame without an origin, where all storage is forbidden, drives and computes', async (page) => {
   const file = '/dist/ep-locomotion.html?embed#landscape&v=1&seed=7';
   const html = `<iframe sandbox="allow-scripts" src="${file}" width="1000" height="800"></iframe>`;
   await inHost(page, html, async () => {

@@ -8,7 +8,7 @@ import * as en from '../../../www/words/en/index.js';
 import * as ko from '../../../www/words/ko/index.js';
 import { languageOf } from '../../../www/words/language.js';
 import { linkOfStep, steps } from '../../../www/lesson/steps.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 import { checked, read } from '../harness/reading.js';
@@ -283,7 +283,7 @@ const loaded = (page, language) =>
     language,
   );
 
-pageTest(
+engineTest(
   'the link to the other language keeps the run, and "back" brings the first one back',
   async (page) => {
     await page.open('#lab&v=1&seed=7&generation=5&drives=paper-ep');
