@@ -41,8 +41,8 @@
 //! What holds everywhere:
 //!
 //! - The science knows no clock, no global state and no chance but its seeds; only `wasm` knows JavaScript.
-//! - The same experiment gives the same bits natively and in every WebAssembly engine: sums are in a fixed order, and
-//!   every function beyond + − × ÷ √ comes from `libm`.
+//! - The same experiment gives the same bits natively, on x86-64 and aarch64, and in every WebAssembly engine: sums are in a
+//!   fixed order, and every function beyond + − × ÷ √ comes from `libm`.
 //! - There is one control law in the source, generic over [`real::Real`].
 //! - Input is checked once, in [`episode::Setting::new`]; an error names the field, what it must be and what it was.
 
