@@ -1,10 +1,9 @@
 //! The posture controller: the paper's law (5), the rule it improves on, and the stability of both.
 
-use nalgebra::Vector3;
-use serde::{Deserialize, Serialize};
-
 use crate::posture::{ErrorPosture, Velocity};
 use crate::real::Real;
+use crate::words::words;
+use nalgebra::Vector3;
 
 /// The three gains k = (kx, ky, kθ) that evolution looks for. Theorem 1 holds for positive ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,15 +40,16 @@ impl From<Gains> for Vector3<f64> {
     }
 }
 
-/// How the commanded velocity follows from the error posture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Law {
-    /// The law (5) of the paper, from Shim and Kim (1994).
-    #[default]
-    ShimKim,
-    /// The rule of Kanayama et al. (1990), which the paper improves on.
-    Kanayama,
+words! {
+    /// How the commanded velocity follows from the error posture.
+    #[derive(Default)]
+    pub enum Law {
+        /// The law (5) of the paper, from Shim and Kim (1994).
+        #[default]
+        ShimKim = "shim-kim",
+        /// The rule of Kanayama et al. (1990), which the paper improves on.
+        Kanayama = "kanayama",
+    }
 }
 
 /// Where |sin θ_e| or |cos θ_e| is smaller than this, the law divides by this instead, with their sign.

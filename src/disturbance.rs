@@ -6,18 +6,20 @@ use serde::{Deserialize, Serialize};
 
 use crate::posture::Velocity;
 use crate::random::{Purpose, stream};
+use crate::words::words;
 
-/// The kinds of disturbance δ = (δ1, δ2).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum DisturbanceKind {
-    /// δ = 0.
-    #[default]
-    None,
-    /// Each component uniform in [−ε, ε), drawn afresh at each sample.
-    Random,
-    /// δ is (linear, angular) at every sample, with their signs: wheels that slip.
-    Slip,
+words! {
+    /// The kinds of disturbance δ = (δ1, δ2).
+    #[derive(Default)]
+    pub enum DisturbanceKind {
+        /// δ = 0.
+        #[default]
+        None = "none",
+        /// Each component uniform in [−ε, ε), drawn afresh at each sample.
+        Random = "random",
+        /// δ is (linear, angular) at every sample, with their signs: wheels that slip.
+        Slip = "slip",
+    }
 }
 
 /// A disturbance of the applied velocity, bounded by |δ1| ≤ |linear| and |δ2| ≤ |angular|.

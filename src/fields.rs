@@ -4,6 +4,8 @@ use core::fmt;
 
 use serde::Serialize;
 
+use crate::control::Law;
+use crate::disturbance::DisturbanceKind;
 use crate::experiment::Experiment;
 
 /// An input that was refused: which field, what it must be, and what it was.
@@ -153,9 +155,22 @@ pub const FIELDS: [Field; 27] = [
     field("evolution.initialSigma", "", [0.0, 1e6], |e| one(e.evolution.initial_sigma)),
 ];
 
-/// The fields that are one of a few words, and the words.
-pub const CHOICES: [(&str, &[&str]); 2] =
-    [("law", &["shim-kim", "kanayama"]), ("disturbance.kind", &["none", "random", "slip"])];
+/// A field that is one of a few words.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct WordField {
+    /// Where it stands in the plain object.
+    pub path: &'static str,
+    /// Always empty: a word has no unit.
+    pub unit: &'static str,
+    /// The words that it may be.
+    pub words: &'static [&'static str],
+}
+
+/// Every field of an experiment that is one of a few words.
+pub const WORD_FIELDS: [WordField; 2] = [
+    WordField { path: "law", unit: "", words: Law::WORDS },
+    WordField { path: "disturbance.kind", unit: "", words: DisturbanceKind::WORDS },
+];
 
 /// The field with this path; an index in brackets stands for `[]`.
 pub fn field_at(path: &str) -> Option<&'static Field> {

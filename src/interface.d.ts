@@ -232,7 +232,29 @@ export interface RemainingErrors {
 /** Where start postures stand on a circle: its centre and radius in metres. */
 export interface Circle { x: number; y: number; radius: number; count: number; seed: number }
 /** The range of one numeric field of an experiment. */
-export interface Field { path: string; unit: string; min: number; max: number; integer: boolean; nullable: boolean }
+export interface NumberField {
+  /** Where it stands in the experiment; `[]` means each element. */
+  path: string;
+  /** Empty for a pure number. */
+  unit: string;
+  min: number;
+  max: number;
+  /** Whether it must be a whole number. */
+  integer: boolean;
+  /** Whether it may be null, for "not limited". */
+  nullable: boolean;
+}
+/** A field of an experiment that is one of a few words. */
+export interface WordField {
+  /** Where it stands in the experiment. */
+  path: string;
+  /** A word has none. */
+  unit: '';
+  /** What it may be. */
+  words: string[];
+}
+/** One field of an experiment: a word if `'words' in field`, else a number. */
+export type Field = NumberField | WordField;
 /** What the paper states of one of its experiments. */
 export interface PaperResult {
   preset: Preset;

@@ -77,6 +77,7 @@ pub mod starts;
 pub mod survey;
 
 mod random;
+mod words;
 
 #[cfg(target_arch = "wasm32")]
 #[allow(unsafe_code)] // wasm-bindgen writes some

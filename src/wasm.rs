@@ -14,7 +14,7 @@ use crate::cost::Cost;
 use crate::episode::{EpisodeState, Outcome, Sample, Setting};
 use crate::evolution::{self, LAST_GENERATION};
 use crate::experiment::{Experiment, MAX_STARTS, PAPER_RESULTS, Preset};
-use crate::fields::{FIELDS, InvalidInput, shown};
+use crate::fields::{FIELDS, InvalidInput, WORD_FIELDS, shown};
 use crate::posture::Posture;
 use crate::remaining::{self, ErrorParts};
 use crate::stability::{self, StabilitySample};
@@ -304,10 +304,17 @@ pub fn starts_on_circle(
     plain(&starts::on_circle(centre, given.get("radius")?.number()?, count, seed)?)
 }
 
-/// Every number of an experiment with its unit and range.
+/// Every number of an experiment with its unit and range, then every field that is one of a few words.
 #[wasm_bindgen(unchecked_return_type = "Field[]")]
 pub fn fields() -> Result<JsValue> {
-    plain(&FIELDS.as_slice())
+    let rows = Array::new();
+    for field in &FIELDS {
+        rows.push(&plain(field)?);
+    }
+    for field in &WORD_FIELDS {
+        rows.push(&plain(field)?);
+    }
+    Ok(rows.into())
 }
 
 /// The results that the paper prints.

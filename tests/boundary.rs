@@ -460,7 +460,18 @@ fn the_tables_are_complete() {
         let path = get(&field, "path").as_string().expect("a path").replace("[]", ".0");
         assert!(!get(&preset, &path).is_undefined(), "{path}");
     }
+    let numbers: Vec<bool> =
+        fields.iter().map(|field| get(&field, "words").is_undefined()).collect();
+    assert!(numbers.is_sorted_by(|a, b| a >= b), "numbers come first");
     assert_eq!(Object::keys(fields.get(0).unchecked_ref::<Object>()).length(), 6);
+    let words: Vec<String> = fields.iter().skip(27).map(|field| text(&field)).collect();
+    assert_eq!(
+        words,
+        [
+            "{\"path\":\"law\",\"unit\":\"\",\"words\":[\"shim-kim\",\"kanayama\"]}",
+            "{\"path\":\"disturbance.kind\",\"unit\":\"\",\"words\":[\"none\",\"random\",\"slip\"]}",
+        ]
+    );
     let seeds = [random_seed(), random_seed(), random_seed()].map(|seed| seed.expect("a seed"));
     assert!(seeds[0] != seeds[1] || seeds[1] != seeds[2]);
 }

@@ -8,7 +8,7 @@ use ep_locomotion::disturbance::DisturbanceKind;
 use ep_locomotion::episode::{Outcome, Setting};
 use ep_locomotion::evolution::Evolution;
 use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::fields::{FIELDS, field_at};
+use ep_locomotion::fields::{FIELDS, WORD_FIELDS, field_at};
 use ep_locomotion::limits::Limits;
 use ep_locomotion::posture::{ErrorPosture, Posture, Velocity};
 use ep_locomotion::remaining::{ErrorParts, error_parts, remaining_errors, theorem_2_sets};
@@ -253,6 +253,42 @@ fn the_ends_of_every_range_are_allowed_and_nothing_beyond() {
         assert_eq!(field_at(&path).map(|found| found.path), Some(field.path));
     }
     assert!(field_at("goal").is_none());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_word_means_one_value_and_every_value_has_its_word() {
+    fn check<
+        T: Copy + PartialEq + core::fmt::Debug + serde::Serialize + serde::de::DeserializeOwned,
+    >(
+        path: &str,
+        all: &[T],
+        word: fn(T) -> &'static str,
+    ) {
+        let field = WORD_FIELDS.iter().find(|field| field.path == path).expect(path);
+        assert_eq!(field.words.len(), all.len());
+        for (value, listed) in all.iter().zip(field.words) {
+            assert_eq!(word(*value), *listed);
+            let plain = serde_json::to_value(value).expect("a word");
+            assert_eq!(plain, *listed);
+            assert_eq!(serde_json::from_value::<T>(plain).expect("a value"), *value);
+        }
+    }
+    check("law", Law::ALL, Law::word);
+    check("disturbance.kind", DisturbanceKind::ALL, DisturbanceKind::word);
+    // No field that is a word is left out.
+    let preset = serde_json::to_value(Preset::VelocityLimits.experiment()).expect("plain");
+    let mut words = 0;
+    for (name, value) in preset.as_object().expect("an object") {
+        words += usize::from(value.is_string());
+        for (inner, value) in value.as_object().into_iter().flatten() {
+            if value.is_string() {
+                words += 1;
+                let path = format!("{name}.{inner}");
+                assert!(WORD_FIELDS.iter().any(|field| field.path == path), "{path}");
+            }
+        }
+    }
+    assert_eq!(words, WORD_FIELDS.len());
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -27,7 +27,7 @@ mod caught {
 
 use super::Result;
 use crate::experiment::MAX_STARTS;
-use crate::fields::{CHOICES, InvalidInput, field_at, shown};
+use crate::fields::{InvalidInput, WORD_FIELDS, field_at, shown};
 
 /// kx, ky or kθ, and of which robot if it is not the first.
 pub(super) fn gain_name(index: usize) -> String {
@@ -172,10 +172,11 @@ impl Input {
             }
             return Ok(self.value.clone());
         }
-        if let Some((_, words)) = CHOICES.iter().find(|(path, _)| *path == self.path) {
+        if let Some(field) = WORD_FIELDS.iter().find(|field| field.path == self.path) {
             let word = self.value.as_string();
-            if !word.is_some_and(|word| words.contains(&word.as_str())) {
-                let expected: Vec<String> = words.iter().map(|word| format!("'{word}'")).collect();
+            if !word.is_some_and(|word| field.words.contains(&word.as_str())) {
+                let expected: Vec<String> =
+                    field.words.iter().map(|word| format!("'{word}'")).collect();
                 return Err(self.refused(expected.join(" or ")).into());
             }
             return Ok(self.value.clone());

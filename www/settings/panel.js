@@ -90,7 +90,9 @@ function createRows(engine, actions, somewhere) {
       const field = fields.get(fieldPath(row.path));
       return [
         row.path,
-        field ? createNumber(row, field, actions, Number(somewhere(row.path))) : createChoice(row, actions),
+        !field || 'words' in field
+          ? createChoice(row, actions)
+          : createNumber(row, field, actions, Number(somewhere(row.path))),
       ];
     }),
   );
