@@ -29,6 +29,7 @@ import { createTables } from './lab/tables.js';
 import { curves as curveWords, lab as strings } from './words/index.js';
 import { createTrainingPage } from './parts/training/page.js';
 import { remember } from './kit/memo.js';
+import { forgetColours } from './kit/palette.js';
 import { createView } from './kit/transform.js';
 import { byId, followSize } from './kit/elements.js';
 import { createViews, fillTexts, showMessage } from './lab/views.js';
@@ -125,6 +126,7 @@ function start(engine) {
   byId('plane-robots').setAttribute('aria-label', strings.planeLabel);
   byId('instrument').hidden = false;
   const redraw = () => {
+    forgetColours();
     store.update({ theme: store.get().theme + 1 });
     show();
   };

@@ -1,5 +1,6 @@
 // What the line plots share: their size, colours, axes and the names at their lines.
 import { textFont } from './fonts.js';
+import { colour } from './palette.js';
 
 /** @typedef {import('uplot')} uPlot */
 /** @typedef {import('uplot').Axis} Axis */
@@ -29,9 +30,6 @@ export function placeName(plot, element, x, y) {
     ? `translate(${plot.over.clientWidth}px, ${Math.max(y, labelHeight)}px) translate(-100%, -100%)`
     : `translate(${x}px, ${y}px) translateY(-50%)`;
 }
-
-/** @param {string} name */
-export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** @returns {Axis} */
 export const axis = () => ({

@@ -2,7 +2,6 @@
 import uPlot from 'uplot';
 import {
   axis,
-  colour,
   gutterOf,
   isNarrow,
   lineLabel,
@@ -12,6 +11,7 @@ import {
   spread,
   wholeSteps,
 } from '../kit/plot.js';
+import { colour } from '../kit/palette.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 

@@ -1,17 +1,8 @@
 // The mean step size σ of each gain over the generations, on a logarithmic axis.
 import uPlot from 'uplot';
 import { drawShown, lastTick } from './fitness.js';
-import {
-  axis,
-  colour,
-  gutterOf,
-  isNarrow,
-  lineLabel,
-  placeName,
-  sizeOf,
-  spread,
-  wholeSteps,
-} from '../kit/plot.js';
+import { axis, gutterOf, isNarrow, lineLabel, placeName, sizeOf, spread, wholeSteps } from '../kit/plot.js';
+import { colour } from '../kit/palette.js';
 import { watch } from '../kit/memo.js';
 import { curves as words, lab } from '../words/index.js';
 

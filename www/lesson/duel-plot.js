@@ -1,7 +1,8 @@
 // The duel as lines: the best J so far against the number of drives.
 import uPlot from 'uplot';
 import { drawPath } from '../kit/swatch.js';
-import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../kit/plot.js';
+import { axis, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../kit/plot.js';
+import { colour } from '../kit/palette.js';
 import { watch } from '../kit/memo.js';
 import { generationsIn, longestOf, lowestOf } from './duel.js';
 

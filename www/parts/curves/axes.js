@@ -1,6 +1,7 @@
 // What plots against time share: their axes, their lines, the cursor, and the pointer that moves it.
 import { textFont } from '../../kit/fonts.js';
-import { colour, sameDigits } from '../../kit/plot.js';
+import { sameDigits } from '../../kit/plot.js';
+import { colour } from '../../kit/palette.js';
 import { curves as words } from '../../words/index.js';
 
 /** @typedef {import('../../core/engine.js').Run} Run */

@@ -4,7 +4,7 @@ import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
-import { colour } from '../../kit/plot.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { disturbance as words } from '../../words/index.js';
 

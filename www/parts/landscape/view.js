@@ -2,6 +2,7 @@
 import { contours } from 'd3-contour';
 import { createLayer } from '../../kit/canvas.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
+import { colour } from '../../kit/palette.js';
 import { drawMark } from '../../kit/swatch.js';
 import { shadeAt } from '../../kit/shades.js';
 import { watch } from '../../kit/memo.js';
@@ -144,9 +145,8 @@ function drawLegend(layer, scale, width) {
   for (let i = 0; i <= 16; i += 1) colours.addColorStop(i / 16, shadeAt(i / 16));
   context.fillStyle = colours;
   context.fillRect(left, 0, right - left, 12);
-  const { muted } = coloursOfText();
   context.font = textFont;
-  context.fillStyle = muted;
+  context.fillStyle = colour('--muted');
   context.textBaseline = 'top';
   context.textAlign = 'center';
   const digits = scale.levels.some((level) => level % 1 !== 0) ? 1 : 0;
@@ -159,20 +159,9 @@ function drawLegend(layer, scale, width) {
   context.fillText(words.legendLow, 8, 18);
 }
 
-function coloursOfText() {
-  const style = getComputedStyle(document.documentElement);
-  const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
-  return {
-    muted: colour('--muted'),
-    hairline: colour('--hairline'),
-    gains: { kx: colour('--x'), ky: colour('--y'), ktheta: colour('--theta') },
-  };
-}
-
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Spec} spec */
 function drawAxes(context, { frame, x, y }, spec) {
-  const { muted, hairline, gains } = coloursOfText();
-  context.strokeStyle = hairline;
+  context.strokeStyle = colour('--hairline');
   context.lineWidth = 1;
   context.strokeRect(
     frame.left - 0.5,
@@ -181,7 +170,7 @@ function drawAxes(context, { frame, x, y }, spec) {
     frame.bottom - frame.top + 1,
   );
   context.font = textFont;
-  context.fillStyle = muted;
+  context.fillStyle = colour('--muted');
   context.textBaseline = 'top';
   context.textAlign = 'center';
   for (const tick of x.ticks)
@@ -190,14 +179,14 @@ function drawAxes(context, { frame, x, y }, spec) {
   context.textAlign = 'right';
   for (const tick of y.ticks)
     if (y.at(tick) > frame.top + 26) context.fillText(String(tick), frame.left - 8, y.at(tick));
-  drawSymbol(context, spec.x.gain, gains[spec.x.gain], frame.right - 8, frame.bottom + 14);
-  drawSymbol(context, spec.y.gain, gains[spec.y.gain], frame.left - 24, frame.top + 8);
+  drawSymbol(context, spec.x.gain, frame.right - 8, frame.bottom + 14);
+  drawSymbol(context, spec.y.gain, frame.left - 24, frame.top + 8);
 }
 
-/** kx, ky or kθ as in the formulas. @param {CanvasRenderingContext2D} context @param {string} gain @param {string} colour @param {number} px @param {number} py */
-function drawSymbol(context, gain, colour, px, py) {
+/** kx, ky or kθ as in the formulas. @param {CanvasRenderingContext2D} context @param {Spec['x']['gain']} gain @param {number} px @param {number} py */
+function drawSymbol(context, gain, px, py) {
   context.save();
-  context.fillStyle = colour;
+  context.fillStyle = colour(gain.replace('k', '--'));
   context.textAlign = 'left';
   context.textBaseline = 'middle';
   context.font = 'italic 18px "STIX Two Text", "Cambria Math", Georgia, serif';
@@ -232,11 +221,11 @@ function drawMarks(context, { frame, x, y }, { spec, population, path, points, c
   context.stroke();
   context.globalAlpha = 1;
 
-  for (const [colour, width] of /** @type {const} */ ([
+  for (const [stroke, width] of /** @type {const} */ ([
     [dark, 4],
     [light, 2],
   ])) {
-    context.strokeStyle = colour;
+    context.strokeStyle = stroke;
     context.lineWidth = width;
     context.beginPath();
     for (const [i, gains] of path.entries()) {
@@ -307,11 +296,11 @@ function drawPoint(context, [px, py], name, mark, frame) {
       [6, -6],
     ])
       context.lineTo(px + dx, py + dy);
-  for (const [colour, width] of /** @type {const} */ ([
+  for (const [stroke, width] of /** @type {const} */ ([
     [dark, 5],
     [light, 2.5],
   ])) {
-    context.strokeStyle = colour;
+    context.strokeStyle = stroke;
     context.lineWidth = width;
     context.stroke();
   }

@@ -1,7 +1,8 @@
 // The fitness curve of many seeds: medians and quartile bands, and at their ends one dot for each seed's final J.
 import uPlot from 'uplot';
 import { createLayer } from '../../kit/canvas.js';
-import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../../kit/plot.js';
+import { axis, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../../kit/plot.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { luck as words } from '../../words/index.js';
 import { diameterOf, nearestDot, stackDots } from './dots.js';

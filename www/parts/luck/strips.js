@@ -3,7 +3,7 @@ import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
-import { colour } from '../../kit/plot.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { luck as words } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';

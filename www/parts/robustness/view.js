@@ -3,7 +3,7 @@ import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
 import { kite } from '../../lab/plane.js';
-import { colour } from '../../kit/plot.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { robustness as words } from '../../words/index.js';

@@ -5,7 +5,7 @@ import { linesOf } from '../plots.js';
 import { symbolFont, textFont } from '../../../kit/fonts.js';
 import { drawMark } from '../../../kit/swatch.js';
 import { sampleBefore } from '../../../lab/plane.js';
-import { colour } from '../../../kit/plot.js';
+import { colour } from '../../../kit/palette.js';
 import { watch } from '../../../kit/memo.js';
 import { stability as words } from '../../../words/index.js';
 import { drawnOf, layoutOf } from './layout.js';
