@@ -147,9 +147,7 @@ function start(engine) {
 /** @param {Store} store @param {() => void} redraw */
 function followSurroundings(store, redraw) {
   const plane = byId('plane');
-  const sizeOf = followSize(plane, (size) => store.update({ size }));
-  // Another pixel density comes without another size.
-  addEventListener('resize', () => store.update({ size: { ...sizeOf() } }));
+  followSize(plane, (size) => store.update({ size }));
   // At once, because a printer does not wait for the next frame.
   for (const media of ['(prefers-color-scheme: dark)', 'print'])
     matchMedia(media).addEventListener('change', redraw);

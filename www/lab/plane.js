@@ -11,7 +11,6 @@ import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {import('../kit/canvas.js').Layer} Layer */
 /** @typedef {import('../core/engine.js').Posture} Posture */
 /** @typedef {import('../core/engine.js').Run} Run */
 /** @typedef {import('../run/state.js').Scene} Scene */
@@ -33,18 +32,18 @@ export function createPlane(pathsCanvas, robotsCanvas) {
   const draw = ({ view, scene, start, goal, pins, pays, time, theme }) => {
     const { driving, others, comparison } = scene;
     if (pathsChanged(view, driving, others, comparison, scene.pins, start, goal, pays, theme)) {
-      paths.clear(view);
-      drawGrid(paths.context, view);
-      drawPinnedGoals(paths.context, view, pins, goal);
-      drawPaths(paths, view, scene, pins);
-      // A small plane has no room for what is written along the path.
-      if (pays && view.height >= 280) drawPayments(paths.context, view, driving);
-      drawTarget(paths.context, view, start, colour('--muted'));
-      drawTarget(paths.context, view, goal, colour('--ink'));
+      paths.draw(view, (context) => {
+        drawGrid(context, view);
+        drawPinnedGoals(context, view, pins, goal);
+        drawPaths(context, view, scene, pins);
+        // A small plane has no room for what is written along the path.
+        if (pays && view.height >= 280) drawPayments(context, view, driving);
+        drawTarget(context, view, start, colour('--muted'));
+        drawTarget(context, view, goal, colour('--ink'));
+      });
     }
     if (robotsChanged(view, driving, others, comparison, scene.pins, time, theme)) {
-      robots.clear(view);
-      drawRobots(robots, view, scene, pins, time);
+      robots.draw(view, (context) => drawRobots(context, view, scene, pins, time));
     }
   };
   return { draw };
@@ -95,11 +94,14 @@ function multiples(from, to, step) {
   return Array.from({ length: Math.max(0, Math.floor(to / step) - first + 1) }, (_, i) => (first + i) * step);
 }
 
-/** @param {Layer} layer @param {View} view @param {Scene} scene @param {Pins} pins */
-function drawPaths({ context, inPixels, inMetres }, view, scene, pins) {
+/** @param {CanvasRenderingContext2D} context @param {View} view */
+const inMetres = (context, { scale, originX, originY }) =>
+  context.transform(scale, 0, 0, -scale, originX, originY);
+
+/** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins */
+function drawPaths(context, view, scene, pins) {
   /** @param {Track} run @param {string} stroke @param {number} alpha @param {number} width @param {number[]} [dash] */
   const path = (run, stroke, alpha, width, dash = []) => {
-    inMetres(view);
     context.strokeStyle = stroke;
     context.globalAlpha = alpha;
     context.lineWidth = width / view.scale;
@@ -108,6 +110,8 @@ function drawPaths({ context, inPixels, inMetres }, view, scene, pins) {
     trace(context, view, run, run.time.length - 1);
     context.stroke();
   };
+  context.save();
+  inMetres(context, view);
   context.lineJoin = 'round';
   context.lineCap = 'round';
   for (const run of scene.others) path(run, colour('--ink'), 0.2, 1);
@@ -118,9 +122,7 @@ function drawPaths({ context, inPixels, inMetres }, view, scene, pins) {
   context.lineCap = 'round';
   path(scene.driving, colour('--ink'), 0.4, 1.5);
   if (isTracking(scene.driving)) path(referenceOf(scene.driving), colour('--ink'), 1, 1, [8, 6]);
-  context.globalAlpha = 1;
-  context.setLineDash([]);
-  inPixels();
+  context.restore();
 }
 
 /** The reference as if it were a robot. @param {Run} run @returns {Track} */
@@ -218,9 +220,8 @@ export function kite(context, px, py, theta, size) {
   context.closePath();
 }
 
-/** @param {Layer} layer @param {View} view @param {Scene} scene @param {Pins} pins @param {number} time */
-function drawRobots(layer, view, scene, pins, time) {
-  const { context } = layer;
+/** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins @param {number} time */
+function drawRobots(context, view, scene, pins, time) {
   /** @param {Run} run @param {number} size */
   const robot = (run, size) => {
     const { x, y, theta } = postureAt(run, time);
@@ -250,7 +251,7 @@ function drawRobots(layer, view, scene, pins, time) {
     });
   }
   if (isTracking(scene.driving)) drawReference(context, view, scene.driving, time);
-  drawTrail(layer, view, scene.driving, time);
+  drawTrail(context, view, scene.driving, time);
   context.fillStyle = colour('--ink');
   robot(scene.driving, arrow.robot);
   context.fill();
@@ -277,10 +278,11 @@ function drawReference(context, view, run, time) {
   context.fillText(strings.referenceName, px + 22, py + 22);
 }
 
-/** @param {Layer} layer @param {View} view @param {Run} run @param {number} time */
-function drawTrail({ context, inPixels, inMetres }, view, run, time) {
+/** @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} time */
+function drawTrail(context, view, run, time) {
   const { x, y } = postureAt(run, time);
-  inMetres(view);
+  context.save();
+  inMetres(context, view);
   context.strokeStyle = colour('--ink');
   context.lineWidth = 3.5 / view.scale;
   context.lineJoin = 'round';
@@ -289,7 +291,7 @@ function drawTrail({ context, inPixels, inMetres }, view, run, time) {
   trace(context, view, run, sampleBefore(run, time));
   context.lineTo(x, y);
   context.stroke();
-  inPixels();
+  context.restore();
 }
 
 /** A robot outside the plane leaves a mark at the edge, with its distance from there. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture */

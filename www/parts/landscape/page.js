@@ -24,11 +24,15 @@ import { axesOf, countOutside, createMap } from './view.js';
 export function createLandscapePage({ engine, store, actions, paper }) {
   const specOf = createSpec(paper);
   const requests = createLandscapeRequests(engine, store);
-  const map = createMap({
-    picture: byId('landscape-picture'),
-    marks: byId('landscape-marks'),
-    legend: byId('landscape-legend'),
-  });
+  const redraw = () => store.update({});
+  const map = createMap(
+    {
+      picture: byId('landscape-picture'),
+      marks: byId('landscape-marks'),
+      legend: byId('landscape-legend'),
+    },
+    redraw,
+  );
   const controls = createControls(store);
   const pathOf = remember((/** @type {Statistics[]} */ history) => history.map(({ best }) => best.gains));
   const read = remember(
@@ -37,7 +41,7 @@ export function createLandscapePage({ engine, store, actions, paper }) {
   );
   const gainsUnder = remember(gainsAt);
   const textsChanged = watch();
-  const size = followSize(byId('landscape-map'), () => store.update({}));
+  const size = followSize(byId('landscape-map'), redraw);
 
   /** @returns {MapModel} */
   const modelOf = () => {

@@ -1,6 +1,7 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
 import { contours } from 'd3-contour';
 import { createLayer } from '../../kit/canvas.js';
+import { followSize } from '../../kit/elements.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
 import { drawMark } from '../../kit/swatch.js';
@@ -53,11 +54,16 @@ export function axesOf({ spec, size }) {
 
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
-/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement, legend: HTMLCanvasElement }} elements */
-export function createMap({ picture, marks, legend }) {
+/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement, legend: HTMLCanvasElement }} elements @param {() => void} onResize */
+export function createMap({ picture, marks, legend }, onResize) {
   const under = createLayer(picture);
   const over = createLayer(marks);
   const bar = createLayer(legend);
+  let barWidth = 0;
+  followSize(legend, ({ width }) => {
+    barWidth = width;
+    onResize();
+  });
   const cells = document.createElement('canvas');
   const pictureChanged = watch();
   const marksChanged = watch();
@@ -68,17 +74,16 @@ export function createMap({ picture, marks, legend }) {
       const { spec, result, population, path, points, cursor, size, theme } = model;
       if (size.width === 0) return;
       const axes = axesOf(model);
-      if (pictureChanged(result, spec.x, spec.y, spec.range, size, theme)) {
-        under.clear(size);
+      if (pictureChanged(result, spec.x, spec.y, spec.range, size, barWidth, theme)) {
         const fits =
           result && result.spec.x === spec.x && result.spec.y === spec.y && result.spec.range === spec.range;
-        if (fits)
-          drawLandscape(
-            { context: under.context, cells, legend: bar, width: legend.clientWidth },
-            result,
-            axes,
-          );
-        drawAxes(under.context, axes, spec);
+        const scale = fits ? createCostScale(result.costs) : null;
+        under.draw(size, (context) => {
+          if (fits && scale) drawLandscape(context, cells, result, axes, scale);
+          drawAxes(context, axes, spec);
+        });
+        if (scale)
+          bar.draw({ width: barWidth, height: 34 }, (context) => drawLegend(context, scale, barWidth));
       }
       if (
         marksChanged(
@@ -93,19 +98,14 @@ export function createMap({ picture, marks, legend }) {
           theme,
         )
       ) {
-        over.clear(size);
-        drawMarks(over.context, axes, model);
+        over.draw(size, (context) => drawMarks(context, axes, model));
       }
     },
   };
 }
 
-/**
- * @param {{ context: CanvasRenderingContext2D, cells: HTMLCanvasElement, legend: import('../../kit/canvas.js').Layer, width: number }} on
- * @param {Landscape} landscape @param {Axes} axes
- */
-function drawLandscape({ context, cells, legend, width }, { costs, count }, { frame }) {
-  const scale = createCostScale(costs);
+/** @param {CanvasRenderingContext2D} context @param {HTMLCanvasElement} cells @param {Landscape} landscape @param {Axes} axes @param {CostScale} scale */
+function drawLandscape(context, cells, { costs, count }, { frame }, scale) {
   cells.width = count;
   cells.height = count;
   cells.getContext('2d')?.putImageData(paint(costs, count, scale), 0, 0);
@@ -133,13 +133,10 @@ function drawLandscape({ context, cells, legend, width }, { costs, count }, { fr
     context.stroke();
   }
   context.restore();
-  drawLegend(legend, scale, width);
 }
 
-/** @param {import('../../kit/canvas.js').Layer} layer @param {CostScale} scale @param {number} width */
-function drawLegend(layer, scale, width) {
-  const { context } = layer;
-  layer.clear({ width, height: 34 });
+/** @param {CanvasRenderingContext2D} context @param {CostScale} scale @param {number} width */
+function drawLegend(context, scale, width) {
   const [left, right] = [margin.left, width - margin.right];
   const colours = context.createLinearGradient(left, 0, right, 0);
   for (let i = 0; i <= 16; i += 1) colours.addColorStop(i / 16, shadeAt(i / 16));

@@ -81,8 +81,8 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
       model = next;
       const { starts, arrived, goal, tried, theme } = next;
       if (size.width === 0 || !changed(starts, arrived, goal, tried, theme, size)) return;
-      layer.clear(size);
-      drawStarts(layer.context, next, placeOf(goal));
+      const place = placeOf(goal);
+      layer.draw(size, (context) => drawStarts(context, next, place));
     },
   };
 }

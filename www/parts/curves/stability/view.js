@@ -1,5 +1,6 @@
 // The Lyapunov function of the run on screen: V, what the law promises of its rate, and what the robot makes of that.
-import { followPointer, sampleTime } from '../axes.js';
+import { followPointer } from '../../../kit/chart.js';
+import { sampleTime } from '../axes.js';
 import { byId, create, followSize, formula, write } from '../../../kit/elements.js';
 import { sampleBefore } from '../../../lab/plane.js';
 import { remember, watch } from '../../../kit/memo.js';
