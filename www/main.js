@@ -134,7 +134,7 @@ function start(engine) {
   createKeys();
   createChecks(engine);
   createTables(store);
-  if (!isEmbedded) createKeep({ engine, store, actions, sceneOf, redraw });
+  if (!isEmbedded) createKeep({ engine, store, actions, sceneOf });
   address = createAddress(engine, store, actions);
   embed?.begin();
   loop.request();

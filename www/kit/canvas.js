@@ -10,6 +10,19 @@ const pictures = new WeakMap();
 /** What was drawn last on a canvas of a layer. @param {HTMLCanvasElement} canvas */
 export const pictureOn = (canvas) => pictures.get(canvas) ?? null;
 
+/** @type {WeakMap<Path2D, string>} */
+const outlines = new WeakMap();
+
+/** A path that can be told again. @param {string} outline As SVG writes it. */
+export function pathOf(outline) {
+  const path = new Path2D(outline);
+  outlines.set(path, outline);
+  return path;
+}
+
+/** @param {Path2D} path From pathOf(). */
+export const outlineOf = (path) => /** @type {string} */ (outlines.get(path));
+
 /** @param {HTMLCanvasElement} canvas */
 export function createLayer(canvas) {
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));

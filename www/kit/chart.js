@@ -26,7 +26,11 @@ export function createChart(root, draw) {
   let shown = null;
   const show = (/** @type {Size} */ size) => {
     const model = shown;
-    if (model && size.width > 0) layer.draw(size, (context) => draw(context, size, model));
+    if (!model || size.width === 0) return;
+    // In whole pixels, because a canvas that is stretched by a part of one is blurred.
+    canvas.style.setProperty('--wide', `${size.width}px`);
+    canvas.style.setProperty('--high', `${size.height}px`);
+    layer.draw(size, (context) => draw(context, size, model));
   };
   const sizeOf = followSize(root, show);
   return {

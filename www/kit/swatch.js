@@ -1,4 +1,5 @@
 // How a line looks that has a dash and a mark of its own, as a pinned run has: a piece of it for lists and tables.
+import { pathOf } from './canvas.js';
 import { svg } from './elements.js';
 import { styles } from '../run/pins.js';
 
@@ -25,7 +26,7 @@ export const drawMark = (context, slot, px, py, colours) =>
 
 /** @param {CanvasRenderingContext2D} context @param {string} path @param {number} px @param {number} py @param {{ fill: string, edge: string }} colours */
 export function drawPath(context, path, px, py, { fill, edge }) {
-  const mark = new Path2D(path);
+  const mark = pathOf(path);
   context.save();
   context.translate(px, py);
   context.setLineDash([]);
