@@ -25,7 +25,8 @@ import { createRobustnessPage } from './parts/robustness/page.js';
 import { advanceRobot, createScene, createStore, endsOf, gainsOf, pausesAt } from './run/state.js';
 import { createPinButton } from './lab/pin-button.js';
 import { createSettingsPanel } from './settings/panel.js';
-import { createTables } from './lab/tables.js';
+import { fitnessTable } from './lab/fitness-table.js';
+import { offerTable } from './kit/table.js';
 import { curves as curveWords, lab as strings } from './words/index.js';
 import { createTrainingPage } from './parts/training/page.js';
 import { remember } from './kit/memo.js';
@@ -133,7 +134,7 @@ function start(engine) {
   followSurroundings(store, redraw);
   createKeys();
   createChecks(engine);
-  createTables(store);
+  offerTable('fitness-table', () => fitnessTable(store.get().history));
   if (!isEmbedded) createKeep({ engine, store, actions, sceneOf });
   address = createAddress(engine, store, actions);
   embed?.begin();

@@ -1,5 +1,6 @@
 // The pinned runs: their names, and a table of what differs between them and the run on screen.
-import { byId } from '../../kit/elements.js';
+import { byId, create } from '../../kit/elements.js';
+import { headCell } from '../../kit/table.js';
 import { renamed, withoutPin } from '../../run/pins.js';
 import { createSwatch } from '../../kit/swatch.js';
 import { createQuantity } from '../../settings/quantity.js';
@@ -87,12 +88,9 @@ function createHead(columns) {
   const row = head.insertRow();
   row.append(document.createElement('td'));
   for (const { name, slot } of columns) {
-    const cell = document.createElement('th');
-    cell.scope = 'col';
-    if (slot === null) cell.className = 'driving';
-    else cell.append(createSwatch(slot), document.createElement('br'));
-    cell.append(words.breakable(slot === null ? words.drivingColumn(name) : name));
-    row.append(cell);
+    const swatch = slot === null ? [] : [createSwatch(slot), create('br', '')];
+    const text = words.breakable(slot === null ? words.drivingColumn(name) : name);
+    row.append(headCell('col', slot === null ? 'driving' : '', ...swatch, text));
   }
   return head;
 }
@@ -112,12 +110,9 @@ function createBody(columns, settingTexts) {
 
 /** @param {Row} row */
 function createRow({ id, head, className = '', texts }) {
-  const row = document.createElement('tr');
-  const name = document.createElement('th');
-  Object.assign(name, { scope: 'row', textContent: head, className });
+  const cells = texts.map((text) => create('td', '', text));
+  const row = create('tr', '', headCell('row', className, head), ...cells);
   row.dataset.row = id;
-  row.append(name);
-  for (const text of texts) row.insertCell().textContent = text;
   return row;
 }
 

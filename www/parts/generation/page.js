@@ -7,7 +7,8 @@ import { generation as words } from '../../words/index.js';
 import { createDetails } from './details.js';
 import { createPicture } from './picture.js';
 import { chosenOf, isInitial, phaseAfter, phaseOf } from './record.js';
-import { createTable } from './table.js';
+import { offerTable } from '../../kit/table.js';
+import { generationTable } from './table.js';
 
 /** @typedef {import('../../lab/navigation.js').PageParts} PageParts */
 /** @typedef {import('../../run/state.js').Scene} Scene */
@@ -24,8 +25,7 @@ export function createGenerationPage({ engine, store, actions, anatomyOf, steps 
   const segmented = createSegmented(byId('generation-phases'), words.phaseLegend, words.phases, steps.show);
   const picture = createPicture(byId('generation-picture'), { onChoose: choose });
   const details = createDetails(byId('generation-details'), engine.learningRates(), choose);
-  const table = createTable(() => anatomyOf(store.get()));
-  byId('generation-table').addEventListener('click', table.show);
+  offerTable('generation-table', () => generationTable(anatomyOf(store.get())));
   byId('generation-back').addEventListener('click', steps.back);
   byId('generation-next').addEventListener('click', steps.next);
   drawKey(byId('generation-key'));

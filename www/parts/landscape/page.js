@@ -1,4 +1,6 @@
 // The part of the page that shows J over two gains, and what its controls do.
+import { offerTable } from '../../kit/table.js';
+import { landscapeTable } from './table.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/state.js';
@@ -34,6 +36,10 @@ export function createLandscapePage({ engine, store, actions, paper }) {
     redraw,
   );
   const controls = createControls(store);
+  offerTable('landscape-table', () => {
+    const { result } = store.get().landscape;
+    return result && landscapeTable(result);
+  });
   const pathOf = remember((/** @type {Statistics[]} */ history) => history.map(({ best }) => best.gains));
   const read = remember(
     (/** @type {State['experiment']} */ experiment, /** @type {Triple} */ gains) =>

@@ -1,6 +1,8 @@
 // The part of the page that shows from where one set of gains arrives, and what its controls do.
 import { byId, followSize, write } from '../../kit/elements.js';
 import { createSegmented } from '../../kit/segmented.js';
+import { offerTable } from '../../kit/table.js';
+import { robustnessTable } from './table.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { remember, watch } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
@@ -57,6 +59,10 @@ export function createRobustnessPage({ engine, store, actions, paper }) {
     heading === null ? null : angleOf(heading),
   );
   const size = followSize(byId('robustness-map'), () => store.update({}));
+  offerTable('robustness-table', () => {
+    const { survey } = store.get().robustness;
+    return survey && robustnessTable(survey);
+  });
   followMap(store, actions, size);
 
   return {

@@ -4,7 +4,7 @@ import { sampleTime } from '../axes.js';
 import { byId, create, followSize, formula, write } from '../../../kit/elements.js';
 import { sampleBefore } from '../../../lab/plane.js';
 import { remember, watch } from '../../../kit/memo.js';
-import { offer } from '../../../lab/tables.js';
+import { offerTable } from '../../../kit/table.js';
 import { stability as words } from '../../../words/index.js';
 import { createPlots } from './plots.js';
 import { summaryOf } from './summary.js';
@@ -47,7 +47,7 @@ export function createStability({ engine, store, actions }) {
   followPointer(picture, (px) => {
     if (shown) actions.scrub(sampleTime(shown.driving, plots.timeAt(px)));
   });
-  offer('stability-table', () => shown && stabilityTable(shown.name, shown.driving));
+  offerTable('stability-table', () => shown && stabilityTable(shown.name, shown.driving));
 
   const textsChanged = watch();
   return {
