@@ -245,7 +245,7 @@ function drawRobots(context, view, scene, pins, time) {
     context.fillStyle = colour(styles[slot].token);
     robot(scene.pins[i], 12);
     context.fill();
-    drawMark(context, slot, view.screenX(x), view.screenY(y) - 20, {
+    drawMark(context, styles[slot].mark, view.screenX(x), view.screenY(y) - 20, {
       fill: colour(styles[slot].token),
       edge: colour('--paper'),
     });

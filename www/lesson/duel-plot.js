@@ -15,7 +15,7 @@ import {
 } from '../kit/chart.js';
 import { drawAxisNames, drawName, spread } from '../kit/names.js';
 import { colour } from '../kit/palette.js';
-import { drawPath } from '../kit/swatch.js';
+import { drawMark } from '../kit/swatch.js';
 import { generationsIn, longestOf, lowestOf } from './duel.js';
 
 /** @typedef {import('../kit/chart.js').Axes} Axes */
@@ -86,7 +86,7 @@ function drawMarks(context, { x, y, frame }, columns) {
       const [px, py] = [x(at + 1), y(costs[at])];
       if (!(py >= frame.top)) continue;
       const colours = { fill: colour(looks[name].token), edge: colour('--paper') };
-      drawPath(context, looks[name].mark, px, py, colours);
+      drawMark(context, looks[name].mark, px, py, colours);
     }
   }
 }

@@ -1,7 +1,7 @@
 // The pinned runs: their names, and a table of what differs between them and the run on screen.
 import { byId, create } from '../../kit/elements.js';
 import { headCell } from '../../kit/table.js';
-import { renamed, withoutPin } from '../../run/pins.js';
+import { renamed, styles, withoutPin } from '../../run/pins.js';
 import { createSwatch } from '../../kit/swatch.js';
 import { createQuantity } from '../../settings/quantity.js';
 import { fieldPath, valueAt } from '../../run/paths.js';
@@ -78,7 +78,7 @@ function createItem({ slot, name }, { onName, onUnpin }) {
   Object.assign(button, { type: 'button', id: `unpin-${slot + 1}`, textContent: words.unpinShort });
   button.setAttribute('aria-label', words.unpin(name));
   button.addEventListener('click', () => onUnpin(slot));
-  item.append(createSwatch(slot), input, button);
+  item.append(createSwatch(styles[slot]), input, button);
   return item;
 }
 
@@ -88,7 +88,7 @@ function createHead(columns) {
   const row = head.insertRow();
   row.append(document.createElement('td'));
   for (const { name, slot } of columns) {
-    const swatch = slot === null ? [] : [createSwatch(slot), create('br', '')];
+    const swatch = slot === null ? [] : [createSwatch(styles[slot]), create('br', '')];
     const text = words.breakable(slot === null ? words.drivingColumn(name) : name);
     row.append(headCell('col', slot === null ? 'driving' : '', ...swatch, text));
   }

@@ -151,7 +151,7 @@ function drawLine(context, layout, plot, { run, colour: own, dash, width, slot }
     context.stroke();
     if (slot === null) continue;
     const last = run.time.length - 1;
-    drawMark(context, slot, layout.time(run.time[last]), plot.scale(value(run, last)), {
+    drawMark(context, styles[slot].mark, layout.time(run.time[last]), plot.scale(value(run, last)), {
       fill: String(own),
       edge: colour('--paper'),
     });

@@ -4,6 +4,7 @@ import { createLayer } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
+import { styles } from '../../run/pins.js';
 import { drawMark } from '../../kit/swatch.js';
 import { shadeAt } from '../../kit/shades.js';
 import { watch } from '../../kit/memo.js';
@@ -272,7 +273,8 @@ function disc(context, [px, py], radius) {
 /** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {string} name @param {Point['mark']} mark @param {Axes['frame']} frame */
 function drawPoint(context, [px, py], name, mark, frame) {
   // The names of the pins are in the legend, beside the same marks.
-  if (typeof mark === 'number') return drawMark(context, mark, px, py, { fill: light, edge: dark });
+  if (typeof mark === 'number')
+    return drawMark(context, styles[mark].mark, px, py, { fill: light, edge: dark });
   context.beginPath();
   if (mark === 'diamond')
     for (const [dx, dy] of [

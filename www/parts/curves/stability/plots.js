@@ -12,6 +12,7 @@ import {
 import { drawTimeAxis, timeTicks } from '../axes.js';
 import { linesOf } from '../plots.js';
 import { symbolFont, textFont } from '../../../kit/fonts.js';
+import { styles } from '../../../run/pins.js';
 import { drawMark } from '../../../kit/swatch.js';
 import { sampleBefore } from '../../../lab/plane.js';
 import { colour } from '../../../kit/palette.js';
@@ -93,7 +94,7 @@ function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
       context.stroke();
       const last = run.time.length - 1;
       if (slot !== null)
-        drawMark(context, slot, axes.x(run.time[last]), axes.y(run.lyapunov[last]), {
+        drawMark(context, styles[slot].mark, axes.x(run.time[last]), axes.y(run.lyapunov[last]), {
           fill: String(own),
           edge: colour('--paper'),
         });
