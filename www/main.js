@@ -10,7 +10,6 @@ import { createAccumulator, createFrameLoop } from './kit/loop.js';
 import { createDraw } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
 import { followSurroundings } from './lab/surroundings.js';
-import { createTables } from './lab/tables.js';
 import { createViews, fillTexts } from './lab/views.js';
 import { links } from './lesson/links.js';
 import { createLesson } from './lesson/page.js';
@@ -29,6 +28,8 @@ import { createMaker } from './share/exercise/maker.js';
 import { createExercise } from './share/exercise/page.js';
 import { createKeys } from './share/keys.js';
 import { lab as words } from './words/index.js';
+import { fitnessTable } from './lab/fitness-table.js';
+import { offerTable } from './kit/table.js';
 
 const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
 const isStill = () => stillPlease.matches || standsStill();
@@ -99,11 +100,11 @@ function start(engine) {
 
   byId('plane-robots').setAttribute('aria-label', words.planeLabel);
   byId('instrument').hidden = false;
-  const redraw = followSurroundings(actions, show);
+  followSurroundings(actions, show);
   createKeys();
   createChecks(engine);
-  createTables(store);
-  if (!isEmbedded) createKeep({ ...tools, actions, sceneOf, redraw });
+  offerTable('fitness-table', () => fitnessTable(store.get().history));
+  if (!isEmbedded) createKeep({ ...tools, actions, sceneOf });
   address = createAddress({ ...tools, actions });
   embed?.begin();
   loop.request();

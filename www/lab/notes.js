@@ -1,5 +1,6 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
-import { createSwatch } from './pin-marks.js';
+import { createSwatch } from '../kit/swatch.js';
+import { styles } from '../run/pins.js';
 import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
@@ -109,7 +110,7 @@ export function createNotes({ legend, postures, planeText, curve, announcer }, {
         for (const one of pinItems) one.remove();
         pinItems = model.pins.map(({ slot, name }, i) => {
           const one = item(legend, 'pin');
-          one.append(createSwatch(slot), strings.comparisonText(name, scene.pins[i]));
+          one.append(createSwatch(styles[slot]), strings.comparisonText(name, scene.pins[i]));
           return one;
         });
       }

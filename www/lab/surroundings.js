@@ -1,16 +1,16 @@
 // What around the page changes how it is drawn: its size, the pixels of the screen, the theme, and paper.
+import { forgetColours } from '../kit/palette.js';
 import { byId, followSize } from '../kit/elements.js';
 
 /** @param {import('../run/actions/actions.js').Actions} actions @param {() => void} show Draws at once. */
 export function followSurroundings(actions, show) {
   const redraw = () => {
+    forgetColours();
     actions.changeTheme();
     show();
   };
   const plane = byId('plane');
-  const sizeOf = followSize(plane, actions.setSize);
-  // Another pixel density comes without another size.
-  addEventListener('resize', () => actions.setSize({ ...sizeOf() }));
+  followSize(plane, actions.setSize);
   // At once, because a printer does not wait for the next frame.
   for (const media of ['(prefers-color-scheme: dark)', 'print'])
     matchMedia(media).addEventListener('change', redraw);
@@ -23,5 +23,4 @@ export function followSurroundings(actions, show) {
       document.documentElement.toggleAttribute('data-printing', prints);
       redraw();
     });
-  return redraw;
 }

@@ -4,7 +4,7 @@ import { messageOf } from '../words/errors.js';
 import { watch } from '../kit/memo.js';
 import { noTrial } from '../run/state.js';
 import { isDuelOf, judge, lockedIn, longestOf, lowestOf, nextSeed, roundOf, scoreOf } from './duel.js';
-import { swatchOf } from '../kit/swatch.js';
+import { createSwatch } from '../kit/swatch.js';
 import { createDuelPlot, looks } from './duel-plot.js';
 import { progressSlice } from './state.js';
 import { paragraphs } from './prose.js';
@@ -192,7 +192,7 @@ function rowsOf({ costs, drives, given, winner }, words) {
     .map((name) => ({ name, cost: costs[name], driven: name === 'you' ? drives : given }))
     .sort((a, b) => a.cost - b.cost)
     .map(({ name, cost, driven }) => {
-      const who = create('th', '', swatchOf(looks[name]), words.names[name]);
+      const who = create('th', '', createSwatch(looks[name]), words.names[name]);
       who.setAttribute('scope', 'row');
       const wins = name === winner || (winner === 'both' && name !== 'you');
       const row = create(

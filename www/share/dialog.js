@@ -24,8 +24,8 @@ const kinds = /** @type {const} */ ([
   ['svg', 'image/svg+xml', svgOf],
 ]);
 
-/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, sceneOf: (state: ReturnType<Store['get']>) => Scene, redraw: () => void }} parts `redraw` draws all views anew. */
-export function createKeep({ engine, store, actions, links, sceneOf, redraw }) {
+/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, sceneOf: (state: ReturnType<Store['get']>) => Scene }} parts */
+export function createKeep({ engine, store, actions, links, sceneOf }) {
   /** @type {HTMLDialogElement} */
   const dialog = byId('keep');
   /** @type {HTMLInputElement} */
@@ -53,7 +53,7 @@ export function createKeep({ engine, store, actions, links, sceneOf, redraw }) {
     try {
       const [version, link] = origin();
       const about = { title: picture.name, description: descriptionOf(picture), link, version };
-      const content = await write(await drawingOf(picture, redraw), about);
+      const content = await write(drawingOf(picture), about);
       download(`${name()}-${picture.key}.${ending}`, type, content);
     } catch (error) {
       status.textContent = words.pictureNotSaved(picture.name, messageOf(error));

@@ -116,12 +116,12 @@ async function table(page) {
   const rows = await page.evaluate(() => {
     const texts = (/** @type {Element} */ row) =>
       [...row.children].map((cell) => /** @type {HTMLElement} */ (cell).innerText);
-    const names = texts(/** @type {Element} */ (document.querySelector('#generation-rows thead tr')));
-    return [...document.querySelectorAll('#generation-rows tbody tr')].map((row) =>
+    const names = texts(/** @type {Element} */ (document.querySelector('#table-rows thead tr')));
+    return [...document.querySelectorAll('#table-rows tbody tr')].map((row) =>
       Object.fromEntries(texts(row).map((text, i) => [names[i], text])),
     );
   });
-  await page.click('#generation-close');
+  await page.click('#table-close');
   return rows;
 }
 

@@ -259,7 +259,7 @@ pageTest('what the workers find is told in Korean', async (page) => {
   await isKorean(page, 'luck');
   await page.click('#luck-table');
   await isKorean(page, 'the table of all seeds');
-  await page.click('#luck-close');
+  await page.click('#table-close');
   for (const [name, found] of [
     ['robustness', '#robustness-share'],
     ['landscape', '#landscape-readout'],

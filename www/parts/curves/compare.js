@@ -1,7 +1,9 @@
 // The pinned runs: their names, and a table of what differs between them and the run on screen.
 import { curvesSlice } from './state.js';
-import { byId } from '../../kit/elements.js';
-import { createSwatch } from '../../lab/pin-marks.js';
+import { byId, create } from '../../kit/elements.js';
+import { headCell } from '../../kit/table.js';
+import { styles } from '../../run/pins.js';
+import { createSwatch } from '../../kit/swatch.js';
 import { createQuantity } from '../../settings/quantity.js';
 import { fieldPath, valueAt } from '../../run/paths.js';
 import { rows as settingRows } from '../../settings/table.js';
@@ -78,7 +80,7 @@ function createItem({ slot, name }, { onName, onUnpin }) {
   Object.assign(button, { type: 'button', id: `unpin-${slot + 1}`, textContent: words.unpinShort });
   button.setAttribute('aria-label', words.unpin(name));
   button.addEventListener('click', () => onUnpin(slot));
-  item.append(createSwatch(slot), input, button);
+  item.append(createSwatch(styles[slot]), input, button);
   return item;
 }
 
@@ -88,12 +90,9 @@ function createHead(columns) {
   const row = head.insertRow();
   row.append(document.createElement('td'));
   for (const { name, slot } of columns) {
-    const cell = document.createElement('th');
-    cell.scope = 'col';
-    if (slot === null) cell.className = 'driving';
-    else cell.append(createSwatch(slot), document.createElement('br'));
-    cell.append(words.breakable(slot === null ? words.drivingColumn(name) : name));
-    row.append(cell);
+    const swatch = slot === null ? [] : [createSwatch(styles[slot]), create('br', '')];
+    const text = words.breakable(slot === null ? words.drivingColumn(name) : name);
+    row.append(headCell('col', slot === null ? 'driving' : '', ...swatch, text));
   }
   return head;
 }
@@ -113,12 +112,9 @@ function createBody(columns, settingTexts) {
 
 /** @param {Row} row */
 function createRow({ id, head, className = '', texts }) {
-  const row = document.createElement('tr');
-  const name = document.createElement('th');
-  Object.assign(name, { scope: 'row', textContent: head, className });
+  const cells = texts.map((text) => create('td', '', text));
+  const row = create('tr', '', headCell('row', className, head), ...cells);
   row.dataset.row = id;
-  row.append(name);
-  for (const text of texts) row.insertCell().textContent = text;
   return row;
 }
 

@@ -9,7 +9,8 @@ import { createDetails } from './details.js';
 import { createPicture } from './picture.js';
 import { chosenOf, createAnatomy, createChosenDrives, isInitial, phaseAfter, phaseOf } from './record.js';
 import { createSteps } from './steps.js';
-import { createTable } from './table.js';
+import { offerTable } from '../../kit/table.js';
+import { generationTable } from './table.js';
 
 /** @typedef {import('../part.js').Tools} PageParts */
 /** @typedef {import('../../run/scene.js').Scene} Scene */
@@ -29,8 +30,7 @@ export function createGenerationPage({ engine, store, actions }) {
   const segmented = createSegmented(byId('generation-phases'), words.phaseLegend, words.phases, steps.show);
   const picture = createPicture(byId('generation-picture'), { onChoose: choose });
   const details = createDetails(byId('generation-details'), engine.learningRates(), choose);
-  const table = createTable(() => anatomyOf(store.get()));
-  byId('generation-table').addEventListener('click', table.show);
+  offerTable('generation-table', () => generationTable(anatomyOf(store.get())));
   byId('generation-back').addEventListener('click', steps.back);
   byId('generation-next').addEventListener('click', steps.next);
   drawKey(byId('generation-key'));

@@ -2,7 +2,7 @@
 import { tickStep, ticks as ticksOf } from 'd3-array';
 import { followSize, svg } from '../../kit/elements.js';
 import { isChord } from '../../kit/keyboard.js';
-import { sameDigits } from '../../kit/plot.js';
+import { sameDigits } from '../../kit/chart.js';
 import { watch } from '../../kit/memo.js';
 import { generation as words } from '../../words/index.js';
 import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
@@ -205,7 +205,7 @@ function drawAxis(layer, { anatomy, phase }, size) {
   const ticks = narrow ? ticksOf(0, high - low, room).map((tick) => low + tick) : ticksOf(low, high, room);
   const texts = narrow
     ? ticks.map((tick, i) => words.beyondBest(i === 0 ? 0 : tick - low))
-    : sameDigits(/** @type {any} */ (null), ticks);
+    : sameDigits(ticks);
   const digits = narrow ? 3 : (texts[0]?.split('.')[1] ?? '').length;
   const line = (/** @type {number} */ y) => svg('line', { x1: margin.left, x2: right, y1: y, y2: y });
   const label = (/** @type {number} */ y, /** @type {string} */ text) =>

@@ -1,5 +1,7 @@
 // The part of the page that shows J over two gains, and what its controls do.
 import { gainNames, landscapeSlice } from './state.js';
+import { offerTable } from '../../kit/table.js';
+import { landscapeTable } from './table.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
@@ -25,12 +27,20 @@ import { axesOf, countOutside, createMap } from './view.js';
 export function createLandscapePage({ engine, store, actions, paper }) {
   const specOf = createSpec(paper);
   const requests = createLandscapeRequests(engine, store);
-  const map = createMap({
-    picture: byId('landscape-picture'),
-    marks: byId('landscape-marks'),
-    legend: byId('landscape-legend'),
-  });
+  const { redraw } = store;
+  const map = createMap(
+    {
+      picture: byId('landscape-picture'),
+      marks: byId('landscape-marks'),
+      legend: byId('landscape-legend'),
+    },
+    redraw,
+  );
   const controls = createControls(store);
+  offerTable('landscape-table', () => {
+    const { result } = landscapeSlice.of(store.get());
+    return result && landscapeTable(result);
+  });
   const pathOf = remember((/** @type {Statistics[]} */ history) => history.map(({ best }) => best.gains));
   const read = remember(
     (/** @type {State['experiment']} */ experiment, /** @type {Triple} */ gains) =>
@@ -38,7 +48,7 @@ export function createLandscapePage({ engine, store, actions, paper }) {
   );
   const gainsUnder = remember(gainsAt);
   const textsChanged = watch();
-  const size = followSize(byId('landscape-map'), () => store.redraw());
+  const size = followSize(byId('landscape-map'), redraw);
 
   /** @returns {MapModel} */
   const modelOf = () => {

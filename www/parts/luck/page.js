@@ -7,7 +7,8 @@ import { luck as words } from '../../words/index.js';
 import { createSeedCurve } from './curve.js';
 import { createSeedRequests, drivesOf, isSameButSeed } from './request.js';
 import { createStrips } from './strips.js';
-import { createTable } from './table.js';
+import { offerTable } from '../../kit/table.js';
+import { seedTable } from './table.js';
 
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
@@ -42,10 +43,12 @@ export function createLuckPage({ engine, store, actions, paper }) {
   const on = { onPoint: point, onChoose: choose };
   const curve = createSeedCurve(byId('luck-curve'), on);
   const strips = createStrips(byId('luck-gains'), on);
-  const table = createTable(() => luck().result);
+  offerTable('luck-table', () => {
+    const { result } = luck();
+    return result && seedTable(result);
+  });
   const controls = createControls(store, {
     onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
-    onTable: table.show,
     onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
     onOpen: (seed) => {
       actions.useSeed(seed);
@@ -107,9 +110,9 @@ function questionOf(state) {
 
 /**
  * @param {Store} store
- * @param {{ onRun: () => void, onTable: () => void, onRank: (rank: number) => void, onOpen: (seed: number) => void }} on
+ * @param {{ onRun: () => void, onRank: (rank: number) => void, onOpen: (seed: number) => void }} on
  */
-function createControls(store, { onRun, onTable, onRank, onOpen }) {
+function createControls(store, { onRun, onRank, onOpen }) {
   const run = byId('luck-run');
   /** @type {HTMLSelectElement} */
   const count = byId('luck-count');
@@ -131,7 +134,6 @@ function createControls(store, { onRun, onTable, onRank, onOpen }) {
     luckSlice.update(store, { generations: Number(generations.value) }),
   );
   log.addEventListener('change', () => luckSlice.update(store, { log: log.checked }));
-  byId('luck-table').addEventListener('click', onTable);
   rank.addEventListener('input', () => onRank(Number(rank.value)));
   open.addEventListener('click', () => onOpen(Number(open.dataset.seed)));
   const changed = watch();

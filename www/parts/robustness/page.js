@@ -2,6 +2,8 @@
 import { halves, robustnessSlice } from './state.js';
 import { byId, followSize, write } from '../../kit/elements.js';
 import { createSegmented } from '../../kit/segmented.js';
+import { offerTable } from '../../kit/table.js';
+import { robustnessTable } from './table.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { remember, watch } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
@@ -56,6 +58,10 @@ export function createRobustnessPage({ engine, store, actions, paper }) {
     heading === null ? null : angleOf(heading),
   );
   const size = followSize(byId('robustness-map'), () => store.redraw());
+  offerTable('robustness-table', () => {
+    const { survey } = robustnessSlice.of(store.get());
+    return survey && robustnessTable(survey);
+  });
   followMap(store, actions, size);
 
   return {

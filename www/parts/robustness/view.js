@@ -3,7 +3,7 @@ import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
 import { kite } from '../../lab/plane.js';
-import { colour } from '../../kit/plot.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { robustness as words } from '../../words/index.js';
@@ -71,13 +71,13 @@ export function createMap({ picture, marks }) {
       if (size.width === 0) return;
       const axes = axesOf(model);
       if (pictureChanged(grid, shading, size, theme)) {
-        under.clear(size);
-        if (shading) drawCells(under.context, cells, shading, axes, grid.x.count);
-        drawAxes(under.context, axes);
+        under.draw(size, (context) => {
+          if (shading) drawCells(context, cells, shading, axes, grid.x.count);
+          drawAxes(context, axes);
+        });
       }
       if (marksChanged(grid, goal, starts, watched, run, cursor, heading, size, theme)) {
-        over.clear(size);
-        drawMarks(over.context, axes, model);
+        over.draw(size, (context) => drawMarks(context, axes, model));
       }
     },
   };

@@ -3,7 +3,7 @@ import { createLayer } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { kite } from '../../lab/plane.js';
-import { colour } from '../../kit/plot.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 
 /** @typedef {import('../../core/engine.js').Posture} Posture */
@@ -81,8 +81,8 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
       model = next;
       const { starts, arrived, goal, tried, theme } = next;
       if (size.width === 0 || !changed(starts, arrived, goal, tried, theme, size)) return;
-      layer.clear(size);
-      drawStarts(layer.context, next, placeOf(goal));
+      const place = placeOf(goal);
+      layer.draw(size, (context) => drawStarts(context, next, place));
     },
   };
 }

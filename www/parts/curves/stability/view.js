@@ -1,10 +1,11 @@
 // The Lyapunov function of the run on screen: V, what the law promises of its rate, and what the robot makes of that.
 import { curvesSlice } from '../state.js';
-import { followPointer, sampleTime } from '../axes.js';
+import { followPointer } from '../../../kit/chart.js';
+import { sampleTime } from '../axes.js';
 import { byId, create, followSize, formula, write } from '../../../kit/elements.js';
 import { sampleBefore } from '../../../lab/plane.js';
 import { remember, watch } from '../../../kit/memo.js';
-import { offer } from '../../../lab/tables.js';
+import { offerTable } from '../../../kit/table.js';
 import { stability as words } from '../../../words/index.js';
 import { createPlots } from './plots.js';
 import { summaryOf } from './summary.js';
@@ -45,7 +46,7 @@ export function createStability({ engine, store, actions }) {
   followPointer(picture, (px) => {
     if (shown) actions.scrub(sampleTime(shown.driving, plots.timeAt(px)));
   });
-  offer('stability-table', () => shown && stabilityTable(shown.name, shown.driving));
+  offerTable('stability-table', () => shown && stabilityTable(shown.name, shown.driving));
 
   const textsChanged = watch();
   return {
