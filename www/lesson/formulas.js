@@ -1,4 +1,5 @@
 // The formulas of the paper that more than one step shows.
+import { lawTerms } from '../core/rules.js';
 import { generation as words, lab } from '../words/index.js';
 import { costText, degreesText, signed } from '../words/numbers.js';
 import { anatomyOf, birthOf, chosenIn } from './anatomy.js';
@@ -74,7 +75,7 @@ export const errorFormula = {
  * What the terms of (5) are made of, by the gain that each has in it; of v, then of ω.
  * @param {Leaf} leaf
  */
-export const lawTerms = (leaf) => ({
+export const partsOfLaw = (leaf) => ({
   linear: {
     kx: [leaf('kx'), dot, leaf('xe'), dot, cos(leaf('te'))],
     ky: [leaf('ky'), dot, frac(sup(leaf('ye'), '3'), sin(leaf('te')))],
@@ -90,7 +91,7 @@ export const lawTerms = (leaf) => ({
 export const lawFormula = {
   label: '(5)',
   build(leaf) {
-    const { linear, angular } = lawTerms(leaf);
+    const { linear, angular } = partsOfLaw(leaf);
     return [
       line(leaf('v'), term('kx', ...linear.kx), '−', term('ky', ...linear.ky)),
       line(leaf('w'), term('kt', ...angular.kt), '+', term('ky', ...angular.ky)),
@@ -270,9 +271,8 @@ export const rateFormula = {
     further('−', term('te', leaf('kt'), dot, sin(leaf('te'), '2'))),
   ],
   numbers: (live) => {
-    const { x, y, theta } = live.sample.error;
-    const [kx, ky, kt] = live.gains;
-    const rate = -kx * (x * Math.cos(theta)) ** 2 - ky * y ** 4 - kt * Math.sin(theta) ** 2;
+    const { promised } = lawTerms({ law: 'shim-kim' }, live.gains, live.sample.error);
+    const rate = promised ? promised.x + promised.y + promised.theta : Number.NaN;
     return { ...lawNumbers(live), Vdot: signed(rate, 3) };
   },
 };
