@@ -19,9 +19,9 @@ import {
   term,
 } from './notation.js';
 
-/** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('./notation.js').Formula} Formula */
-/** @typedef {import('./notation.js').Leaf} Leaf */
+/** @import { Cost } from '../core/engine.js' */
+/** @import { Formula, Leaf, Part } from './notation.js' */
+/** @import { Live } from './page.js' */
 
 /** The numbers that the law works with. @param {Pick<Live, 'sample' | 'gains'>} live */
 function lawNumbers({ sample, gains }) {
@@ -101,20 +101,19 @@ export const lawFormula = {
   numbers: ({ decided, gains }) => lawNumbers({ sample: decided, gains }),
 };
 
-/** A part of J, in its colour of the bar. @param {Exclude<keyof import('../core/engine.js').Cost, 'total'>} name @param {import('./notation.js').Part[]} parts */
+/** A part of J, in its colour of the bar. @param {Exclude<keyof Cost, 'total'>} name @param {Part[]} parts */
 const costPart = (name, ...parts) => {
   const group = term(name, ...parts);
   group.setAttribute('class', `part-${name}`);
   return group;
 };
-const transposed = (/** @type {import('./notation.js').Part} */ of) => sup(of, 'T');
+const transposed = (/** @type {Part} */ of) => sup(of, 'T');
 
 /** (9); its parts in the order of the paper. @type {Formula} */
 export const costFormula = {
   label: '(9)',
   build(leaf) {
-    const gap = (/** @type {import('./notation.js').Part[]} */ ...at) =>
-      row('(', leaf('p'), ...at, '−', leaf('pr'), ')');
+    const gap = (/** @type {Part[]} */ ...at) => row('(', leaf('p'), ...at, '−', leaf('pr'), ')');
     return [
       line(
         leaf('J'),
