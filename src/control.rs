@@ -106,6 +106,34 @@ impl Law {
     }
 }
 
+/// A command by what asks for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CommandTerms {
+    /// What kx, ky and kθ ask for.
+    pub gains: [Velocity; 3],
+    /// What the reference velocity asks for by itself.
+    pub reference: Velocity,
+}
+
+impl Law {
+    /// The terms of [`Law::command`], which is their sum, up to rounding.
+    ///
+    /// Both laws are linear in their gains: a term is what the command is with this gain alone, less what it is with none.
+    pub fn terms(self, e: &ErrorPosture, k: &Gains, r: Velocity) -> CommandTerms {
+        let reference = self.command(e, &Gains::new(0.0, 0.0, 0.0), r);
+        let term = |alone: Gains| {
+            let asked = self.command(e, &alone, r);
+            Velocity {
+                linear: asked.linear - reference.linear,
+                angular: asked.angular - reference.angular,
+            }
+        };
+        let gains =
+            [Gains::new(k.x, 0.0, 0.0), Gains::new(0.0, k.y, 0.0), Gains::new(0.0, 0.0, k.theta)];
+        CommandTerms { gains: gains.map(term), reference }
+    }
+}
+
 /// A Lyapunov function V = ½ x_e² + ½ y_e² + w (1 − cos θ_e), in m²: a measure of the whole error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lyapunov {

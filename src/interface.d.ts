@@ -126,8 +126,20 @@ export interface GenerationRecord {
   opponents: number[][];
   /** For each of the 2N solutions, how many bouts it won. */
   wins: number[];
+  /** All of them, best ranked first: most wins first, then lower J, then lower number. */
+  ranking: number[];
   /** The N that survive, best ranked first. */
   survivors: number[];
+}
+/** What the control law makes of an error posture. */
+export interface LawTerms {
+  /** What each gain asks for, and the reference velocity by itself: the command is their sum, up to rounding. */
+  command: { kx: Velocity; ky: Velocity; ktheta: Velocity; reference: Velocity };
+  /**
+   * The parts of dV/dt on x_e, y_e and θ_e that the law promises for its command, m²/s, as in `Stability`. Null where nothing is
+   * promised.
+   */
+  promised: Posture | null;
 }
 /** One axis of a landscape: `count` values of a gain from `from` to `to`, evenly spaced or, with `log`, evenly in the logarithm. */
 export interface Axis { gain: 'kx' | 'ky' | 'ktheta'; from: number; to: number; count: number; log?: boolean }
@@ -143,16 +155,17 @@ export interface Landscape {
 /** `count` values from `from` to `to`, evenly spaced. */
 export interface Range { from: number; to: number; count: number }
 /** Start postures at every position of a grid, with `headings` headings each, evenly around the circle from 0. */
-export interface StartGrid {
-  gains: Gains;
+export interface Grid {
   /** Metres. */
   x: Range;
   /** Metres. */
   y: Range;
   headings: number;
-  /** The starts [first, end) to drive from; all when left out. All headings of a position stand together, then x varies, then y. */
+  /** The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y. */
   part?: [number, number];
 }
+/** The starts of a grid, and the gains of the robot that drives from them. */
+export interface StartGrid extends Grid { gains: Gains }
 /** One value for each start of a grid, or of an experiment. */
 export interface Robustness {
   /** J. */

@@ -78,6 +78,20 @@ fn validate_count(field: &str, count: u32) -> Result<(), InvalidInput> {
     Err(InvalidInput::new(field, expected, count.to_string()))
 }
 
+/// Checks a part [first, end) of a job that has `count` parts.
+pub(crate) fn validate_part(
+    field: &str,
+    part: [u32; 2],
+    count: u32,
+) -> Result<[u32; 2], InvalidInput> {
+    let [first, end] = part;
+    if first <= end && end <= count {
+        return Ok(part);
+    }
+    let expected = format!("[first, end] with 0 ≤ first ≤ end ≤ {count}");
+    Err(InvalidInput::new(field, expected, format!("[{first}, {end}]")))
+}
+
 /// Start postures have the range of those of an experiment.
 fn validate_coordinate(name: &str, value: f64) -> Result<(), InvalidInput> {
     match field_at("starts[].x") {
@@ -116,6 +130,18 @@ impl StartGrid {
             y: self.y.value(row),
             theta: wrap(TAU * f64::from(heading) / f64::from(self.headings)),
         }
+    }
+
+    /// The postures with index in [first, end); the error says how many are allowed.
+    pub fn postures(&self, part: [u32; 2]) -> Result<Vec<Posture>, InvalidInput> {
+        self.validate()?;
+        let count = u32::try_from(self.count()).unwrap_or(u32::MAX);
+        let [first, end] = validate_part("part", part, count)?;
+        if (end - first) as usize > MAX_STARTS {
+            let expected = format!("at most {MAX_STARTS} starts in one call");
+            return Err(InvalidInput::new("part", expected, (end - first).to_string()));
+        }
+        Ok((first..end).map(|index| self.posture(index as usize)).collect())
     }
 
     pub(crate) fn validate(&self) -> Result<(), InvalidInput> {

@@ -10,7 +10,7 @@ use crate::evolution::{Brood, GenerationRecord, Individual, drawn, drive_all};
 use crate::experiment::{EvolutionSettings, Experiment};
 use crate::fields::{InvalidInput, shown};
 use crate::random::LARGEST_INDEX;
-use crate::starts::{Range, StartGrid};
+use crate::starts::{Range, StartGrid, validate_part};
 
 /// J of each of these gains, the mean over the start postures.
 ///
@@ -125,16 +125,6 @@ impl Landscape {
             .collect::<Vec<_>>();
         Ok(totals(setting, &cells))
     }
-}
-
-/// Checks a part [first, end) of a job that has `count` parts.
-fn validate_part(field: &str, part: [u32; 2], count: u32) -> Result<[u32; 2], InvalidInput> {
-    let [first, end] = part;
-    if first <= end && end <= count {
-        return Ok(part);
-    }
-    let expected = format!("[first, end] with 0 ≤ first ≤ end ≤ {count}");
-    Err(InvalidInput::new(field, expected, format!("[{first}, {end}]")))
 }
 
 /// How the robot with these gains fares from each posture of the grid with index in [first, end).

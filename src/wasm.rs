@@ -15,7 +15,7 @@ use crate::episode::{EpisodeState, Outcome, Sample, Setting};
 use crate::evolution::{self, LAST_GENERATION};
 use crate::experiment::{Experiment, MAX_STARTS, PAPER_RESULTS, Preset};
 use crate::fields::{FIELDS, InvalidInput, WORD_FIELDS, shown};
-use crate::posture::Posture;
+use crate::posture::{ErrorPosture, Posture};
 use crate::remaining::{self, ErrorParts};
 use crate::stability::{self, StabilitySample};
 use crate::starts::{self, MAX_AXIS_COUNT, Range, StartGrid};
@@ -159,13 +159,19 @@ pub fn robustness(
     let given = Input { value: given, path: "grid".into() };
     given.keys(&["gains", "x", "y", "headings", "part"])?;
     let gains = one_triple(given.get("gains")?.value)?;
+    let (grid, part) = start_grid(&given)?;
+    run_ends(&survey::robustness(&setting, gains, &grid, part)?)
+}
+
+/// A grid of starts and the part of it that is meant.
+fn start_grid(given: &Input) -> Result<(StartGrid, [u32; 2])> {
     let grid = StartGrid {
         x: range(given.get("x")?)?,
         y: range(given.get("y")?)?,
         headings: given.get("headings")?.whole_number(MAX_AXIS_COUNT)?,
     };
     let part = given.get("part")?.part(u32::try_from(grid.count()).unwrap_or(u32::MAX))?;
-    run_ends(&survey::robustness(&setting, gains, &grid, part)?)
+    Ok((grid, part))
 }
 
 /// How one robot fares from each of the experiment's starts: J, t_f and whether it arrives.
@@ -302,6 +308,55 @@ pub fn starts_on_circle(
     let count = given.get("count")?.whole_number(MAX_STARTS as u32)?;
     let seed = given.get("seed")?.whole_number(u32::MAX)?;
     plain(&starts::on_circle(centre, given.get("radius")?.number()?, count, seed)?)
+}
+
+/// The starts of `robustness` on the same grid, in their order: at most 10 000 in one call.
+#[wasm_bindgen(js_name = "startsOnGrid", unchecked_return_type = "Posture[]")]
+pub fn starts_on_grid(
+    #[wasm_bindgen(js_name = "grid", unchecked_param_type = "Grid")] given: JsValue,
+) -> Result<JsValue> {
+    let given = Input { value: given, path: "grid".into() };
+    given.keys(&["x", "y", "headings", "part"])?;
+    let (grid, part) = start_grid(&given)?;
+    plain(&grid.postures(part)?)
+}
+
+/// What the control law of the experiment makes of an error posture (3): the terms of its command, and the rate of V that it
+/// promises.
+#[wasm_bindgen(js_name = "lawTerms", unchecked_return_type = "LawTerms")]
+pub fn law_terms(
+    #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Posture")] error: JsValue,
+) -> Result<JsValue> {
+    let setting = setting(experiment)?;
+    let Experiment { law, reference_velocity, .. } = setting.experiment();
+    let gains = one_triple(gains)?;
+    let given = Input { value: error, path: "error".into() };
+    given.keys(&["x", "y", "theta"])?;
+    let error = ErrorPosture::new(
+        given.get("x")?.finite_number()?,
+        given.get("y")?.finite_number()?,
+        given.get("theta")?.finite_number()?,
+    );
+    let terms = law.terms(&error, &gains, *reference_velocity);
+    let [kx, ky, ktheta] = terms.gains;
+    let command = [("kx", kx), ("ky", ky), ("ktheta", ktheta), ("reference", terms.reference)]
+        .map(|(name, term)| plain(&term).map(|term| (name, term)));
+    let command = command.into_iter().collect::<Result<Vec<_>>>()?;
+    let promised = law.promised_rate(&error, &gains, *reference_velocity);
+    let promised = promised.map(|[x, y, theta]| Posture { x, y, theta });
+    object(&[("command", object(&command)?), ("promised", plain(&promised)?)])
+}
+
+/// Whether the tournament gives a bout to the solution with this J over one with that: the lower or the same J wins, and
+/// one that is not finite never does.
+#[wasm_bindgen(js_name = "winsBout")]
+pub fn wins_bout(
+    #[wasm_bindgen(unchecked_param_type = "number")] cost: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "number")] opponent: JsValue,
+) -> Result<bool> {
+    Ok(evolution::wins_bout(number(cost, "cost")?, number(opponent, "opponent")?))
 }
 
 /// Every number of an experiment with its unit and range, then every field that is one of a few words.

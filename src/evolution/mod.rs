@@ -32,7 +32,9 @@ pub struct GenerationRecord {
     /// Whom each of the 2N solutions met, and how many bouts it won.
     #[serde(flatten)]
     pub tournament: Tournament,
-    /// The numbers of those that survive, best ranked first.
+    /// The numbers of all, best ranked first.
+    pub ranking: Vec<u32>,
+    /// The numbers of those that survive, best ranked first: the first N of the ranking.
     pub survivors: Vec<u32>,
 }
 
@@ -83,15 +85,16 @@ impl GenerationRecord {
 
     /// Generation 0 with these parents, which were driven.
     pub(crate) fn founded(parents: Vec<Individual>) -> Self {
-        let mut survivors: Vec<u32> = (0..parents.len() as u32).collect();
-        survivors.sort_by(|a, b| parents[*a as usize].cost.total_cmp(&parents[*b as usize].cost));
+        let mut ranking: Vec<u32> = (0..parents.len() as u32).collect();
+        ranking.sort_by(|a, b| parents[*a as usize].cost.total_cmp(&parents[*b as usize].cost));
         Self {
             generation: 0,
             parents,
             offspring: Vec::new(),
             mutations: Vec::new(),
             tournament: Tournament::default(),
-            survivors,
+            survivors: ranking.clone(),
+            ranking,
         }
     }
 
@@ -115,9 +118,9 @@ impl GenerationRecord {
         let costs: Vec<f64> = parents.iter().chain(&offspring).map(|i| i.cost).collect();
         let mut rng = stream(e.seed, Purpose::Tournament, generation);
         let tournament = Tournament::hold(&costs, e.opponents, &mut rng);
-        let mut survivors = tournament.ranking(&costs);
-        survivors.truncate(parents.len());
-        Self { generation, parents, offspring, mutations, tournament, survivors }
+        let ranking = tournament.ranking(&costs);
+        let survivors = ranking[..parents.len()].to_vec();
+        Self { generation, parents, offspring, mutations, tournament, ranking, survivors }
     }
 
     /// The solution with this number.

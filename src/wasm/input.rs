@@ -147,6 +147,11 @@ impl Input {
         self.value.as_f64().ok_or_else(|| self.refused("a number").into())
     }
 
+    pub(super) fn finite_number(&self) -> Result<f64> {
+        let number = self.value.as_f64().filter(|number| number.is_finite());
+        number.ok_or_else(|| self.refused("a finite number").into())
+    }
+
     pub(super) fn whole_number(&self, largest: u32) -> Result<u32> {
         let refused = || self.refused(format!("a whole number from 0 to {largest}"));
         let number = self.value.as_f64().ok_or_else(refused)?;

@@ -3,12 +3,9 @@ import { generationSlice } from '../parts/generation/state.js';
 import { chosenOf, dissect, isInitial } from '../parts/generation/record.js';
 import { remember } from '../kit/memo.js';
 
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').GenerationRecord} GenerationRecord */
-/** @typedef {import('../core/engine.js').Individual} Individual */
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../parts/generation/record.js').Anatomy} Anatomy */
-/** @typedef {import('./page.js').Live} Live */
+/** @import { Engine, GenerationRecord, Individual, Statistics } from '../core/engine.js' */
+/** @import { Anatomy } from '../parts/generation/record.js' */
+/** @import { Live } from './page.js' */
 /** @typedef {{ parent: Individual, child: Individual, draws: GenerationRecord['mutations'][number] }} Birth */
 
 const dissected = remember((/** @type {Engine} */ engine, /** @type {Statistics} */ { generation }) =>

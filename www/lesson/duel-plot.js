@@ -18,14 +18,14 @@ import { colour } from '../kit/palette.js';
 import { drawMark } from '../kit/swatch.js';
 import { generationsIn, longestOf, lowestOf } from './duel.js';
 
-/** @typedef {import('../kit/chart.js').Axes} Axes */
-/** @typedef {import('../kit/chart.js').Size} Size */
-/** @typedef {import('./duel.js').Duel} Duel */
+/** @import { Axes, Size } from '../kit/chart.js' */
+/** @import { Look } from '../kit/swatch.js' */
+/** @import { Duel } from './duel.js' */
 /** @typedef {{ names: Record<'you' | 'evolution' | 'random', string>, drivesAxis: string, costSymbol: string }} PlotWords */
 
 const gutter = 112;
 const marksOnLine = 4;
-/** Told apart by dash and mark, also from afar and without colours. @type {Record<'you' | 'evolution' | 'random', import('../kit/swatch.js').Look>} */
+/** Told apart by dash and mark, also from afar and without colours. @type {Record<'you' | 'evolution' | 'random', Look>} */
 export const looks = {
   you: { token: '--ink', dash: [], mark: 'M-5 0A5 5 0 1 0 5 0A5 5 0 1 0-5 0z' },
   evolution: { token: '--ink', dash: [8, 4], mark: 'M0-7 5.5 0 0 7-5.5 0z' },

@@ -8,9 +8,8 @@ import { firstState } from '../run/first.js';
 import { createScene } from '../run/scene.js';
 import { links } from './links.js';
 
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
-/** @typedef {import('./page.js').Live} Live */
+/** @import { Engine, Statistics } from '../core/engine.js' */
+/** @import { Live } from './page.js' */
 
 /** What a link asks for; it must not have anything wrong. @param {string} link @param {Engine} [engine] */
 export function openedBy(link, engine = createEngine()) {

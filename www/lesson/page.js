@@ -1,9 +1,11 @@
 // The lesson: the words of one step beside the lab's own views.
+import { html, nothing, render } from 'lit-html';
+import { keyed } from 'lit-html/directives/keyed.js';
+import { byId, write } from '../kit/elements.js';
+import { watch } from '../kit/memo.js';
 import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { generationSlice } from '../parts/generation/state.js';
 import { landscapeSlice } from '../parts/landscape/state.js';
-import { byId, create, write } from '../kit/elements.js';
-import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';
 import { lesson as words } from '../words/index.js';
 import { createErrorPosture } from './error-posture.js';
@@ -12,25 +14,24 @@ import { createLit } from './lit.js';
 import { inline, list, paragraphs } from './prose.js';
 import { createQuiz } from './quiz.js';
 import { createSights } from './sights.js';
-import { hrefOf, steps } from './steps.js';
+import { hrefOf, linkOfStep, steps } from './steps.js';
 import { progressSlice } from './state.js';
 import { createTally } from './tally.js';
 
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../core/engine.js').Sample} Sample */
-/** @typedef {import('../run/scene.js').Scene} Scene */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/store.js').Store} Store */
-/** @typedef {import('../core/engine.js').Triple} Triple */
-/** @typedef {import('./quiz.js').Quiz} Quiz */
-/** @typedef {import('./quiz.js').Outcome} Outcome */
-/** @typedef {import('./steps.js').Step} Step */
+/** @import { TemplateResult } from 'lit-html' */
+/** @import { Engine, PaperResult, Sample, Triple } from '../core/engine.js' */
+/** @import { Actions } from '../run/actions/actions.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Store } from '../run/store.js' */
+/** @import { Outcome } from './quiz.js' */
+/** @import { Content, Step } from './steps.js' */
 
 /** What runs now: all that a step's values, answers and views are made of. @typedef {{ engine: Engine, state: State, scene: Scene, paper: PaperResult[], gains: Triple, sample: Sample, decided: Sample }} Live At the robots’ clock: what is, and what the law decided last, which at the end of a drive is one sample old. */
 /** What a step holds, drawn at every change. @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
+/** The same, or what never changes. @typedef {{ element: HTMLElement | TemplateResult, draw: (live: Live) => void }} Part */
 /** A prediction, and what came out once it is known. @typedef {{ choice: number, outcome: Outcome | null }} Answer */
-/** @typedef {{ go: (link: string) => void, store: Store, actions: import('../run/actions/actions.js').Actions, engine: Engine }} Tools */
+/** @typedef {{ go: (link: string) => void, store: Store, actions: Actions, engine: Engine }} Tools */
 
 /** @param {Tools & { paper: PaperResult[] }} parts */
 export function createLesson({ engine, store, actions, paper, go }) {
@@ -43,7 +44,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
   const headChanged = watch();
   const sights = createSights(byId('sights'));
   createLit();
-  /** @type {Block[]} */
+  /** @type {Part[]} */
   let blocks = [];
   new ResizeObserver(([{ target }]) =>
     document.body.style.setProperty('--head', `${target.clientHeight}px`),
@@ -129,76 +130,63 @@ function settle(live, step, store) {
 /** @type {WeakSet<Answer>} */
 const pending = new WeakSet();
 
-/** @param {HTMLElement} article @param {Step} step @param {number} number @param {Tools} tools @returns {Block[]} */
+/** @param {HTMLElement} article @param {Step} step @param {number} number @param {Tools} tools @returns {Part[]} */
 function createStep(article, step, number, tools) {
   const text = words.steps[step.name];
   const href = (/** @type {string} */ link) => hrefOf(link, number);
   const blocks = step.blocks.map((block) => createBlock(block, step, text, href, tools));
-  const heading = create('h2', '', text.title);
-  heading.id = 'lesson-title';
-  article.replaceChildren(
-    createHead(number),
-    heading,
-    ...blocks.map(({ element }) => element),
-    createFoot(number),
+  render(
+    keyed(
+      number,
+      html`${head(number, tools.go)}
+        <h2 id="lesson-title">${text.title}</h2>
+        ${blocks.map(({ element }) => element)} ${foot(number)}`,
+    ),
+    article,
   );
-  const values = [.../** @type {NodeListOf<HTMLElement>} */ (article.querySelectorAll('[data-value]'))];
-  const changed = watch();
-  return [
-    ...blocks,
-    {
-      element: article,
-      draw(live) {
-        if (
-          !changed(
-            live.scene.driving,
-            live.sample,
-            live.state.history,
-            live.state.generation,
-            generationSlice.of(live.state),
-            progressSlice.of(live.state),
-            landscapeSlice.of(live.state).result,
-            disturbanceSlice.of(live.state).measured,
-          )
-        )
-          return;
-        const known = step.values?.(live) ?? {};
-        for (const element of values) {
-          write(element, known[element.dataset.value ?? ''] ?? '–');
-        }
-      },
-    },
-  ];
+  return [...blocks, createValues(article, step)];
 }
 
-/** @param {import('./steps.js').Content} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools @returns {Block} */
+/** The numbers in the texts. @param {HTMLElement} article @param {Step} step @returns {Block} */
+function createValues(article, step) {
+  const changed = watch();
+  return {
+    element: article,
+    draw(live) {
+      const { state, scene, sample } = live;
+      const parts = [
+        generationSlice.of(state),
+        landscapeSlice.of(state).result,
+        disturbanceSlice.of(state).measured,
+      ];
+      if (!changed(scene.driving, sample, state.history, state.generation, progressSlice.of(state), ...parts))
+        return;
+      const known = step.values?.(live) ?? {};
+      for (const element of /** @type {NodeListOf<HTMLElement>} */ (article.querySelectorAll('[data-value]')))
+        write(element, known[element.dataset.value ?? ''] ?? '–');
+    },
+  };
+}
+
+/** @param {Content} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools @returns {Part} */
 function createBlock(block, step, text, href, tools) {
-  const still = (/** @type {HTMLElement} */ element) => ({ element, draw() {} });
+  const still = (/** @type {TemplateResult} */ element) => ({ element, draw() {} });
   switch (block.kind) {
     case 'text':
-      return still(create('div', 'prose', ...paragraphs(text.texts[block.name], href)));
+      return still(html`<div class="prose">${paragraphs(text.texts[block.name], href)}</div>`);
     case 'formula':
       return createFormula(block.formula);
     case 'notice':
-      return still(create('section', 'notice', create('h3', '', words.notice), list(text.notice, href)));
-    case 'tries':
       return still(
-        create(
-          'section',
-          'tries',
-          create('h3', '', words.tries),
-          create(
-            'ul',
-            '',
-            ...block.tries.map(([name, link]) => {
-              const anchor = Object.assign(create('a', 'try'), { href: href(link) });
-              anchor.dataset.try = name;
-              anchor.append(create('span', '', ...inline(text.tries[name], href)));
-              return create('li', '', anchor);
-            }),
-          ),
-        ),
+        html`<section class="notice"><h3>${words.notice}</h3>${list(text.notice, href)}</section>`,
       );
+    case 'tries': {
+      const tries = block.tries.map(
+        ([name, link]) =>
+          html`<li><a class="try" href=${href(link)} data-try=${name}><span>${inline(text.tries[name], href)}</span></a></li>`,
+      );
+      return still(html`<section class="tries"><h3>${words.tries}</h3><ul>${tries}</ul></section>`);
+    }
     case 'quiz':
       return createQuestion(block, step, text, href, tools);
     case 'view':
@@ -206,7 +194,7 @@ function createBlock(block, step, text, href, tools) {
   }
 }
 
-/** @param {Extract<import('./steps.js').Content, { kind: 'quiz' }>} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools */
+/** @param {Extract<Content, { kind: 'quiz' }>} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools */
 function createQuestion({ name, quiz }, step, text, href, { store, go }) {
   const key = `${step.name}.${name}`;
   const keep = (/** @type {Answer | undefined} */ answer) => {
@@ -228,37 +216,28 @@ function createQuestion({ name, quiz }, step, text, href, { store, go }) {
   };
 }
 
-/** Where one is, and a way to every step. @param {number} number */
-function createHead(number) {
-  const select = document.createElement('select');
-  select.id = 'lesson-step';
-  select.setAttribute('aria-label', words.stepLabel);
-  select.replaceChildren(
-    ...steps.map(({ name }, i) => new Option(`${i + 1}  ${words.steps[name].title}`, String(i + 1))),
-  );
-  select.value = String(number);
-  select.addEventListener('change', () => {
-    const link = create('a', '');
-    link.setAttribute('href', hrefOf(steps[Number(select.value) - 1].link, Number(select.value)));
-    select.after(link);
-    link.click();
-  });
-  return create('div', 'lesson-head', create('p', 'muted', words.stepOf(number, steps.length)), select);
-}
+/** @param {number} number */
+const titleOf = (number) => words.steps[steps[number - 1].name].title;
+
+/** Where one is, and a way to every step. @param {number} number @param {Tools['go']} go */
+const head = (number, go) => html`<div class="lesson-head">
+  <p class="muted">${words.stepOf(number, steps.length)}</p>
+  <select id="lesson-step" aria-label=${words.stepLabel}
+    @change=${(/** @type {{ target: HTMLSelectElement }} */ { target }) => go(linkOfStep(Number(target.value)))}>${steps.map(
+      (_, i) =>
+        html`<option value=${i + 1} ?selected=${i + 1 === number}>${i + 1}  ${titleOf(i + 1)}</option>`,
+    )}</select>
+</div>`;
 
 /** @param {number} number */
-function createFoot(number) {
+function foot(number) {
   const to = (
     /** @type {number} */ other,
-    /** @type {string} */ className,
+    /** @type {string} */ look,
     /** @type {(title: string) => string} */ text,
-  ) => {
-    const link = create('a', className, text(words.steps[steps[other - 1].name].title));
-    link.setAttribute('href', hrefOf(steps[other - 1].link, other));
-    return link;
-  };
-  const links = [];
-  if (number > 1) links.push(to(number - 1, 'step-back', words.previousStep));
-  if (number < steps.length) links.push(to(number + 1, 'step-on', words.nextStep));
-  return create('nav', 'lesson-foot', ...links);
+  ) =>
+    other < 1 || other > steps.length
+      ? nothing
+      : html`<a class=${look} href=${`#${linkOfStep(other)}`}>${text(titleOf(other))}</a>`;
+  return html`<nav class="lesson-foot">${to(number - 1, 'step-back', words.previousStep)}${to(number + 1, 'step-on', words.nextStep)}</nav>`;
 }

@@ -2,10 +2,8 @@
 import { create } from '../kit/elements.js';
 import { costText, degrees, fixed, postureText } from '../words/numbers.js';
 
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('./page.js').Block} Block */
-/** @typedef {import('./page.js').Tools} Tools */
+/** @import { Experiment, Individual, PaperResult } from '../core/engine.js' */
+/** @import { Block, Live, Tools } from './page.js' */
 
 const generations = 200;
 
@@ -29,16 +27,16 @@ const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) =
 export function createPaperTable({ engine }, words) {
   const element = create('div', 'paper-table');
   element.id = 'paper-table';
-  /** What evolution finds with the first seed, in each preset. @type {Map<string, import('../core/engine.js').Individual> | 'asked' | null} */
+  /** What evolution finds with the first seed, in each preset. @type {Map<string, Individual> | 'asked' | null} */
   let found = null;
-  const draw = (/** @type {import('../core/engine.js').PaperResult[]} */ paper) => {
+  const draw = (/** @type {PaperResult[]} */ paper) => {
     const rows = paper.map(({ preset, figure, method, gains, cost }) => {
       const [run] = engine.drive(engine.experiment(preset), [gains]);
       return [words.row(figure, method), gainsText(gains), String(cost), costText(run.cost.total)];
     });
     for (const [i, preset] of /** @type {const} */ (['velocity-limits', 'acceleration-limits']).entries()) {
       const best = found instanceof Map ? found.get(preset) : null;
-      rows.splice(3 * i + (i === 0 ? 2 : 2), 0, [
+      rows.splice(3 * i + 2, 0, [
         words.ours(generations),
         best ? gainsText(best.gains) : '…',
         '',

@@ -6,12 +6,11 @@ import { trainingSlice } from '../parts/training/state.js';
 import { testRobots } from '../parts/training/request.js';
 import { createSets } from '../parts/training/sets.js';
 
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../core/engine.js').Triple} Triple */
-/** @typedef {import('../parts/training/request.js').Result} Result */
-/** @typedef {import('../parts/training/sets.js').SetName} SetName */
-/** @typedef {{ count: number, starts: number, share: number }} Share How many of so many starts arrive. */
+/** @import { Engine, Robustness, Triple } from '../core/engine.js' */
+/** @import { Result } from '../parts/training/request.js' */
+/** @import { SetName } from '../parts/training/sets.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Share } from '../words/common/lesson.js' */
 
 /** The finished maps of this experiment: of who drives, and of who is compared. @param {State} state */
 const mapsOf = (state) => {
@@ -34,7 +33,7 @@ export async function shareOfStarts(engine, state, gains) {
   return shareOf(await engine.surveys.robustness(experiment, { ...grid, gains }));
 }
 
-/** @param {import('../core/engine.js').Robustness} runs @returns {Share} */
+/** @param {Robustness} runs @returns {Share} */
 function shareOf(runs) {
   const starts = runs.arrived.length;
   const { share } = tally(runs);

@@ -3,7 +3,8 @@ import { isEmbedded } from '../kit/host.js';
 import { createSegmented } from '../kit/segmented.js';
 import { lesson as words, lab } from '../words/index.js';
 
-/** @typedef {import('./steps.js').Step} Step */
+/** @import { Choice } from '../kit/segmented.js' */
+/** @import { Step } from './steps.js' */
 /** @typedef {'robot' | 'part' | 'gains'} Sight */
 
 /** @param {HTMLFieldSetElement} fieldset */
@@ -26,7 +27,7 @@ export function createSights(fieldset) {
         const isPart = page !== 'lab' || figure === 'evolve';
         const hasGains = page === 'curves' || !isPart;
         chosen = isPart ? 'part' : figure === 'drive' ? 'gains' : 'robot';
-        /** @type {import('../kit/segmented.js').Choice<Sight>[]} */
+        /** @type {Choice<Sight>[]} */
         const choices = [{ value: 'robot', text: words.sightOfRobot }];
         if (isPart)
           choices.push({

@@ -1,8 +1,9 @@
 // What the lesson keeps in this tab, which leaves with it.
+import { createSlice } from '../run/store.js';
+
+/** @import { Triple } from '../core/engine.js' */
 /** @import { Duel } from './duel.js' */
 /** @import { Answer } from './page.js' */
-/** @import { Triple } from '../core/engine.js' */
-import { createSlice } from '../run/store.js';
 
 /** Drives with different gains, in the experiment with this text, the J of each, and the best that arrived. @typedef {{ experiment: string, drives: number, costs: readonly number[], best: { gains: Triple, cost: number } | null }} Tally */
 

@@ -2,11 +2,12 @@
 import { remember } from '../kit/memo.js';
 import { noTally, progressSlice } from './state.js';
 
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../run/scene.js').Scene} Scene */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/store.js').Store} Store */
-/** @typedef {import('./state.js').Tally} Tally */
+/** @import { Experiment } from '../core/engine.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Store } from '../run/store.js' */
+/** @import { Tally } from './state.js' */
+
 /** What a drive by hand depends on: all but evolution. @param {Experiment} experiment */
 export const taskText = (experiment) => JSON.stringify({ ...experiment, evolution: null });
 const textOf = remember(taskText);

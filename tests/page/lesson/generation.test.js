@@ -40,7 +40,7 @@ const linksIn = (text) => [...text.matchAll(/\]\(([^)]+)\)/g)].map(([, link]) =>
 const near = (a, b, what) =>
   assert.ok(Math.abs(a - b) <= 1e-12 * Math.max(1, Math.abs(a)), `${what}: ${a}, ${b}`);
 
-test('step 7: the four moves show one generation and one pair, phase by phase', () => {
+test('the four moves show one generation and one pair, phase by phase', () => {
   const links = [step.link, ...linksIn(words.texts.mutate), ...linksIn(words.texts.select)];
   const phases = links.map((link) => {
     const shown = shownIn(link, generationSlice);
@@ -51,7 +51,7 @@ test('step 7: the four moves show one generation and one pair, phase by phase', 
   assert.deepEqual(phases, ['parents', 'mutation', 'drive', 'tournament', 'survivors']);
 });
 
-test('step 7: an offspring is its parent moved by the old σ times a draw, which is rarely beyond ±2', () => {
+test('an offspring is its parent moved by the old σ times a draw, which is rarely beyond ±2', () => {
   const draws = [];
   for (const { parents, offspring, mutations } of recordsOf(5, 20))
     for (const [i, child] of offspring.entries())
@@ -63,7 +63,7 @@ test('step 7: an offspring is its parent moved by the old σ times a draw, which
   for (const { sigmas } of anatomyOf(step.link).record.parents) assert.deepEqual(sigmas, [1, 1, 1]);
 });
 
-test('step 7: most offspring drive worse than their parent', () => {
+test('most offspring drive worse than their parent', () => {
   const { record } = anatomyOf(step.link);
   const betterIn = (/** @type {typeof record} */ { offspring, parents }) =>
     offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
@@ -73,7 +73,7 @@ test('step 7: most offspring drive worse than their parent', () => {
   assert.ok(share < 0.3, `${share}`);
 });
 
-test('step 7: ten bouts each; the twenty with the most wins stay, with gains, σ and J; 20 drives a generation', () => {
+test('ten bouts each; the twenty with the most wins stay, with gains, σ and J; 20 drives a generation', () => {
   const { evolution } = evolved('generation&generation=2');
   const { record, all } = dissect(evolution.record(1));
   for (const [i, met] of record.opponents.entries()) {
@@ -90,7 +90,7 @@ test('step 7: ten bouts each; the twenty with the most wins stay, with gains, σ
   assert.equal(evolution.statistics(2).evaluations - evolution.statistics(1).evaluations, 20);
 });
 
-test('step 7: of the two in the question the better one falls, and the answer says so', async () => {
+test('of the two in the question the better one falls, and the answer says so', async () => {
   const { better, worse, right } = (await answered('generation', 'luck')).outcome;
   assert.ok(better.cost < worse.cost && better.place < worse.place);
   assert.equal(right, 1);
@@ -99,7 +99,7 @@ test('step 7: of the two in the question the better one falls, and the answer sa
   assert.equal(record.survivors.includes(question.worse), true);
 });
 
-test('step 7: the best J never rises, for the best wins all its bouts', async () => {
+test('the best J never rises, for the best wins all its bouts', async () => {
   const { rose, fell, right } = (await answered('generation', 'best')).outcome;
   assert.equal(rose, 0);
   assert.ok(fell > 10);
@@ -113,7 +113,7 @@ test('step 7: the best J never rises, for the best wins all its bouts', async ()
   }
 });
 
-test('step 7: what its tries are said to show', () => {
+test('what its tries are said to show', () => {
   const lucky = anatomyOf(tryOf('generation', 'lucky'));
   const { upset } = lucky;
   assert.equal(upset?.survivor, 12);
@@ -139,7 +139,7 @@ test('step 7: what its tries are said to show', () => {
 });
 
 pageTest(
-  'step 7: the text tells of whoever is chosen in the figure, and the formula has the numbers',
+  'the text tells of whoever is chosen in the figure, and the formula has the numbers',
   async (page) => {
     await page.open('#lesson&step=7');
     const { record, all } = anatomyOf(step.link);

@@ -1,4 +1,4 @@
-// Step 10: what it says of the landscape is so.
+// What the lesson says of the landscape is so.
 import assert from 'node:assert/strict';
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import { landscape as step } from '../../../www/lesson/steps/landscape.js';

@@ -59,7 +59,7 @@ test('both languages have the same live values and symbols', () => {
     );
 });
 
-test('step 1: what is said of its drives is so', () => {
+test('what is said of its drives is so', () => {
   const miss = driven(steps[0].link);
   assert.equal(miss.outcome, 'horizon');
   assert.ok(Math.hypot((miss.x.at(-1) ?? 0) - 2, (miss.y.at(-1) ?? 0) - 2) > 0.5);
@@ -70,7 +70,7 @@ test('step 1: what is said of its drives is so', () => {
   assert.equal(driven('lab&drives=paper-ep').arrived, true);
 });
 
-test('step 2: turned wrong by 90° on the goal the robot turns on the spot, and only θe changes', () => {
+test('turned wrong by 90° on the goal the robot turns on the spot, and only θe changes', () => {
   const { experiment, handGains } = opened(linkOf(steps[1], 'turned'));
   assert.ok(handGains);
   const all = samples(experiment, handGains);

@@ -1,4 +1,4 @@
-// Step 11: the gains that were evolved on one start, from everywhere else.
+// The gains that were evolved on one start, from everywhere else.
 import { robustnessSlice } from '../../parts/robustness/state.js';
 import { gridAround, headings } from '../../parts/robustness/grid.js';
 import { fine } from '../../parts/robustness/request.js';
@@ -7,7 +7,9 @@ import { lab } from '../../words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { mapsAreDone, shareOfStarts, trainedOn } from '../robust.js';
 
-/** @type {import('../steps.js').Step} */
+/** @import { Step } from '../steps.js' */
+
+/** @type {Step} */
 export const task = {
   name: 'task',
   link: 'lab&generation=100',

@@ -1,4 +1,5 @@
 // The picture of a generation: every individual is a mark that keeps its height, its J, through all phases.
+import { winsBout } from '../../core/rules.js';
 import { tickStep, ticks as ticksOf } from 'd3-array';
 import { followSize, svg } from '../../kit/elements.js';
 import { isChord } from '../../kit/keyboard.js';
@@ -6,7 +7,7 @@ import { sameDigits } from '../../kit/chart.js';
 import { watch } from '../../kit/memo.js';
 import { generation as words } from '../../words/index.js';
 import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
-import { isInitial, winsBout } from './record.js';
+import { isInitial } from './record.js';
 
 /** @typedef {import('./places.js').Place} Place */
 /** @typedef {import('./places.js').Size} Size */

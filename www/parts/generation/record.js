@@ -1,6 +1,5 @@
 // A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
 import { generationSlice, phases } from './state.js';
-import { ascending } from 'd3-array';
 import { remember } from '../../kit/memo.js';
 import { generation as words } from '../../words/index.js';
 
@@ -26,7 +25,7 @@ import { generation as words } from '../../words/index.js';
 /** @param {GenerationRecord} record @returns {Anatomy} */
 export function dissect(record) {
   const all = [...record.parents, ...record.offspring];
-  const ranking = isInitial(record) ? record.survivors : rank(all, record.wins);
+  const { ranking } = record;
   const ranks = new Array(all.length);
   for (const [place, number] of ranking.entries()) ranks[number] = place;
   return { record, count: record.parents.length, all, ranking, ranks, upset: upsetOf(record, all) };
@@ -34,15 +33,6 @@ export function dissect(record) {
 
 /** Generation 0 has no offspring and no tournament. @param {GenerationRecord} record */
 export const isInitial = (record) => record.offspring.length === 0;
-
-/** The rule of the core: most wins first, then lower J, then lower number. @param {Individual[]} all @param {number[]} wins */
-const rank = (all, wins) =>
-  all
-    .map((_, number) => number)
-    .sort((a, b) => wins[b] - wins[a] || ascending(all[a].cost, all[b].cost) || a - b);
-
-/** Whether the tournament gives a bout to the one with this J. @param {number} cost @param {number} opponent */
-export const winsBout = (cost, opponent) => Number.isFinite(cost) && cost <= opponent;
 
 /** The worst that survives and the best that falls, if the wrong way round. @param {GenerationRecord} record @param {Individual[]} all @returns {Upset | null} */
 function upsetOf({ survivors }, all) {
