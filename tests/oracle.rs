@@ -26,8 +26,28 @@ fn core_run(experiment: &Experiment, gains: [f64; 3]) -> End {
     (end.outcome, [cost.time, cost.final_error, cost.path, cost.energy, cost.penalty])
 }
 
+/// (v, ω) that the law asks for, p_r − p_c being (dx, dy, te) in the global frame and tr the heading of the reference.
+fn oracle_command(e: &Experiment, k: [f64; 3], [dx, dy, te]: [f64; 3], tr: f64) -> [f64; 2] {
+    let guarded = |s: f64| 1.0 / s.abs().max(1e-6).copysign(s);
+    let seen_from = |t: f64| [t.cos() * dx + t.sin() * dy, t.cos() * dy - t.sin() * dx];
+    let ([kx, ky, kt], [vr, wr]) = (k, [e.reference_velocity.linear, e.reference_velocity.angular]);
+    let (s, c) = te.sin_cos();
+    match e.law {
+        Law::ShimKim => {
+            let ([x, y], by_s, by_c) = (seen_from(tr), guarded(s), guarded(c));
+            let y3 = y.powi(3);
+            let turn = kt * s + ky * x * y3 * c * by_s * by_s + kx * x * y * c + y * vr * by_c;
+            [kx * x * c - ky * y3 * by_s + vr * by_c, wr + turn]
+        }
+        Law::Kanayama => {
+            let [x, y] = seen_from(tr - te);
+            [vr * c + kx * x, wr + vr * (ky * y + kt * s)]
+        }
+    }
+}
+
 /// What the oracle comes to, from a start that is moved by `shift` in x, y and θ.
-fn oracle_run(e: &Experiment, [kx, ky, kt]: [f64; 3], shift: f64) -> End {
+fn oracle_run(e: &Experiment, k: [f64; 3], shift: f64) -> End {
     let (dt, [vr, wr]) =
         (e.sample_time, [e.reference_velocity.linear, e.reference_velocity.angular]);
     let parking = vr == 0.0 && wr == 0.0;
@@ -44,7 +64,6 @@ fn oracle_run(e: &Experiment, [kx, ky, kt]: [f64; 3], shift: f64) -> End {
         let rest = angle.rem_euclid(TAU);
         if rest > PI { rest - TAU } else { rest }
     };
-    let guarded = |s: f64| 1.0 / s.abs().max(1e-6).copysign(s);
     let limited = |q: f64, before: f64, largest: Option<f64>, rate: Option<f64>| {
         let (largest, change) = (largest.unwrap_or(f64::MAX), rate.map_or(f64::MAX, |a| a * dt));
         q.clamp(-largest, largest).clamp(before - change, before + change)
@@ -58,7 +77,6 @@ fn oracle_run(e: &Experiment, [kx, ky, kt]: [f64; 3], shift: f64) -> End {
         let t = f64::from(n) * dt;
         let r = if parking { goal } else { arc(goal, [vr, wr], t) };
         let (dx, dy, te) = (r[0] - p[0], r[1] - p[1], wrapped(r[2] - p[2]));
-        let (xe, ye) = (r[2].cos() * dx + r[2].sin() * dy, r[2].cos() * dy - r[2].sin() * dx);
         let arrived = dx.hypot(dy) <= e.tolerance.position && te.abs() <= e.tolerance.heading;
         let finite = [dx * dx, dy * dy, te].iter().all(|x| x.is_finite());
         let outcome = match () {
@@ -70,23 +88,10 @@ fn oracle_run(e: &Experiment, [kx, ky, kt]: [f64; 3], shift: f64) -> End {
             let time = if outcome == Outcome::Horizon { e.horizon } else { t };
             let [a, b, c] = e.weights.final_error;
             let last = if finite { a * dx * dx + b * dy * dy + c * te * te } else { f64::INFINITY };
-            let negative: f64 = [kx, ky, kt].iter().map(|k| (-k).max(0.0)).sum();
+            let negative: f64 = k.iter().map(|k| (-k).max(0.0)).sum();
             return (outcome, [time, last, path, energy, e.weights.penalty * negative]);
         }
-        let (s, c) = te.sin_cos();
-        let [v, w] = match e.law {
-            Law::ShimKim => {
-                let (by_s, by_c, y3) = (guarded(s), guarded(c), ye.powi(3));
-                let turn =
-                    kt * s + ky * xe * y3 * c * by_s * by_s + kx * xe * ye * c + ye * vr * by_c;
-                [kx * xe * c - ky * y3 * by_s + vr * by_c, wr + turn]
-            }
-            Law::Kanayama => {
-                let x = p[2].cos() * dx + p[2].sin() * dy;
-                let y = p[2].cos() * dy - p[2].sin() * dx;
-                [vr * c + kx * x, wr + vr * (ky * y + kt * s)]
-            }
-        };
+        let [v, w] = oracle_command(e, k, [dx, dy, te], r[2]);
         q = [
             limited(v, q[0], e.limits.speed, e.limits.acceleration),
             limited(w, q[1], e.limits.turn_rate, e.limits.turn_acceleration),
