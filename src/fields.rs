@@ -160,16 +160,14 @@ pub const FIELDS: [Field; 27] = [
 pub struct WordField {
     /// Where it stands in the plain object.
     pub path: &'static str,
-    /// Always empty: a word has no unit.
-    pub unit: &'static str,
     /// The words that it may be.
     pub words: &'static [&'static str],
 }
 
 /// Every field of an experiment that is one of a few words.
 pub const WORD_FIELDS: [WordField; 2] = [
-    WordField { path: "law", unit: "", words: Law::WORDS },
-    WordField { path: "disturbance.kind", unit: "", words: DisturbanceKind::WORDS },
+    WordField { path: "law", words: Law::WORDS },
+    WordField { path: "disturbance.kind", words: DisturbanceKind::WORDS },
 ];
 
 /// The field with this path; an index in brackets stands for `[]`.

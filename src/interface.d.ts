@@ -7,7 +7,7 @@ export interface Velocity { linear: number; angular: number }
 export type Preset = 'velocity-limits' | 'acceleration-limits';
 /** Three gains (kx, ky, kθ), or such triples one after the other: at most a million in one call. */
 export type Gains = Float64Array | readonly number[];
-/** Everything that defines a run. Every number's range is in `fields()`. */
+/** Everything that defines a run. Every number's range is in `fields()`, every word in `wordFields()`. */
 export interface Experiment {
   /** The control law: (5) of the paper, or the rule of Kanayama et al. (1990). */
   law: 'shim-kim' | 'kanayama';
@@ -245,7 +245,7 @@ export interface RemainingErrors {
 /** Where start postures stand on a circle: its centre and radius in metres. */
 export interface Circle { x: number; y: number; radius: number; count: number; seed: number }
 /** The range of one numeric field of an experiment. */
-export interface NumberField {
+export interface Field {
   /** Where it stands in the experiment; `[]` means each element. */
   path: string;
   /** Empty for a pure number. */
@@ -261,13 +261,9 @@ export interface NumberField {
 export interface WordField {
   /** Where it stands in the experiment. */
   path: string;
-  /** A word has none. */
-  unit: '';
   /** What it may be. */
   words: string[];
 }
-/** One field of an experiment: a word if `'words' in field`, else a number. */
-export type Field = NumberField | WordField;
 /** What the paper states of one of its experiments. */
 export interface PaperResult {
   preset: Preset;

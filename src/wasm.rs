@@ -359,17 +359,16 @@ pub fn wins_bout(
     Ok(evolution::wins_bout(number(cost, "cost")?, number(opponent, "opponent")?))
 }
 
-/// Every number of an experiment with its unit and range, then every field that is one of a few words.
+/// Every number of an experiment with its unit and range.
 #[wasm_bindgen(unchecked_return_type = "Field[]")]
 pub fn fields() -> Result<JsValue> {
-    let rows = Array::new();
-    for field in &FIELDS {
-        rows.push(&plain(field)?);
-    }
-    for field in &WORD_FIELDS {
-        rows.push(&plain(field)?);
-    }
-    Ok(rows.into())
+    plain(&FIELDS.as_slice())
+}
+
+/// Every field of an experiment that is one of a few words, with the words.
+#[wasm_bindgen(js_name = "wordFields", unchecked_return_type = "WordField[]")]
+pub fn word_fields() -> Result<JsValue> {
+    plain(&WORD_FIELDS.as_slice())
 }
 
 /// The results that the paper prints.

@@ -3,6 +3,7 @@ import {
   Evolution,
   experiment,
   fields,
+  wordFields,
   learningRates,
   paper,
   randomSeed,
@@ -42,6 +43,7 @@ export function engineOf(createSurveys) {
 
   return {
     fields,
+    wordFields,
     paper,
     randomSeed,
     version,

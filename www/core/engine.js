@@ -13,7 +13,7 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').Field} Field */
-/** @typedef {import('../../pkg/ep_locomotion.js').NumberField} NumberField */
+/** @typedef {import('../../pkg/ep_locomotion.js').WordField} WordField */
 /** @typedef {import('../../pkg/ep_locomotion.js').Individual} Individual */
 /** @typedef {import('../../pkg/ep_locomotion.js').PaperResult} PaperResult */
 /** @typedef {import('../../pkg/ep_locomotion.js').Posture} Posture */

@@ -20,7 +20,7 @@ export function createWeights({ engine, actions }, words) {
   const fields = engine.fields();
   const rows = table.weights.map((row) => {
     const field = fields.find(({ path }) => path === fieldPath(row.path));
-    if (!field || 'words' in field) throw new Error(`weights: the core has no field ${row.path}`);
+    if (!field) throw new Error(`weights: the core has no field ${row.path}`);
     const view = createNumber(row, field, actions, 0, 'lesson');
     view.element.dataset.term = partOf(row.path);
     return { path: row.path, ...view };

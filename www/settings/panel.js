@@ -85,14 +85,15 @@ function createPresets(engine) {
 /** @param {Engine} engine @param {Actions} actions @param {(path: string) => import('../run/paths.js').Value} somewhere @returns {Map<string, RowView>} */
 function createRows(engine, actions, somewhere) {
   const fields = new Map(engine.fields().map((field) => [field.path, field]));
+  const wordsOf = new Map(engine.wordFields().map((field) => [field.path, field.words]));
   return new Map(
     rows.map((row) => {
       const field = fields.get(fieldPath(row.path));
       return [
         row.path,
-        !field || 'words' in field
-          ? createChoice(row, actions)
-          : createNumber(row, field, actions, Number(somewhere(row.path))),
+        field
+          ? createNumber(row, field, actions, Number(somewhere(row.path)))
+          : createChoice(row, wordsOf.get(row.path) ?? [], actions),
       ];
     }),
   );

@@ -14,7 +14,7 @@ import { mostCharacters } from '../../../www/link/link.js';
 import { groupNames } from '../../../www/run/exercise.js';
 import { finds } from '../../../www/run/state.js';
 import { pageNames } from '../../../www/parts/parts.js';
-import { experiment, fields, simulateAll } from '../harness/core.js';
+import { experiment, fields, simulateAll, wordFields } from '../harness/core.js';
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
 /** @typedef {import('../../../www/core/engine.js').Engine} Engine */
@@ -129,11 +129,7 @@ const lists = (/** @type {number} */ most) =>
 const postures = fc.tuple(numbers, numbers, angles).map((all) => all.join(','));
 const words = fc.constantFrom(
   ...[
-    'shim-kim',
-    'kanayama',
-    'none',
-    'random',
-    'slip',
+    ...wordFields().flatMap(({ words: all }) => all),
     'velocity-limits',
     'acceleration-limits',
     'hand',
@@ -162,23 +158,14 @@ const names = fc
   )
   .map(encodeURIComponent);
 
+/** @param {string} path */
+const wordOf = (path) =>
+  fc.constantFrom(...wordFields().flatMap((field) => (field.path === path ? field.words : [])));
 /** The paths of an experiment's fields, as links have them. */
-const paths = [...new Set(fields().map(({ path }) => path.replace(/\[\].*/, '')))];
+const paths = [...new Set([...fields(), ...wordFields()].map(({ path }) => path.replace(/\[\].*/, '')))];
 const keys = fc.constantFrom(
   ...paths,
-  ...[
-    'law',
-    'disturbance.kind',
-    'start',
-    'seed',
-    'population',
-    'opponents',
-    'v',
-    'lang',
-    'lesson',
-    'step',
-    'preset',
-  ],
+  ...['start', 'seed', 'population', 'opponents', 'v', 'lang', 'lesson', 'step', 'preset'],
   ...[
     'generation',
     'drives',
@@ -223,10 +210,7 @@ const rightPair = fc.oneof(
   fc.tuple(fc.constantFrom('gains', 'weights.final'), fc.tuple(numbers, numbers, numbers).map(String)),
   fc.tuple(fc.constantFrom('start', 'from'), postures),
   fc.tuple(fc.constantFrom('pin1', 'pin2', 'pin3', 'pin4'), pin),
-  fc.tuple(
-    fc.constant('under'),
-    fc.tuple(fc.constantFrom('none', 'random', 'slip'), numbers, numbers, numbers).map(String),
-  ),
+  fc.tuple(fc.constant('under'), fc.tuple(wordOf('disturbance.kind'), numbers, numbers, numbers).map(String)),
   fc.tuple(
     fc.constantFrom('lock', 'hide'),
     fc.array(fc.constantFrom(...groupNames, 'all'), { maxLength: 4 }).map(String),
@@ -307,7 +291,7 @@ const aSeed = fc.nat({ max: 2 ** 32 - 1 });
 const anyExperiment = fc
   .record(
     {
-      law: fc.constantFrom('shim-kim', 'kanayama'),
+      law: wordOf('law'),
       starts: fc.array(aPosture, { minLength: 1, maxLength: 5 }),
       goal: aPosture,
       referenceVelocity: fc.record({ linear: from(-100, 100), angular: from(-100, 100) }),

@@ -3,7 +3,17 @@ import { groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
 import { links } from '../../../www/lesson/links.js';
 import { finds } from '../../../www/run/state.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
-import { evolve, experiment, paperGains, shown, shownGains, simulate, simulateAll } from '../harness/core.js';
+import {
+  evolve,
+  experiment,
+  fields,
+  wordFields,
+  paperGains,
+  shown,
+  shownGains,
+  simulate,
+  simulateAll,
+} from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { read, readEvolution } from '../harness/reading.js';
 
@@ -67,6 +77,72 @@ test('a link is short, and reads like what it says', () => {
     ),
     'landscape&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=paper-ep',
   );
+});
+
+test('every field of the core, number or word, is read as it is written', () => {
+  const values = [
+    ...fields().map(({ path, min, max, integer }) => {
+      const value = min + (max - min) * 0.37;
+      return { path: path.replace('[]', '.0'), value: integer ? Math.round(value) : value };
+    }),
+    ...wordFields().flatMap(({ path, words }) => words.map((value) => ({ path, value }))),
+  ];
+  assert.ok(values.length > 30);
+  for (const { path, value } of values) {
+    const changed = structuredClone(velocityLimits);
+    const keys = path.split('.');
+    const last = keys.pop() ?? '';
+    /** @type {any} */ (keys.reduce((inner, key) => /** @type {any} */ (inner)[key], changed))[last] = value;
+    // As long as it may be with a short sample time, and the other way round.
+    const own = {
+      ...changed,
+      ...(path === 'horizon' && { sampleTime: 1 }),
+      ...(path === 'sampleTime' && { horizon: 10 }),
+    };
+    const link = linkOf({ ...plain, experiment: own }, experiment);
+    const { opened, problems } = open(link);
+    assert.deepEqual(problems, [], link);
+    assert.deepEqual(opened.experiment, own, link);
+  }
+});
+
+test('every key of a link is read as it is written', () => {
+  const written = linkOf(
+    {
+      ...plain,
+      page: 'disturbance',
+      preset: 'acceleration-limits',
+      experiment: experiment('acceleration-limits'),
+      lesson: 3,
+      generation: 4,
+      driver: 'hand',
+      handGains: [3, 0.5, 4],
+      found: 'map',
+      trial: {
+        start: { x: 1, y: 0, theta: 0 },
+        disturbance: { kind: 'slip', linear: 0.2, angular: 0.1, seed: 3 },
+      },
+      pins: [0, 1, 2, 3].map((slot) => ({
+        slot,
+        name: `pin ${slot}`,
+        experiment: velocityLimits,
+        gains: [1, 2, 3],
+      })),
+      exercise: { task: 'Park.', locked: ['run'], hidden: ['paper'] },
+      slices: {
+        generation: { phase: 'ranking', chosen: 3 },
+        curves: { view: 'stability', scale: 'log' },
+        lab: { curve: 'sigmas' },
+        landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: 0.25 },
+        robustness: { quantity: 'time', half: 8, heading: 3 },
+      },
+    },
+    experiment,
+  );
+  for (const { key } of links.keys) assert.ok(written.includes(`&${key}=`), `${key} is not written`);
+  const { opened, problems } = open(written);
+  assert.deepEqual(problems, []);
+  assert.equal(linkOf(linked(opened), experiment), written);
 });
 
 test('every experiment comes back from its link to the bit', () => {

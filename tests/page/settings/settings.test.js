@@ -1,7 +1,10 @@
 import assert from 'node:assert/strict';
+import * as en from '../../../www/words/en/index.js';
+import * as ko from '../../../www/words/ko/index.js';
 import { rows } from '../../../www/settings/table.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
-import { evolve, experiment, fields } from '../harness/core.js';
+import { evolve, experiment, fields, wordFields } from '../harness/core.js';
+import { test } from '../harness/once.js';
 import { middleOf, read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -85,11 +88,22 @@ async function slide(page, id, from, dx) {
   );
 }
 
+test('every field has its name and its help, and every word its text, in every language', () => {
+  for (const { settings } of [en, ko]) {
+    const known =
+      /** @type {Record<string, { name: string, help: string, choices?: Record<string, string> }>} */ (
+        settings.settings
+      );
+    for (const { path } of rows) assert.ok(known[path]?.name && known[path].help, path);
+    for (const { path, words } of wordFields())
+      assert.deepEqual(Object.keys(known[path].choices ?? {}).sort(), [...words].sort(), path);
+  }
+});
+
 pageTest('every number of an experiment has a row, with its unit and range', async (page) => {
   const paths = rows.map(({ path }) => path);
   const general = new Set(paths.map((path) => path.replace(/\[\d\]/, '[]')));
-  for (const { path } of fields()) assert.ok(general.has(path), `${path} has no row`);
-  assert.ok(general.has('law') && general.has('disturbance.kind'));
+  for (const { path } of [...fields(), ...wordFields()]) assert.ok(general.has(path), `${path} has no row`);
   for (const [list, length] of /** @type {const} */ ([
     ['weights.final', 3],
     ['weights.velocity', 2],

@@ -140,8 +140,7 @@ function createSettingTexts(fields) {
   const text = (path, experiment) => {
     const value = valueAt(experiment, path);
     const field = known.get(fieldPath(path));
-    if (!field || 'words' in field)
-      return settingWords.settings[path].choices?.[String(value)] ?? String(value);
+    if (!field) return settingWords.settings[path].choices?.[String(value)] ?? String(value);
     if (typeof value !== 'number') return settingWords.noLimit;
     const quantity = createQuantity(field);
     return settingWords.quantity(String(quantity.shown(value)), quantity.unit);
