@@ -42,11 +42,11 @@ export function createPage(basis, openPage, catchUp) {
      * Begins what a link holds, and evolves to its generation or further.
      * @param {Opened} opened @param {readonly string[]} problems @param {number} [newest]
      */
-    openLinked({ parts, ...run }, problems, newest = run.generation) {
+    openLinked({ parts, experiment, generation, ...run }, problems, newest = generation) {
       attempt(() => {
         const before = store.get();
         const tried = run.trial.disturbance ?? before.tried;
-        tryToBegin(run.experiment, 'begin', {
+        tryToBegin(experiment, 'begin', {
           ...run,
           lastStep: run.lesson || before.lastStep,
           trial: places.triesDisturbance(run.page) ? { ...run.trial, disturbance: tried } : run.trial,
@@ -64,7 +64,7 @@ export function createPage(basis, openPage, catchUp) {
           },
         });
         store.update({ box: boxAround([...inSight(), ...nearEnd()]) });
-        catchUp(newest, run.generation);
+        catchUp(newest, generation);
         if (problems.length > 0) store.update({ message: problems.join(' ') });
       });
     },
