@@ -51,9 +51,12 @@ export function createPage(basis, openPage, catchUp) {
           lastStep: run.lesson || before.lastStep,
           trial: places.triesDisturbance(run.page) ? { ...run.trial, disturbance: tried } : run.trial,
           tried,
-          slices: Object.fromEntries(
-            places.slices.map((slice) => [slice.name, slice.opened(before, parts[slice.name])]),
-          ),
+          slices: {
+            ...before.slices,
+            ...Object.fromEntries(
+              places.slices.map((slice) => [slice.name, slice.opened(before, parts[slice.name])]),
+            ),
+          },
           evolving: false,
           robot: shown(),
           // Nothing leads back out of an exercise, and what is locked is not open.
