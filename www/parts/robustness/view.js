@@ -2,7 +2,7 @@
 import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
-import { kite } from '../../lab/plane.js';
+import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';

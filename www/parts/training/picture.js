@@ -2,7 +2,7 @@
 import { createLayer } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
-import { kite } from '../../lab/plane.js';
+import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 
