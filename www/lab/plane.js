@@ -1,6 +1,6 @@
 // The plane in metres: paths on one canvas, redrawn when they change; robots on another, redrawn as they move.
 import { scaleLinear } from 'd3-scale';
-import { createLayer } from '../kit/canvas.js';
+import { createLayer, fillTextWithHalo } from '../kit/canvas.js';
 import { paidAt } from '../core/paid.js';
 import { textFont } from '../kit/fonts.js';
 import { colour } from '../kit/palette.js';
@@ -154,12 +154,8 @@ function drawPayments(context, view, run) {
     context.moveTo(px - half * across, py - half * up);
     context.lineTo(px + half * across, py + half * up);
     context.stroke();
-    const [tx, ty] = [px + 24 * across, py + 18 * up];
-    context.lineWidth = 5;
-    context.strokeStyle = colour('--paper');
-    context.fillStyle = colour('--muted');
-    context.strokeText(strings.paidText(cost), tx, ty);
-    context.fillText(strings.paidText(cost), tx, ty);
+    const look = { fill: colour('--muted'), halo: colour('--paper') };
+    fillTextWithHalo(context, strings.paidText(cost), px + 24 * across, py + 18 * up, look);
   }
 }
 

@@ -1,5 +1,6 @@
 // The robots on the plane at a time: who drives, whom it is compared with, and the others.
 import { isTracking } from '../core/reference.js';
+import { fillTextWithHalo } from '../kit/canvas.js';
 import { textFont } from '../kit/fonts.js';
 import { colour } from '../kit/palette.js';
 import { drawMark } from '../kit/swatch.js';
@@ -52,6 +53,8 @@ export function drawRobots(context, view, scene, pins, time) {
   drawStray(context, view, postureAt(scene.driving, time));
 }
 
+const inkOnPaper = () => ({ fill: colour('--ink'), halo: colour('--paper') });
+
 /** The posture to follow: empty like the goal, from which it has come. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} time */
 function drawReference(context, view, run, time) {
   const { x, y, theta } = postureAt(referenceOf(run), time);
@@ -65,11 +68,7 @@ function drawReference(context, view, run, time) {
   context.font = textFont;
   context.textAlign = 'left';
   context.textBaseline = 'middle';
-  context.lineWidth = 5;
-  context.strokeStyle = colour('--paper');
-  context.fillStyle = colour('--ink');
-  context.strokeText(strings.referenceName, px + 22, py + 22);
-  context.fillText(strings.referenceName, px + 22, py + 22);
+  fillTextWithHalo(context, strings.referenceName, px + 22, py + 22, inkOnPaper());
 }
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} time */
@@ -102,8 +101,5 @@ function drawStray(context, view, { x, y }) {
   const inward = edge.px > view.width / 2 ? -1 : 1;
   const text = strings.outside(beyond / view.scale);
   context.textAlign = inward < 0 ? 'right' : 'left';
-  context.lineWidth = 5;
-  context.strokeStyle = colour('--paper');
-  context.strokeText(text, edge.px + 18 * inward, edge.py);
-  context.fillText(text, edge.px + 18 * inward, edge.py);
+  fillTextWithHalo(context, text, edge.px + 18 * inward, edge.py, inkOnPaper());
 }
