@@ -41,3 +41,22 @@ export function createLayer(canvas) {
     },
   };
 }
+
+/** Strokes the path with one colour on another, so that it is seen on anything. @param {CanvasRenderingContext2D} context @param {readonly [colour: string, width: number]} wide @param {readonly [colour: string, width: number]} narrow @param {Path2D} [path] Else the current one. */
+export function strokeTwice(context, wide, narrow, path) {
+  for (const [style, width] of [wide, narrow]) {
+    context.strokeStyle = style;
+    context.lineWidth = width;
+    if (path) context.stroke(path);
+    else context.stroke();
+  }
+}
+
+/** A text with a halo, to be read on anything. @param {CanvasRenderingContext2D} context @param {string} text @param {number} px @param {number} py @param {{ fill: string, halo: string, width?: number }} look */
+export function fillTextWithHalo(context, text, px, py, { fill, halo, width = 5 }) {
+  context.lineWidth = width;
+  context.strokeStyle = halo;
+  context.fillStyle = fill;
+  context.strokeText(text, px, py);
+  context.fillText(text, px, py);
+}

@@ -3,7 +3,7 @@
 /** @import { Scene } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Views } from './views.js' */
-import { byId } from '../kit/elements.js';
+import { byId, write } from '../kit/elements.js';
 import { remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
 import { gainsOf } from '../run/drivers.js';
@@ -43,7 +43,7 @@ export function createDraw(views, engine, paper) {
     const isCost = curve === 'cost';
     byId('curve').hidden = !isCost;
     byId('sigmas').hidden = isCost;
-    byId('curve-title').textContent = isCost ? strings.texts.curveTitle : curveWords.sigmaTitle;
+    write(byId('curve-title'), isCost ? strings.texts.curveTitle : curveWords.sigmaTitle);
     views.curveChoice.draw(curve);
     if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
     else views.sigmas.draw({ history, generation, theme });
@@ -67,12 +67,14 @@ export function createDraw(views, engine, paper) {
       run: driving,
       note: costNote(scene, driver),
     });
+    write(byId('generation'), String(generation));
+    write(byId('seed'), String(experiment.evolution.seed));
     if (state.page === 'lab') drawCurve(state, scene);
     views.evolutionBar.draw({
+      open: state.page,
       evolving,
       generation,
       newest: history.length - 1,
-      seed: experiment.evolution.seed,
       pace: state.pace,
       until: state.until,
       untilError: state.untilError,

@@ -1,4 +1,5 @@
 // The parts of the page: links to all, and only what belongs to the open one in sight.
+import { html, nothing, render } from 'lit-html';
 import { watch } from '../kit/memo.js';
 import { lesson as lessonWords, lab as strings } from '../words/index.js';
 
@@ -7,20 +8,18 @@ import { lesson as lessonWords, lab as strings } from '../words/index.js';
  * @param {(page: string) => void} onOpen @param {() => void} onLesson
  */
 export function createPages(pages, nav, tagline, parts, onOpen, onLesson) {
-  const links = ['lesson', ...pages].map((name) => {
-    const link = document.createElement('a');
-    const text = name === 'lesson' ? lessonWords.nav : strings.pages[name];
-    Object.assign(link, { id: `page-${name}`, href: `#${name}`, textContent: text });
-    link.addEventListener('click', (event) => {
+  /** @param {string} name @param {boolean} isOpen */
+  const linkTo = (name, isOpen) => {
+    const onClick = (/** @type {MouseEvent} */ event) => {
       // With these keys a link opens elsewhere.
       if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
       event.preventDefault();
       if (name === 'lesson') onLesson();
       else onOpen(name);
-    });
-    return { name, link };
-  });
-  nav.replaceChildren(...links.map(({ link }) => link));
+    };
+    const text = name === 'lesson' ? lessonWords.nav : strings.pages[name];
+    return html`<a id="page-${name}" href="#${name}" aria-current=${isOpen ? 'page' : nothing} @click=${onClick}>${text}</a>`;
+  };
   const changed = watch();
   return {
     /** @param {string} open @param {number} lesson @param {number} population */
@@ -28,10 +27,11 @@ export function createPages(pages, nav, tagline, parts, onOpen, onLesson) {
       if (!changed(open, lesson, population)) return;
       document.body.dataset.open = open;
       tagline.textContent = lesson ? lessonWords.tagline : strings.taglines(population)[open];
-      for (const { name, link } of links) {
-        if (name === (lesson ? 'lesson' : open)) link.setAttribute('aria-current', 'page');
-        else link.removeAttribute('aria-current');
-      }
+      const current = lesson ? 'lesson' : open;
+      render(
+        ['lesson', ...pages].map((name) => linkTo(name, name === current)),
+        nav,
+      );
       for (const part of parts) part.hidden = !part.dataset.page?.split(' ').includes(open);
     },
   };

@@ -1,25 +1,24 @@
 // The plane in metres: paths on one canvas, redrawn when they change; robots on another, redrawn as they move.
 import { scaleLinear } from 'd3-scale';
-import { createLayer } from '../kit/canvas.js';
+import { createLayer, fillTextWithHalo } from '../kit/canvas.js';
 import { paidAt } from '../core/paid.js';
 import { textFont } from '../kit/fonts.js';
 import { colour } from '../kit/palette.js';
 import { styles } from '../run/pins.js';
-import { drawMark } from '../kit/swatch.js';
-import { keepInside, knobOf } from '../kit/transform.js';
+import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
+import { drawRobots } from './robots.js';
+import { arrow, inMetres, kite, referenceOf, trace } from './track.js';
 
 /** @typedef {import('../core/engine.js').Posture} Posture */
 /** @typedef {import('../core/engine.js').Run} Run */
 /** @typedef {import('../run/scene.js').Scene} Scene */
 /** @typedef {import('../kit/transform.js').View} View */
-/** @typedef {Pick<Run, 'time' | 'x' | 'y' | 'theta'>} Track */
+/** @typedef {import('./track.js').Track} Track */
 /** @typedef {import('../run/pins.js').Pins} Pins */
 /** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, pins: Pins, pays: boolean, time: number, theme: number }} PlaneModel With `pays`, where along the path J was paid. */
-
-const arrow = { robot: 17, posture: 17, ghost: 9 };
 
 /** @param {HTMLCanvasElement} pathsCanvas @param {HTMLCanvasElement} robotsCanvas */
 export function createPlane(pathsCanvas, robotsCanvas) {
@@ -94,10 +93,6 @@ function multiples(from, to, step) {
   return Array.from({ length: Math.max(0, Math.floor(to / step) - first + 1) }, (_, i) => (first + i) * step);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {View} view */
-const inMetres = (context, { scale, originX, originY }) =>
-  context.transform(scale, 0, 0, -scale, originX, originY);
-
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins */
 function drawPaths(context, view, scene, pins) {
   /** @param {Track} run @param {string} stroke @param {number} alpha @param {number} width @param {number[]} [dash] */
@@ -123,26 +118,6 @@ function drawPaths(context, view, scene, pins) {
   path(scene.driving, colour('--ink'), 0.4, 1.5);
   if (isTracking(scene.driving)) path(referenceOf(scene.driving), colour('--ink'), 1, 1, [8, 6]);
   context.restore();
-}
-
-/** The reference as if it were a robot. @param {Run} run @returns {Track} */
-const referenceOf = ({ time, referenceX, referenceY, referenceTheta }) => ({
-  time,
-  x: referenceX,
-  y: referenceY,
-  theta: referenceTheta,
-});
-
-/** A run up to a sample, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {View} view @param {Track} run @param {number} last */
-function trace(context, { scale }, { x, y }, last) {
-  const least = 0.6 / scale;
-  let drawn = 0;
-  context.moveTo(x[0], y[0]);
-  for (let i = 1; i <= last; i += 1) {
-    if (i < last && Math.abs(x[i] - x[drawn]) + Math.abs(y[i] - y[drawn]) < least) continue;
-    context.lineTo(x[i], y[i]);
-    drawn = i;
-  }
 }
 
 /** Where pinned runs had another goal. @param {CanvasRenderingContext2D} context @param {View} view @param {Pins} pins @param {Posture} goal */
@@ -179,12 +154,8 @@ function drawPayments(context, view, run) {
     context.moveTo(px - half * across, py - half * up);
     context.lineTo(px + half * across, py + half * up);
     context.stroke();
-    const [tx, ty] = [px + 24 * across, py + 18 * up];
-    context.lineWidth = 5;
-    context.strokeStyle = colour('--paper');
-    context.fillStyle = colour('--muted');
-    context.strokeText(strings.paidText(cost), tx, ty);
-    context.fillText(strings.paidText(cost), tx, ty);
+    const look = { fill: colour('--muted'), halo: colour('--paper') };
+    fillTextWithHalo(context, strings.paidText(cost), px + 24 * across, py + 18 * up, look);
   }
 }
 
@@ -207,125 +178,4 @@ function drawTarget(context, view, posture, stroke) {
   context.lineWidth = 2;
   context.fill();
   context.stroke();
-}
-
-/** @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {number} theta @param {number} size */
-export function kite(context, px, py, theta, size) {
-  const [c, s] = [Math.cos(theta) * size, -Math.sin(theta) * size];
-  context.beginPath();
-  context.moveTo(px + c, py + s);
-  context.lineTo(px - 0.75 * c - 0.68 * s, py - 0.75 * s + 0.68 * c);
-  context.lineTo(px - 0.35 * c, py - 0.35 * s);
-  context.lineTo(px - 0.75 * c + 0.68 * s, py - 0.75 * s - 0.68 * c);
-  context.closePath();
-}
-
-/** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins @param {number} time */
-function drawRobots(context, view, scene, pins, time) {
-  /** @param {Run} run @param {number} size */
-  const robot = (run, size) => {
-    const { x, y, theta } = postureAt(run, time);
-    kite(context, view.screenX(x), view.screenY(y), theta, size);
-  };
-  context.fillStyle = colour('--ink');
-  context.globalAlpha = 0.3;
-  for (const run of scene.others) {
-    robot(run, arrow.ghost);
-    context.fill();
-  }
-  context.globalAlpha = 1;
-  context.strokeStyle = colour('--muted');
-  context.fillStyle = colour('--paper');
-  context.lineWidth = 1.5;
-  robot(scene.comparison, 12);
-  context.fill();
-  context.stroke();
-  for (const [i, { slot }] of pins.entries()) {
-    const { x, y } = postureAt(scene.pins[i], time);
-    context.fillStyle = colour(styles[slot].token);
-    robot(scene.pins[i], 12);
-    context.fill();
-    drawMark(context, styles[slot].mark, view.screenX(x), view.screenY(y) - 20, {
-      fill: colour(styles[slot].token),
-      edge: colour('--paper'),
-    });
-  }
-  if (isTracking(scene.driving)) drawReference(context, view, scene.driving, time);
-  drawTrail(context, view, scene.driving, time);
-  context.fillStyle = colour('--ink');
-  robot(scene.driving, arrow.robot);
-  context.fill();
-  drawStray(context, view, postureAt(scene.driving, time));
-}
-
-/** The posture to follow: empty like the goal, from which it has come. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} time */
-function drawReference(context, view, run, time) {
-  const { x, y, theta } = postureAt(referenceOf(run), time);
-  const [px, py] = [view.screenX(x), view.screenY(y)];
-  kite(context, px, py, theta, arrow.posture);
-  context.strokeStyle = colour('--ink');
-  context.fillStyle = colour('--paper');
-  context.lineWidth = 2;
-  context.fill();
-  context.stroke();
-  context.font = textFont;
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
-  context.lineWidth = 5;
-  context.strokeStyle = colour('--paper');
-  context.fillStyle = colour('--ink');
-  context.strokeText(strings.referenceName, px + 22, py + 22);
-  context.fillText(strings.referenceName, px + 22, py + 22);
-}
-
-/** @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} time */
-function drawTrail(context, view, run, time) {
-  const { x, y } = postureAt(run, time);
-  context.save();
-  inMetres(context, view);
-  context.strokeStyle = colour('--ink');
-  context.lineWidth = 3.5 / view.scale;
-  context.lineJoin = 'round';
-  context.lineCap = 'round';
-  context.beginPath();
-  trace(context, view, run, sampleBefore(run, time));
-  context.lineTo(x, y);
-  context.stroke();
-  context.restore();
-}
-
-/** A robot outside the plane leaves a mark at the edge, with its distance from there. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture */
-function drawStray(context, view, { x, y }) {
-  const [px, py] = [view.screenX(x), view.screenY(y)];
-  const edge = keepInside(view, px, py);
-  const beyond = Math.hypot(px - edge.px, py - edge.py);
-  if (beyond < 24) return;
-  context.fillStyle = colour('--ink');
-  kite(context, edge.px, edge.py, Math.atan2(edge.py - py, px - edge.px), 10);
-  context.fill();
-  context.font = textFont;
-  context.textBaseline = 'middle';
-  const inward = edge.px > view.width / 2 ? -1 : 1;
-  const text = strings.outside(beyond / view.scale);
-  context.textAlign = inward < 0 ? 'right' : 'left';
-  context.lineWidth = 5;
-  context.strokeStyle = colour('--paper');
-  context.strokeText(text, edge.px + 18 * inward, edge.py);
-  context.fillText(text, edge.px + 18 * inward, edge.py);
-}
-
-/** @param {Pick<Track, 'time'>} run @param {number} time */
-export function sampleBefore(run, time) {
-  const last = run.time.length - 1;
-  if (last < 1 || time >= run.time[last]) return last;
-  return Math.min(last, Math.floor(time / run.time[1] + 1e-9));
-}
-
-/** Where the robot is, between two samples on the straight line. @param {Track} run @param {number} time @returns {Posture} */
-function postureAt(run, time) {
-  const i = sampleBefore(run, time);
-  const j = Math.min(i + 1, run.time.length - 1);
-  const part = i === j ? 0 : (time - run.time[i]) / (run.time[j] - run.time[i]);
-  const between = (/** @type {Float64Array} */ values) => values[i] + part * (values[j] - values[i]);
-  return { x: between(run.x), y: between(run.y), theta: between(run.theta) };
 }

@@ -1,5 +1,5 @@
 // The run in numbers, for who wants to read or to hear them; the row of the robots' clock is marked.
-import { sampleBefore } from '../../lab/plane.js';
+import { sampleBefore } from '../../lab/track.js';
 import { create } from '../../kit/elements.js';
 import { headRow } from '../../kit/table.js';
 import { watch } from '../../kit/memo.js';

@@ -1,7 +1,7 @@
 // The part of the page that shows runs against time and beside each other.
 import { curvesSlice } from './state.js';
 import { byId, followSize } from '../../kit/elements.js';
-import { sampleBefore } from '../../lab/plane.js';
+import { sampleBefore } from '../../lab/track.js';
 import { createSegmented } from '../../kit/segmented.js';
 import { createStability } from './stability/view.js';
 import { remember, watch } from '../../kit/memo.js';

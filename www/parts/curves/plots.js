@@ -3,7 +3,7 @@ import { createLayer } from '../../kit/canvas.js';
 import { symbolFont, textFont } from '../../kit/fonts.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
-import { sampleBefore } from '../../lab/plane.js';
+import { sampleBefore } from '../../lab/track.js';
 import {
   drawCursorDot,
   drawCursorLine,

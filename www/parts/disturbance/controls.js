@@ -40,21 +40,18 @@ export function createControls({ engine, store, actions }) {
   /** @param {'random' | 'slip'} kind */
   const createRows = (kind) =>
     words.sizes[kind].map((size, index) => {
-      const row = createRow(size, index, {
-        onSlide: (_, value) => attempt({ [sizes[index]]: value }, index, size.name),
+      const events = {
+        onSlide: (/** @type {number} */ _, /** @type {number} */ value) =>
+          attempt({ [sizes[index]]: value }, index, size.name),
         onSlid: actions.driveAgain,
-        onType(_, text) {
+        onType(/** @type {number} */ _, /** @type {string} */ text) {
           const value = lab.numberOf(text);
           if (!Number.isFinite(value)) return refuse(index, lab.notANumber(size.name, text));
           attempt({ [sizes[index]]: value }, index, size.name);
           actions.driveAgain();
         },
-      });
-      const unit = document.createElement('span');
-      unit.className = 'muted';
-      unit.textContent = words.units[index];
-      row.row.insertBefore(unit, row.row.lastChild);
-      return row;
+      };
+      return createRow(size, index, events, words.units[index]);
     });
 
   const kind = createSegmented(byId('disturbance-kind'), words.kindLegend, words.kinds, (chosen) => {

@@ -49,7 +49,7 @@ export function createPicture(root, { onChoose }) {
     root.classList.add('still');
     if (before && !still) place(marks, before);
     // What moves sets out from where it stands by now.
-    root.getBoundingClientRect();
+    if (!still) root.getBoundingClientRect();
     root.classList.toggle('still', still);
     root.dataset.phase = phase;
     dress(marks, model, radiusOf(size, anatomy.count));

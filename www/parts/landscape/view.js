@@ -1,7 +1,8 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
 import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
-import { createLayer } from '../../kit/canvas.js';
+import { createLayer, fillTextWithHalo, pathOf, strokeTwice } from '../../kit/canvas.js';
+import { through } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
@@ -38,6 +39,13 @@ const smallestRing = 12;
 const margin = { left: 44, right: 14, top: 10, bottom: 30 };
 // The same in both themes, as the shades are.
 const [dark, light] = ['#14161a', '#ffffff'];
+
+/** The marks of points, around (0, 0). */
+const outlines = {
+  diamond: 'M0-7 7 0 0 7-7 0z',
+  cross: 'M-6-6 6 6M-6 6 6-6',
+  ring: 'M7 0A7 7 0 1 1-7 0A7 7 0 1 1 7 0z',
+};
 
 /** @param {MapModel} model */
 export function axesOf({ spec, size }) {
@@ -126,11 +134,11 @@ function drawLandscape(context, cells, { costs, count }, { frame }, scale) {
     context.globalAlpha = 0.55;
     context.beginPath();
     for (const ring of line.coordinates.flat().filter(({ length }) => length >= smallestRing)) {
-      for (const [i, [column, row]] of ring.entries()) {
-        const [px, py] = [frame.left + (column - 0.5) * wide, frame.bottom - (row - 0.5) * high];
-        if (i === 0) context.moveTo(px, py);
-        else context.lineTo(px, py);
-      }
+      const points = ring.map(
+        ([column, row]) =>
+          /** @type {const} */ ([frame.left + (column - 0.5) * wide, frame.bottom - (row - 0.5) * high]),
+      );
+      through(context, points);
     }
     context.stroke();
   }
@@ -220,19 +228,9 @@ function drawMarks(context, { frame, x, y }, { spec, population, path, points, c
   context.stroke();
   context.globalAlpha = 1;
 
-  for (const [stroke, width] of /** @type {const} */ ([
-    [dark, 4],
-    [light, 2],
-  ])) {
-    context.strokeStyle = stroke;
-    context.lineWidth = width;
-    context.beginPath();
-    for (const [i, gains] of path.entries()) {
-      if (i === 0) context.moveTo(...place(gains));
-      else context.lineTo(...place(gains));
-    }
-    context.stroke();
-  }
+  context.beginPath();
+  for (const gains of path) context.lineTo(...place(gains));
+  strokeTwice(context, [dark, 4], [light, 2]);
 
   context.lineWidth = 1;
   context.strokeStyle = dark;
@@ -276,45 +274,17 @@ function drawPoint(context, [px, py], name, mark, frame) {
   // The names of the pins are in the legend, beside the same marks.
   if (typeof mark === 'number')
     return drawMark(context, styles[mark].mark, px, py, { fill: light, edge: dark });
-  context.beginPath();
-  if (mark === 'diamond')
-    for (const [dx, dy] of [
-      [0, -7],
-      [7, 0],
-      [0, 7],
-      [-7, 0],
-      [0, -7],
-    ])
-      context.lineTo(px + dx, py + dy);
-  else if (mark === 'ring') context.arc(px, py, 7, 0, 2 * Math.PI);
-  else
-    for (const [dx, dy] of [
-      [-6, -6],
-      [6, 6],
-      [0, 0],
-      [-6, 6],
-      [6, -6],
-    ])
-      context.lineTo(px + dx, py + dy);
-  for (const [stroke, width] of /** @type {const} */ ([
-    [dark, 5],
-    [light, 2.5],
-  ])) {
-    context.strokeStyle = stroke;
-    context.lineWidth = width;
-    context.stroke();
-  }
+  context.save();
+  context.translate(px, py);
+  strokeTwice(context, [dark, 5], [light, 2.5], pathOf(outlines[mark]));
+  context.restore();
   context.font = strongFont;
   const onLeft = px + 14 + context.measureText(name).width > frame.right;
   const nameX = px + (onLeft ? -12 : 12);
   const nameY = Math.min(Math.max(py, frame.top + 10), frame.bottom - 10);
   context.textAlign = onLeft ? 'right' : 'left';
   context.textBaseline = 'middle';
-  context.lineWidth = 4;
-  context.strokeStyle = dark;
-  context.fillStyle = light;
-  context.strokeText(name, nameX, nameY);
-  context.fillText(name, nameX, nameY);
+  fillTextWithHalo(context, name, nameX, nameY, { fill: light, halo: dark, width: 4 });
 }
 
 /** How many lie outside. @param {Axes} axes @param {Spec} spec @param {Individual[]} population */

@@ -1,4 +1,5 @@
 // One dot a seed: where dots stand that would lie on each other, which of them is meant, and how they are drawn.
+import { strokeTwice } from '../../kit/canvas.js';
 import { colour } from '../../kit/palette.js';
 
 /** Pixels along the axis, and away from it. @typedef {{ along: Float64Array, away: Float64Array }} Dots */
@@ -58,14 +59,7 @@ export function drawDots(context, { along, away }, diameter, token, place) {
 
 /** Marks the seed in question. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y */
 export function drawRing(context, x, y) {
-  for (const [name, width] of /** @type {const} */ ([
-    ['--paper', 5],
-    ['--ink', 2],
-  ])) {
-    context.strokeStyle = colour(name);
-    context.lineWidth = width;
-    context.beginPath();
-    context.arc(x, y, 5.5, 0, 2 * Math.PI);
-    context.stroke();
-  }
+  context.beginPath();
+  context.arc(x, y, 5.5, 0, 2 * Math.PI);
+  strokeTwice(context, [colour('--paper'), 5], [colour('--ink'), 2]);
 }

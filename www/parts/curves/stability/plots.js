@@ -14,7 +14,7 @@ import { linesOf } from '../plots.js';
 import { symbolFont, textFont } from '../../../kit/fonts.js';
 import { styles } from '../../../run/pins.js';
 import { drawMark } from '../../../kit/swatch.js';
-import { sampleBefore } from '../../../lab/plane.js';
+import { sampleBefore } from '../../../lab/track.js';
 import { colour } from '../../../kit/palette.js';
 import { watch } from '../../../kit/memo.js';
 import { stability as words } from '../../../words/index.js';

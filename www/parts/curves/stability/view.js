@@ -3,7 +3,7 @@ import { curvesSlice } from '../state.js';
 import { followPointer } from '../../../kit/chart.js';
 import { sampleTime } from '../axes.js';
 import { byId, create, followSize, formula, write } from '../../../kit/elements.js';
-import { sampleBefore } from '../../../lab/plane.js';
+import { sampleBefore } from '../../../lab/track.js';
 import { remember, watch } from '../../../kit/memo.js';
 import { offerTable } from '../../../kit/table.js';
 import { stability as words } from '../../../words/index.js';
