@@ -1,5 +1,6 @@
 // What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
 import { create } from '../kit/elements.js';
+import { headCell } from '../kit/table.js';
 import { costText, degrees, fixed, postureText } from '../words/numbers.js';
 
 /** @import { Experiment, Individual, PaperResult } from '../core/engine.js' */
@@ -9,16 +10,17 @@ const generations = 200;
 
 /** @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
 function tableOf(className, head, rows) {
-  const cell = (/** @type {string} */ tag, /** @type {Node | string} */ content) => create(tag, '', content);
   // A corner that names nothing heads no column.
-  const headRow = create('tr', '', ...head.map((text) => cell(text ? 'th' : 'td', text)));
-  for (const one of headRow.children) if (one.textContent) one.setAttribute('scope', 'col');
-  const body = rows.map(([first, ...rest]) => {
-    const name = cell('th', first);
-    name.setAttribute('scope', 'row');
-    return create('tr', '', name, ...rest.map((content) => cell('td', content)));
-  });
-  return create('table', className, create('thead', '', headRow), create('tbody', '', ...body));
+  const heads = head.map((text) => (text ? headCell('col', '', text) : create('td', '')));
+  const body = rows.map(([first, ...rest]) =>
+    create('tr', '', headCell('row', '', first), ...rest.map((content) => create('td', '', content))),
+  );
+  return create(
+    'table',
+    className,
+    create('thead', '', create('tr', '', ...heads)),
+    create('tbody', '', ...body),
+  );
 }
 
 const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) => fixed(gain, 2)).join(', ');

@@ -10,7 +10,7 @@ import { lesson as words, lab } from '../words/index.js';
 /** @param {HTMLFieldSetElement} fieldset */
 export function createSights(fieldset) {
   // In a frame words and figure stand side by side sooner.
-  const narrow = matchMedia(`(max-width: ${isEmbedded ? 599 : 899}px)`);
+  const narrow = matchMedia(`(max-width: ${isEmbedded ? 599 : 1023}px)`);
   /** @type {Sight | null} */
   let chosen = null;
   const show = () => {
