@@ -19,26 +19,22 @@ export const testFiles = () =>
 export const filesOf = (name) =>
   testFiles().filter((file) => file === `${name}.test.js` || basename(file) === `${name}.test.js`);
 
-/** Two lists of files about as long as each other. @param {readonly string[]} files */
-function halvesOf(files) {
-  /** @type {{ size: number, files: string[] }[]} */
-  const halves = [
-    { size: 0, files: [] },
-    { size: 0, files: [] },
-  ];
+/** Lists of files about as long as each other. @param {readonly string[]} files @param {number} count */
+function shared(files, count) {
+  const lists = Array.from({ length: count }, () => ({ size: 0, files: /** @type {string[]} */ ([]) }));
   const sized = files.map((file) => ({ file, size: statSync(join(top, folder, file)).size }));
   for (const { file, size } of sized.sort((a, b) => b.size - a.size)) {
-    const [shorter] = [...halves].sort((a, b) => a.size - b.size);
-    shorter.files.push(file);
-    shorter.size += size;
+    const [shortest] = [...lists].sort((a, b) => a.size - b.size);
+    shortest.files.push(file);
+    shortest.size += size;
   }
-  return halves.map((half) => half.files.sort());
+  return lists.map((list) => list.files.sort()).filter((list) => list.length > 0);
 }
 
 /**
  * Who runs what, side by side, for each spends much of its time waiting: the first engine, which has the most to do, in
- * two processes; each other engine what engines can do differently; and once what needs no browser.
- * @param {readonly EngineName[]} engines @param {string[]} files @param {number} late milliseconds by which every frame comes late
+ * several processes; each other engine what engines can do differently; and once what needs no browser.
+ * @param {readonly EngineName[]} engines @param {string[]} files @param {number} late milliseconds by which every frame of the first engine comes late
  * @returns {Lane[]}
  */
 export function lanesOf(engines, files, late) {
@@ -47,14 +43,16 @@ export function lanesOf(engines, files, late) {
     PAGE_TESTS: 'in browsers',
     ENGINES: engine,
     FIRST_ENGINE: first,
-    LATE_FRAMES: String(late),
+    LATE_FRAMES: String(engine === first ? late : 0),
   });
-  const [one, other] = halvesOf(files);
   return [
     { name: 'without browsers', files, env: { PAGE_TESTS: 'without browsers' } },
-    ...(first ? [one, other] : [])
-      .filter((half) => half.length > 0)
-      .map((half) => ({ name: first, files: half, env: browser(first) })),
+    // Who waits for late frames leaves the machine to others.
+    ...(first ? shared(files, late > 0 ? 4 : 2) : []).map((some) => ({
+      name: first,
+      files: some,
+      env: browser(first),
+    })),
     ...others.map((engine) => ({ name: engine, files, env: browser(engine) })),
   ];
 }

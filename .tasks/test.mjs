@@ -4,7 +4,7 @@
 //   npm test -- page               only the page, in the browsers of this machine
 //   npm test -- plane keys         only the files of tests of these names, those of the page in one browser
 //   npm test -- --require-engines  an absent browser, or Python, is a failure
-//   npm run test:late              the page in one browser in which every frame comes 120 ms late
+//   npm test -- --late             in the first browser every frame comes 120 ms late; alone: npm run test:late
 //   ENGINES=firefox npm test       only these browsers
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -77,8 +77,7 @@ async function testAll({ pageOnly, isStrict, late }) {
     .join('');
   if (isStrict && advice !== '') throw new Failure(`everything is required${advice}`);
 
-  // One engine shows what comes of late frames.
-  const engines = late > 0 ? found.slice(0, 1) : found;
+  const engines = pageOnly && late > 0 ? found.slice(0, 1) : found;
   const undriven = engines.some(isUndriven);
   await installPackages();
   const tools = installTools({ others: undriven });

@@ -1,6 +1,8 @@
 //! The tests as WebAssembly: one program, because each takes longer to link than to run. Not tests/panics.rs, which loses the instance.
 #![cfg(target_arch = "wasm32")]
 
+#[path = "bits.rs"]
+pub mod bits;
 #[path = "boundary.rs"]
 pub mod boundary;
 #[path = "episodes.rs"]
@@ -15,6 +17,12 @@ pub mod hostile;
 pub mod lanes_and_survey;
 #[path = "motion_and_law.rs"]
 pub mod motion_and_law;
+#[path = "oracle.rs"]
+pub mod oracle;
+#[path = "properties.rs"]
+pub mod properties;
+#[path = "ranges.rs"]
+pub mod ranges;
 #[path = "remaining.rs"]
 pub mod remaining;
 #[path = "stability.rs"]

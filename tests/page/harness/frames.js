@@ -9,13 +9,15 @@
   /** The frames that are asked for, each with whether another frame did, as motion does. @type {Map<number, boolean>} */
   const asked = new Map();
   let isInFrame = false;
+  /** How many times as fast the time of the frames runs. */
+  let haste = 1;
 
   window.requestAnimationFrame = (callback) => {
     const run = (/** @type {number} */ now) => {
       if (!asked.delete(id)) return;
       isInFrame = true;
       try {
-        callback(now);
+        callback(haste * now);
       } finally {
         isInFrame = false;
       }
@@ -47,5 +49,10 @@
   /** Whether nothing is to be drawn. */
   const areNone = () => asked.size === 0;
 
-  Object.defineProperty(window, 'pageFrames', { value: { drawn, areNone } });
+  /** @param {number} times */
+  const hurry = (times) => {
+    haste = times;
+  };
+
+  Object.defineProperty(window, 'pageFrames', { value: { drawn, areNone, hurry } });
 })();

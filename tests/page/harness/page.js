@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { setTimeout as delay } from 'node:timers/promises';
 import { Command, Name } from 'selenium-webdriver/lib/command.js';
+import { look, obstaclesOf, onceDrawn } from './inside.js';
 import { axeAddress } from './server.js';
 
 /** @typedef {import('selenium-webdriver').WebDriver} WebDriver */
@@ -135,30 +136,8 @@ export class Page {
    * @returns {Promise<string[]>}
    */
   async obstacles(within = 'html') {
-    return this.evaluate(
-      async (address, selector, contrast) => {
-        const own = /** @type {{ axe?: typeof import('axe-core') }} */ (/** @type {unknown} */ (window));
-        if (!own.axe)
-          await new Promise((resolve, reject) => {
-            const script = document.createElement('script');
-            Object.assign(script, { src: address, onload: resolve, onerror: reject });
-            document.head.append(script);
-          });
-        const { violations } = await /** @type {typeof import('axe-core')} */ (own.axe).run(selector, {
-          // What is read below names no selector, which takes time to find.
-          selectors: false,
-          resultTypes: ['violations'],
-          rules: { 'color-contrast': { enabled: contrast } },
-        });
-        return violations.map(
-          ({ id, help, nodes }) => `${id}: ${help}: ${nodes.map(({ html }) => html).join(' ')}`,
-        );
-      },
-      axeAddress,
-      within,
-      // Half of the time, for colours that are the same in every engine.
-      this.engine === 'chromium',
-    );
+    // Half of the time is for colours, which are the same in every engine.
+    return this.evaluate(obstaclesOf, axeAddress, within, this.engine === 'chromium');
   }
 
   /**
@@ -176,6 +155,19 @@ export class Page {
     }, selector);
     if (typeof found === 'number') assert.fail(`${selector} must find one element, it finds ${found}`);
     return found;
+  }
+
+  /**
+   * All elements that a CSS selector finds.
+   * @param {string} selector
+   * @returns {Promise<import('selenium-webdriver').WebElement[]>}
+   */
+  async elements(selector) {
+    await this.#begin();
+    return this.#onceDrawn(
+      (/** @type {string} */ wanted) => [...document.querySelectorAll(wanted)],
+      selector,
+    );
   }
 
   /**
@@ -280,39 +272,19 @@ export class Page {
     }
   }
 
+  /** Lets what moves on the page move faster, as long as it is open. @param {number} times */
+  async hurry(times) {
+    await this.evaluate(
+      (haste) =>
+        /** @type {{ pageFrames: { hurry: (times: number) => void } }} */ (
+          /** @type {unknown} */ (window)
+        ).pageFrames.hurry(haste),
+      times,
+    );
+  }
+
   /** What the page looks like, as a PNG. */
   async screenshot() {
     return Buffer.from(await this.driver.takeScreenshot(), 'base64');
-  }
-}
-
-/**
- * Runs in the page: does something when what happened before is drawn. Other pages draw at once.
- * @param {(...args: any[]) => unknown} body
- * @param {unknown[]} args
- */
-function onceDrawn(body, args) {
-  const { pageFrames } = /** @type {{ pageFrames?: { drawn: () => Promise<void> } }} */ (
-    /** @type {unknown} */ (window)
-  );
-  return pageFrames ? pageFrames.drawn().then(() => body(...args)) : body(...args);
-}
-
-/**
- * Runs in the page: looks again and again until there is something to see.
- * @param {number} longest in milliseconds
- * @param {(...args: unknown[]) => unknown} condition
- * @param {unknown[]} args
- */
-async function look(longest, condition, args) {
-  const end = performance.now() + longest;
-  try {
-    for (;;) {
-      const result = await condition(...args);
-      if (result || performance.now() > end) return { result };
-      await new Promise((resolve) => setTimeout(resolve, 20));
-    }
-  } catch (error) {
-    return { error: String(error) };
   }
 }

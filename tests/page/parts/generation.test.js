@@ -313,7 +313,7 @@ engineTest('any of them is chosen by a press, by keys, and by name', async (page
 
   await go(page, 'tournament');
   const opponent = record.opponents[order[2 * count - 1]][0];
-  const links = await page.driver.findElements({ css: '#generation-details .bouts button' });
+  const links = await page.elements('#generation-details .bouts button');
   await links[0].click();
   assert.equal((await shownOn(page)).chosen, nameOf(opponent));
 });
