@@ -10,18 +10,19 @@ const { document, Element } = parseHTML('<html></html>');
 Object.assign(globalThis, { document, Element, location: { hash: `#lab&lang=${language}`, search: '' } });
 globalThis.navigator ??= /** @type {Navigator} */ ({});
 
-const { createSpec, firstDisturbance } = await import('../www/parts/disturbance/request.js');
+const { createSpec } = await import('../www/parts/disturbance/request.js');
+const { disturbanceSlice } = await import('../www/parts/disturbance/state.js');
+const { landscapeSlice } = await import('../www/parts/landscape/state.js');
+const { landscape, remainingErrors } = await import('../www/core/headless.js');
 const { create } = await import('../www/kit/elements.js');
 const { counts, endsOfAxis, gainsAt, linearRange } = await import('../www/parts/landscape/request.js');
 const { createFormula } = await import('../www/lesson/formula.js');
 const { list, paragraphs } = await import('../www/lesson/prose.js');
 const { steps } = await import('../www/lesson/steps.js');
-const { undisturbed } = await import('../www/run/state.js');
-const { instead, lesson: words } = await import('../www/words/index.js');
+const { liveOf } = await import('../www/lesson/headless.js');
+const { undisturbed } = await import('../www/run/scene.js');
+const { instead, lab, lesson: words } = await import('../www/words/index.js');
 const { costText } = await import('../www/words/numbers.js');
-const { landscape, remainingErrors } = await import('../tests/page/harness/core.js');
-const { samples } = await import('../tests/page/lesson/links.js');
-const { liveOf } = await import('../tests/page/lesson/live.js');
 const { costs, generations, robots } = await import('./picture.mjs');
 
 /** @typedef {import('../www/lesson/page.js').Live} Live */
@@ -30,30 +31,32 @@ const { costs, generations, robots } = await import('./picture.mjs');
 /** What the page knows when a step is opened and its robots stand at the start. @param {Step} step @returns {Live} */
 function opened(step) {
   const live = liveOf(step.link);
-  const { experiment } = live.scene;
-  const engine = /** @type {Live['engine']} */ ({ ...live.engine, samples });
-  const [sample] = samples(experiment, live.gains);
   /** @type {Live['state']} */
   const state = {
     ...live.state,
-    landscape: {
-      ...live.state.landscape,
-      get result() {
-        return landscapeOf(state);
+    slices: {
+      ...live.state.slices,
+      landscape: {
+        ...landscapeSlice.of(live.state),
+        get result() {
+          return landscapeOf(state);
+        },
       },
-    },
-    disturbance: {
-      ...firstDisturbance,
-      get measured() {
-        return measuredOf({ ...live, engine, state });
+      disturbance: {
+        ...disturbanceSlice.first,
+        get measured() {
+          return measuredOf({ ...live, state });
+        },
       },
     },
   };
-  return { ...live, engine, state, sample, decided: sample };
+  return { ...live, state };
 }
 
 /** @param {Live['state']} state */
-function landscapeOf({ experiment, preset, landscape: { x, y, third } }) {
+function landscapeOf(state) {
+  const { experiment, preset } = state;
+  const { x, y, third } = landscapeSlice.of(state);
   const spec = { experiment, x, y, range: linearRange[preset], third: third ?? 0 };
   const count = Math.max(...counts);
   const [across, up] = [x, y].map((axis) => {
@@ -109,8 +112,8 @@ function written(element, values) {
   return element.outerHTML;
 }
 
-/** @param {string} tag @param {string} text */
-const html = (tag, text) => written(create(tag, '', text), {});
+/** @param {string} text */
+const html = (text) => create('span', '', text).innerHTML;
 
 /** @type {string[]} */
 const sections = [];
@@ -125,8 +128,11 @@ for (const [i, step] of steps.entries()) {
 const [firstCost, bestCost] = [costs.first, costs.best].map(costText);
 console.log(
   JSON.stringify({
-    why: html('span', instead.waits),
-    caption: html('span', instead.caption(robots, generations, firstCost, bestCost)),
-    article: html('summary', instead.article) + html('p', instead.articleNote) + sections.join(''),
+    page: html(lab.texts.pageTitle),
+    why: html(instead.waits),
+    caption: html(instead.caption(robots, generations, firstCost, bestCost)),
+    title: html(instead.article),
+    note: html(instead.articleNote),
+    lesson: sections.join(''),
   }),
 );

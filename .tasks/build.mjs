@@ -25,7 +25,7 @@ export async function buildCore() {
   writeFileSync(stamp, sourceTime);
 }
 
-/** What wasm-pack does, which thus need not be there. */
+/** What wasm-pack would do, which need not be there. */
 async function compile() {
   const target = 'wasm32-unknown-unknown';
   await run('cargo', ['build', '--lib', '--release', '--target', target, '--config', withoutHome]);

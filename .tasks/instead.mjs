@@ -1,43 +1,94 @@
-// A Vite plugin that writes into the built page what there is to read and to see where it cannot run.
+// A Vite plugin that writes what there is to read and to see where the page cannot run: a sentence and a picture into the
+// page, and the lesson as a page of its own in each language, or, where there is one file alone, into it too.
 import { execFile } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
-import { languageNames } from '../www/words/language.js';
+import { languageNames, languages } from '../www/words/language.js';
 
-/** @typedef {Record<'why' | 'caption' | 'article', string>} Texts */
+/** @typedef {import('../www/words/language.js').Language} Language */
+/** @typedef {{ lang: Language } & Record<'page' | 'why' | 'caption' | 'title' | 'note' | 'lesson', string>} Texts */
 
 const run = promisify(execFile);
 const writer = fileURLToPath(new URL('article.mjs', import.meta.url));
 
-/** The words choose their language when they are loaded: so each is written by a process of its own. @param {string} language @returns {Promise<Texts>} */
-const textsIn = async (language) =>
-  JSON.parse((await run(process.execPath, [writer, language], { maxBuffer: 1e7 })).stdout);
+/** The words choose their language when they are loaded: so each is written by a process of its own. @param {Language} lang @returns {Promise<Texts>} */
+async function textsIn(lang) {
+  const { stdout } = await run(process.execPath, [writer, lang], { maxBuffer: 1e7 });
+  return { lang, ...JSON.parse(stdout) };
+}
 
-/** All of it, as the built page has it. */
+/** @param {Language} lang */
+const fileOf = (lang) => `lesson.${lang}.html`;
+
+/** All of it: what the site's page has, what the one file has, and the pages of the lesson; `styles` are their elements. */
 export async function writeInstead() {
   const { picture } = await import('./picture.mjs');
-  const all = await Promise.all(languageNames.map(async (lang) => ({ lang, ...(await textsIn(lang)) })));
-  const each = (/** @type {string} */ tag, /** @type {keyof Texts} */ part) =>
-    all.map((texts) => `<${tag} lang="${texts.lang}">${texts[part]}</${tag}>`).join('\n');
-  return [
-    `<div class="instead-why">${each('p', 'why')}</div>`,
-    `<figure>${picture}<figcaption>${each('p', 'caption')}</figcaption></figure>`,
-    each('details', 'article'),
+  const all = await Promise.all(languageNames.map(textsIn));
+  const each = (/** @type {(texts: Texts) => string} */ write) => all.map(write).join('\n');
+  const above = [
+    `<div class="instead-why">${each(({ lang, why }) => `<p lang="${lang}">${why}</p>`)}</div>`,
+    `<figure>${picture}<figcaption>${each(({ lang, caption }) => `<p lang="${lang}">${caption}</p>`)}</figcaption></figure>`,
   ].join('\n');
+  return {
+    linked: `${above}\n${each(({ lang, title }) => `<p lang="${lang}"><a href="./${fileOf(lang)}">${title}</a></p>`)}`,
+    inside: `${above}\n${each(({ lang, title, note, lesson }) => `<details lang="${lang}"><summary>${title}</summary><p>${note}</p>${lesson}</details>`)}`,
+    pages: all.map((texts) => ({
+      fileName: fileOf(texts.lang),
+      html: (/** @type {string} */ styles) => pageOf(texts, picture, styles),
+    })),
+  };
+}
+
+/** The lesson, to read, as a page. @param {Texts} texts @param {string} picture @param {string} styles */
+function pageOf({ lang, page, title, note, caption, lesson }, picture, styles) {
+  const others = languageNames.filter((name) => name !== lang);
+  const links = others.map(
+    (name) =>
+      `<a class="language" lang="${name}" hreflang="${name}" href="./${fileOf(name)}">${languages[name]}</a>`,
+  );
+  return `<!doctype html>
+<html lang="${lang}">
+<head>
+  <meta charset="utf-8">
+  <meta name="viewport" content="width=device-width, initial-scale=1">
+  <meta name="color-scheme" content="light dark">
+  <meta name="description" content="${note}">
+  <title>${title} – ${page}</title>
+  ${styles}
+</head>
+<body class="to-read">
+  <header>
+    <a href="./#lesson&amp;lang=${lang}">${page}</a>
+    ${links.join('\n    ')}
+  </header>
+  <main class="instead">
+    <h1>${title}</h1>
+    <p>${note}</p>
+    <figure>${picture}<figcaption><p>${caption}</p></figcaption></figure>
+    ${lesson}
+  </main>
+</body>
+</html>
+`;
 }
 
 const place = /(<div id="instead"[^>]*>).*?(<\/div>)/s;
+/** What the built page says of its looks. */
+const looks = /<link rel="(?:stylesheet|icon)"[^>]*>/g;
 
-/** @returns {import('vite').Plugin} */
-export const instead = () => ({
+/** @param {{ isOneFile: boolean }} options @returns {import('vite').Plugin} */
+export const instead = ({ isOneFile }) => ({
   name: 'instead',
   apply: 'build',
-  transformIndexHtml: {
-    order: 'post',
-    async handler(html) {
-      if (!place.test(html)) return html;
-      const written = await writeInstead();
-      return html.replace(place, (_, begin, end) => begin + written + end);
-    },
+  enforce: 'post',
+  async generateBundle(_, bundle) {
+    const page = bundle['index.html'];
+    if (page?.type !== 'asset') return;
+    const { linked, inside, pages } = await writeInstead();
+    const html = String(page.source);
+    page.source = html.replace(place, (_, begin, end) => begin + (isOneFile ? inside : linked) + end);
+    if (isOneFile) return;
+    const styles = (html.match(looks) ?? []).join('\n  ');
+    for (const { fileName, html } of pages) this.emitFile({ type: 'asset', fileName, source: html(styles) });
   },
 });

@@ -1,5 +1,5 @@
 // The still picture: the first robots of an evolution and the best of a later generation, driven by the core.
-import { Evolution, experiment, simulateAll } from '../tests/page/harness/core.js';
+import { Evolution, experiment, simulateAll } from '../www/core/headless.js';
 
 /** @typedef {import('../pkg/ep_locomotion.js').Run} Run */
 

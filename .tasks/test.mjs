@@ -2,40 +2,88 @@
 // other begins.
 //
 //   npm test -- page               only the page, in the browsers of this machine
+//   npm test -- plane keys         only the files of tests of these names, those of the page in one browser
 //   npm test -- --require-engines  an absent browser, or Python, is a failure
+//   npm test -- --late             in the first browser every frame comes 120 ms late; alone: npm run test:late
 //   ENGINES=firefox npm test       only these browsers
+import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { findEngines } from '../tests/page/harness/engines.js';
 import { buildCore, buildSite } from './build.mjs';
 import { absentPython, findPython, finishExamples, prepareExamples } from './examples.mjs';
-import { Failure, run, runPackage, step, stopSteps, task } from './run.mjs';
+import { filesOf, lanesOf, testFiles } from './page-tests.mjs';
+import { Failure, lastChange, run, runPackage, step, stopSteps, task, top } from './run.mjs';
 import { installPackages, installTestTools, installTools } from './tools.mjs';
 
 const count = { passed: 0, failed: 0 };
 
+/** So late a frame comes on a machine with much to do. */
+const lateFrame = 120;
+
 await task(async () => {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { 'require-engines': { type: 'boolean', default: false } },
+    options: {
+      'require-engines': { type: 'boolean', default: false },
+      late: { type: 'boolean', default: false },
+    },
   });
-  const strangers = positionals.filter((name) => name !== 'page');
-  if (strangers.length > 0) throw new Failure(`npm test knows only "page", not ${strangers.join(', ')}`);
+  const late = values.late ? lateFrame : 0;
+  const names = positionals.filter((name) => name !== 'page');
+  if (names.length > 0) await testNamed(names, late);
+  else await testAll({ pageOnly: positionals.length > 0, isStrict: values['require-engines'], late });
+}).finally(() => console.log(`\n${count.passed} passed, ${count.failed} failed`));
 
+/** Files of tests by their names, with no more built than they need. @param {string[]} names @param {number} late */
+async function testNamed(names, late) {
+  const found = names.map((name) => ({
+    name,
+    page: filesOf(name),
+    rust: existsSync(join(top, 'tests', `${name}.rs`)),
+  }));
+  const strangers = found.filter(({ page, rust }) => page.length === 0 && !rust);
+  if (strangers.length > 0)
+    throw new Failure(`no file of tests is called ${strangers.map(({ name }) => name).join(', ')}`);
+  await installPackages();
+  const rust = found.filter((one) => one.rust).flatMap(({ name }) => ['--test', name]);
+  if (rust.length > 0) await step('native tests', () => counted('cargo', ['test', ...rust]));
+  const files = found.flatMap(({ page }) => page);
+  if (files.length === 0) return;
+  await installTools();
+  await buildCore();
+  // What is written last.
+  if (lastChange('dist/embed.js') < lastChange('www', 'index.html', 'pkg', '.tasks')) await buildSite();
+  const all = findEngines().found;
+  const engines = process.env.ENGINES ? all : all.slice(0, 1);
+  if (engines.some(isUndriven)) await installTestTools();
+  await testPage(namesOf(engines), files, late);
+}
+
+/** @typedef {import('../tests/page/harness/engines.js').Engine} Engine */
+
+/** @param {readonly Engine[]} engines */
+const namesOf = (engines) => engines.map(({ name }) => name);
+
+/** Whether the engine has no WebDriver, which no package ships. @param {Engine} engine */
+const isUndriven = ({ name, driver }) => name === 'firefox' && driver === null;
+
+/** @param {{ pageOnly: boolean, isStrict: boolean, late: number }} what */
+async function testAll({ pageOnly, isStrict, late }) {
   const { found, absent } = findEngines();
   const python = findPython();
   const advice = [...absent, ...(python === null ? [absentPython] : [])]
     .map(({ name, hint }) => `\nAbsent, and what needs it was not tested: ${name}; to have it: ${hint}`)
     .join('');
-  if (values['require-engines'] && advice !== '') throw new Failure(`everything is required${advice}`);
+  if (isStrict && advice !== '') throw new Failure(`everything is required${advice}`);
 
-  const undriven = found.some(({ name, driver }) => name === 'firefox' && driver === null);
-  const pageOnly = positionals.length > 0;
+  const engines = pageOnly && late > 0 ? found.slice(0, 1) : found;
+  const undriven = engines.some(isUndriven);
   await installPackages();
-  const tools = installTools({ others: true });
-  const testTools = tools.then(() => installTestTools({ geckodriver: undriven }));
+  const tools = installTools({ others: undriven });
+  const testTools = tools.then(() => (undriven ? installTestTools() : undefined));
   const sources = pageOnly ? tools : testSources();
-  const modules = Promise.all([testTools, sources]).then(() => (pageOnly ? undefined : testModule()));
+  const modules = Promise.all([tools, sources]).then(() => (pageOnly ? undefined : testModule()));
   const examples = python === null ? tools : prepareExamples(python);
   const page = tools.then(async () => {
     await buildCore();
@@ -45,11 +93,11 @@ await task(async () => {
     if (python !== null) await finishExamples();
     // What is wrong in the sources is known soon, the page's tests take the longest.
     await Promise.all([sources, testTools]);
-    await testPage(found.map(({ name }) => name));
+    await testPage(namesOf(engines), testFiles(), late);
   });
   await together([sources, testTools, modules, examples, page]);
-  console.log(`\nEngines that ran: ${found.map(({ name }) => name).join(', ') || 'none'}${advice}`);
-}).finally(() => console.log(`\n${count.passed} passed, ${count.failed} failed`));
+  console.log(`\nEngines that ran: ${namesOf(engines).join(', ') || 'none'}${advice}`);
+}
 
 /** Waits for all of them, also when one has failed, because its programs would go on alone. @param {Promise<unknown>[]} lanes */
 async function together(lanes) {
@@ -81,8 +129,14 @@ async function testSources() {
 
 /** The core as WebAssembly. With every optimisation the tests of the page run it, under Node and in the browsers. */
 async function testModule() {
-  await step('lint of the Rust for WebAssembly', () => clippy('--lib', '--target', 'wasm32-unknown-unknown'));
-  await step('the same tests as WebAssembly under Node', () => counted('wasm-pack', ['test', '--node']));
+  const target = ['--target', 'wasm32-unknown-unknown'];
+  await step('lint of the Rust for WebAssembly', () => clippy('--lib', ...target));
+  await step('the same tests as WebAssembly under Node', () =>
+    // A panic loses the instance that it happens in.
+    counted('cargo', ['test', ...target, '--test', 'wasm', '--test', 'panics'], {
+      CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner',
+    }),
+  );
   await step('the known values with every optimisation, natively', () =>
     counted('cargo', ['test', '--release', '--test', 'golden']),
   );
@@ -93,18 +147,17 @@ function testTypes() {
   return step('types of the JavaScript', () => runPackage('typescript/bin/tsc', ['-p', 'www']));
 }
 
-/** The engines side by side, for each spends much of its time waiting; beside them, once, what needs no browser. @param {string[]} engines */
-function testPage(engines) {
-  const args = ['--test-reporter=spec', join('tests', 'page', 'harness', 'every.js')];
-  return step('tests of the built page in real browsers', async () => {
-    const runs = [
-      counted(process.execPath, args, { PAGE_TESTS: 'without browsers' }),
-      ...engines.map((engine) =>
-        counted(process.execPath, args, { PAGE_TESTS: 'in browsers', ENGINES: engine }),
+const every = join('tests', 'page', 'harness', 'every.js');
+
+/** @param {Parameters<typeof lanesOf>} lanes */
+function testPage(...lanes) {
+  return step('tests of the built page in real browsers', () =>
+    together(
+      lanesOf(...lanes).map(({ files, env }) =>
+        counted(process.execPath, ['--test-reporter=spec', every, ...files], env),
       ),
-    ];
-    await together(runs);
-  });
+    ),
+  );
 }
 
 /**

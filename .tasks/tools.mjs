@@ -24,13 +24,9 @@ export async function installTools({ others = false } = {}) {
   if (!others) removeLeftovers();
 }
 
-/**
- * What only tests need.
- * @param {{ geckodriver: boolean }} also the WebDriver of Firefox
- */
-export async function installTestTools({ geckodriver }) {
-  await installWasmPack();
-  if (geckodriver) await installGeckodriver();
+/** What only tests need: the WebDriver of Firefox. */
+export async function installTestTools() {
+  await cargoInstall('geckodriver', ['--version', '0.37.1'], 'it drives Firefox in the page tests');
   removeLeftovers();
 }
 
@@ -89,16 +85,6 @@ async function installWasmBindgen() {
     options,
     `it joins the core to JavaScript, and Cargo.lock wants ${version}`,
   );
-}
-
-async function installWasmPack() {
-  const [, major, minor] = /(\d+)\.(\d+)\.\d+$/.exec(ask('wasm-pack', ['--version']) ?? '') ?? [];
-  if (Number(major) > 0 || Number(minor) >= 15) return;
-  await cargoInstall('wasm-pack', ['--version', '0.15.1'], 'it tests the core as WebAssembly');
-}
-
-async function installGeckodriver() {
-  await cargoInstall('geckodriver', ['--version', '0.37.1'], 'it drives Firefox in the page tests');
 }
 
 /**

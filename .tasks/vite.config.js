@@ -26,6 +26,6 @@ export default defineConfig(({ mode }) => ({
   },
   // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.
   worker: { format: 'iife' },
-  plugins: mode === 'offline' ? [instead(), oneFile()] : [instead()],
+  plugins: [instead({ isOneFile: mode === 'offline' }), ...(mode === 'offline' ? [oneFile()] : [])],
   ...(mode === 'element' && { build: element }),
 }));

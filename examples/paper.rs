@@ -66,7 +66,7 @@ fn best_of_seeds(preset: Preset) -> Result<(u32, Gains), InvalidInput> {
     let costs: Vec<String> = found.iter().map(|(_, best)| format!("{:.3}", best.cost)).collect();
     println!("  our EP, J of each seed: {}", costs.join("  "));
     found.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
-    Ok((found[0].0, found[0].1.gains.into()))
+    Ok((found[0].0, found[0].1.gains))
 }
 
 /// The largest |θ| of a run, in radians.

@@ -1,17 +1,19 @@
 //! The types that JavaScript sees, told from the tables of the rooms.
 
 use crate::run::{Cost, Experiment, PaperResult, Preset, Run, RunEnd, Sample};
-use crate::schema::{Columns, Field, Plain, Types};
+use crate::schema::{Columns, Field, Plain, Types, WordField};
 use crate::search::{GenerationRecord, Individual, LearningRates, Statistics};
 use crate::study::{
-    Circle, GridOfRobot, Landscape, PartsSample, RemainingError, SeedRun, SeedRuns, Stability,
+    Circle, GridOfRobot, Landscape, PartOfGrid, PartsSample, RemainingError, SeedRun, SeedRuns,
+    Stability,
 };
+use crate::theory::LawTerms;
 
 /// `src/wasm/interface.d.ts`, as it must be: `tests/types.rs` writes it, and holds that it is so.
 pub fn declarations() -> String {
     let mut types = Types::default();
     type Told = fn(&mut Types) -> String;
-    const ALL: [Told; 20] = [
+    const ALL: [Told; 23] = [
         Experiment::typescript,
         Preset::typescript,
         Run::typescript,
@@ -22,6 +24,8 @@ pub fn declarations() -> String {
         GenerationRecord::typescript,
         LearningRates::typescript,
         Landscape::typescript,
+        PartOfGrid::typescript,
+        LawTerms::typescript,
         GridOfRobot::typescript,
         Columns::<RunEnd>::typescript,
         SeedRuns::typescript,
@@ -31,6 +35,7 @@ pub fn declarations() -> String {
         Columns::<RemainingError>::typescript,
         Circle::typescript,
         Field::typescript,
+        WordField::typescript,
         PaperResult::typescript,
     ];
     for told in ALL {

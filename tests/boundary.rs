@@ -2,9 +2,9 @@
 #![cfg(target_arch = "wasm32")]
 
 use ep_locomotion::wasm::{
-    Evolution, Simulation, error_parts, evaluate, experiment, fares, fields, landscape, paper,
-    random_seed, remaining_errors, robustness, seed_runs, simulate, simulate_all, stability,
-    starts_on_circle,
+    Evolution, Simulation, error_parts, evaluate, experiment, fares, fields, landscape, law_terms,
+    paper, random_seed, remaining_errors, robustness, seed_runs, simulate, simulate_all, stability,
+    starts_on_circle, starts_on_grid, wins_bout, word_fields,
 };
 use js_sys::{Array, Float64Array, Function, JSON, Object, Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
@@ -284,10 +284,14 @@ fn an_evolution_tells_its_generations() {
         ("mutations", 20),
         ("opponents", 40),
         ("wins", 40),
+        ("ranking", 40),
         ("survivors", 20),
     ] {
         assert_eq!(Array::from(&get(&record, name)).length(), length, "{name}");
     }
+    let numbers = |name| text(&get(&record, name));
+    let survivors = numbers("survivors");
+    assert!(numbers("ranking").starts_with(survivors.trim_end_matches(']')));
     assert_eq!(Array::from(&get(&record, "parents.0.gains")).length(), 3);
     assert_eq!(number(&record, "generation"), 3.0);
     let newest = evolution.population(JsValue::UNDEFINED).expect("a population");
@@ -452,6 +456,71 @@ fn the_lyapunov_function_of_a_run_has_one_value_a_sample() {
 }
 
 #[wasm_bindgen_test]
+fn the_law_at_an_error_posture_is_told_in_its_terms() {
+    let error = "{x: 1, y: -2, theta: 0.5}";
+    let terms = law_terms(js("{}"), gains(EP), js(error)).expect("terms");
+    let (sin, cos) = (0.5_f64.sin(), 0.5_f64.cos());
+    for (path, expected) in [
+        ("command.kx.linear", EP[0] * cos),
+        ("command.kx.angular", -2.0 * EP[0] * cos),
+        ("command.ky.linear", 8.0 * EP[1] / sin),
+        ("command.ky.angular", -8.0 * EP[1] * cos / (sin * sin)),
+        ("command.ktheta.linear", 0.0),
+        ("command.ktheta.angular", EP[2] * sin),
+        ("command.reference.linear", 0.0),
+        ("command.reference.angular", 0.0),
+        ("promised.x", -EP[0] * cos * cos),
+        ("promised.y", -EP[1] * 16.0),
+        ("promised.theta", -EP[2] * sin * sin),
+    ] {
+        assert!((number(&terms, path) - expected).abs() < 1e-12, "{path}");
+    }
+    let other = js("{law: 'kanayama', referenceVelocity: {linear: 2, angular: 1}}");
+    let terms = law_terms(other, js("[1, 0, 1]"), js(error)).expect("terms");
+    assert!((number(&terms, "command.reference.linear") - 2.0 * cos).abs() < 1e-12);
+    assert_eq!(number(&terms, "command.reference.angular"), 1.0);
+    assert!(get(&terms, "promised").is_null());
+    for (given, expected) in [
+        ("{x: 1, y: 1}", "error.theta must be a finite number, but was undefined"),
+        ("{x: 1, y: Infinity, theta: 0}", "error.y must be a finite number, but was Infinity"),
+        ("[1, 1, 0]", "error must be an object, but was an array of 3"),
+    ] {
+        assert_eq!(message(law_terms(js("{}"), gains(EP), js(given))), expected);
+    }
+}
+
+#[wasm_bindgen_test]
+fn the_starts_of_a_map_and_the_bouts_of_a_tournament_are_told() {
+    let grid = "x: {from: -1, to: 1, count: 2}, y: {from: 0, to: 1, count: 2}, headings: 2";
+    let starts = |rest: &str| starts_on_grid(js(&format!("{{{grid}{rest}}}")));
+    let all = Array::from(&starts("").expect("starts"));
+    assert_eq!(all.length(), 8);
+    assert_eq!(text(&all.get(2)), "{\"x\":1,\"y\":0,\"theta\":0}");
+    assert_eq!(text(&all.get(7)), "{\"x\":1,\"y\":1,\"theta\":3.141592653589793}");
+    let part = Array::from(&starts(", part: [2, 3]").expect("starts"));
+    assert_eq!((part.length(), text(&part.get(0))), (1, text(&all.get(2))));
+    for (rest, expected) in [
+        (", part: [0, 9]", "grid.part[1] must be a whole number from 0 to 8, but was 9"),
+        (
+            ", gains: [1, 2, 3]",
+            "grid must be an object with no fields but x, y, headings, part, but was one with 'gains'",
+        ),
+    ] {
+        assert_eq!(message(starts(rest)), expected);
+    }
+    for (cost, opponent, wins) in [
+        ("1", "2", true),
+        ("2", "2", true),
+        ("2", "1", false),
+        ("Infinity", "Infinity", false),
+        ("1", "Infinity", true),
+    ] {
+        assert_eq!(wins_bout(js(cost), js(opponent)), Ok(wins), "{cost} against {opponent}");
+    }
+    assert_eq!(message(wins_bout(js("1"), js("'2'"))), "opponent must be a number, but was '2'");
+}
+
+#[wasm_bindgen_test]
 fn the_tables_are_complete() {
     assert_eq!(Array::from(&paper()).length(), 4);
     let fields = Array::from(&fields());
@@ -460,16 +529,14 @@ fn the_tables_are_complete() {
         let path = get(&field, "path").as_string().expect("a path").replace("[]", ".0");
         assert!(!get(&preset, &path).is_undefined(), "{path}");
     }
-    let numbers: Vec<bool> =
-        fields.iter().map(|field| get(&field, "words").is_undefined()).collect();
-    assert!(numbers.is_sorted_by(|a, b| a >= b), "numbers come first");
+    assert_eq!(fields.length(), 27);
     assert_eq!(Object::keys(fields.get(0).unchecked_ref::<Object>()).length(), 6);
-    let words: Vec<String> = fields.iter().skip(27).map(|field| text(&field)).collect();
+    let words: Vec<String> = Array::from(&word_fields()).iter().map(|field| text(&field)).collect();
     assert_eq!(
         words,
         [
-            "{\"path\":\"law\",\"unit\":\"\",\"words\":[\"shim-kim\",\"kanayama\"]}",
-            "{\"path\":\"disturbance.kind\",\"unit\":\"\",\"words\":[\"none\",\"random\",\"slip\"]}",
+            "{\"path\":\"law\",\"words\":[\"shim-kim\",\"kanayama\"]}",
+            "{\"path\":\"disturbance.kind\",\"words\":[\"none\",\"random\",\"slip\"]}",
         ]
     );
     let seeds = [random_seed(), random_seed(), random_seed()].map(|seed| seed.expect("a seed"));

@@ -209,6 +209,8 @@ fn a_record_adds_up() {
         for number in (0..40).filter(|number| !record.survivors.contains(number)) {
             assert!(record.tournament.wins[number as usize] <= weakest);
         }
+        assert_eq!(record.ranking, record.tournament.ranking(&costs));
+        assert_eq!(record.ranking[..20], record.survivors);
         population = record.population();
     }
     assert_eq!(population, evolution.population(30).expect("newest"));

@@ -6,7 +6,7 @@ use common::json::{Given, written};
 use common::{Random, wild};
 use ep_locomotion::robot::{DisturbanceKind, ErrorPosture, Gains, Law, Limits, Posture, Velocity};
 use ep_locomotion::run::{Experiment, Outcome, Preset, Setting};
-use ep_locomotion::schema::{Field, Input, WordField};
+use ep_locomotion::schema::{Fields, Input};
 use ep_locomotion::study::{
     Axis, Evolution, Gain, Landscape, Range, StartGrid, error_parts, on_circle, remaining_errors,
     robustness, stability,
@@ -235,8 +235,7 @@ fn rules_between_fields_are_told_in_words() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_ends_of_every_range_are_allowed_and_nothing_beyond() {
-    for field in Experiment::fields() {
-        let Field::Number(field) = field else { continue };
+    for field in Experiment::fields().numbers {
         let allowed = field.allowed();
         for value in [field.min, field.max] {
             assert!(allowed.allows(value), "{} may be {value}", field.path);
@@ -260,11 +259,10 @@ fn every_word_means_one_value_and_every_value_has_its_word() {
         set: fn(&mut Experiment, T),
         get: fn(&Experiment) -> T,
     ) {
-        let fields = Experiment::fields();
-        let field = fields.iter().find(|field| field.path() == path).expect(path);
-        let Field::Word(WordField { words, .. }) = field else { panic!("{path} is no word") };
-        assert_eq!(words.len(), all.len());
-        for (value, word) in all.iter().zip(*words) {
+        let fields = Experiment::fields().words;
+        let field = fields.iter().find(|field| field.path == path).expect(path);
+        assert_eq!(field.words.len(), all.len());
+        for (value, word) in all.iter().zip(field.words) {
             let mut experiment = Preset::VelocityLimits.experiment();
             set(&mut experiment, *value);
             let plain = written(&experiment);
@@ -304,11 +302,9 @@ fn every_field_has_its_row() {
     }
     let mut found = Vec::new();
     leaves("", &written(&Preset::VelocityLimits.experiment()), &mut found);
-    let fields = Experiment::fields();
-    let mut told: Vec<_> = fields.iter().map(|field| field.path().to_string()).collect();
-    let words = told.iter().position(|path| path == "law").expect("a word");
-    assert!(fields[..words].iter().all(|field| matches!(field, Field::Number(_))));
-    assert!(fields[words..].iter().all(|field| matches!(field, Field::Word(_))));
+    let Fields { numbers, words } = Experiment::fields();
+    let mut told: Vec<String> = numbers.into_iter().map(|field| field.path).collect();
+    told.extend(words.into_iter().map(|field| field.path));
     found.sort();
     told.sort();
     assert_eq!(found, told);

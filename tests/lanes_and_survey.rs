@@ -186,6 +186,24 @@ fn a_grid_of_starts_goes_through_headings_then_x_then_y() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn the_starts_of_a_grid_are_its_postures_in_any_parts() {
+    let part = |part| GRID.postures(part).map_err(|error| error.to_string());
+    let all: Vec<Posture> = (0..60).map(|index| GRID.posture(index)).collect();
+    assert_eq!(part([0, 60]).as_deref(), Ok(all.as_slice()));
+    assert_eq!(part([20, 22]).as_deref(), Ok(&all[20..22]));
+    assert_eq!(part([60, 60]).as_deref(), Ok(&[][..]));
+    let expected = "part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [0, 61]";
+    assert_eq!(part([0, 61]), Err(expected.into()));
+    let large = StartGrid { headings: 1024, ..GRID };
+    assert_eq!(large.postures([100, 10_100]).map(|starts| starts.len()), Ok(10_000));
+    let refused = large.postures([100, 10_101]).expect_err("too many").to_string();
+    assert_eq!(refused, "part must be at most 10000 starts in one call, but was 10001");
+    let empty = StartGrid { headings: 0, ..GRID };
+    let refused = empty.postures([0, 0]).expect_err("no heading").to_string();
+    assert_eq!(refused, "headings must be a whole number from 1 to 1024, but was 0");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn robustness_is_each_run_by_itself_in_any_parts() {
     let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
     let gains = Gains::new(3.0, 2.0, 5.0);

@@ -4,7 +4,7 @@ mod common;
 
 use common::{Random, assert_close};
 use ep_locomotion::number::{Real, SMALL_TURN, wrap};
-use ep_locomotion::robot::{ErrorPosture, Gains, Law, Limits, Posture, Velocity};
+use ep_locomotion::robot::{CommandTerms, ErrorPosture, Gains, Law, Limits, Posture, Velocity};
 use ep_locomotion::theory::{Lyapunov, lyapunov_rate_bound, lyapunov_rate_parts, robust_gains};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -158,6 +158,44 @@ fn under_the_law_the_lyapunov_rate_is_the_sum_of_three_squares() {
         {
             assert_close(part, expected, 1e-14);
         }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_terms_of_a_command_add_up_to_it_each_with_its_own_gain() {
+    let mut random = Random::new(8);
+    for _ in 0..10_000 {
+        let e = random.error();
+        let (k, r) = (random.gains(-10.0, 10.0), random.velocity(3.0));
+        for law in [Law::ShimKim, Law::Kanayama] {
+            for r in [r, Velocity::ZERO] {
+                let CommandTerms { gains: [x, y, theta], reference } = law.terms(&e, &k, r);
+                let (sum, q) = (x + y + theta + reference, law.command(&e, &k, r));
+                let scale = [x, y, theta, reference]
+                    .iter()
+                    .fold(1.0, |most: f64, v| most.max(v.linear.abs()).max(v.angular.abs()));
+                assert_close(sum.linear / scale, q.linear / scale, 1e-14);
+                assert_close(sum.angular / scale, q.angular / scale, 1e-14);
+            }
+        }
+        let terms = Law::ShimKim.terms(&e, &k, Velocity::ZERO);
+        let cube = k.y * e.y.powi(3);
+        let expected = [
+            (k.x * e.x * e.cos, k.x * e.x * e.y * e.cos),
+            (-cube / e.sin, cube * e.x * e.cos / (e.sin * e.sin)),
+            (0.0, k.theta * e.sin),
+        ];
+        for (term, (linear, angular)) in terms.gains.iter().zip(expected) {
+            assert_close(term.linear / (1.0 + linear.abs()), linear / (1.0 + linear.abs()), 1e-13);
+            assert_close(
+                term.angular / (1.0 + angular.abs()),
+                angular / (1.0 + angular.abs()),
+                1e-13,
+            );
+        }
+        assert_eq!(terms.reference, Velocity::ZERO);
+        let terms = Law::Kanayama.terms(&e, &k, r);
+        assert_eq!(terms.reference, Velocity { linear: r.linear * e.cos, angular: r.angular });
     }
 }
 

@@ -2,7 +2,8 @@
 
 use crate::number::Real;
 use crate::schema::{
-    Allowed, Field, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, shown,
+    Allowed, Fields, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, shown,
+    too_many,
 };
 
 /// The three gains k = (kx, ky, kθ) that evolution looks for. Theorem 1 holds for positive ones.
@@ -76,17 +77,14 @@ fn gain_name(index: usize) -> String {
 fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>, S::Error> {
     const MOST: usize = 3 * MAX_TRIPLES;
     let place = Place::Named("gains");
-    if let Some(numbers) = given.column(MOST)? {
-        return match numbers.len() {
-            0..=MOST => Ok(numbers),
-            count => Err(too_many(count).into()),
-        };
+    if let Some(numbers) = given.column(place, MOST)? {
+        return Ok(numbers);
     }
     let Some(count) = given.length(true)? else {
         return Err(refused(given, place, "a Float64Array or an array of numbers"));
     };
     if count > MOST {
-        return Err(too_many(count).into());
+        return Err(too_many(place, MOST, count).into());
     }
     let number = |i| {
         let mut number = 0.0;
@@ -95,21 +93,6 @@ fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>, S::Error> {
         Ok(number)
     };
     (0..count).map(number).collect()
-}
-
-fn too_many(count: usize) -> InvalidInput {
-    let expected = format!("at most {} numbers", 3 * MAX_TRIPLES);
-    InvalidInput::new("gains", expected, format!("{count} numbers"))
-}
-
-impl Plain for Gains {
-    fn typescript(_: &mut Types) -> String {
-        "[number, number, number]".into()
-    }
-
-    fn write<W: Writer>(&self, to: &W) -> W::Value {
-        self.to_array().write(to)
-    }
 }
 
 /// Gains as they are given: triples one after the other.
@@ -135,7 +118,7 @@ impl Plain for Triples {
 
 /// Wherever they stand, they are spoken of as the gains.
 impl Input for Gains {
-    fn fields(_: &str, _: &Allowed, _: &mut Vec<Field>) {}
+    fn fields(_: &str, _: &Allowed, _: &mut Fields) {}
 
     fn check(&self, _: Place<'_>, _: &Allowed) -> Result<(), InvalidInput> {
         Ok(())

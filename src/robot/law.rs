@@ -4,7 +4,7 @@ use super::error::ErrorPosture;
 use super::gains::Gains;
 use super::posture::Velocity;
 use crate::number::Real;
-use crate::schema::words;
+use crate::schema::{told, words};
 
 words! { input
     /// The control law: how the commanded velocity follows from the error posture.
@@ -67,5 +67,47 @@ impl Law {
                 }
             }
         }
+    }
+}
+
+/// A command by what asks for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CommandTerms {
+    /// What kx, ky and kθ ask for.
+    pub gains: [Velocity; 3],
+    /// What the reference velocity asks for by itself.
+    pub reference: Velocity,
+}
+
+told! {
+    /// What each gain asks for, and the reference velocity by itself: the command is their sum, up to rounding.
+    CommandTerms: CommandTerms {
+        /// What kx asks for.
+        "kx" => |terms| terms.gains[0],
+        /// What ky asks for.
+        "ky" => |terms| terms.gains[1],
+        /// What kθ asks for.
+        "ktheta" => |terms| terms.gains[2],
+        /// What the reference velocity asks for.
+        "reference" => |terms| terms.reference,
+    }
+}
+
+impl Law {
+    /// The terms of [`Law::command`], which is their sum, up to rounding.
+    ///
+    /// Both laws are linear in their gains: a term is what the command is with this gain alone, less what it is with none.
+    pub fn terms(self, e: &ErrorPosture, k: &Gains, r: Velocity) -> CommandTerms {
+        let reference = self.command(e, &Gains::new(0.0, 0.0, 0.0), r);
+        let term = |alone: Gains| {
+            let asked = self.command(e, &alone, r);
+            Velocity {
+                linear: asked.linear - reference.linear,
+                angular: asked.angular - reference.angular,
+            }
+        };
+        let gains =
+            [Gains::new(k.x, 0.0, 0.0), Gains::new(0.0, k.y, 0.0), Gains::new(0.0, 0.0, k.theta)];
+        CommandTerms { gains: gains.map(term), reference }
     }
 }

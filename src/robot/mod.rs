@@ -17,7 +17,7 @@ mod disturbance;
 pub use disturbance::{Disturbance, DisturbanceKind};
 pub use error::ErrorPosture;
 pub use gains::Gains;
-pub use law::{Law, SMALLEST_DIVISOR};
+pub use law::{CommandTerms, Law, SMALLEST_DIVISOR};
 pub use limits::Limits;
 pub use posture::{METRES, Posture, Velocity};
 

@@ -1,7 +1,7 @@
 //! Postures and velocities: equation (1).
 
 use crate::number::Real;
-use crate::schema::{Allowed, Field, Input, InvalidInput, Place, Source, record, refused};
+use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Source, record, refused};
 
 /// Coordinates beyond a kilometre lose the millimetres of a goal next to them, and no lesson needs them.
 pub const METRES: Allowed = Allowed::within("m", -1000.0, 1000.0);
@@ -55,7 +55,7 @@ impl<S: Real> core::ops::Add for Velocity<S> {
 
 /// Start postures, as many as `allowed` counts: a list of them, or their numbers (x, y, θ) side by side.
 impl Input for Vec<Posture> {
-    fn fields(path: &str, allowed: &Allowed, rows: &mut Vec<Field>) {
+    fn fields(path: &str, allowed: &Allowed, rows: &mut Fields) {
         Posture::fields(&format!("{path}[]"), allowed, rows);
     }
 
@@ -77,7 +77,7 @@ impl Input for Vec<Posture> {
     ) -> Result<(), S::Error> {
         let most = allowed.max as usize;
         let expected = || format!("an array of {} to {most}", allowed.min);
-        if let Some(numbers) = given.column(3 * most)? {
+        if let Some(numbers) = given.column(place, 3 * most)? {
             let postures = numbers.chunks_exact(3);
             if !postures.remainder().is_empty() {
                 let expected = "three numbers (x, y, θ) for each posture";

@@ -2,7 +2,7 @@
 
 use super::cost::Weights;
 use crate::robot::{Disturbance, DisturbanceKind, Law, Limits, Posture, Velocity};
-use crate::schema::{Allowed, Field, Input, InvalidInput, Place, Source, record, shown};
+use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Source, record, shown};
 use crate::search::EvolutionSettings;
 
 /// Most start postures.
@@ -22,7 +22,7 @@ record! { input (Copy)
 
 record! { input
     /// Everything that defines a run. The same experiment gives the same bits on every machine. Every number's range is in
-    /// `fields()`.
+    /// `fields()`, every word in `wordFields()`.
     pub struct Experiment {
         /// The control law: (5) of the paper, or the rule of Kanayama et al. (1990).
         pub law: Law => "law",
@@ -56,15 +56,11 @@ impl Experiment {
         Input::read(self, given, Place::Experiment, &Allowed::ANY)
     }
 
-    /// The range of every number of an experiment, then every field that is one of a few words.
-    pub fn fields() -> Vec<Field> {
-        let mut fields = Vec::new();
+    /// The range of every number of an experiment, and every field that is one of a few words.
+    pub fn fields() -> Fields {
+        let mut fields = Fields::default();
         <Self as Input>::fields("", &Allowed::ANY, &mut fields);
-        // Those of the same kind stay in their order.
-        let (mut numbers, words): (Vec<_>, Vec<_>) =
-            fields.into_iter().partition(|field| matches!(field, Field::Number(_)));
-        numbers.extend(words);
-        numbers
+        fields
     }
 
     /// Samples until the horizon: the first n with n · sample_time ≥ horizon.

@@ -36,6 +36,7 @@ pub use setting::Setting;
 pub use trajectory::Run;
 pub use work::{MAX_BYTES, MAX_WORK};
 
+#[cfg(target_arch = "wasm32")] // natively an episode keeps its setting
 pub(crate) use episode::EpisodeState;
 pub(crate) use runs::Departure;
 pub(crate) use work::Work;

@@ -53,7 +53,7 @@ const COLUMNS: usize = 13;
 
 impl Setting {
     /// Refuses more whole runs in one call than it may give back.
-    pub(crate) fn check_runs(&self, count: usize) -> Result<(), InvalidInput> {
+    pub fn check_runs(&self, count: usize) -> Result<(), InvalidInput> {
         let field = "the number of gain triples";
         let bytes = (COLUMNS * size_of::<f64>()) as f64 * (f64::from(self.samples()) + 1.0);
         Work { field, count: count as f64, starts: 1, bytes }.check(self.experiment())

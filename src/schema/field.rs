@@ -1,13 +1,11 @@
-//! The rows of `fields()`.
+//! The rows of `fields()` and `wordFields()`.
 
 use super::allowed::Allowed;
-use super::plain::{Plain, Writer};
 use super::record::record;
-use super::types::Types;
 
 record! {
     /// The range of one numeric field of an experiment.
-    pub struct NumberField {
+    pub struct Field {
         /// Where it stands in the experiment; `[]` means each element.
         pub path: String => "path",
         /// Empty for a pure number.
@@ -23,7 +21,7 @@ record! {
     }
 }
 
-impl NumberField {
+impl Field {
     /// Which numbers it may be.
     pub fn allowed(&self) -> Allowed {
         let Self { unit, min, max, integer, nullable, .. } = *self;
@@ -36,43 +34,16 @@ record! {
     pub struct WordField {
         /// Where it stands in the experiment.
         pub path: String => "path",
-        /// Always empty: a word has none.
-        pub unit: &'static str => "unit",
         /// What it may be.
         pub words: &'static [&'static str] => "words",
     }
 }
 
-/// One field of an experiment.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Field {
-    /// A number, or each number of a list.
-    Number(NumberField),
-    /// One of a few words.
-    Word(WordField),
-}
-
-impl Field {
-    /// Where it stands in the experiment; `[]` means each element.
-    pub fn path(&self) -> &str {
-        match self {
-            Self::Number(field) => &field.path,
-            Self::Word(field) => &field.path,
-        }
-    }
-}
-
-impl Plain for Field {
-    fn typescript(types: &mut Types) -> String {
-        let kinds = [NumberField::typescript(types), WordField::typescript(types)].join(" | ");
-        let about = "One field of an experiment: a word if `'words' in field`, else a number.";
-        types.alias("Field", &[about], &kinds)
-    }
-
-    fn write<W: Writer>(&self, to: &W) -> W::Value {
-        match self {
-            Self::Number(field) => field.write(to),
-            Self::Word(field) => field.write(to),
-        }
-    }
+/// The rows for a plain object, each kind in its order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Fields {
+    /// Every number, or each number of a list.
+    pub numbers: Vec<Field>,
+    /// Every word.
+    pub words: Vec<WordField>,
 }

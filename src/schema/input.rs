@@ -3,14 +3,14 @@
 //! Reading looks at what a value is; whether a number is in its range is checked once, afterwards, by [`Input::check`].
 
 use super::allowed::{Allowed, InvalidInput};
-use super::field::{Field, NumberField};
+use super::field::{Field, Fields};
 use super::place::Place;
 use super::plain::Plain;
 
 /// A value that can be read from its plain form.
 pub trait Input: Plain {
     /// Adds a row for every number and word in it.
-    fn fields(path: &str, allowed: &Allowed, rows: &mut Vec<Field>);
+    fn fields(path: &str, allowed: &Allowed, rows: &mut Fields);
 
     /// Refuses numbers that are not allowed.
     fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<(), InvalidInput>;
@@ -39,8 +39,8 @@ pub trait Source: Sized {
     fn truth(&self) -> Option<bool>;
     /// The text that it is.
     fn text(&self) -> Option<String>;
-    /// The numbers that it is, side by side.
-    fn column(&self, most: usize) -> Result<Option<Vec<f64>>, Self::Error>;
+    /// The numbers that it is, side by side; refused if they are more than allowed.
+    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, Self::Error>;
     /// How many elements it has, if it is a list; also one of numbers side by side, if those may be.
     fn length(&self, columns: bool) -> Result<Option<usize>, Self::Error>;
     /// The element with this index.
@@ -72,6 +72,12 @@ pub(crate) fn refused<S: Source>(
     InvalidInput::new(place.to_string(), expected, given.description()).into()
 }
 
+/// The error that says how many numbers there may be.
+pub(crate) fn too_many(place: Place<'_>, most: usize, count: usize) -> InvalidInput {
+    let (expected, found) = (format!("at most {most} numbers"), format!("{count} numbers"));
+    InvalidInput::new(place.to_string(), expected, found)
+}
+
 /// Refuses anything but an object with no fields but these.
 pub(crate) fn read_object<S: Source>(
     given: &S,
@@ -88,13 +94,13 @@ pub(crate) fn read_object<S: Source>(
     }
 }
 
-fn number_field(path: &str, allowed: &Allowed, rows: &mut Vec<Field>) {
+fn number_field(path: &str, allowed: &Allowed, rows: &mut Fields) {
     let Allowed { unit, min, max, integer, nullable } = *allowed;
-    rows.push(Field::Number(NumberField { path: path.into(), unit, min, max, integer, nullable }));
+    rows.numbers.push(Field { path: path.into(), unit, min, max, integer, nullable });
 }
 
 impl Input for f64 {
-    fn fields(path: &str, allowed: &Allowed, rows: &mut Vec<Field>) {
+    fn fields(path: &str, allowed: &Allowed, rows: &mut Fields) {
         number_field(path, allowed, rows);
     }
 
@@ -114,7 +120,7 @@ impl Input for f64 {
 }
 
 impl Input for u32 {
-    fn fields(path: &str, allowed: &Allowed, rows: &mut Vec<Field>) {
+    fn fields(path: &str, allowed: &Allowed, rows: &mut Fields) {
         number_field(path, allowed, rows);
     }
 
@@ -135,7 +141,7 @@ impl Input for u32 {
 }
 
 impl Input for Option<f64> {
-    fn fields(path: &str, allowed: &Allowed, rows: &mut Vec<Field>) {
+    fn fields(path: &str, allowed: &Allowed, rows: &mut Fields) {
         number_field(path, allowed, rows);
     }
 
@@ -155,7 +161,7 @@ impl Input for Option<f64> {
 }
 
 impl Input for bool {
-    fn fields(_: &str, _: &Allowed, _: &mut Vec<Field>) {}
+    fn fields(_: &str, _: &Allowed, _: &mut Fields) {}
 
     fn check(&self, _: Place<'_>, _: &Allowed) -> Result<(), InvalidInput> {
         Ok(())
@@ -173,7 +179,7 @@ impl Input for bool {
 }
 
 impl<T: Input, const N: usize> Input for [T; N] {
-    fn fields(path: &str, allowed: &Allowed, rows: &mut Vec<Field>) {
+    fn fields(path: &str, allowed: &Allowed, rows: &mut Fields) {
         T::fields(&format!("{path}[]"), allowed, rows);
     }
 

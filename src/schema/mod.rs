@@ -21,13 +21,13 @@ mod field;
 mod input;
 
 pub use allowed::{Allowed, InvalidInput};
-pub use field::{Field, NumberField, WordField};
+pub use field::{Field, Fields, WordField};
 pub use input::{Input, Keys, Source};
 pub use place::Place;
 pub use plain::{Column, Columns, Flags, Plain, Writer};
 pub use types::{Declared, Types};
 
 pub(crate) use allowed::shown;
-pub(crate) use input::{read_object, refused};
+pub(crate) use input::{read_object, refused, too_many};
 pub(crate) use record::{record, told};
 pub(crate) use words::words;

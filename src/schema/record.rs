@@ -28,13 +28,13 @@ macro_rules! record {
             fn fields(
                 path: &str,
                 _: &crate::schema::Allowed,
-                rows: &mut Vec<crate::schema::Field>,
+                rows: &mut crate::schema::Fields,
             ) {
                 fn of<T: crate::schema::Input>(
                     _: fn(&$name) -> &T,
                     path: &str,
                     allowed: &crate::schema::Allowed,
-                    rows: &mut Vec<crate::schema::Field>,
+                    rows: &mut crate::schema::Fields,
                 ) {
                     T::fields(path, allowed, rows);
                 }

@@ -9,11 +9,10 @@ macro_rules! words {
             fn fields(
                 path: &str,
                 _: &crate::schema::Allowed,
-                rows: &mut Vec<crate::schema::Field>,
+                rows: &mut crate::schema::Fields,
             ) {
-                let field =
-                    crate::schema::WordField { path: path.into(), unit: "", words: Self::WORDS };
-                rows.push(crate::schema::Field::Word(field));
+                let words = Self::WORDS;
+                rows.words.push(crate::schema::WordField { path: path.into(), words });
             }
 
             fn check(

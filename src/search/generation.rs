@@ -23,7 +23,9 @@ pub struct GenerationRecord {
     pub mutations: Vec<Mutation>,
     /// Whom each of the 2N solutions met, and how many bouts it won.
     pub tournament: Tournament,
-    /// The numbers of those that survive, best ranked first.
+    /// The numbers of all, best ranked first.
+    pub ranking: Vec<u32>,
+    /// The numbers of those that survive, best ranked first: the first N of the ranking.
     pub survivors: Vec<u32>,
 }
 
@@ -43,6 +45,8 @@ told! {
         "opponents" => |record| &record.tournament.opponents,
         /// For each of the 2N solutions, how many bouts it won.
         "wins" => |record| &record.tournament.wins,
+        /// All of them, best ranked first: most wins first, then lower J, then lower number.
+        "ranking" => |record| &record.ranking,
         /// The N that survive, best ranked first.
         "survivors" => |record| &record.survivors,
     }
@@ -96,9 +100,17 @@ impl Brood {
         let costs: Vec<f64> = parents.iter().chain(&offspring).map(|i| i.cost).collect();
         let mut rng = stream(e.seed, Purpose::Tournament, generation);
         let tournament = Tournament::hold(&costs, e.opponents, &mut rng);
-        let mut survivors = tournament.ranking(&costs);
-        survivors.truncate(parents.len());
-        GenerationRecord { generation, parents, offspring, mutations, tournament, survivors }
+        let ranking = tournament.ranking(&costs);
+        let survivors = ranking[..parents.len()].to_vec();
+        GenerationRecord {
+            generation,
+            parents,
+            offspring,
+            mutations,
+            tournament,
+            ranking,
+            survivors,
+        }
     }
 }
 
@@ -108,14 +120,15 @@ fn by_cost(population: &[Individual]) -> Vec<u32> {
 }
 
 fn founded(parents: Vec<Individual>) -> GenerationRecord {
-    let survivors = by_cost(&parents);
+    let ranking = by_cost(&parents);
     GenerationRecord {
         generation: 0,
         parents,
         offspring: Vec::new(),
         mutations: Vec::new(),
         tournament: Tournament::default(),
-        survivors,
+        survivors: ranking.clone(),
+        ranking,
     }
 }
 

@@ -5,7 +5,7 @@ use super::starts::{MAX_AXIS_COUNT, Range};
 use crate::robot::{Gains, Triples};
 use crate::run::{Cost, Setting, Work};
 use crate::schema::{
-    Allowed, Field, Input, InvalidInput, Place, Source, read_object, refused, shown, told, words,
+    Allowed, Fields, Input, InvalidInput, Place, Source, read_object, refused, shown, told, words,
 };
 
 words! {
@@ -32,7 +32,7 @@ impl Gain {
 
 /// kθ may be written with its letter.
 impl Input for Gain {
-    fn fields(_: &str, _: &Allowed, _: &mut Vec<Field>) {}
+    fn fields(_: &str, _: &Allowed, _: &mut Fields) {}
 
     fn check(&self, _: Place<'_>, _: &Allowed) -> Result<(), InvalidInput> {
         Ok(())

@@ -20,10 +20,10 @@ mod remaining;
 
 pub use history::Evolution;
 pub use landscape::{Axis, Gain, Landscape};
-pub use remaining::{PartsSample, RemainingError, error_parts, remaining_errors};
+pub use remaining::{
+    PartsSample, RemainingError, check_error_parts, error_parts, remaining_errors,
+};
 pub use robustness::{fares, robustness};
 pub use seeds::{SeedRun, SeedRuns, seed_runs};
 pub use stability::{Stability, StabilitySample, stability};
-pub use starts::{Circle, GridOfRobot, MAX_AXIS_COUNT, Range, StartGrid, on_circle};
-
-pub(crate) use remaining::check_error_parts;
+pub use starts::{Circle, GridOfRobot, MAX_AXIS_COUNT, PartOfGrid, Range, StartGrid, on_circle};

@@ -36,7 +36,7 @@ told! {
 const COLUMNS: usize = 5;
 
 /// Refuses to tell the parts of the error of more runs than fit in the memory.
-pub(crate) fn check_error_parts(setting: &Setting) -> Result<(), InvalidInput> {
+pub fn check_error_parts(setting: &Setting) -> Result<(), InvalidInput> {
     let bytes = (COLUMNS * size_of::<f64>()) as f64 * (f64::from(setting.samples()) + 1.0);
     check_starts(setting, bytes)
 }

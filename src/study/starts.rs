@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use rand::RngExt;
 
-use super::part::read_part;
+use super::part::{read_part, validate_part};
 use crate::number::{Purpose, stream, wrap};
 use crate::robot::{Gains, METRES, Posture, Triples};
 use crate::run::MAX_STARTS;
@@ -137,6 +137,17 @@ impl StartGrid {
         }
     }
 
+    /// The postures with index in [first, end); the error says how many are allowed.
+    pub fn postures(&self, part: [u32; 2]) -> Result<Vec<Posture>, InvalidInput> {
+        self.validate()?;
+        let [first, end] = validate_part("part", part, self.most())?;
+        if end - first > MAX_STARTS {
+            let expected = format!("at most {MAX_STARTS} starts in one call");
+            return Err(InvalidInput::new("part", expected, (end - first).to_string()));
+        }
+        Ok((first..end).map(|index| self.posture(index)).collect())
+    }
+
     pub(crate) fn validate(&self) -> Result<(), InvalidInput> {
         for (name, range) in [("x", self.x), ("y", self.y)] {
             range.validate(name)?;
@@ -148,41 +159,64 @@ impl StartGrid {
     }
 }
 
+/// A grid, and which of its starts are asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PartOfGrid {
+    /// The grid.
+    pub grid: StartGrid,
+    /// Which of its starts [first, end).
+    pub part: [u32; 2],
+}
+
+told! {
+    /// Start postures at every position of a grid, with `headings` headings each, evenly around the circle from 0.
+    Grid: PartOfGrid {
+        /// Metres.
+        "x" => |given| given.grid.x,
+        /// Metres.
+        "y" => |given| given.grid.y,
+        /// How many headings at each position.
+        "headings" => |given| given.grid.headings,
+        /// The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y.
+        "part" optional => |given| given.part,
+    }
+}
+
 /// A robot, and the grid from which it is to start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridOfRobot {
     /// Its gains.
     pub gains: Gains,
     /// Where it starts.
-    pub grid: StartGrid,
-    /// Which of the starts [first, end).
-    pub part: [u32; 2],
+    pub starts: PartOfGrid,
 }
 
 told! {
-    /// Start postures at every position of a grid, with `headings` headings each, evenly around the circle from 0.
+    /// The starts of a grid, and the gains of the robot that drives from them.
     StartGrid: GridOfRobot {
-        /// The gains of the robot that starts there.
-        "gains" => |one| Triples::from(one.gains),
         /// Metres.
-        "x" => |one| &one.grid.x,
+        "x" => |given| given.starts.grid.x,
         /// Metres.
-        "y" => |one| &one.grid.y,
+        "y" => |given| given.starts.grid.y,
         /// How many headings at each position.
-        "headings" => |one| one.grid.headings,
-        /// The starts [first, end) to drive from; all when left out. All headings of a position stand together, then x varies,
-        /// then y.
-        "part" optional => |one| one.part,
+        "headings" => |given| given.starts.grid.headings,
+        /// The starts [first, end) to drive from; all when left out, in the order of `Grid`.
+        "part" optional => |given| given.starts.part,
+        /// The gains of the robot.
+        "gains" => |given| Triples::from(given.gains),
     }
 }
 
-impl GridOfRobot {
-    /// A robot, a grid, and which of its starts are asked for.
+impl PartOfGrid {
+    /// A grid, and which of its starts are asked for.
     pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+        read_object(given, Place::Named("grid"), &["x", "y", "headings", "part"])?;
+        Self::read_fields(given)
+    }
+
+    fn read_fields<S: Source>(given: &S) -> Result<Self, S::Error> {
         let place = Place::Named("grid");
-        read_object(given, place, &["gains", "x", "y", "headings", "part"])?;
         let at = |name| Place::Field(&place, name);
-        let gains = Gains::read_one(&given.field("gains")?)?;
         let none = Range { from: 0.0, to: 0.0, count: 0 };
         let mut grid = StartGrid { x: none, y: none, headings: 0 };
         for (name, range) in [("x", &mut grid.x), ("y", &mut grid.y)] {
@@ -193,6 +227,15 @@ impl GridOfRobot {
         grid.headings.read(&given.field("headings")?, at("headings"), &headings)?;
         grid.headings.check(at("headings"), &headings)?;
         let part = read_part(&given.field("part")?, at("part"), grid.most())?;
-        Ok(Self { gains, grid, part })
+        Ok(Self { grid, part })
+    }
+}
+
+impl GridOfRobot {
+    /// A robot, a grid, and which of its starts are asked for.
+    pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+        read_object(given, Place::Named("grid"), &["gains", "x", "y", "headings", "part"])?;
+        let gains = Gains::read_one(&given.field("gains")?)?;
+        Ok(Self { gains, starts: PartOfGrid::read_fields(given)? })
     }
 }

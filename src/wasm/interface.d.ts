@@ -2,7 +2,7 @@
 /// <reference lib="esnext.disposable" />
 /**
  * Everything that defines a run. The same experiment gives the same bits on every machine. Every number's range is in
- * `fields()`.
+ * `fields()`, every word in `wordFields()`.
  */
 export interface Experiment {
   /** The control law: (5) of the paper, or the rule of Kanayama et al. (1990). */
@@ -237,6 +237,8 @@ export interface GenerationRecord {
   opponents: number[][];
   /** For each of the 2N solutions, how many bouts it won. */
   wins: number[];
+  /** All of them, best ranked first: most wins first, then lower J, then lower number. */
+  ranking: number[];
   /** The N that survive, best ranked first. */
   survivors: number[];
 }
@@ -288,19 +290,14 @@ export type Gain = 'kx' | 'ky' | 'ktheta';
 /** Three gains (kx, ky, kθ), or such triples one after the other: at most a million in one call. */
 export type Gains = Float64Array | readonly number[];
 /** Start postures at every position of a grid, with `headings` headings each, evenly around the circle from 0. */
-export interface StartGrid {
-  /** The gains of the robot that starts there. */
-  gains: Gains;
+export interface Grid {
   /** Metres. */
   x: Range;
   /** Metres. */
   y: Range;
   /** How many headings at each position. */
   headings: number;
-  /**
-   * The starts [first, end) to drive from; all when left out. All headings of a position stand together, then x varies,
-   * then y.
-   */
+  /** The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y. */
   part?: [number, number];
 }
 /** `count` values from `from` to `to`, evenly spaced. */
@@ -311,6 +308,40 @@ export interface Range {
   to: number;
   /** How many. */
   count: number;
+}
+/** What the control law makes of an error posture. */
+export interface LawTerms {
+  /** What each gain asks for, and the reference velocity by itself: the command is their sum, up to rounding. */
+  command: CommandTerms;
+  /**
+   * The parts of dV/dt on x_e, y_e and θ_e that the law promises for its command, m²/s, as in `Stability`. Null where
+   * nothing is promised.
+   */
+  promised: Posture | null;
+}
+/** What each gain asks for, and the reference velocity by itself: the command is their sum, up to rounding. */
+export interface CommandTerms {
+  /** What kx asks for. */
+  kx: Velocity;
+  /** What ky asks for. */
+  ky: Velocity;
+  /** What kθ asks for. */
+  ktheta: Velocity;
+  /** What the reference velocity asks for. */
+  reference: Velocity;
+}
+/** The starts of a grid, and the gains of the robot that drives from them. */
+export interface StartGrid {
+  /** Metres. */
+  x: Range;
+  /** Metres. */
+  y: Range;
+  /** How many headings at each position. */
+  headings: number;
+  /** The starts [first, end) to drive from; all when left out, in the order of `Grid`. */
+  part?: [number, number];
+  /** The gains of the robot. */
+  gains: Gains;
 }
 /** One value for each start of a grid, or of an experiment. */
 export interface Robustness {
@@ -424,7 +455,7 @@ export interface Circle {
   seed: number;
 }
 /** The range of one numeric field of an experiment. */
-export interface NumberField {
+export interface Field {
   /** Where it stands in the experiment; `[]` means each element. */
   path: string;
   /** Empty for a pure number. */
@@ -442,13 +473,9 @@ export interface NumberField {
 export interface WordField {
   /** Where it stands in the experiment. */
   path: string;
-  /** Always empty: a word has none. */
-  unit: string;
   /** What it may be. */
   words: string[];
 }
-/** One field of an experiment: a word if `'words' in field`, else a number. */
-export type Field = NumberField | WordField;
 /** What the paper states of one of its experiments. */
 export interface PaperResult {
   /** The experiment. */

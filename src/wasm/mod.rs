@@ -16,8 +16,8 @@ use self::write::plain;
 use crate::robot::Gains;
 use crate::run::{EpisodeState, Experiment, PAPER_RESULTS, Preset, Setting};
 use crate::schema::shown;
-use crate::search::LearningRates;
-use crate::study::{self, Circle};
+use crate::search::{self, LearningRates};
+use crate::study::{self, Circle, PartOfGrid};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("interface.d.ts");
@@ -82,6 +82,9 @@ of_experiment! {
     landscape as "landscape"(landscape: "Landscape") -> "Float64Array";
     /// How a robot with these gains fares from many starts: positions on a grid, each with several headings.
     robustness as "robustness"(grid: "StartGrid") -> "Robustness";
+    /// What the control law of the experiment makes of an error posture (3): the terms of its command, and the rate of V that it
+    /// promises.
+    law_terms as "lawTerms"(gains: "Gains", error: "Posture") -> "LawTerms";
     /// How one robot fares from each of the experiment's starts: J, t_f and whether it arrives.
     fares as "fares"(gains: "Gains") -> "Robustness";
     /// The Lyapunov function of one run from `starts[start]` (0 if left out): what the law promises of it, and what becomes of that.
@@ -106,10 +109,35 @@ pub fn starts_on_circle(
     Ok(plain(&Circle::read(&Given(circle))?.starts()?))
 }
 
-/// Every number of an experiment with its unit and range, then every field that is one of a few words.
+/// The starts of `robustness` on the same grid, in their order: at most 10 000 in one call.
+#[wasm_bindgen(js_name = "startsOnGrid", unchecked_return_type = "Posture[]")]
+pub fn starts_on_grid(
+    #[wasm_bindgen(unchecked_param_type = "Grid")] grid: JsValue,
+) -> Result<JsValue> {
+    let PartOfGrid { grid, part } = PartOfGrid::read(&Given(grid))?;
+    Ok(plain(&grid.postures(part)?))
+}
+
+/// Whether the tournament gives a bout to the solution with this J over one with that: the lower or the same J wins, and
+/// one that is not finite never does.
+#[wasm_bindgen(js_name = "winsBout")]
+pub fn wins_bout(
+    #[wasm_bindgen(unchecked_param_type = "number")] cost: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "number")] opponent: JsValue,
+) -> Result<bool> {
+    Ok(search::wins_bout(number(cost, "cost")?, number(opponent, "opponent")?))
+}
+
+/// Every number of an experiment with its unit and range.
 #[wasm_bindgen(unchecked_return_type = "Field[]")]
 pub fn fields() -> JsValue {
-    plain(&Experiment::fields())
+    plain(&Experiment::fields().numbers)
+}
+
+/// Every field of an experiment that is one of a few words, with the words.
+#[wasm_bindgen(js_name = "wordFields", unchecked_return_type = "WordField[]")]
+pub fn word_fields() -> JsValue {
+    plain(&Experiment::fields().words)
 }
 
 /// The results that the paper prints.

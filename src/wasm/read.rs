@@ -5,8 +5,7 @@ use wasm_bindgen::prelude::*;
 
 use super::write::named;
 use crate::run::{Experiment, Preset, Setting};
-use crate::schema::{Allowed, InvalidInput, Keys, Source, refused, shown};
-use crate::schema::{Input, Place};
+use crate::schema::{Allowed, Input, InvalidInput, Keys, Place, Source, refused, shown, too_many};
 
 /// What js-sys has too, but there an exception would leave the core in the middle of a function: each time, what that
 /// has on the stack would be lost. Proxies and getters can throw everywhere.
@@ -80,19 +79,23 @@ impl Source for Given {
         self.0.as_string()
     }
 
-    fn column(&self, most: usize) -> Result<Option<Vec<f64>>, JsValue> {
+    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, JsValue> {
         if !self.0.is_instance_of::<Float64Array>() {
             return Ok(None);
         }
-        let refused =
-            |_| refused(self, Place::Named("gains"), "a Float64Array or an array of numbers");
+        let refused = |_| refused(self, place, "a Float64Array or an array of numbers");
         let copy = caught::Copy::of(&self.0).map_err(refused)?;
         let copy: &Float64Array = copy.unchecked_ref();
-        Ok(Some(copy.subarray(0, most as u32 + 1).to_vec()))
+        let count = copy.length() as usize;
+        if count > most {
+            return Err(too_many(place, most, count).into());
+        }
+        Ok(Some(copy.to_vec()))
     }
 
     fn length(&self, columns: bool) -> Result<Option<usize>, JsValue> {
-        if !is_array(&self.0) && !(columns && ArrayBuffer::is_view(&self.0)) {
+        let is_list = is_array(&self.0) || (columns && ArrayBuffer::is_view(&self.0));
+        if !is_list {
             return Ok(None);
         }
         Ok(length(&self.0)?.as_f64().map(|length| length as usize))

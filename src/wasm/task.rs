@@ -7,9 +7,10 @@ use super::Result;
 use super::read::{Given, number, setting, start};
 use super::write::plain;
 use crate::robot::Gains;
-use crate::run::Setting;
+use crate::run::{Experiment, Setting};
 use crate::schema::Columns;
 use crate::study::{self, GridOfRobot, Landscape, SeedRuns};
+use crate::theory::{LawTerms, read_error};
 
 /// An experiment that is read once. Its methods are the functions of the same names without their first argument.
 #[wasm_bindgen]
@@ -80,8 +81,15 @@ methods! {
     })
     /// How a robot with these gains fares from many starts: positions on a grid, each with several headings.
     robustness as "robustness"(|setting, grid: "StartGrid"| -> "Robustness" {
-        let GridOfRobot { gains, grid, part } = GridOfRobot::read(&Given(grid))?;
-        Ok(plain(&Columns(&study::robustness(setting, gains, &grid, part)?)))
+        let GridOfRobot { gains, starts } = GridOfRobot::read(&Given(grid))?;
+        Ok(plain(&Columns(&study::robustness(setting, gains, &starts.grid, starts.part)?)))
+    })
+    /// What the control law makes of an error posture (3): the terms of its command, and the rate of V that it promises.
+    law_terms as "lawTerms"(|setting, gains: "Gains", error: "Posture"| -> "LawTerms" {
+        let Experiment { law, reference_velocity, .. } = setting.experiment();
+        let gains = Gains::read_one(&Given(gains))?;
+        let error = read_error(&Given(error))?;
+        Ok(plain(&LawTerms::new(*law, &error, &gains, *reference_velocity)))
     })
     /// How one robot fares from each of the experiment's starts: J, t_f and whether it arrives.
     fares as "fares"(|setting, gains: "Gains"| -> "Robustness" {

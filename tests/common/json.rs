@@ -1,6 +1,6 @@
 //! Plain values as JSON: what the boundary does with JavaScript's.
 
-use ep_locomotion::schema::{InvalidInput, Keys, Plain, Source, Writer};
+use ep_locomotion::schema::{InvalidInput, Keys, Place, Plain, Source, Writer};
 use serde_json::{Map, Value};
 
 /// The plain form of a value.
@@ -72,7 +72,7 @@ impl Source for Given<'_> {
         self.0?.as_str().map(Into::into)
     }
 
-    fn column(&self, _: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
+    fn column(&self, _: Place<'_>, _: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
         Ok(None)
     }
 

@@ -1,13 +1,12 @@
 // Runs long jobs part by part in plain Web Workers. Which worker does a part, and when, never shows in the result.
-import { messageOf } from '../words/errors.js';
 
 /** @typedef {import('./worker.js').Answer} Answer */
-/** @typedef {import('./worker.js').Calls} Calls */
+/** @typedef {import('./jobs.js').Jobs} Jobs */
 
 /**
  * One call for each part, which is the list of its arguments.
- * @template {keyof Calls} K
- * @typedef {{ call: K, parts: Parameters<Calls[K]>[] }} Job
+ * @template {keyof Jobs} K
+ * @typedef {{ call: K, parts: Parameters<Jobs[K]>[] }} Job
  */
 
 /**
@@ -19,18 +18,18 @@ import { messageOf } from '../words/errors.js';
 /**
  * Resolves to the results in the order of the parts. Rejects with the core's own error, with an AbortError once the job
  * is aborted or superseded, or with an error that says what became of the worker.
- * @typedef {<K extends keyof Calls>(job: Job<K>, options?: RunOptions) => Promise<ReturnType<Calls[K]>[]>} Run
+ * @typedef {<K extends keyof Jobs>(job: Job<K>, options?: RunOptions) => Promise<ReturnType<Jobs[K]>[]>} Run
  */
 
 /** @typedef {{ run: Run }} Channel */
-/** @typedef {ReturnType<typeof createPool>} Pool */
+/** @typedef {{ size: number, run: Run, channel: () => Channel }} Pool */
 
 /** What the pool needs of a Worker. @typedef {Pick<Worker, 'addEventListener' | 'postMessage' | 'terminate'>} WorkerLike */
 
 /**
  * A job under way.
  * @typedef {object} Task
- * @property {keyof Calls} call
+ * @property {keyof Jobs} call
  * @property {unknown[][]} parts
  * @property {boolean} urgent Goes before all that is not, and has parts so short that none is worth a termination.
  * @property {number} next The first part that no worker has taken.
@@ -56,7 +55,7 @@ const grace = 100;
 /** @param {string} reason */
 const abortError = (reason) => new DOMException(reason, 'AbortError');
 
-/** @param {{ spawn: () => WorkerLike, size?: number }} options `spawn` starts a worker that has the core already. */
+/** @param {{ spawn: () => WorkerLike, size?: number }} options `spawn` starts a worker that has the core already. @returns {Pool} */
 export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrency || 2, 8) }) {
   /** @type {Set<Hand>} */
   const hands = new Set();
@@ -109,7 +108,9 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
     try {
       return spawn();
     } catch (cause) {
-      throw new Error(`No worker can be started: ${messageOf(cause)}`, { cause });
+      throw new Error(`No worker can be started: ${cause instanceof Error ? cause.message : cause}`, {
+        cause,
+      });
     }
   }
 
@@ -203,7 +204,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   }
 
   /**
-   * @template {keyof Calls} K
+   * @template {keyof Jobs} K
    * @param {Job<K>} job @param {RunOptions} options @param {boolean} urgent
    */
   function begin({ call, parts }, { onProgress, signal }, urgent) {
@@ -224,7 +225,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
       reject() {},
       forget: () => signal?.removeEventListener('abort', abort),
     };
-    /** @type {Promise<ReturnType<Calls[K]>[]>} */
+    /** @type {Promise<ReturnType<Jobs[K]>[]>} */
     const results = new Promise((resolve, reject) => Object.assign(task, { resolve, reject }));
     if (signal?.aborted) abort();
     else if (parts.length === 0) task.resolve([]);
@@ -239,10 +240,9 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   return {
     size,
 
-    /** @type {Run} */
     run: (job, options = {}) => begin(job, options, false).results,
 
-    /** Runs only the newest of its jobs, before all others of the pool. @returns {Channel} */
+    /** Runs only the newest of its jobs, before all others of the pool. */
     channel() {
       let supersede = () => {};
       return {

@@ -1,6 +1,4 @@
 // Asking the workers for a picture: coarse while something moves, finer when it rests.
-import { messageOf } from '../words/errors.js';
-
 /**
  * What to ask for next, given what is wanted, what runs and what is done.
  * @template S, R
@@ -8,7 +6,7 @@ import { messageOf } from '../words/errors.js';
  * @param {readonly number[]} job.counts How fine, from the coarse one that is short to the last.
  * @param {(spec: S, count: number) => Promise<R>} job.compute Rejects with an AbortError when something newer took its place.
  * @param {(result: R) => void} job.onResult
- * @param {(message: string) => void} job.onFailure
+ * @param {(error: unknown) => void} job.onFailure
  */
 export function createRefining({ counts, compute, onResult, onFailure }) {
   const last = counts.length - 1;
@@ -29,7 +27,7 @@ export function createRefining({ counts, compute, onResult, onFailure }) {
       if (running !== own || (error instanceof DOMException && error.name === 'AbortError')) return;
       // Asked for no more: the picture stays, and the page says why.
       done = { spec, level: last };
-      onFailure(messageOf(error));
+      onFailure(error);
     } finally {
       if (running === own) running = null;
     }

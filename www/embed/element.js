@@ -16,7 +16,8 @@
 // A figure loads when it comes near the window, or when it is asked something.
 import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
-import { frameName, leastHeight, version } from './frame.js';
+import { frameName } from '../kit/host.js';
+import { leastHeight, version } from './frame.js';
 
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('./messages.js').Report} Report */

@@ -1,12 +1,7 @@
 // The text that puts a figure into another page, and the height that a figure asks for.
 
-/** @typedef {import('../run/state.js').PageName} PageName */
-
 /** Of the messages between a figure and its host, which messages.js describes. */
 export const version = 1;
-
-/** A frame of this name holds a figure even if its address does not say ?embed, as that of a Blob cannot. */
-export const frameName = 'ep-locomotion figure';
 
 /** What the dialog offers, in CSS pixels. */
 export const sizes = /** @type {const} */ ([
@@ -17,23 +12,15 @@ export const sizes = /** @type {const} */ ([
 
 /** No figure is of use in less. */
 export const leastHeight = 300;
-/** How high a figure looks best for its width, and the most that helps it. */
-const shapes = /** @type {const} */ ({
-  lab: [0.64, 620],
-  generation: [0.72, 620],
-  curves: [0.72, 700],
-  landscape: [0.64, 620],
-  robustness: [0.64, 620],
-  training: [0.7, 640],
-  disturbance: [0.75, 680],
-  luck: [0.7, 640],
-  // Its words scroll beside the figure, which stays in sight.
-  lesson: [1.2, 720],
-});
+/** How high a figure looks best for its width, and the most that helps it. @typedef {readonly [share: number, most: number]} Shape */
+/** @type {Shape} */
+const ofLab = [0.64, 620];
+/** Its words scroll beside the figure, which stays in sight. @type {Shape} */
+const ofLesson = [1.2, 720];
 
-/** The height that a figure asks its host for. @param {PageName} page @param {number} lesson @param {number} width */
-export function wantedHeight(page, lesson, width) {
-  const [share, most] = shapes[lesson > 0 ? 'lesson' : page];
+/** The height that a figure asks its host for. @param {readonly { name: string, figure: Shape }[]} parts @param {string} page @param {number} lesson @param {number} width */
+export function wantedHeight(parts, page, lesson, width) {
+  const [share, most] = lesson > 0 ? ofLesson : (parts.find(({ name }) => name === page)?.figure ?? ofLab);
   return Math.round(Math.min(most, Math.max(leastHeight, share * width)));
 }
 

@@ -14,21 +14,22 @@
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height.
 // What a link locks is locked for who sits before the figure, not for the page around it: an experiment that it sets leaves
 // the locks as they are, and a link that it opens brings its own, or none.
-import { linkOf, openLink } from '../link/link.js';
 import { messageOf } from '../words/errors.js';
-import { atEnd, gainsOf, noTrial } from '../run/state.js';
+import { gainsOf } from '../run/drivers.js';
+import { noTrial } from '../run/state.js';
 import { embed as words } from '../words/index.js';
 import { version } from './frame.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../core/engine.js').Engine} Engine */
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../core/engine.js').PaperResult} PaperResult */
 /** @typedef {import('../core/engine.js').Run} Run */
+/** @typedef {import('../link/link.js').Links} Links */
 /** @typedef {import('../core/engine.js').Statistics} Statistics */
 /** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Store} Store */
-/** @typedef {import('../run/state.js').Triple} Triple */
+/** @typedef {import('../run/store.js').Store} Store */
+/** @typedef {import('../core/engine.js').Triple} Triple */
 /**
  * What a figure answers.
  * @typedef {object} Report
@@ -49,10 +50,10 @@ export const mostGenerations = 10_000;
 const sliceMilliseconds = 12;
 
 /**
- * @param {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], drivingOf: () => Run }} parts
+ * @param {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links, drivingOf: () => Run }} parts
  * @param {(message: object) => void} send To the page around.
  */
-export function createMessages({ engine, store, actions, paper, drivingOf }, send) {
+export function createMessages({ engine, store, actions, paper, links, drivingOf }, send) {
   /** @type {Statistics[]} */
   let announced = [];
 
@@ -70,7 +71,7 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
     const { experiment, generation, history, evolving } = state;
     const { cost, arrived, finalTime } = drivingOf();
     return {
-      link: linkOf(state, engine.experiment),
+      link: links.linkOf(state, engine.experiment),
       experiment,
       generation,
       generations: history.length - 1,
@@ -85,10 +86,10 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
   /** @param {Parameters<Actions['openLinked']>[0]} opened */
   const open = (opened) => {
     // What stood in the way before is no answer to this.
-    store.update({ message: '' });
+    actions.say('');
     actions.openLinked(opened, []);
     if (store.get().experiment !== opened.experiment) throw new Error(store.get().message);
-    store.update({ robot: atEnd });
+    actions.standAt(Number.POSITIVE_INFINITY);
     announce();
   };
 
@@ -96,22 +97,12 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
   const answers = {
     set({ link, experiment, gains, generation = 0 }) {
       if (typeof link === 'string') {
-        const { opened, problems } = openLink(link.slice(link.indexOf('#') + 1), engine);
+        const { opened, problems } = links.openLink(link.slice(link.indexOf('#') + 1), engine);
         open(opened);
         return problems;
       }
       if (experiment === null || typeof experiment !== 'object') throw new Error(words.linkOrExperiment);
-      const {
-        page,
-        lesson,
-        preset,
-        pins,
-        exercise: own,
-        anatomy,
-        curves,
-        landscape,
-        robustness,
-      } = store.get();
+      const { page, lesson, preset, pins, exercise: own } = store.get();
       const whole = engine.experiment(/** @type {Experiment} */ (experiment));
       const handGains = gains === undefined ? null : gainsIn(gains);
       // The core knows which gains cannot be driven.
@@ -128,7 +119,7 @@ export function createMessages({ engine, store, actions, paper, drivingOf }, sen
         trial: noTrial,
         pins,
         exercise: own,
-        view: { anatomy, curves, landscape, robustness },
+        parts: {},
       });
       return [];
     },

@@ -1,7 +1,6 @@
 // The page as a figure in a frame of another page: its foot, the height it asks for, and what it says to its host.
 import { byId, create, svg } from '../kit/elements.js';
 import { noExercise } from '../run/exercise.js';
-import { linkOf } from '../link/link.js';
 import { watch } from '../kit/memo.js';
 import { embed as words, texts } from '../words/index.js';
 import { addressOf } from '../kit/host.js';
@@ -9,18 +8,18 @@ import { version, wantedHeight } from './frame.js';
 import { createMessages } from './messages.js';
 
 /** @typedef {import('../run/state.js').State} State */
-/** @typedef {Parameters<typeof createMessages>[0]} Parts */
+/** @typedef {Parameters<typeof createMessages>[0] & { shapes: Parameters<typeof wantedHeight>[0] }} Parts `shapes` of the parts of the page. */
 
 /** @param {Parts} parts */
 export function createEmbed(parts) {
-  const { engine, store } = parts;
+  const { engine, store, links, shapes } = parts;
   /** A figure holds nothing that its host may not know, whoever that is. @param {object} message */
   const post = (message) => {
     if (parent !== window) parent.postMessage(message, '*');
   };
   const messages = createMessages(parts, (message) => post({ ep: version, ...message }));
   // The whole page is one in which nothing is locked.
-  const wholeLink = () => linkOf({ ...store.get(), exercise: noExercise }, engine.experiment);
+  const wholeLink = () => links.linkOf({ ...store.get(), exercise: noExercise }, engine.experiment);
   const foot = createFoot(() => addressOf(location.href, wholeLink(), false));
   const linkChanged = watch();
   const shapeChanged = watch();
@@ -36,7 +35,7 @@ export function createEmbed(parts) {
     const { page, lesson } = store.get();
     if (innerWidth === 0) return;
     const task = byId('exercise');
-    const height = wantedHeight(page, lesson, innerWidth) + (task.hidden ? 0 : task.offsetHeight + 6);
+    const height = wantedHeight(shapes, page, lesson, innerWidth) + (task.hidden ? 0 : task.offsetHeight + 6);
     if (!heightChanged(height)) return;
     post({ ep: version, type: 'height', height });
     // The same for Canvas, whose frames know this one.

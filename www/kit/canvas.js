@@ -1,27 +1,62 @@
-// A canvas that is drawn on in CSS pixels or in metres, at the screen's own density.
+// Canvases that are drawn on in CSS pixels at the screen's own density, and what is on them, to be drawn once more elsewhere.
 
-/** @typedef {import('./transform.js').View} View */
+/** @typedef {{ width: number, height: number }} Size */
+/** @typedef {(context: CanvasRenderingContext2D) => void} Paint */
 /** @typedef {ReturnType<typeof createLayer>} Layer */
+
+/** @type {WeakMap<HTMLCanvasElement, { size: Size, paint: Paint }>} */
+const pictures = new WeakMap();
+
+/** What was drawn last on a canvas of a layer. @param {HTMLCanvasElement} canvas */
+export const pictureOn = (canvas) => pictures.get(canvas) ?? null;
+
+/** @type {WeakMap<Path2D, string>} */
+const outlines = new WeakMap();
+
+/** A path that can be told again. @param {string} outline As SVG writes it. */
+export function pathOf(outline) {
+  const path = new Path2D(outline);
+  outlines.set(path, outline);
+  return path;
+}
+
+/** @param {Path2D} path From pathOf(). */
+export const outlineOf = (path) => /** @type {string} */ (outlines.get(path));
 
 /** @param {HTMLCanvasElement} canvas */
 export function createLayer(canvas) {
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-  const pixels = () => globalThis.devicePixelRatio || 1;
   return {
-    context,
-    /** Fits the canvas to its size in CSS pixels, and empties it. @param {{ width: number, height: number }} size */
-    clear({ width: wide, height: high }) {
-      const [width, height] = [Math.round(wide * pixels()), Math.round(high * pixels())];
+    /** Fits the canvas to its size in CSS pixels, empties it, and draws. @param {Size} size @param {Paint} paint It may be called again, to the same end. */
+    draw(size, paint) {
+      const density = globalThis.devicePixelRatio || 1;
+      const [width, height] = [Math.round(size.width * density), Math.round(size.height * density)];
       if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-      this.inPixels();
-      context.clearRect(0, 0, wide, high);
-      context.setLineDash([]);
-    },
-    inPixels: () => context.setTransform(pixels(), 0, 0, pixels(), 0, 0),
-    /** @param {View} view */
-    inMetres(view) {
-      const scale = pixels() * view.scale;
-      context.setTransform(scale, 0, 0, -scale, pixels() * view.originX, pixels() * view.originY);
+      context.setTransform(density, 0, 0, density, 0, 0);
+      context.clearRect(0, 0, size.width, size.height);
+      context.save();
+      paint(context);
+      context.restore();
+      pictures.set(canvas, { size, paint });
     },
   };
+}
+
+/** Strokes the path with one colour on another, so that it is seen on anything. @param {CanvasRenderingContext2D} context @param {readonly [colour: string, width: number]} wide @param {readonly [colour: string, width: number]} narrow @param {Path2D} [path] Else the current one. */
+export function strokeTwice(context, wide, narrow, path) {
+  for (const [style, width] of [wide, narrow]) {
+    context.strokeStyle = style;
+    context.lineWidth = width;
+    if (path) context.stroke(path);
+    else context.stroke();
+  }
+}
+
+/** A text with a halo, to be read on anything. @param {CanvasRenderingContext2D} context @param {string} text @param {number} px @param {number} py @param {{ fill: string, halo: string, width?: number }} look */
+export function fillTextWithHalo(context, text, px, py, { fill, halo, width = 5 }) {
+  context.lineWidth = width;
+  context.strokeStyle = halo;
+  context.fillStyle = fill;
+  context.strokeText(text, px, py);
+  context.fillText(text, px, py);
 }

@@ -28,9 +28,16 @@ export const formula = (pieces) => pieces.map((piece, i) => (i % 2 ? create('sub
 /** The size of an element in pixels, kept up to date. @param {HTMLElement} element @param {(size: { width: number, height: number }) => void} onResize */
 export function followSize(element, onResize) {
   let size = { width: 0, height: 0 };
-  new ResizeObserver(() => {
+  let density = devicePixelRatio;
+  const measure = () => {
     size = { width: element.clientWidth, height: element.clientHeight };
+    density = devicePixelRatio;
     onResize(size);
-  }).observe(element);
+  };
+  new ResizeObserver(measure).observe(element);
+  // Another density of pixels comes without another size.
+  addEventListener('resize', () => {
+    if (density !== devicePixelRatio) measure();
+  });
   return () => size;
 }

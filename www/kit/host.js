@@ -1,5 +1,7 @@
 // Whether the page stands in a frame of another page, which its address says, ?embed, or the name of the frame.
-import { frameName } from '../embed/frame.js';
+
+/** A frame of this name holds a figure even if its address does not say ?embed, as that of a Blob cannot. */
+export const frameName = 'ep-locomotion figure';
 
 const asked = new URLSearchParams(globalThis.location?.search);
 

@@ -1,14 +1,11 @@
-// How a line looks that has a dash and a mark of its own, as a pinned run has: a piece of it for lists and tables.
+// How a line looks that has a dash and a mark of its own: a piece of it for lists and tables.
+import { pathOf } from './canvas.js';
 import { svg } from './elements.js';
-import { styles } from '../run/pins.js';
 
-/** The mark is a path around (0, 0). @typedef {{ token: string, dash: readonly number[], mark: string }} Look */
-
-/** @param {number} slot */
-export const createSwatch = (slot) => swatchOf(styles[slot]);
+/** The mark is an outline around (0, 0). @typedef {{ token: string, dash: readonly number[], mark: string }} Look */
 
 /** @param {Look} look */
-export function swatchOf({ token, dash, mark }) {
+export function createSwatch({ token, dash, mark }) {
   const picture = svg(
     'svg',
     { viewBox: '0 -8 40 16', width: 40, height: 16, class: 'swatch', 'aria-hidden': 'true' },
@@ -19,13 +16,9 @@ export function swatchOf({ token, dash, mark }) {
   return picture;
 }
 
-/** The mark of a pinned run on a canvas. @param {CanvasRenderingContext2D} context @param {number} slot @param {number} px @param {number} py @param {{ fill: string, edge: string }} colours */
-export const drawMark = (context, slot, px, py, colours) =>
-  drawPath(context, styles[slot].mark, px, py, colours);
-
-/** @param {CanvasRenderingContext2D} context @param {string} path @param {number} px @param {number} py @param {{ fill: string, edge: string }} colours */
-export function drawPath(context, path, px, py, { fill, edge }) {
-  const mark = new Path2D(path);
+/** @param {CanvasRenderingContext2D} context @param {string} outline As SVG writes it, around (0, 0). @param {number} px @param {number} py @param {{ fill: string, edge: string }} colours */
+export function drawMark(context, outline, px, py, { fill, edge }) {
+  const mark = pathOf(outline);
   context.save();
   context.translate(px, py);
   context.setLineDash([]);

@@ -1,6 +1,6 @@
 // The one transform between the plane in metres and the canvas in pixels.
 
-/** @typedef {import('../core/engine.js').Posture} Posture */
+/** @typedef {{ x: number, y: number }} Point Metres. */
 /** @typedef {{ left: number, right: number, bottom: number, top: number }} Box Metres. */
 /** @typedef {ReturnType<typeof createView>} View */
 
@@ -15,15 +15,15 @@ function insets({ width, height }) {
   return height < 440 ? { ...side, top: 84, bottom: 64 } : { ...side, top: 96, bottom: 104 };
 }
 
-/** @param {Posture[]} postures @returns {Box} */
-export function boxAround(postures) {
+/** @param {readonly Point[]} points @returns {Box} */
+export function boxAround(points) {
   const span = (/** @type {number[]} */ values) => {
     const middle = (Math.min(...values) + Math.max(...values)) / 2;
     const half = Math.max(smallestSpan, Math.max(...values) - Math.min(...values)) / 2;
     return [middle - half, middle + half];
   };
-  const [left, right] = span(postures.map((posture) => posture.x));
-  const [bottom, top] = span(postures.map((posture) => posture.y));
+  const [left, right] = span(points.map(({ x }) => x));
+  const [bottom, top] = span(points.map(({ y }) => y));
   return { left, right, bottom, top };
 }
 
@@ -55,13 +55,13 @@ export function createView(box, { width, height }) {
 }
 
 /**
- * The box for these postures: the old one while they lie well inside it and fill it, else a new one.
- * @param {Box} box @param {{ width: number, height: number }} size @param {Posture[]} postures
+ * The box around these points: the old one while they lie well inside it and fill it, else a new one.
+ * @param {Box} box @param {{ width: number, height: number }} size @param {readonly Point[]} points
  */
-export function refit(box, size, postures) {
+export function refit(box, size, points) {
   const view = createView(box, size);
-  const next = boxAround(postures);
-  const outside = postures.some(({ x, y }) => {
+  const next = boxAround(points);
+  const outside = points.some(({ x, y }) => {
     const [px, py] = [view.screenX(x), view.screenY(y)];
     return (
       px < view.inset.left - 1 ||
@@ -73,7 +73,7 @@ export function refit(box, size, postures) {
   return outside || createView(next, size).scale > 1.6 * view.scale ? next : box;
 }
 
-/** Where the knob that turns a posture is drawn; never outside the plane. @param {View} view @param {Posture} posture */
+/** Where the knob that turns a posture is drawn; never outside the plane. @param {View} view @param {Point & { theta: number }} posture */
 export function knobOf(view, { x, y, theta }) {
   return keepInside(
     view,

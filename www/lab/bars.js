@@ -1,112 +1,122 @@
 // Two clocks that never meet: the robot's bar and evolution's bar.
-import { write } from '../kit/elements.js';
+/** @import { Actions } from '../run/actions/actions.js' */
+import { html, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
+import { ref } from 'lit-html/directives/ref.js';
 import { watch } from '../kit/memo.js';
-import { paces } from '../run/state.js';
-import { lab as strings } from '../words/index.js';
+import { paces } from '../run/pace.js';
+import { lab as strings, texts } from '../words/index.js';
 
-/** @typedef {import('../run/state.js').Until} Until */
+/** @typedef {import('../run/pace.js').Until} Until */
+/** @typedef {{ time: number, finalTime: number, playing: boolean, speed: number }} RobotBarModel */
+/** @typedef {{ open: string, evolving: boolean, generation: number, newest: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
 
-/** @typedef {{ play: HTMLButtonElement, speed: HTMLSelectElement, clock: HTMLElement, scrub: HTMLInputElement }} RobotBarElements */
-/** @typedef {{ onPlay: () => void, onSpeed: (speed: number) => void, onScrub: (time: number) => void }} RobotBarEvents */
+/** How far a slider is filled. @param {number} part */
+const filled = (part) =>
+  ref((slider) => /** @type {HTMLElement} */ (slider)?.style.setProperty('--to', `${100 * part}%`));
 
-/** @param {RobotBarElements} elements @param {RobotBarEvents} events */
-export function createRobotBar({ play, speed, clock, scrub }, events) {
-  speed.replaceChildren(...strings.speeds.map(([value, text]) => new Option(text, String(value))));
-  play.addEventListener('click', events.onPlay);
-  speed.addEventListener('change', () => events.onSpeed(Number(speed.value)));
-  scrub.addEventListener('input', () => events.onScrub(scrub.valueAsNumber));
+/** @template V @param {readonly (readonly [V, string])[]} choices @param {V} chosen */
+const options = (choices, chosen) =>
+  choices.map(
+    ([value, text]) =>
+      html`<option value=${String(value)} .selected=${live(value === chosen)}>${text}</option>`,
+  );
+
+/** @param {Event} event */
+const chosenIn = ({ target }) => /** @type {HTMLSelectElement | HTMLInputElement} */ (target).value;
+
+/** @param {HTMLElement} root @param {Actions} actions */
+export function createRobotBar(root, actions) {
   const changed = watch();
   return {
-    /** @param {{ time: number, finalTime: number, playing: boolean, speed: number }} model */
+    /** @param {RobotBarModel} model */
     draw(model) {
-      if (!changed(model.time, model.finalTime, model.playing, model.speed)) return;
-      play.classList.toggle('playing', model.playing);
-      play.setAttribute('aria-label', model.playing ? strings.pause : strings.play);
-      speed.value = String(model.speed);
-      const text = strings.clockText(model.time, model.finalTime);
-      clock.textContent = text;
-      scrub.max = String(model.finalTime);
-      scrub.value = String(model.time);
-      scrub.setAttribute('aria-valuetext', text);
-      scrub.style.setProperty('--to', `${(100 * model.time) / model.finalTime}%`);
+      if (changed(...Object.values(model))) render(robotBar(model, actions), root);
     },
   };
 }
 
-/**
- * @typedef {object} EvolutionBarElements
- * @property {HTMLButtonElement} run
- * @property {HTMLButtonElement} back
- * @property {HTMLButtonElement} one
- * @property {HTMLInputElement} timeline
- * @property {HTMLSelectElement} pace
- * @property {HTMLSelectElement} until
- * @property {HTMLInputElement} untilValue
- * @property {HTMLElement} untilError
- * @property {HTMLButtonElement} reset
- * @property {HTMLButtonElement} seedButton
- * @property {HTMLElement} seed
- * @property {HTMLElement} generation
- * @property {HTMLElement} note
- */
-/**
- * @typedef {object} EvolutionBarEvents
- * @property {() => void} onRun
- * @property {() => void} onOne
- * @property {() => void} onReset
- * @property {() => void} onNewSeed
- * @property {() => void} onBack
- * @property {(generation: number) => void} onShow
- * @property {(pace: number) => void} onPace
- * @property {(kind: Until['kind'], text: string) => void} onUntil
- */
-/** @typedef {{ evolving: boolean, generation: number, newest: number, seed: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
+/** @param {RobotBarModel} model @param {Actions} actions */
+function robotBar({ time, finalTime, playing, speed }, actions) {
+  const text = strings.clockText(time, finalTime);
+  return html`
+    <button id="play" type="button" class=${playing ? 'icon playing' : 'icon'}
+      aria-label=${playing ? strings.pause : strings.play} @click=${() => actions.togglePlay()}>
+      <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="when-paused" d="M4 2l10 6-10 6z"/><path class="when-playing" d="M3 2h4v12H3zM9 2h4v12H9z"/></svg>
+    </button>
+    <select id="speed" aria-label=${texts.speed}
+      @change=${(/** @type {Event} */ event) => actions.setSpeed(Number(chosenIn(event)))}>
+      ${options(strings.speeds, speed)}
+    </select>
+    <span id="clock" class="clock">${text}</span>
+    <input id="scrub" type="range" min="0" step="0.01" aria-label=${texts.scrub} aria-valuetext=${text}
+      .max=${String(finalTime)} .value=${live(String(time))} ${filled(time / finalTime)}
+      @input=${(/** @type {Event} */ event) => actions.scrub(Number(chosenIn(event)))}>`;
+}
 
-/** @param {EvolutionBarElements} elements @param {EvolutionBarEvents} events */
-export function createEvolutionBar(elements, events) {
-  elements.run.addEventListener('click', events.onRun);
-  elements.one.addEventListener('click', events.onOne);
-  elements.reset.addEventListener('click', events.onReset);
-  elements.seedButton.addEventListener('click', events.onNewSeed);
-  elements.back.addEventListener('click', events.onBack);
-  elements.timeline.addEventListener('input', () => events.onShow(elements.timeline.valueAsNumber));
-  elements.pace.replaceChildren(...paces.map((pace) => new Option(strings.paceText(pace), String(pace))));
-  elements.pace.addEventListener('change', () => events.onPace(Number(elements.pace.value)));
-  elements.until.replaceChildren(...strings.untils.map(([kind, text]) => new Option(text, kind)));
-  const { until, untilValue } = elements;
-  const kind = () => /** @type {Until['kind']} */ (until.value);
-  until.addEventListener('change', () => {
-    // A start that fits the kind, to be changed.
-    if (kind() === 'generation') untilValue.value = '100';
-    if (kind() === 'cost') untilValue.value = '8';
-    events.onUntil(kind(), untilValue.value);
-  });
-  untilValue.addEventListener('focus', () => untilValue.select());
-  untilValue.addEventListener('change', () => events.onUntil(kind(), untilValue.value));
+/** @param {HTMLElement} root @param {Actions} actions */
+export function createEvolutionBar(root, actions) {
   const changed = watch();
+  /** The kind that is asked for, which may have been refused. @type {Until['kind']} */
+  let kind = 'every';
+  const untilValue = () => /** @type {HTMLInputElement} */ (root.querySelector('#until-value'));
+  const on = {
+    /** @param {Event} event */
+    onKind(event) {
+      kind = /** @type {Until['kind']} */ (chosenIn(event));
+      // A start that fits the kind, to be changed.
+      if (kind === 'generation') untilValue().value = '100';
+      if (kind === 'cost') untilValue().value = '8';
+      on.onValue();
+    },
+    onValue: () => actions.setUntil(kind, untilValue().value),
+  };
   return {
     /** @param {EvolutionBarModel} model */
     draw(model) {
       if (!changed(...Object.values(model))) return;
-      const verb = model.evolving ? strings.pauseEvolution : strings.run;
-      write(elements.run, verb);
-      elements.generation.textContent = String(model.generation);
-      elements.seed.textContent = String(model.seed);
-      elements.note.textContent = model.note;
-      elements.back.disabled = model.generation === 0;
-      elements.timeline.max = String(Math.max(1, model.newest));
-      elements.timeline.value = String(model.generation);
-      elements.timeline.setAttribute(
-        'aria-valuetext',
-        strings.generationText(model.generation, model.newest),
-      );
-      elements.timeline.style.setProperty('--to', `${(100 * model.generation) / Math.max(1, model.newest)}%`);
-      elements.pace.value = String(model.pace);
-      if (!model.untilError) until.value = model.until.kind;
-      untilValue.hidden = until.value === 'every';
-      untilValue.setAttribute('aria-invalid', String(model.untilError !== ''));
-      elements.untilError.textContent = model.untilError;
-      elements.untilError.hidden = model.untilError === '';
+      if (!model.untilError) kind = model.until.kind;
+      render(evolutionBar({ ...model, kind }, actions, on), root);
     },
   };
+}
+
+/** @param {EvolutionBarModel & { kind: Until['kind'] }} model @param {Actions} actions @param {{ onKind: (event: Event) => void, onValue: () => void }} on */
+function evolutionBar(model, actions, { onKind, onValue }) {
+  const { open, evolving, generation, newest, pace, kind, untilError, note } = model;
+  const isElsewhere = open !== 'lab';
+  const end = Math.max(1, newest);
+  return html`
+    <fieldset id="evolution-clock" class="bar" aria-label=${texts.evolutionClock}>
+      <button id="run" type="button" class="primary" @click=${() => actions.toggleEvolution()}>${evolving ? strings.pauseEvolution : strings.run}</button>
+      <button id="one-back" type="button" class="icon" aria-label=${texts.oneBack} .disabled=${generation === 0}
+        @click=${() => actions.oneBack()}>
+        <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>
+      </button>
+      <button id="one-generation" type="button" @click=${() => actions.oneGeneration()}>${texts.oneGeneration}</button>
+      <input id="timeline" type="range" min="0" step="1" aria-label=${texts.timeline}
+        aria-valuetext=${strings.generationText(generation, newest)}
+        .max=${String(end)} .value=${live(String(generation))} ${filled(generation / end)}
+        @input=${(/** @type {Event} */ event) => actions.showGeneration(Number(chosenIn(event)))}>
+    </fieldset>
+    <fieldset id="evolution-pace" class="bar" aria-label=${texts.evolutionSection}>
+      <button id="reset" type="button" .hidden=${isElsewhere} @click=${() => actions.reset()}>${texts.reset}</button>
+      <button id="new-seed" type="button" .hidden=${isElsewhere} @click=${() => actions.newSeed()}>${texts.newSeed}</button>
+      <select id="pace" aria-label=${texts.pace}
+        @change=${(/** @type {Event} */ event) => actions.setPace(Number(chosenIn(event)))}>
+        ${options(
+          paces.map((one) => /** @type {const} */ ([one, strings.paceText(one)])),
+          pace,
+        )}
+      </select>
+      <div class="bar" .hidden=${isElsewhere}>
+        <select id="until" aria-label=${texts.until} @change=${onKind}>${options(strings.untils, kind)}</select>
+        <input id="until-value" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
+          aria-label=${texts.untilValue} aria-describedby="until-error" aria-invalid=${String(untilError !== '')}
+          .hidden=${kind === 'every'} @change=${onValue}
+          @focus=${(/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).select()}>
+      </div>
+    </fieldset>
+    <p id="until-error" class="field-error" role="alert" .hidden=${untilError === ''}>${untilError}</p>
+    <p id="evolution-note" class="muted note">${note}</p>`;
 }

@@ -1,47 +1,43 @@
 // J and its parts.
+import { html, render } from 'lit-html';
+import { ref } from 'lit-html/directives/ref.js';
 import { watch } from '../kit/memo.js';
-import { lab as strings } from '../words/index.js';
+import { lab as strings, texts } from '../words/index.js';
 
 /** @typedef {import('../core/engine.js').Run} Run */
 /** @typedef {{ title: string, run: Run, note: string }} CostModel */
-/** @typedef {{ title: HTMLElement, total: HTMLElement, outcome: HTMLElement, note: HTMLElement, bar: HTMLElement, parts: HTMLElement }} CostElements */
 
-/** @param {CostElements} elements */
-export function createCost({ title, total, outcome, note, bar, parts }) {
-  const rows = strings.costParts.map(([part, name]) => {
-    const segment = document.createElement('span');
-    const item = document.createElement('li');
-    const value = document.createElement('span');
-    segment.className = `cost-segment part-${part}`;
-    segment.dataset.term = part;
-    item.dataset.term = part;
-    item.className = `part-${part}`;
-    value.className = 'cost-value';
-    value.id = `cost-${part}`;
-    item.append(`${name} `, value);
-    return { part, segment, item, value };
-  });
-  bar.replaceChildren(...rows.map(({ segment }) => segment));
-  parts.replaceChildren(...rows.map(({ item }) => item));
+/** @param {HTMLElement} root */
+export function createCost(root) {
   const changed = watch();
-
   return {
     /** @param {CostModel} model */
     draw(model) {
-      if (!changed(model.title, model.run, model.note)) return;
-      const { cost } = model.run;
-      const finite = Number.isFinite(cost.total);
-      title.textContent = model.title;
-      total.textContent = strings.costText(cost.total);
-      outcome.textContent = strings.outcomeText(model.run);
-      note.textContent = model.note;
-      for (const { part, segment, item, value } of rows) {
-        value.textContent = strings.partText(cost[part]);
-        segment.style.flexGrow = finite ? String(cost[part] / cost.total) : '0';
-        // What only gains below zero pay is left out while nobody pays it.
-        item.hidden = part === 'penalty' && cost.penalty === 0;
-        segment.hidden = !finite || cost[part] < 0.004 * cost.total;
-      }
+      if (changed(model.title, model.run, model.note)) render(costOf(model), root);
     },
   };
+}
+
+/** @param {CostModel} model */
+function costOf({ title, run, note }) {
+  const { cost } = run;
+  const share = (/** @type {typeof strings.costParts[number][0]} */ part) =>
+    Number.isFinite(cost.total) ? cost[part] / cost.total : 0;
+  const grown = (/** @type {number} */ by) =>
+    ref((segment) => /** @type {HTMLElement} */ (segment)?.style.setProperty('flex-grow', String(by)));
+  return html`
+    <div class="heading">
+      <h2 id="cost-title">${title}</h2>
+      <p id="outcome" class="muted">${strings.outcomeText(run)}</p>
+    </div>
+    <p class="cost-line"><span id="cost-total" class="cost-total">${strings.costText(cost.total)}</span> <span class="muted"><span>${texts.costMeaning}</span><br><span id="cost-note">${note}</span></span></p>
+    <div id="cost-bar" class="cost-bar" aria-hidden="true">${strings.costParts.map(
+      ([part]) =>
+        html`<span class="cost-segment part-${part}" data-term=${part} .hidden=${!(share(part) >= 0.004)} ${grown(share(part))}></span>`,
+    )}</div>
+    <ul id="cost-parts" class="cost-parts">${strings.costParts.map(
+      ([part, name]) =>
+        // What only gains below zero pay is left out while nobody pays it.
+        html`<li class="part-${part}" data-term=${part} .hidden=${part === 'penalty' && cost.penalty === 0}>${name} <span id="cost-${part}" class="cost-value">${strings.partText(cost[part])}</span></li>`,
+    )}</ul>`;
 }

@@ -1,105 +1,78 @@
 // The fitness curve: the best and the median J of each generation.
-import uPlot from 'uplot';
+import { scaleLinear } from 'd3-scale';
 import {
-  axis,
-  colour,
-  gutterOf,
-  isNarrow,
-  lineLabel,
-  placeName,
+  createChart,
+  drawCurve,
+  drawDot,
+  drawGrid,
+  drawNumbersBelow,
+  drawUpright,
+  frameIn,
+  pointsOf,
   sameDigits,
-  sizeOf,
-  spread,
-  wholeSteps,
-} from '../kit/plot.js';
-import { watch } from '../kit/memo.js';
+  ticksOn,
+  wholeTicks,
+  within,
+} from '../kit/chart.js';
+import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {import('../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../kit/chart.js').Axes} Axes */
+/** @typedef {import('../kit/chart.js').Size} Size */
 /** @typedef {{ history: Statistics[], generation: number, paper: number, theme: number }} CurveModel */
 
 /** @param {HTMLElement} root */
-export function createCurve(root) {
-  /** @type {CurveModel} */
-  let model = { history: [], generation: 0, paper: Number.NaN, theme: 0 };
-  const changed = watch();
-  const labels = createLabels();
-  const only = () => model.history.length === 1;
-  const points = { show: only, size: 7 };
+export const createCurve = (root) => createChart(root, drawCosts);
 
-  const plot = new uPlot(
-    {
-      ...sizeOf(root),
-      padding: [8, gutterOf, 0, 0],
-      legend: { show: false },
-      cursor: { show: false },
-      scales: {
-        x: { time: false, range: () => [0, lastTick(model.history.length - 1)] },
-        y: { range: () => costRange(model) },
-      },
-      axes: [
-        { ...axis(), size: 28, space: 56, incrs: wholeSteps },
-        { ...axis(), size: 52, space: 32, values: sameDigits },
-      ],
-      series: [
-        {},
-        { stroke: () => colour('--muted'), width: 1.5, points: { ...points, fill: () => colour('--muted') } },
-        { stroke: () => colour('--muted'), width: 1.5, dash: [2, 5], points: { show: false } },
-        { stroke: () => colour('--ink'), width: 2.5, points: { ...points, fill: () => colour('--ink') } },
-      ],
-      hooks: {
-        draw: [
-          (drawn) => {
-            labels.draw(drawn, model);
-            drawShown(drawn, model);
-          },
-        ],
-      },
-    },
-    [[], [], [], []],
-    root,
-  );
-  plot.over.append(...labels.elements);
-
-  new ResizeObserver(() => plot.setSize(sizeOf(root))).observe(root);
-
-  return {
-    /** @param {CurveModel} next */
-    draw(next) {
-      if (!changed(next.history, next.generation, next.paper, next.theme)) return;
-      model = next;
-      plot.setData(columns(next));
-    },
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {CurveModel} model */
+function drawCosts(context, size, model) {
+  const { history, generation, paper } = model;
+  const frame = frameIn(size, { right: gutterOf(size) });
+  const axes = {
+    frame,
+    x: generationScale(history, frame),
+    y: scaleLinear(costRange(model), [frame.bottom, frame.top]),
   };
-}
-
-/** Where the shown generation is, when it is not the newest. @param {uPlot} plot @param {Pick<CurveModel, 'history' | 'generation'>} model */
-export function drawShown(plot, { history, generation }) {
-  if (generation === history.length - 1) return;
-  const { ctx, bbox } = plot;
-  const x = plot.valToPos(generation, 'x', true);
-  ctx.save();
-  ctx.strokeStyle = colour('--ink');
-  ctx.lineWidth = uPlot.pxRatio;
-  ctx.setLineDash([3 * uPlot.pxRatio, 3 * uPlot.pxRatio]);
-  ctx.beginPath();
-  ctx.moveTo(x, bbox.top);
-  ctx.lineTo(x, bbox.top + bbox.height);
-  ctx.stroke();
-  ctx.restore();
-}
-
-/** @param {CurveModel} model @returns {uPlot.AlignedData} */
-function columns({ history, paper }) {
-  const last = lastTick(history.length - 1);
-  const rest = history.length <= last ? [last] : [];
-  const gap = rest.map(() => null);
-  return [
-    [...history.map((one) => one.generation), ...rest],
-    [...history.map((one) => one.median), ...gap],
-    [...history.map(() => paper), ...rest.map(() => paper)],
-    [...history.map((one) => one.best.cost), ...gap],
+  const ticks = { x: wholeTicks(axes.x), y: ticksOn(axes.y, 32) };
+  drawGrid(context, axes, ticks, sameDigits(ticks.y));
+  drawNumbersBelow(context, axes.x, frame.bottom, ticks.x, ticks.x.map(String));
+  const generations = history.map((one) => one.generation);
+  const lines = [
+    { token: '--muted', width: 1.5, cost: (/** @type {Statistics} */ one) => one.median },
+    { token: '--ink', width: 2.5, cost: (/** @type {Statistics} */ one) => one.best.cost },
   ];
+  within(context, frame, () => {
+    const acrossAll = /** @type {const} */ ([frame.left, frame.right]);
+    for (const { cost, ...stroke } of lines) {
+      const value = (/** @type {number} */ i) => finiteOr(cost(history[i]), Number.NaN);
+      drawCurve(context, pointsOf(axes, generations, value), stroke);
+      // The paper's line lies between the two.
+      if (stroke.token === '--muted')
+        drawCurve(
+          context,
+          acrossAll.map((px) => [px, axes.y(paper)]),
+          { ...stroke, dash: [2, 5] },
+        );
+    }
+  });
+  if (history.length === 1)
+    for (const { token, cost } of lines) drawDot(context, axes.x(0), axes.y(cost(history[0])), token);
+  drawLineNames(context, size, axes, model);
+  drawShown(context, axes, history, generation);
+}
+
+const finiteOr = (/** @type {number} */ value, /** @type {number} */ other) =>
+  Number.isFinite(value) ? value : other;
+
+/** @param {Statistics[]} history @param {import('../kit/chart.js').Frame} frame */
+export const generationScale = (history, { left, right }) =>
+  scaleLinear([0, lastTick(history.length - 1)], [left, right]);
+
+/** Where the shown generation is, when it is not the newest. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Statistics[]} history @param {number} generation */
+export function drawShown(context, { x, frame }, history, generation) {
+  if (generation < history.length - 1)
+    drawUpright(context, x(generation), frame, { token: '--ink', width: 1, dash: [3, 3] });
 }
 
 /** The end of the generation axis: it grows in steps, so that the curve does not shrink at each generation. @param {number} generation */
@@ -119,38 +92,26 @@ function costRange({ history, paper }) {
   return [low - 2 * room, high + room];
 }
 
-/** Names at the ends of the lines. */
-function createLabels() {
-  const best = lineLabel('best', strings.bestLine);
-  const median = lineLabel('median', strings.medianLine);
-  const paper = lineLabel('paper', strings.paperLine);
-  const axisName = lineLabel('axis', strings.generationAxis);
-  const costName = lineLabel('axis', strings.costSymbol);
-
-  /** @param {uPlot} plot @param {CurveModel} model */
-  const draw = (plot, model) => {
-    const newest = model.history.at(-1);
-    if (!newest) return;
-    const end = plot.valToPos(newest.generation, 'x') + 10;
-    const right = plot.over.clientWidth + 6;
-    const height = (/** @type {number} */ cost) =>
-      Math.min(Math.max(plot.valToPos(cost, 'y'), 0), plot.over.clientHeight);
-    // Beside its point while that is alone, then on the far side of its line.
-    const aside = newest.generation === 0 ? 0 : 6;
-    const isAbove = (/** @type {number} */ cost) => plot.valToPos(cost, 'y') < 0;
-    median.textContent = isAbove(newest.median) ? strings.above(strings.medianLine) : strings.medianLine;
-    paper.textContent = isAbove(model.paper) ? strings.above(strings.paperLine) : strings.paperLine;
-    const places = [
-      { element: best, x: end, y: height(newest.best.cost) + aside },
-      { element: median, x: end, y: height(newest.median) - aside },
-      { element: paper, x: right, y: height(model.paper) },
-    ];
-    const together = isNarrow(plot) || end > right - 60 ? [places] : [places.slice(0, 2), places.slice(2)];
-    for (const group of together) spread(group, plot.over.clientHeight);
-    for (const { element, x, y } of places) placeName(plot, element, x, y);
-    axisName.hidden = isNarrow(plot);
-    costName.style.transform = 'translate(-50px, 0)';
-    axisName.style.transform = `translate(${right + 6}px, ${plot.over.clientHeight + 6}px)`;
-  };
-  return { elements: [best, median, paper, axisName, costName], draw };
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {Axes} axes @param {CurveModel} model */
+function drawLineNames(context, size, { x, y, frame }, { history, paper }) {
+  const newest = history[history.length - 1];
+  const [end, right] = [x(newest.generation) + 10, frame.right + 6];
+  const height = (/** @type {number} */ cost) =>
+    Math.min(Math.max(finiteOr(y(cost), 0), frame.top), frame.bottom);
+  // Beside its point while that is alone, then on the far side of its line.
+  const aside = newest.generation === 0 ? 0 : 6;
+  const nameOf = (/** @type {string} */ name, /** @type {number} */ cost) =>
+    y(cost) < frame.top ? strings.above(name) : name;
+  const names = [
+    { text: strings.bestLine, x: end, y: height(newest.best.cost) + aside, token: '--ink', isStrong: true },
+    { text: nameOf(strings.medianLine, newest.median), x: end, y: height(newest.median) - aside },
+    { text: nameOf(strings.paperLine, paper), x: right, y: height(paper) },
+  ];
+  const together = isNarrow(size) || end > right - 60 ? [names] : [names.slice(0, 2), names.slice(2)];
+  for (const group of together) spread(group, frame.top, frame.bottom);
+  drawNames(context, size, frame, names);
+  drawAxisNames(context, frame, {
+    x: isNarrow(size) ? undefined : strings.generationAxis,
+    y: strings.costSymbol,
+  });
 }

@@ -1,8 +1,12 @@
 // The three gains: a slider and a number for each.
+import { html, noChange, nothing, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
+import { ref } from 'lit-html/directives/ref.js';
+import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {import('../run/state.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Triple} Triple */
 /** @typedef {{ gains: Triple, errors: readonly [string, string, string], range: readonly [number, number], note: string }} GainsModel */
 /**
  * @typedef {object} GainEvents
@@ -26,68 +30,61 @@ export function createGains(root, note, events) {
   };
 }
 
-/** @param {{ id: string, name: string, letter: string, index: string }} gain @param {number} index @param {GainEvents} events */
-export function createRow(gain, index, events) {
+/**
+ * @param {{ id: string, name: string, letter: string, index: string }} gain @param {number} index @param {GainEvents} events
+ * @param {string} [unit]
+ */
+export function createRow(gain, index, events, unit = '') {
   const { id } = gain;
-  const row = document.createElement('div');
-  const label = document.createElement('label');
-  const slider = document.createElement('input');
-  const number = document.createElement('input');
-  const error = document.createElement('p');
-  const subscript = document.createElement('sub');
-  row.className = `gain ${id}`;
+  const row = create('div', `gain ${id}`);
   row.dataset.term = id === 'ktheta' ? 'kt' : id;
-  Object.assign(slider, { type: 'range', id: `slider-${id}`, step: '0.01' });
-  Object.assign(number, {
-    type: 'text',
-    inputMode: 'decimal',
-    id: `gain-${id}`,
-    autocomplete: 'off',
-    spellcheck: false,
-  });
-  Object.assign(error, { id: `gain-${id}-error`, className: 'field-error', hidden: true });
-  error.setAttribute('role', 'alert');
-  slider.setAttribute('aria-label', strings.gainSliderLabel(gain.name));
-  number.setAttribute('aria-label', strings.gainInputLabel(gain.name));
-  number.setAttribute('aria-describedby', error.id);
-  label.htmlFor = number.id;
-  subscript.textContent = gain.index;
-  label.append(gain.letter, subscript);
-  row.append(label, slider, number, error);
-
-  slider.addEventListener('input', () => events.onSlide(index, slider.valueAsNumber));
-  slider.addEventListener('change', events.onSlid);
   // What somebody is typing is not overwritten by what evolution finds meanwhile.
   let typing = false;
-  number.addEventListener('input', () => {
-    typing = true;
-  });
-  number.addEventListener('blur', () => {
-    typing = false;
-  });
-  number.addEventListener('change', () => {
-    typing = false;
-    events.onType(index, number.value);
-  });
-  number.addEventListener('focus', () => number.select());
+  const on = {
+    slide: (/** @type {Event} */ { target }) =>
+      events.onSlide(index, /** @type {HTMLInputElement} */ (target).valueAsNumber),
+    input: () => {
+      typing = true;
+    },
+    blur: () => {
+      typing = false;
+    },
+    change: (/** @type {Event} */ { target }) => {
+      typing = false;
+      events.onType(index, /** @type {HTMLInputElement} */ (target).value);
+    },
+    focus: (/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).select(),
+  };
 
   return {
     row,
     /** @param {number} value @param {string} message @param {readonly [number, number]} range */
     draw(value, message, [low, high]) {
-      Object.assign(slider, { min: String(low), max: String(high) });
-      slider.value = String(value);
       const percent = (/** @type {number} */ at) =>
         `${(100 * (Math.min(Math.max(at, low), high) - low)) / (high - low)}%`;
-      slider.style.setProperty('--from', percent(Math.min(0, value)));
-      slider.style.setProperty('--to', percent(Math.max(0, value)));
+      const filled = ref((slider) => {
+        const style = /** @type {HTMLElement | undefined} */ (slider)?.style;
+        style?.setProperty('--from', percent(Math.min(0, value)));
+        style?.setProperty('--to', percent(Math.max(0, value)));
+      });
       const text = strings.typed(value, 3);
-      const isStale = !message && !typing && number.value !== text;
-      if (isStale) number.value = text;
-      number.setAttribute('aria-invalid', String(message !== ''));
-      if ((message || isStale) && document.activeElement === number) number.select();
-      error.textContent = message;
-      error.hidden = message === '';
+      const before = /** @type {HTMLInputElement | null} */ (row.querySelector('[type="text"]'));
+      const isStale = !message && !typing && before?.value !== text;
+      render(
+        html`
+          <label for="gain-${id}">${gain.letter}<sub>${gain.index}</sub></label>
+          <input id="slider-${id}" type="range" step="0.01" aria-label=${strings.gainSliderLabel(gain.name)}
+            .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${filled}
+            @input=${on.slide} @change=${events.onSlid}>
+          <input id="gain-${id}" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
+            aria-label=${strings.gainInputLabel(gain.name)} aria-describedby="gain-${id}-error"
+            aria-invalid=${String(message !== '')} .value=${isStale ? live(text) : noChange}
+            @input=${on.input} @blur=${on.blur} @change=${on.change} @focus=${on.focus}>
+          ${unit ? html`<span class="muted">${unit}</span>` : nothing}
+          <p id="gain-${id}-error" class="field-error" role="alert" .hidden=${message === ''}>${message}</p>`,
+        row,
+      );
+      if (before && (message || isStale) && document.activeElement === before) before.select();
     },
   };
 }

@@ -1,50 +1,37 @@
 // The parts of the page: links to all, and only what belongs to the open one in sight.
+import { html, nothing, render } from 'lit-html';
 import { watch } from '../kit/memo.js';
-import { pageNames } from '../run/state.js';
 import { lesson as lessonWords, lab as strings } from '../words/index.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../run/state.js').PageName} PageName */
-/** @typedef {import('../run/state.js').Scene} Scene */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Store} Store */
-
-/** @typedef {import('../parts/generation/record.js').Anatomy} Anatomy */
-/** @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], anatomyOf: (state: State) => Anatomy, steps: import('../parts/generation/steps.js').Steps }} PageParts */
-/** Drawn while it is open, at every change of the state. @typedef {{ name: PageName, draw: (state: State, scene: Scene) => void }} Page */
-
 /**
- * @param {HTMLElement} nav @param {HTMLElement} tagline @param {NodeListOf<HTMLElement>} parts Each names the pages it belongs to.
- * @param {(page: PageName) => void} onOpen @param {() => void} onLesson
+ * @param {readonly string[]} pages @param {HTMLElement} nav @param {HTMLElement} tagline @param {NodeListOf<HTMLElement>} parts Each names the pages it belongs to.
+ * @param {(page: string) => void} onOpen @param {() => void} onLesson
  */
-export function createPages(nav, tagline, parts, onOpen, onLesson) {
-  const links = /** @type {const} */ (['lesson', ...pageNames]).map((name) => {
-    const link = document.createElement('a');
-    const text = name === 'lesson' ? lessonWords.nav : strings.pages[name];
-    Object.assign(link, { id: `page-${name}`, href: `#${name}`, textContent: text });
-    link.addEventListener('click', (event) => {
+export function createPages(pages, nav, tagline, parts, onOpen, onLesson) {
+  /** @param {string} name @param {boolean} isOpen */
+  const linkTo = (name, isOpen) => {
+    const onClick = (/** @type {MouseEvent} */ event) => {
       // With these keys a link opens elsewhere.
       if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
       event.preventDefault();
       if (name === 'lesson') onLesson();
       else onOpen(name);
-    });
-    return { name, link };
-  });
-  nav.replaceChildren(...links.map(({ link }) => link));
+    };
+    const text = name === 'lesson' ? lessonWords.nav : strings.pages[name];
+    return html`<a id="page-${name}" href="#${name}" aria-current=${isOpen ? 'page' : nothing} @click=${onClick}>${text}</a>`;
+  };
   const changed = watch();
   return {
-    /** @param {PageName} open @param {number} lesson @param {number} population */
+    /** @param {string} open @param {number} lesson @param {number} population */
     draw(open, lesson, population) {
       if (!changed(open, lesson, population)) return;
       document.body.dataset.open = open;
       tagline.textContent = lesson ? lessonWords.tagline : strings.taglines(population)[open];
-      for (const { name, link } of links) {
-        if (name === (lesson ? 'lesson' : open)) link.setAttribute('aria-current', 'page');
-        else link.removeAttribute('aria-current');
-      }
+      const current = lesson ? 'lesson' : open;
+      render(
+        ['lesson', ...pages].map((name) => linkTo(name, name === current)),
+        nav,
+      );
       for (const part of parts) part.hidden = !part.dataset.page?.split(' ').includes(open);
     },
   };

@@ -1,6 +1,9 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
 import { createSwatch } from '../kit/swatch.js';
+import { styles } from '../run/pins.js';
 import { isTracking } from '../core/reference.js';
+import { html, render } from 'lit-html';
+import { byId } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
@@ -8,8 +11,7 @@ import { lab as strings } from '../words/index.js';
 /** @typedef {import('../core/engine.js').Run} Run */
 /** @typedef {import('../core/engine.js').Statistics} Statistics */
 /** @typedef {import('../run/state.js').Driver} Driver */
-/** @typedef {import('../run/state.js').Scene} Scene */
-/** @typedef {{ legend: HTMLElement, postures: HTMLElement, planeText: HTMLElement, curve: HTMLElement, announcer: HTMLElement }} NotesElements */
+/** @typedef {import('../run/scene.js').Scene} Scene */
 /**
  * @typedef {object} NotesModel
  * @property {Posture} start
@@ -27,117 +29,65 @@ import { lab as strings } from '../words/index.js';
  * @property {boolean} tried The start is one that evolution does not see.
  */
 
-/** @param {NotesElements} elements @param {{ onRestore: () => void }} events */
-export function createNotes({ legend, postures, planeText, curve, announcer }, { onRestore }) {
-  const driving = item(legend, 'solid');
-  const others = item(legend, 'thin');
-  const comparison = item(legend, 'dashed');
-  const start = item(postures, 'value');
-  const goal = item(postures, 'value');
-  start.id = 'start-text';
-  goal.id = 'goal-text';
-  const restore = document.createElement('button');
-  Object.assign(restore, {
-    id: 'restore-postures',
-    type: 'button',
-    className: 'link',
-  });
-  restore.addEventListener('click', onRestore);
-  const hint = item(postures, 'hint');
-  hint.textContent = strings.dragHint;
-  item(postures, 'hint').append(restore);
-
-  /** @type {HTMLElement[]} */
-  let pinItems = [];
-  const pinsChanged = watch();
-  const sceneChanged = watch();
+/** @param {{ onRestore: () => void }} events */
+export function createNotes({ onRestore }) {
+  const legendChanged = watch();
   const posturesChanged = watch();
   const restChanged = watch();
-  const say = createAnnouncer(announcer);
-
-  /** @param {NotesModel} model */
-  const describe = ({
-    scene,
-    driver,
-    found,
-    history,
-    generation,
-    population,
-    time,
-    start: from,
-    goal: to,
-    pins,
-  }) => {
-    planeText.textContent = strings.planeText(
-      scene.chosen?.name ?? strings.driverName(driver, generation, found),
-      scene.driving,
-      from,
-      to,
-      strings.clockText(time, scene.driving.finalTime),
-      scene.others.length ? othersText(scene, population) : '',
-      pins.map(({ name }, i) => strings.comparisonText(name, scene.pins[i])),
-    );
-    curve.setAttribute('aria-label', strings.curveLabel(history[0], history[history.length - 1]));
-  };
+  const planeText = byId('plane-text');
+  const say = createAnnouncer(byId('announcer'));
 
   return {
     /** @param {NotesModel} model */
     draw(model) {
-      const { scene, driver, found, history, generation, moved, tried } = model;
-      const { chosen } = scene;
-      if (
-        sceneChanged(
-          scene.driving,
-          scene.others,
-          scene.comparison,
-          chosen,
-          driver,
-          found,
-          history,
-          generation,
-        )
-      ) {
-        const rival = chosen?.partner?.name ?? strings.driverName(scene.comparisonDriver, generation, found);
-        driving.textContent = chosen?.name ?? strings.driverName(driver, generation, found);
-        others.textContent = othersText(scene, model.population);
-        others.hidden = scene.others.length === 0;
-        comparison.textContent = scene.withoutDisturbance
-          ? strings.withoutDisturbance
-          : strings.comparisonText(rival, scene.comparison);
-      }
-      if (pinsChanged(scene.pins)) {
-        for (const one of pinItems) one.remove();
-        pinItems = model.pins.map(({ slot, name }, i) => {
-          const one = item(legend, 'pin');
-          one.append(createSwatch(slot), strings.comparisonText(name, scene.pins[i]));
-          return one;
-        });
-      }
-      if (posturesChanged(model.start, model.goal, moved, tried)) {
-        start.textContent = `${strings.startName} ${strings.postureText(model.start)}`;
-        goal.textContent = `${strings.goalName} ${strings.postureText(model.goal)}`;
-        hint.hidden = moved || tried;
-        restore.hidden = !moved && !tried;
-        restore.textContent = tried ? strings.endTrial : strings.restorePostures;
-      }
+      const { scene, driver, found, history, generation, pins, time, start, goal, moved, tried } = model;
+      const { driving, others, comparison, chosen } = scene;
+      if (legendChanged(driving, others, comparison, chosen, driver, found, history, generation, scene.pins))
+        render(legendOf(model), byId('legend'));
+      if (posturesChanged(start, goal, moved, tried)) render(posturesOf(model, onRestore), byId('postures'));
       const silent = !planeText.textContent;
       if (
         (model.atRest || silent) &&
-        restChanged(
-          scene.driving,
-          scene.others,
-          scene.pins,
-          history,
-          generation,
-          model.time,
-          model.start,
-          model.goal,
-        )
-      )
-        describe(model);
+        restChanged(driving, others, scene.pins, history, generation, time, start, goal)
+      ) {
+        planeText.textContent = strings.planeText(
+          chosen?.name ?? strings.driverName(driver, generation, found),
+          driving,
+          start,
+          goal,
+          strings.clockText(time, driving.finalTime),
+          others.length ? othersText(scene, model.population) : '',
+          pins.map(({ name }, i) => strings.comparisonText(name, scene.pins[i])),
+        );
+        byId('curve').setAttribute('aria-label', strings.curveLabel(history[0], history[history.length - 1]));
+      }
       say(strings.announcement(history[generation]));
     },
   };
+}
+
+/** Which line is whose. @param {NotesModel} model */
+function legendOf({ scene, driver, found, generation, population, pins }) {
+  const { chosen, others, comparison, comparisonDriver, withoutDisturbance } = scene;
+  const rival = chosen?.partner?.name ?? strings.driverName(comparisonDriver, generation, found);
+  return html`
+    <li class="solid">${chosen?.name ?? strings.driverName(driver, generation, found)}</li>
+    <li class="thin" .hidden=${others.length === 0}>${othersText(scene, population)}</li>
+    <li class="dashed">${withoutDisturbance ? strings.withoutDisturbance : strings.comparisonText(rival, comparison)}</li>
+    ${pins.map(
+      ({ slot, name }, i) =>
+        html`<li class="pin">${createSwatch(styles[slot])}${strings.comparisonText(name, scene.pins[i])}</li>`,
+    )}`;
+}
+
+/** @param {NotesModel} model @param {() => void} onRestore */
+function posturesOf({ start, goal, moved, tried }, onRestore) {
+  const isTheirs = !moved && !tried;
+  return html`
+    <li id="start-text" class="value">${strings.startName} ${strings.postureText(start)}</li>
+    <li id="goal-text" class="value">${strings.goalName} ${strings.postureText(goal)}</li>
+    <li class="hint" .hidden=${!isTheirs}>${strings.dragHint}</li>
+    <li class="hint"><button id="restore-postures" type="button" class="link" .hidden=${isTheirs} @click=${onRestore}>${tried ? strings.endTrial : strings.restorePostures}</button></li>`;
 }
 
 /** @param {Scene} scene @param {number} population */
@@ -146,14 +96,6 @@ function othersText({ others, chosen }, population) {
   return chosen
     ? chosen.othersText(others.length, arrived)
     : strings.othersText({ others: others.length, population, arrived });
-}
-
-/** @param {HTMLElement} list @param {string} className */
-function item(list, className) {
-  const element = document.createElement('li');
-  element.className = className;
-  list.append(element);
-  return element;
 }
 
 /** Speaks the newest sentence, at most every two seconds. @param {HTMLElement} region */

@@ -1,16 +1,16 @@
 // The button that pins the run on screen, beside the choice of who drives.
 import { byId, create, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
-import { gainsOf } from '../run/state.js';
+import { gainsOf } from '../run/drivers.js';
 import { curves as words } from '../words/index.js';
-import { isFull, pinOf, withPin, withoutPin } from '../run/pins.js';
+import { isFull, pinOf } from '../run/pins.js';
 
 /** @typedef {import('../run/pins.js').Driven} Driven */
-/** @typedef {import('../run/state.js').Scene} Scene */
+/** @typedef {import('../run/scene.js').Scene} Scene */
 /** @typedef {import('../run/state.js').State} State */
 
-/** @param {Pick<import('./navigation.js').PageParts, 'store' | 'paper'>} parts @param {(state: State) => Scene} sceneOf */
-export function createPinButton({ store, paper }, sceneOf) {
+/** @param {{ store: import('../run/store.js').Store, actions: import('../run/actions/actions.js').Actions, paper: import('../core/engine.js').PaperResult[] }} parts @param {(state: State) => Scene} sceneOf */
+export function createPinButton({ store, actions, paper }, sceneOf) {
   const button = byId('pin');
   const note = byId('pin-note');
   // Both texts stay in the button: a press in which the text is written again is no click in WebKit.
@@ -22,11 +22,7 @@ export function createPinButton({ store, paper }, sceneOf) {
   const press = () => {
     const state = store.get();
     const driven = drivenIn(state, sceneOf(state));
-    const pin = pinOf(state.pins, driven);
-    const curves = { ...state.curves, refused: null };
-    if (pin) store.update({ pins: withoutPin(state.pins, pin.slot), curves });
-    else if (isFull(state.pins)) store.update({ curves: { ...curves, refused: driven } });
-    else store.update({ pins: withPin(state.pins, driven, nameOf(state, driven)), curves });
+    actions.togglePin(driven, nameOf(state, driven));
   };
   button.addEventListener('click', press);
 
@@ -36,9 +32,9 @@ export function createPinButton({ store, paper }, sceneOf) {
     draw(state, scene) {
       const driven = drivenIn(state, scene);
       const { experiment, gains } = driven;
-      if (!changed(state.pins, state.curves.refused, experiment, gains)) return;
+      if (!changed(state.pins, state.unpinned, experiment, gains)) return;
       const pin = pinOf(state.pins, driven);
-      const { refused } = state.curves;
+      const { unpinned: refused } = state;
       const isRefused = refused !== null && refused.experiment === experiment && refused.gains === gains;
       unpinText.hidden = !pin;
       pinText.hidden = pin !== undefined;

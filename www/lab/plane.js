@@ -1,26 +1,24 @@
 // The plane in metres: paths on one canvas, redrawn when they change; robots on another, redrawn as they move.
 import { scaleLinear } from 'd3-scale';
-import { createLayer } from '../kit/canvas.js';
+import { createLayer, fillTextWithHalo } from '../kit/canvas.js';
 import { paidAt } from '../core/paid.js';
 import { textFont } from '../kit/fonts.js';
+import { colour } from '../kit/palette.js';
 import { styles } from '../run/pins.js';
-import { drawMark } from '../kit/swatch.js';
-import { keepInside, knobOf } from '../kit/transform.js';
+import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
+import { drawRobots } from './robots.js';
+import { arrow, inMetres, kite, referenceOf, trace } from './track.js';
 
-/** @typedef {import('../kit/canvas.js').Layer} Layer */
 /** @typedef {import('../core/engine.js').Posture} Posture */
 /** @typedef {import('../core/engine.js').Run} Run */
-/** @typedef {import('../run/state.js').Scene} Scene */
+/** @typedef {import('../run/scene.js').Scene} Scene */
 /** @typedef {import('../kit/transform.js').View} View */
-/** @typedef {Pick<Run, 'time' | 'x' | 'y' | 'theta'>} Track */
+/** @typedef {import('./track.js').Track} Track */
 /** @typedef {import('../run/pins.js').Pins} Pins */
-/** @typedef {{ paper: string, hairline: string, ink: string, muted: string, pins: string[] }} Colours */
 /** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, pins: Pins, pays: boolean, time: number, theme: number }} PlaneModel With `pays`, where along the path J was paid. */
-
-const arrow = { robot: 17, posture: 17, ghost: 9 };
 
 /** @param {HTMLCanvasElement} pathsCanvas @param {HTMLCanvasElement} robotsCanvas */
 export function createPlane(pathsCanvas, robotsCanvas) {
@@ -28,54 +26,38 @@ export function createPlane(pathsCanvas, robotsCanvas) {
   const robots = createLayer(robotsCanvas);
   const pathsChanged = watch();
   const robotsChanged = watch();
-  let colours = readColours();
-  const themeChanged = watch();
 
   /** @param {PlaneModel} model */
   const draw = ({ view, scene, start, goal, pins, pays, time, theme }) => {
-    if (themeChanged(theme)) colours = readColours();
     const { driving, others, comparison } = scene;
     if (pathsChanged(view, driving, others, comparison, scene.pins, start, goal, pays, theme)) {
-      paths.clear(view);
-      drawGrid(paths.context, view, colours);
-      drawPinnedGoals(paths.context, view, pins, goal, colours);
-      drawPaths(paths, view, scene, pins, colours);
-      // A small plane has no room for what is written along the path.
-      if (pays && view.height >= 280) drawPayments(paths.context, view, driving, colours);
-      drawTarget(paths.context, view, start, colours.muted, colours);
-      drawTarget(paths.context, view, goal, colours.ink, colours);
+      paths.draw(view, (context) => {
+        drawGrid(context, view);
+        drawPinnedGoals(context, view, pins, goal);
+        drawPaths(context, view, scene, pins);
+        // A small plane has no room for what is written along the path.
+        if (pays && view.height >= 280) drawPayments(context, view, driving);
+        drawTarget(context, view, start, colour('--muted'));
+        drawTarget(context, view, goal, colour('--ink'));
+      });
     }
     if (robotsChanged(view, driving, others, comparison, scene.pins, time, theme)) {
-      robots.clear(view);
-      drawRobots(robots, view, scene, pins, time, colours);
+      robots.draw(view, (context) => drawRobots(context, view, scene, pins, time));
     }
   };
   return { draw };
 }
 
-/** @returns {Colours} */
-function readColours() {
-  const style = getComputedStyle(document.documentElement);
-  const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
-  return {
-    paper: colour('--paper'),
-    hairline: colour('--hairline'),
-    ink: colour('--ink'),
-    muted: colour('--muted'),
-    pins: styles.map(({ token }) => colour(token)),
-  };
-}
-
-/** @param {CanvasRenderingContext2D} context @param {View} view @param {Colours} colours */
-function drawGrid(context, view, colours) {
+/** @param {CanvasRenderingContext2D} context @param {View} view */
+function drawGrid(context, view) {
   const step = gridStep(view);
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const low = view.world(0, view.height);
   const high = view.world(view.width, 0);
   context.font = textFont;
   context.lineWidth = 1;
-  context.strokeStyle = colours.hairline;
-  context.fillStyle = colours.muted;
+  context.strokeStyle = colour('--hairline');
+  context.fillStyle = colour('--muted');
   context.textAlign = 'center';
   context.textBaseline = 'alphabetic';
   context.beginPath();
@@ -111,12 +93,11 @@ function multiples(from, to, step) {
   return Array.from({ length: Math.max(0, Math.floor(to / step) - first + 1) }, (_, i) => (first + i) * step);
 }
 
-/** @param {Layer} layer @param {View} view @param {Scene} scene @param {Pins} pins @param {Colours} colours */
-function drawPaths({ context, inPixels, inMetres }, view, scene, pins, colours) {
-  /** @param {Track} run @param {string} colour @param {number} alpha @param {number} width @param {number[]} [dash] */
-  const path = (run, colour, alpha, width, dash = []) => {
-    inMetres(view);
-    context.strokeStyle = colour;
+/** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins */
+function drawPaths(context, view, scene, pins) {
+  /** @param {Track} run @param {string} stroke @param {number} alpha @param {number} width @param {number[]} [dash] */
+  const path = (run, stroke, alpha, width, dash = []) => {
+    context.strokeStyle = stroke;
     context.globalAlpha = alpha;
     context.lineWidth = width / view.scale;
     context.setLineDash(dash.map((length) => length / view.scale));
@@ -124,48 +105,28 @@ function drawPaths({ context, inPixels, inMetres }, view, scene, pins, colours) 
     trace(context, view, run, run.time.length - 1);
     context.stroke();
   };
+  context.save();
+  inMetres(context, view);
   context.lineJoin = 'round';
   context.lineCap = 'round';
-  for (const run of scene.others) path(run, colours.ink, 0.2, 1);
-  path(scene.comparison, colours.muted, 1, 2, [2, 6]);
+  for (const run of scene.others) path(run, colour('--ink'), 0.2, 1);
+  path(scene.comparison, colour('--muted'), 1, 2, [2, 6]);
   context.lineCap = 'butt';
   for (const [i, { slot }] of pins.entries())
-    path(scene.pins[i], colours.pins[slot], 1, 2, [...styles[slot].dash]);
+    path(scene.pins[i], colour(styles[slot].token), 1, 2, [...styles[slot].dash]);
   context.lineCap = 'round';
-  path(scene.driving, colours.ink, 0.4, 1.5);
-  if (isTracking(scene.driving)) path(referenceOf(scene.driving), colours.ink, 1, 1, [8, 6]);
-  context.globalAlpha = 1;
-  context.setLineDash([]);
-  inPixels();
+  path(scene.driving, colour('--ink'), 0.4, 1.5);
+  if (isTracking(scene.driving)) path(referenceOf(scene.driving), colour('--ink'), 1, 1, [8, 6]);
+  context.restore();
 }
 
-/** The reference as if it were a robot. @param {Run} run @returns {Track} */
-const referenceOf = ({ time, referenceX, referenceY, referenceTheta }) => ({
-  time,
-  x: referenceX,
-  y: referenceY,
-  theta: referenceTheta,
-});
-
-/** A run up to a sample, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {View} view @param {Track} run @param {number} last */
-function trace(context, { scale }, { x, y }, last) {
-  const least = 0.6 / scale;
-  let drawn = 0;
-  context.moveTo(x[0], y[0]);
-  for (let i = 1; i <= last; i += 1) {
-    if (i < last && Math.abs(x[i] - x[drawn]) + Math.abs(y[i] - y[drawn]) < least) continue;
-    context.lineTo(x[i], y[i]);
-    drawn = i;
-  }
-}
-
-/** Where pinned runs had another goal. @param {CanvasRenderingContext2D} context @param {View} view @param {Pins} pins @param {Posture} goal @param {Colours} colours */
-function drawPinnedGoals(context, view, pins, goal, colours) {
+/** Where pinned runs had another goal. @param {CanvasRenderingContext2D} context @param {View} view @param {Pins} pins @param {Posture} goal */
+function drawPinnedGoals(context, view, pins, goal) {
   for (const { slot, experiment } of pins) {
     const { x, y, theta } = experiment.goal;
     if (x === goal.x && y === goal.y && theta === goal.theta) continue;
     kite(context, view.screenX(x), view.screenY(y), theta, arrow.posture);
-    context.strokeStyle = colours.pins[slot];
+    context.strokeStyle = colour(styles[slot].token);
     context.globalAlpha = 0.6;
     context.lineWidth = 1.5;
     context.stroke();
@@ -173,8 +134,8 @@ function drawPinnedGoals(context, view, pins, goal, colours) {
   }
 }
 
-/** Along the path, a stroke wherever so much of J is paid. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {Colours} colours */
-function drawPayments(context, view, run, colours) {
+/** Along the path, a stroke wherever so much of J is paid. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run */
+function drawPayments(context, view, run) {
   const costs = run.time.map((_, i) => paidAt(run, i));
   const half = 5;
   context.font = textFont;
@@ -188,26 +149,22 @@ function drawPayments(context, view, run, colours) {
     const [px, py] = [view.screenX(x), view.screenY(y)];
     const [across, up] = [Math.sin(theta), Math.cos(theta)];
     context.lineWidth = 1.5;
-    context.strokeStyle = colours.ink;
+    context.strokeStyle = colour('--ink');
     context.beginPath();
     context.moveTo(px - half * across, py - half * up);
     context.lineTo(px + half * across, py + half * up);
     context.stroke();
-    const [tx, ty] = [px + 24 * across, py + 18 * up];
-    context.lineWidth = 5;
-    context.strokeStyle = colours.paper;
-    context.fillStyle = colours.muted;
-    context.strokeText(strings.paidText(cost), tx, ty);
-    context.fillText(strings.paidText(cost), tx, ty);
+    const look = { fill: colour('--muted'), halo: colour('--paper') };
+    fillTextWithHalo(context, strings.paidText(cost), px + 24 * across, py + 18 * up, look);
   }
 }
 
-/** Start or goal: an empty arrow, and the knob that turns it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} colour @param {Colours} colours */
-function drawTarget(context, view, posture, colour, colours) {
+/** Start or goal: an empty arrow, and the knob that turns it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} stroke */
+function drawTarget(context, view, posture, stroke) {
   const knob = knobOf(view, posture);
   const [px, py] = [view.screenX(posture.x), view.screenY(posture.y)];
   const angle = Math.atan2(knob.py - py, knob.px - px);
-  context.strokeStyle = colours.muted;
+  context.strokeStyle = colour('--muted');
   context.lineWidth = 1;
   context.beginPath();
   context.moveTo(px + arrow.posture * Math.cos(angle), py + arrow.posture * Math.sin(angle));
@@ -216,130 +173,9 @@ function drawTarget(context, view, posture, colour, colours) {
   context.arc(knob.px, knob.py, 5, 0, 2 * Math.PI);
   context.stroke();
   kite(context, px, py, posture.theta, arrow.posture);
-  context.fillStyle = colours.paper;
-  context.strokeStyle = colour;
+  context.fillStyle = colour('--paper');
+  context.strokeStyle = stroke;
   context.lineWidth = 2;
   context.fill();
   context.stroke();
-}
-
-/** @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {number} theta @param {number} size */
-export function kite(context, px, py, theta, size) {
-  const [c, s] = [Math.cos(theta) * size, -Math.sin(theta) * size];
-  context.beginPath();
-  context.moveTo(px + c, py + s);
-  context.lineTo(px - 0.75 * c - 0.68 * s, py - 0.75 * s + 0.68 * c);
-  context.lineTo(px - 0.35 * c, py - 0.35 * s);
-  context.lineTo(px - 0.75 * c + 0.68 * s, py - 0.75 * s - 0.68 * c);
-  context.closePath();
-}
-
-/** @param {Layer} layer @param {View} view @param {Scene} scene @param {Pins} pins @param {number} time @param {Colours} colours */
-function drawRobots(layer, view, scene, pins, time, colours) {
-  const { context } = layer;
-  /** @param {Run} run @param {number} size */
-  const robot = (run, size) => {
-    const { x, y, theta } = postureAt(run, time);
-    kite(context, view.screenX(x), view.screenY(y), theta, size);
-  };
-  context.fillStyle = colours.ink;
-  context.globalAlpha = 0.3;
-  for (const run of scene.others) {
-    robot(run, arrow.ghost);
-    context.fill();
-  }
-  context.globalAlpha = 1;
-  context.strokeStyle = colours.muted;
-  context.fillStyle = colours.paper;
-  context.lineWidth = 1.5;
-  robot(scene.comparison, 12);
-  context.fill();
-  context.stroke();
-  for (const [i, { slot }] of pins.entries()) {
-    const { x, y } = postureAt(scene.pins[i], time);
-    context.fillStyle = colours.pins[slot];
-    robot(scene.pins[i], 12);
-    context.fill();
-    drawMark(context, slot, view.screenX(x), view.screenY(y) - 20, {
-      fill: colours.pins[slot],
-      edge: colours.paper,
-    });
-  }
-  if (isTracking(scene.driving)) drawReference(context, view, scene.driving, time, colours);
-  drawTrail(layer, view, scene.driving, time, colours);
-  context.fillStyle = colours.ink;
-  robot(scene.driving, arrow.robot);
-  context.fill();
-  drawStray(context, view, postureAt(scene.driving, time), colours);
-}
-
-/** The posture to follow: empty like the goal, from which it has come. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} time @param {Colours} colours */
-function drawReference(context, view, run, time, colours) {
-  const { x, y, theta } = postureAt(referenceOf(run), time);
-  const [px, py] = [view.screenX(x), view.screenY(y)];
-  kite(context, px, py, theta, arrow.posture);
-  context.strokeStyle = colours.ink;
-  context.fillStyle = colours.paper;
-  context.lineWidth = 2;
-  context.fill();
-  context.stroke();
-  context.font = textFont;
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
-  context.lineWidth = 5;
-  context.strokeStyle = colours.paper;
-  context.fillStyle = colours.ink;
-  context.strokeText(strings.referenceName, px + 22, py + 22);
-  context.fillText(strings.referenceName, px + 22, py + 22);
-}
-
-/** @param {Layer} layer @param {View} view @param {Run} run @param {number} time @param {Colours} colours */
-function drawTrail({ context, inPixels, inMetres }, view, run, time, colours) {
-  const { x, y } = postureAt(run, time);
-  inMetres(view);
-  context.strokeStyle = colours.ink;
-  context.lineWidth = 3.5 / view.scale;
-  context.lineJoin = 'round';
-  context.lineCap = 'round';
-  context.beginPath();
-  trace(context, view, run, sampleBefore(run, time));
-  context.lineTo(x, y);
-  context.stroke();
-  inPixels();
-}
-
-/** A robot outside the plane leaves a mark at the edge, with its distance from there. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {Colours} colours */
-function drawStray(context, view, { x, y }, colours) {
-  const [px, py] = [view.screenX(x), view.screenY(y)];
-  const edge = keepInside(view, px, py);
-  const beyond = Math.hypot(px - edge.px, py - edge.py);
-  if (beyond < 24) return;
-  context.fillStyle = colours.ink;
-  kite(context, edge.px, edge.py, Math.atan2(edge.py - py, px - edge.px), 10);
-  context.fill();
-  context.font = textFont;
-  context.textBaseline = 'middle';
-  const inward = edge.px > view.width / 2 ? -1 : 1;
-  const text = strings.outside(beyond / view.scale);
-  context.textAlign = inward < 0 ? 'right' : 'left';
-  context.lineWidth = 5;
-  context.strokeStyle = colours.paper;
-  context.strokeText(text, edge.px + 18 * inward, edge.py);
-  context.fillText(text, edge.px + 18 * inward, edge.py);
-}
-
-/** @param {Pick<Track, 'time'>} run @param {number} time */
-export function sampleBefore(run, time) {
-  const last = run.time.length - 1;
-  if (last < 1 || time >= run.time[last]) return last;
-  return Math.min(last, Math.floor(time / run.time[1] + 1e-9));
-}
-
-/** Where the robot is, between two samples on the straight line. @param {Track} run @param {number} time @returns {Posture} */
-function postureAt(run, time) {
-  const i = sampleBefore(run, time);
-  const j = Math.min(i + 1, run.time.length - 1);
-  const part = i === j ? 0 : (time - run.time[i]) / (run.time[j] - run.time[i]);
-  const between = (/** @type {Float64Array} */ values) => values[i] + part * (values[j] - values[i]);
-  return { x: between(run.x), y: between(run.y), theta: between(run.theta) };
 }

@@ -1,96 +1,66 @@
 // The mean step size σ of each gain over the generations, on a logarithmic axis.
-import uPlot from 'uplot';
-import { drawShown, lastTick } from './fitness.js';
+import { scaleLog } from 'd3-scale';
 import {
-  axis,
-  colour,
-  gutterOf,
-  isNarrow,
-  lineLabel,
-  placeName,
-  sizeOf,
-  spread,
-  wholeSteps,
-} from '../kit/plot.js';
-import { watch } from '../kit/memo.js';
+  createChart,
+  drawCurve,
+  drawDot,
+  drawGrid,
+  drawNumbersBelow,
+  frameIn,
+  pointsOf,
+  wholeTicks,
+  within,
+} from '../kit/chart.js';
+import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
 import { curves as words, lab } from '../words/index.js';
+import { drawShown, generationScale } from './fitness.js';
 
 /** @typedef {import('../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../kit/chart.js').Axes} Axes */
+/** @typedef {import('../kit/chart.js').Size} Size */
 /** @typedef {{ history: Statistics[], generation: number, theme: number }} SigmasModel */
 
 const tokens = ['--x', '--y', '--theta'];
 
 /** @param {HTMLElement} root */
 export function createSigmas(root) {
-  /** @type {SigmasModel} */
-  let model = { history: [], generation: 0, theme: 0 };
-  const changed = watch();
-  const labels = createLabels();
-  const points = { show: () => model.history.length === 1, size: 7 };
-  const plot = new uPlot(
-    {
-      ...sizeOf(root),
-      padding: [8, gutterOf, 0, 0],
-      legend: { show: false },
-      cursor: { show: false },
-      scales: {
-        x: { time: false, range: () => [0, lastTick(model.history.length - 1)] },
-        y: { distr: 3, range: () => decades(model.history) },
-      },
-      axes: [
-        { ...axis(), size: 28, space: 56, incrs: wholeSteps },
-        {
-          ...axis(),
-          size: 52,
-          splits: () => powers(decades(model.history)),
-          // Left to itself, uPlot names only some of the powers.
-          filter: (_, powersOfTen) => powersOfTen,
-          values: (_, ticks) => ticks.map(powerText),
-        },
-      ],
-      series: [
-        {},
-        ...tokens.map((token) => ({
-          stroke: () => colour(token),
-          width: 2,
-          points: { ...points, fill: () => colour(token) },
-        })),
-      ],
-      hooks: {
-        draw: [
-          (drawn) => {
-            labels.draw(drawn, model.history[model.history.length - 1]);
-            drawShown(drawn, model);
-          },
-        ],
-      },
-    },
-    [[], [], [], []],
-    root,
-  );
-  plot.over.append(...labels.elements);
-  new ResizeObserver(() => plot.setSize(sizeOf(root))).observe(root);
-
+  const chart = createChart(root, drawSigmas);
   return {
-    /** @param {SigmasModel} next */
-    draw(next) {
-      if (!changed(next.history, next.generation, next.theme)) return;
-      model = next;
-      root.setAttribute(
-        'aria-label',
-        words.sigmaLabel(next.history[0], next.history[next.generation], lab.gains),
-      );
-      plot.setData(columns(next.history));
+    /** @param {SigmasModel} model */
+    draw(model) {
+      if (!chart.draw(model)) return;
+      const { history, generation } = model;
+      root.setAttribute('aria-label', words.sigmaLabel(history[0], history[generation], lab.gains));
     },
   };
 }
 
-/** @param {Statistics[]} history @returns {uPlot.AlignedData} */
-const columns = (history) => [
-  history.map(({ generation }) => generation),
-  // A σ that has underflowed has no place on this axis.
-  ...[0, 1, 2].map((i) => history.map(({ meanSigmas }) => meanSigmas[i] || null)),
-];
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {SigmasModel} model */
+function drawSigmas(context, size, { history, generation }) {
+  const frame = frameIn(size, { right: gutterOf(size) });
+  const range = decades(history);
+  const axes = {
+    frame,
+    x: generationScale(history, frame),
+    y: scaleLog(range, [frame.bottom, frame.top]),
+  };
+  const ticks = { x: wholeTicks(axes.x), y: powers(range) };
+  drawGrid(context, axes, ticks, ticks.y.map(powerText));
+  drawNumbersBelow(context, axes.x, frame.bottom, ticks.x, ticks.x.map(String));
+  const generations = history.map((one) => one.generation);
+  within(context, frame, () => {
+    for (const [i, token] of tokens.entries()) {
+      // A σ that has underflowed has no place on this axis.
+      const sigma = (/** @type {number} */ at) => history[at].meanSigmas[i] || Number.NaN;
+      drawCurve(context, pointsOf(axes, generations, sigma), { token, width: 2 });
+    }
+  });
+  if (history.length === 1)
+    for (const [i, token] of tokens.entries())
+      drawDot(context, axes.x(0), axes.y(history[0].meanSigmas[i]), token);
+  drawLineNames(context, size, axes, history[history.length - 1]);
+  drawShown(context, axes, history, generation);
+}
 
 /** Whole powers of ten around all σ. @param {Statistics[]} history @returns {[number, number]} */
 function decades(history) {
@@ -114,30 +84,16 @@ function powers([low, high]) {
 
 const powerText = (/** @type {number} */ power) => words.powerOfTen(Math.round(Math.log10(power)));
 
-function createLabels() {
-  const names = lab.gains.map(({ id, letter, index }) => {
-    const [before, after] = words.sigmaOf;
-    const label = lineLabel(`sigma ${id}`, before);
-    const subscript = document.createElement('sub');
-    subscript.textContent = index;
-    label.append(letter, subscript, after);
-    return label;
-  });
-  const axisName = lineLabel('axis-name', lab.generationAxis);
-  /** @param {uPlot} plot @param {Statistics | undefined} newest */
-  const draw = (plot, newest) => {
-    const height = plot.over.clientHeight;
-    const right = plot.over.clientWidth + 6;
-    axisName.style.transform = `translate(${right + 6}px, ${height + 6}px)`;
-    if (!newest) return;
-    const end = plot.valToPos(newest.generation, 'x') + 10;
-    const places = names.map((element, i) => ({
-      element,
-      y: Math.min(Math.max(plot.valToPos(newest.meanSigmas[i], 'y') || height, 0), height - 8),
-    }));
-    spread(places, height);
-    for (const { element, y } of places) placeName(plot, element, Math.min(end, right), y);
-    axisName.hidden = isNarrow(plot);
-  };
-  return { elements: [...names, axisName], draw };
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {Axes} axes @param {Statistics} newest */
+function drawLineNames(context, size, { x, y, frame }, newest) {
+  const [before, after] = words.sigmaOf;
+  const names = lab.gains.map(({ letter, index }, i) => ({
+    text: [before + letter, index, after],
+    token: tokens[i],
+    x: Math.min(x(newest.generation) + 10, frame.right + 6),
+    y: Math.min(Math.max(y(newest.meanSigmas[i]) || frame.bottom, frame.top), frame.bottom - 8),
+  }));
+  spread(names, frame.top, frame.bottom);
+  drawNames(context, size, frame, names);
+  if (!isNarrow(size)) drawAxisNames(context, frame, { x: lab.generationAxis });
 }

@@ -12,8 +12,9 @@ import { createSigmas } from './sigmas.js';
 import { curves as curveWords, lab as strings, texts } from '../words/index.js';
 import { language } from '../words/language.js';
 import { createPages } from './navigation.js';
+import { labSlice } from './state.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {ReturnType<typeof createViews>} Views */
 
 /** @param {string} text */
@@ -35,10 +36,11 @@ export function fillTexts() {
     element.setAttribute('aria-label', texts[element.getAttribute('data-label') ?? '']);
 }
 
-/** @param {Actions} actions @param {() => void} onLesson */
-export function createViews(actions, onLesson) {
+/** @param {import('../run/store.js').Store} store @param {Actions} actions @param {readonly string[]} pages @param {() => void} onLesson */
+export function createViews(store, actions, pages, onLesson) {
   return {
     pages: createPages(
+      pages,
       byId('pages'),
       byId('tagline'),
       document.querySelectorAll('[data-page]'),
@@ -53,63 +55,18 @@ export function createViews(actions, onLesson) {
       onMove: actions.movePosture,
       onRelease: actions.releasePosture,
     }),
-    notes: createNotes(
-      {
-        legend: byId('legend'),
-        postures: byId('postures'),
-        planeText: byId('plane-text'),
-        curve: byId('curve'),
-        announcer: byId('announcer'),
-      },
-      { onRestore: actions.restorePostures },
-    ),
-    robotBar: createRobotBar(
-      { play: byId('play'), speed: byId('speed'), clock: byId('clock'), scrub: byId('scrub') },
-      { onPlay: actions.togglePlay, onSpeed: actions.setSpeed, onScrub: actions.scrub },
-    ),
-    cost: createCost({
-      title: byId('cost-title'),
-      total: byId('cost-total'),
-      outcome: byId('outcome'),
-      note: byId('cost-note'),
-      bar: byId('cost-bar'),
-      parts: byId('cost-parts'),
-    }),
+    notes: createNotes({ onRestore: actions.restorePostures }),
+    robotBar: createRobotBar(byId('robot-clock'), actions),
+    cost: createCost(byId('cost')),
     curve: createCurve(byId('curve')),
     sigmas: createSigmas(byId('sigmas')),
     curveChoice: createSegmented(
       byId('curve-choice'),
       curveWords.curveLegend,
       curveWords.curveChoices,
-      actions.chooseCurve,
+      (curve) => labSlice.update(store, { curve }),
     ),
-    evolutionBar: createEvolutionBar(
-      {
-        run: byId('run'),
-        back: byId('one-back'),
-        one: byId('one-generation'),
-        timeline: byId('timeline'),
-        pace: byId('pace'),
-        until: byId('until'),
-        untilValue: byId('until-value'),
-        untilError: byId('until-error'),
-        reset: byId('reset'),
-        seedButton: byId('new-seed'),
-        seed: byId('seed'),
-        generation: byId('generation'),
-        note: byId('evolution-note'),
-      },
-      {
-        onRun: actions.toggleEvolution,
-        onOne: actions.oneGeneration,
-        onReset: actions.reset,
-        onNewSeed: actions.newSeed,
-        onBack: actions.oneBack,
-        onShow: actions.showGeneration,
-        onPace: actions.setPace,
-        onUntil: actions.setUntil,
-      },
-    ),
+    evolutionBar: createEvolutionBar(byId('evolving'), actions),
     gains: createGains(byId('gains'), byId('gains-note'), {
       onSlide: actions.slideGain,
       onSlid: actions.driveAgain,

@@ -1,13 +1,11 @@
 // The generation that is shown, taken apart for the lesson, and the pair that is in question there.
+import { generationSlice } from '../parts/generation/state.js';
 import { chosenOf, dissect, isInitial } from '../parts/generation/record.js';
 import { remember } from '../kit/memo.js';
 
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').GenerationRecord} GenerationRecord */
-/** @typedef {import('../core/engine.js').Individual} Individual */
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../parts/generation/record.js').Anatomy} Anatomy */
-/** @typedef {import('./page.js').Live} Live */
+/** @import { Engine, GenerationRecord, Individual, Statistics } from '../core/engine.js' */
+/** @import { Anatomy } from '../parts/generation/record.js' */
+/** @import { Live } from './page.js' */
 /** @typedef {{ parent: Individual, child: Individual, draws: GenerationRecord['mutations'][number] }} Birth */
 
 const dissected = remember((/** @type {Engine} */ engine, /** @type {Statistics} */ { generation }) =>
@@ -20,7 +18,7 @@ export const anatomyOf = ({ engine, state }) => dissected(engine, state.history[
 /** The number of the individual that is chosen in the figure, whatever the phase. @param {Live} live */
 export const chosenIn = (live) =>
   chosenOf(anatomyOf(live), {
-    ...live.state.anatomy,
+    ...generationSlice.of(live.state),
     phase: isInitial(anatomyOf(live).record) ? 'parents' : 'survivors',
   });
 

@@ -1,16 +1,31 @@
 // The duel as lines: the best J so far against the number of drives.
-import uPlot from 'uplot';
-import { drawPath } from '../kit/swatch.js';
-import { axis, colour, lineLabel, sameDigits, sizeOf, spread, wholeSteps } from '../kit/plot.js';
-import { watch } from '../kit/memo.js';
+import { scaleLinear } from 'd3-scale';
+import {
+  createChart,
+  drawCurve,
+  drawGrid,
+  drawNumbersBelow,
+  drawUpright,
+  frameIn,
+  pointsOf,
+  sameDigits,
+  ticksOn,
+  wholeTicks,
+  within,
+} from '../kit/chart.js';
+import { drawAxisNames, drawName, spread } from '../kit/names.js';
+import { colour } from '../kit/palette.js';
+import { drawMark } from '../kit/swatch.js';
 import { generationsIn, longestOf, lowestOf } from './duel.js';
 
-/** @typedef {import('./duel.js').Duel} Duel */
+/** @import { Axes, Size } from '../kit/chart.js' */
+/** @import { Look } from '../kit/swatch.js' */
+/** @import { Duel } from './duel.js' */
 /** @typedef {{ names: Record<'you' | 'evolution' | 'random', string>, drivesAxis: string, costSymbol: string }} PlotWords */
 
 const gutter = 112;
 const marksOnLine = 4;
-/** Told apart by dash and mark, also from afar and without colours. @type {Record<'you' | 'evolution' | 'random', import('../kit/swatch.js').Look>} */
+/** Told apart by dash and mark, also from afar and without colours. @type {Record<'you' | 'evolution' | 'random', Look>} */
 export const looks = {
   you: { token: '--ink', dash: [], mark: 'M-5 0A5 5 0 1 0 5 0A5 5 0 1 0-5 0z' },
   evolution: { token: '--ink', dash: [8, 4], mark: 'M0-7 5.5 0 0 7-5.5 0z' },
@@ -20,108 +35,84 @@ export const looks = {
     mark: 'M-6-3.6-3.6-6 0-2.4 3.6-6 6-3.6 2.4 0 6 3.6 3.6 6 0 2.4-3.6 6-6 3.6-2.4 0z',
   },
 };
-/** As the columns stand. */
+/** As they lie on each other. */
 const lines = /** @type {const} */ (['random', 'evolution', 'you']);
-const stepped = /** @type {uPlot.Series.PathBuilder} */ (uPlot.paths.stepped?.({ align: 1 }));
 
 /** @param {HTMLElement} root @param {PlotWords} words */
 export function createDuelPlot(root, words) {
-  /** @type {Duel | null} */
-  let duel = null;
-  const changed = watch();
-  const labels = createLabels(words);
-  const line = (/** @type {'you' | 'evolution' | 'random'} */ name) => ({
-    stroke: () => colour(looks[name].token),
-    width: name === 'random' ? 2 : 2.5,
-    dash: [...looks[name].dash],
-    paths: stepped,
-    points: { show: false },
-  });
-  const plot = new uPlot(
-    {
-      ...sizeOf(root),
-      padding: [8, gutter, 0, 0],
-      legend: { show: false },
-      cursor: { show: false },
-      scales: {
-        x: { time: false, range: () => [0, duel ? shownDrives(duel) : 1] },
-        y: { range: () => (duel ? costRange(duel) : [0, 1]) },
-      },
-      axes: [
-        { ...axis(), size: 28, space: 56, incrs: wholeSteps, values: (_, ticks) => ticks.map(String) },
-        { ...axis(), size: 52, space: 32, values: sameDigits },
-      ],
-      series: [{}, ...lines.map(line)],
-      hooks: {
-        draw: [
-          (drawn) => {
-            if (!duel) return;
-            drawEnd(drawn, duel);
-            drawMarks(drawn);
-            labels.draw(drawn, duel);
-          },
-        ],
-      },
-    },
-    [[], [], [], []],
-    root,
+  const chart = createChart(root, (context, size, /** @type {{ duel: Duel, theme: number }} */ { duel }) =>
+    drawDuel(context, size, duel, words),
   );
-  plot.over.append(...labels.elements);
-  new ResizeObserver(() => plot.setSize(sizeOf(root))).observe(root);
-
   return {
-    /** @param {Duel} next @param {number} theme */
-    draw(next, theme) {
-      if (!changed(next, theme)) return;
-      duel = next;
-      plot.setData(columns(next));
-    },
+    /** @param {Duel} duel @param {number} theme */
+    draw: (duel, theme) => chart.draw({ duel, theme }),
   };
 }
 
-/** On each line where it begins, for the first robots of evolution are driven as a whole, and then here and there, never two at one place. @param {uPlot} plot */
-function drawMarks(plot) {
-  const { ctx, data, scales } = plot;
-  const top = scales.y.max ?? Number.POSITIVE_INFINITY;
-  ctx.save();
-  ctx.scale(uPlot.pxRatio, uPlot.pxRatio);
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {Duel} duel @param {PlotWords} words */
+function drawDuel(context, size, duel, words) {
+  const frame = frameIn(size, { right: gutter });
+  const axes = {
+    frame,
+    x: scaleLinear([0, shownDrives(duel)], [frame.left, frame.right]),
+    y: scaleLinear(costRange(duel), [frame.bottom, frame.top]),
+  };
+  const ticks = { x: wholeTicks(axes.x), y: ticksOn(axes.y, 32) };
+  drawGrid(context, axes, ticks, sameDigits(ticks.y));
+  drawNumbersBelow(context, axes.x, frame.bottom, ticks.x, ticks.x.map(String));
+  const columns = columnsOf(duel);
+  const drives = columns[0].map((_, i) => i + 1);
+  within(context, frame, () => {
+    for (const [i, name] of lines.entries()) {
+      const { token, dash } = looks[name];
+      const points = pointsOf(axes, drives, (drive) => columns[i][drive], true);
+      drawCurve(context, points, { token, dash, width: name === 'random' ? 2 : 2.5 });
+    }
+  });
+  if (duel.goesOn)
+    drawUpright(context, axes.x(duel.costs.length), frame, { token: '--muted', width: 1, dash: [3, 3] });
+  drawMarks(context, axes, columns);
+  drawLineNames(context, axes, columns, words);
+}
+
+/** On each line where it begins, for the first robots of evolution are driven as a whole, and then here and there, never two at one place. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number[][]} columns */
+function drawMarks(context, { x, y, frame }, columns) {
   for (const [i, name] of lines.entries()) {
-    const costs = data[i + 1];
-    const first = costs.findIndex((cost) => typeof cost === 'number');
+    const costs = columns[i];
     const spaced = Array.from({ length: marksOnLine }, (_, k) =>
       Math.round(((k + (i + 1) / lines.length) * (costs.length - 1)) / marksOnLine),
     );
-    for (const at of new Set([first, ...spaced])) {
-      const cost = costs[at];
-      if (typeof cost !== 'number' || cost > top) continue;
-      const [x, y] = [plot.valToPos(data[0][at], 'x', true), plot.valToPos(cost, 'y', true)];
+    for (const at of new Set([costs.findIndex(Number.isFinite), ...spaced])) {
+      const [px, py] = [x(at + 1), y(costs[at])];
+      if (!(py >= frame.top)) continue;
       const colours = { fill: colour(looks[name].token), edge: colour('--paper') };
-      drawPath(ctx, looks[name].mark, x / uPlot.pxRatio, y / uPlot.pxRatio, colours);
+      drawMark(context, looks[name].mark, px, py, colours);
     }
   }
-  ctx.restore();
 }
 
 /** @param {Duel} duel */
 const shownDrives = (duel) =>
   duel.goesOn ? longestOf(duel) : Math.max(duel.costs.length, duel.experiment.evolution.population);
 
-/** The best so far after each drive. @param {Duel} duel @returns {uPlot.AlignedData} */
-function columns(duel) {
+/** The best so far after each drive, of each line; NaN where there is none. @param {Duel} duel */
+function columnsOf(duel) {
   const { costs, experiment, rounds } = duel;
   const { population } = experiment.evolution;
   const { evolution, random } = rounds[rounds.length - 1];
   const drives = Array.from({ length: shownDrives(duel) }, (_, i) => i + 1);
-  const finite = (/** @type {number} */ cost) => (Number.isFinite(cost) ? cost : null);
+  const finite = (/** @type {number} */ cost) => (Number.isFinite(cost) ? cost : Number.NaN);
   // The first population is driven as a whole.
   const byGeneration = (/** @type {ArrayLike<number>} */ bests) =>
-    drives.map((drive) => (drive < population ? null : finite(bests[generationsIn(drive, population)])));
+    drives.map((drive) =>
+      drive < population ? Number.NaN : finite(bests[generationsIn(drive, population)]),
+    );
   let lowest = Number.POSITIVE_INFINITY;
   const own = drives.map((drive) => {
     lowest = Math.min(lowest, costs[drive - 1] ?? lowest);
     return finite(lowest);
   });
-  return [drives, byGeneration(random), byGeneration(evolution), own];
+  return [byGeneration(random), byGeneration(evolution), own];
 }
 
 /** From the lowest J to where evolution began, or to your best; what is worse comes in from above. @param {Duel} duel @returns {[number, number]} */
@@ -135,44 +126,16 @@ function costRange({ costs, rounds }) {
   return [low - room, high + 3 * room];
 }
 
-/** Where you have stopped. @param {uPlot} plot @param {Duel} duel */
-function drawEnd(plot, { costs, goesOn }) {
-  if (!goesOn) return;
-  const { ctx, bbox } = plot;
-  const x = plot.valToPos(costs.length, 'x', true);
-  ctx.save();
-  ctx.strokeStyle = colour('--muted');
-  ctx.lineWidth = uPlot.pxRatio;
-  ctx.setLineDash([3 * uPlot.pxRatio, 3 * uPlot.pxRatio]);
-  ctx.beginPath();
-  ctx.moveTo(x, bbox.top);
-  ctx.lineTo(x, bbox.top + bbox.height);
-  ctx.stroke();
-  ctx.restore();
-}
-
-/** @param {PlotWords} words */
-function createLabels({ names, drivesAxis, costSymbol }) {
-  const you = lineLabel('best', names.you);
-  const evolution = lineLabel('evolved', names.evolution);
-  const random = lineLabel('random', names.random);
-  const axisName = lineLabel('axis', drivesAxis);
-  const costName = lineLabel('axis', costSymbol);
-  /** @param {uPlot} plot @param {Duel} duel */
-  const draw = (plot, duel) => {
-    const [, ...lines] = columns(duel);
-    const height = plot.over.clientHeight;
-    const right = plot.over.clientWidth + 6;
-    const places = [random, evolution, you].map((element, i) => {
-      const end = lines[i].at(-1);
-      element.hidden = end === null || end === undefined;
-      return { element, y: Math.min(Math.max(plot.valToPos(end ?? 0, 'y'), 0), height) };
-    });
-    spread(places, height);
-    for (const { element, y } of places)
-      element.style.transform = `translate(${right}px, ${y}px) translateY(-50%)`;
-    costName.style.transform = 'translate(-50px, 0)';
-    axisName.style.transform = `translate(${right + 14}px, ${height + 6}px)`;
-  };
-  return { elements: [random, evolution, you, axisName, costName], draw };
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number[][]} columns @param {PlotWords} words */
+function drawLineNames(context, { y, frame }, columns, { names, drivesAxis, costSymbol }) {
+  const places = lines.flatMap((name, i) => {
+    const end = columns[i][columns[i].length - 1];
+    if (Number.isNaN(end)) return [];
+    const { token } = looks[name];
+    const height = Math.min(Math.max(y(end), frame.top), frame.bottom);
+    return [{ text: names[name], y: height, token, isStrong: name === 'you' }];
+  });
+  if (places.length > 0) spread(places, frame.top, frame.bottom);
+  for (const place of places) drawName(context, { ...place, x: frame.right + 6 });
+  drawAxisNames(context, { ...frame, right: frame.right + 2 }, { x: drivesAxis, y: costSymbol });
 }

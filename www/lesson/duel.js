@@ -2,9 +2,10 @@
 
 import { taskText } from './tally.js';
 
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('./tally.js').Tally} Tally */
+/** @import { Engine, Experiment } from '../core/engine.js' */
+/** @import { Verdict } from '../words/common/lesson.js' */
+/** @import { Tally } from './state.js' */
+
 /**
  * The best J of each generation, and what random search had found by then.
  * @typedef {{ seed: number, evolution: ArrayLike<number>, random: ArrayLike<number> }} Round
@@ -17,7 +18,6 @@ import { taskText } from './tally.js';
  * @property {readonly Round[]} rounds One for each seed; the newest is shown.
  * @property {boolean} goesOn The others are shown beyond as many drives.
  */
-/** @typedef {ReturnType<typeof judge>} Verdict */
 
 /** The choices of the prediction, and who can win. */
 export const winners = /** @type {const} */ (['you', 'evolution', 'random', 'both']);
@@ -72,7 +72,7 @@ export async function roundOf(engine, duel, seed) {
 export const nextSeed = ({ experiment, rounds }) =>
   (rounds.at(-1)?.seed ?? experiment.evolution.seed - 1) + 1;
 
-/** @param {Duel} duel @param {Round} round */
+/** @param {Duel} duel @param {Round} round @returns {Verdict} */
 export function judge(duel, { seed, evolution, random }) {
   const { costs, experiment } = duel;
   const { population } = experiment.evolution;
@@ -87,13 +87,11 @@ export function judge(duel, { seed, evolution, random }) {
     drives,
     population,
     generation,
-    /** What each of the other two has driven. */
     given: drivesUntil(generation, population),
     costs: { you: own, ...others },
     winner: winnerOf(own, others),
     longest: drivesUntil(last, population),
     later: { evolution: evolution[last], random: random[last] },
-    /** With so many drives evolution is below your best; null: not so far. */
     passed: passedAt < 0 ? null : drivesUntil(passedAt, population),
   };
 }

@@ -4,7 +4,7 @@ import { createView } from '../kit/transform.js';
 import { watch } from '../kit/memo.js';
 import { symbolInText } from './symbols.js';
 
-/** @typedef {import('./page.js').Live} Live */
+/** @import { Live } from './page.js' */
 
 const radius = 56;
 

@@ -3,8 +3,8 @@ import { create, write } from '../kit/elements.js';
 import { lesson as words } from '../words/index.js';
 import { isSymbol, mathml, symbol } from './symbols.js';
 
-/** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('./notation.js').Formula} Formula */
+/** @import { Formula } from './notation.js' */
+/** @import { Live } from './page.js' */
 /** @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
 
 /** On a small screen a long formula scrolls, also by keyboard. @param {string} className @param {Element} math */

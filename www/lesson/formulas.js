@@ -1,4 +1,5 @@
 // The formulas of the paper that more than one step shows.
+import { lawTerms } from '../core/rules.js';
 import { generation as words, lab } from '../words/index.js';
 import { costText, degreesText, signed } from '../words/numbers.js';
 import { anatomyOf, birthOf, chosenIn } from './anatomy.js';
@@ -18,9 +19,9 @@ import {
   term,
 } from './notation.js';
 
-/** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('./notation.js').Formula} Formula */
-/** @typedef {import('./notation.js').Leaf} Leaf */
+/** @import { Cost } from '../core/engine.js' */
+/** @import { Formula, Leaf, Part } from './notation.js' */
+/** @import { Live } from './page.js' */
 
 /** The numbers that the law works with. @param {Pick<Live, 'sample' | 'gains'>} live */
 function lawNumbers({ sample, gains }) {
@@ -74,7 +75,7 @@ export const errorFormula = {
  * What the terms of (5) are made of, by the gain that each has in it; of v, then of ω.
  * @param {Leaf} leaf
  */
-export const lawTerms = (leaf) => ({
+export const partsOfLaw = (leaf) => ({
   linear: {
     kx: [leaf('kx'), dot, leaf('xe'), dot, cos(leaf('te'))],
     ky: [leaf('ky'), dot, frac(sup(leaf('ye'), '3'), sin(leaf('te')))],
@@ -90,7 +91,7 @@ export const lawTerms = (leaf) => ({
 export const lawFormula = {
   label: '(5)',
   build(leaf) {
-    const { linear, angular } = lawTerms(leaf);
+    const { linear, angular } = partsOfLaw(leaf);
     return [
       line(leaf('v'), term('kx', ...linear.kx), '−', term('ky', ...linear.ky)),
       line(leaf('w'), term('kt', ...angular.kt), '+', term('ky', ...angular.ky)),
@@ -100,20 +101,19 @@ export const lawFormula = {
   numbers: ({ decided, gains }) => lawNumbers({ sample: decided, gains }),
 };
 
-/** A part of J, in its colour of the bar. @param {Exclude<keyof import('../core/engine.js').Cost, 'total'>} name @param {import('./notation.js').Part[]} parts */
+/** A part of J, in its colour of the bar. @param {Exclude<keyof Cost, 'total'>} name @param {Part[]} parts */
 const costPart = (name, ...parts) => {
   const group = term(name, ...parts);
   group.setAttribute('class', `part-${name}`);
   return group;
 };
-const transposed = (/** @type {import('./notation.js').Part} */ of) => sup(of, 'T');
+const transposed = (/** @type {Part} */ of) => sup(of, 'T');
 
 /** (9); its parts in the order of the paper. @type {Formula} */
 export const costFormula = {
   label: '(9)',
   build(leaf) {
-    const gap = (/** @type {import('./notation.js').Part[]} */ ...at) =>
-      row('(', leaf('p'), ...at, '−', leaf('pr'), ')');
+    const gap = (/** @type {Part[]} */ ...at) => row('(', leaf('p'), ...at, '−', leaf('pr'), ')');
     return [
       line(
         leaf('J'),
@@ -270,9 +270,8 @@ export const rateFormula = {
     further('−', term('te', leaf('kt'), dot, sin(leaf('te'), '2'))),
   ],
   numbers: (live) => {
-    const { x, y, theta } = live.sample.error;
-    const [kx, ky, kt] = live.gains;
-    const rate = -kx * (x * Math.cos(theta)) ** 2 - ky * y ** 4 - kt * Math.sin(theta) ** 2;
+    const { promised } = lawTerms({ law: 'shim-kim' }, live.gains, live.sample.error);
+    const rate = promised ? promised.x + promised.y + promised.theta : Number.NaN;
     return { ...lawNumbers(live), Vdot: signed(rate, 3) };
   },
 };

@@ -1,14 +1,14 @@
 // The lowest point of a landscape of J, on the very points that the map shows.
-import { counts, gainNames, gainsAt, linearRange } from '../parts/landscape/request.js';
+import { counts, gainsAt, linearRange } from '../parts/landscape/request.js';
+import { gainNames } from '../parts/landscape/state.js';
 
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../parts/landscape/request.js').GainName} GainName */
-/** @typedef {import('../run/state.js').Triple} Triple */
-/** @typedef {{ gains: Triple, cost: number, most: number }} Lowest With the gain at which the axes end. */
+/** @import { Engine, Experiment, Preset, Triple } from '../core/engine.js' */
+/** @import { GainName } from '../parts/landscape/request.js' */
+/** @import { Lowest } from '../words/common/lesson.js' */
 
 /**
  * @param {Engine} engine
- * @param {{ experiment: import('../core/engine.js').Experiment, preset: import('../run/state.js').Preset, x: GainName, y: GainName, gains: Triple }} map The gain that is on no axis is that of `gains`.
+ * @param {{ experiment: Experiment, preset: Preset, x: GainName, y: GainName, gains: Triple }} map The gain that is on no axis is that of `gains`.
  * @returns {Promise<Lowest>}
  */
 export async function lowestPoint(engine, { experiment, preset, x, y, gains }) {

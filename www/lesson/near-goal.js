@@ -1,10 +1,11 @@
 // The last centimetres: where a disturbed robot stays, and the strips in which Theorem 2 lets it.
-import { create, svg } from '../kit/elements.js';
-import { watch } from '../kit/memo.js';
+import { html, render } from 'lit-html';
+import { create } from '../kit/elements.js';
+import { remember, watch } from '../kit/memo.js';
+import { disturbanceSlice } from '../parts/disturbance/state.js';
 
-/** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('../core/engine.js').Posture} Posture */
-/** @typedef {import('../core/engine.js').Run} Run */
+/** @import { Posture, Run } from '../core/engine.js' */
+/** @import { Block, Tools } from './page.js' */
 /** @typedef {{ near: { again: string, caption: (across: number, time: number, distance: number) => string, label: (across: number, distance: number) => string } }} NearWords */
 
 /** Metres from the goal to the edge, doubled until the robot's end is well inside. */
@@ -13,65 +14,55 @@ const farthest = 6.4;
 /** Of the picture, from the middle to its edge. */
 const reach = 100;
 
-/** @param {import('./page.js').Tools} tools @param {NearWords} words @returns {import('./page.js').Block} */
+const arrow = 'M13,0L-9,-8L-4,0L-9,8Z';
+
+/** @param {Tools} tools @param {NearWords} words @returns {Block} */
 export function createNearGoal({ actions }, { near: words }) {
-  const [stripX, stripY] = ['x', 'y'].map((part) => svg('rect', { class: `near-set of-${part}` }));
-  const strips = svg('g', {}, stripY, stripX);
-  const calm = svg('path', { class: 'near-calm' });
-  const path = svg('path', { class: 'near-path' });
-  const arrow = 'M13,0L-9,-8L-4,0L-9,8Z';
-  const goal = svg('path', { class: 'near-end', d: arrow });
-  const robot = svg('path', { class: 'near-robot', d: arrow });
-  const picture = svg(
-    'svg',
-    { viewBox: `${-reach} ${-reach} ${2 * reach} ${2 * reach}`, role: 'img' },
-    ...[strips, calm, path, goal, robot],
-  );
-  const caption = create('p', 'muted');
-  const button = create('button', 'link', words.again);
-  button.setAttribute('type', 'button');
-  button.addEventListener('click', () => {
+  const element = create('div', 'near-goal');
+  element.id = 'near-goal';
+  const again = () => {
     actions.scrub(0);
     actions.togglePlay();
-  });
-  const element = create(
-    'div',
-    'near-goal',
-    create('div', 'near-picture', picture),
-    create('div', 'near-text', caption, button),
-  );
-  element.id = 'near-goal';
-  const driveChanged = watch();
-  const timeChanged = watch();
+  };
+  const [wayOf, calmWayOf] = [remember(trace), remember(trace)];
+  const changed = watch();
 
   return {
     element,
-    /** @param {Live} live */
     draw({ state, scene }) {
       const { driving, comparison, withoutDisturbance, experiment } = scene;
-      const { measured } = state.disturbance;
-      const end = experiment.goal;
-      const half = halfOf(driving, end);
-      const scale = reach / half;
-      const distance = (/** @type {number} */ i) => Math.hypot(driving.x[i] - end.x, driving.y[i] - end.y);
-      if (driveChanged(driving, comparison, withoutDisturbance, measured)) {
-        path.setAttribute('d', trace(driving, end, scale));
-        calm.setAttribute('d', withoutDisturbance ? trace(comparison, end, scale) : '');
-        place(goal, end, end, scale);
-        strips.setAttribute('transform', `rotate(${-degrees(end.theta)})`);
-        const { x, y } = measured?.disturbed.sets ?? { x: [0], y: [0] };
-        const far = 10 * reach;
-        const [wide, high] = [x[0], y[0]].map((set) => Math.min(set * scale, far));
-        box(stripX, wide, far);
-        box(stripY, far, high);
-        const last = driving.time.length - 1;
-        picture.setAttribute('aria-label', words.label(2 * half, distance(last)));
-      }
+      const { measured } = disturbanceSlice.of(state);
       const time = Math.min(state.robot.time, driving.finalTime);
-      if (!timeChanged(driving, time)) return;
+      if (!changed(driving, comparison, withoutDisturbance, measured, time)) return;
+      const { goal } = experiment;
+      const half = halfOf(driving, goal);
+      const scale = reach / half;
+      const distance = (/** @type {number} */ i) => Math.hypot(driving.x[i] - goal.x, driving.y[i] - goal.y);
       const at = indexAt(driving, time);
-      place(robot, { x: driving.x[at], y: driving.y[at], theta: driving.theta[at] }, end, scale);
-      caption.textContent = words.caption(2 * half, driving.time[at], distance(at));
+      const robot = { x: driving.x[at], y: driving.y[at], theta: driving.theta[at] };
+      const { x, y } = measured?.disturbed.sets ?? { x: [0], y: [0] };
+      const far = 10 * reach;
+      const [wide, high] = [x[0], y[0]].map((set) => Math.min(set * scale, far));
+      render(
+        html`<div class="near-picture">
+            <svg viewBox=${`${-reach} ${-reach} ${2 * reach} ${2 * reach}`} role="img"
+              aria-label=${words.label(2 * half, distance(driving.time.length - 1))}>
+              <g transform=${`rotate(${-degrees(goal.theta)})`}>
+                <rect class="near-set of-y" x=${-far} y=${-high} width=${2 * far} height=${2 * high} />
+                <rect class="near-set of-x" x=${-wide} y=${-far} width=${2 * wide} height=${2 * far} />
+              </g>
+              <path class="near-calm" d=${withoutDisturbance ? calmWayOf(comparison, goal, scale) : ''} />
+              <path class="near-path" d=${wayOf(driving, goal, scale)} />
+              <path class="near-end" d=${arrow} transform=${placeOf(goal, goal, scale)} />
+              <path class="near-robot" d=${arrow} transform=${placeOf(robot, goal, scale)} />
+            </svg>
+          </div>
+          <div class="near-text">
+            <p class="muted">${words.caption(2 * half, driving.time[at], distance(at))}</p>
+            <button type="button" class="link" @click=${again}>${words.again}</button>
+          </div>`,
+        element,
+      );
     },
   };
 }
@@ -100,14 +91,6 @@ function trace({ x, y }, goal, scale) {
   return `M${points.join('L')}`;
 }
 
-/** @param {Element} element @param {Posture} posture @param {Posture} goal @param {number} scale */
-function place(element, { x, y, theta }, goal, scale) {
-  const [px, py] = [(x - goal.x) * scale, (goal.y - y) * scale];
-  element.setAttribute('transform', `translate(${px} ${py}) rotate(${-degrees(theta)})`);
-}
-
-/** A box around the middle. @param {Element} element @param {number} wide @param {number} high */
-function box(element, wide, high) {
-  for (const [name, value] of Object.entries({ x: -wide, y: -high, width: 2 * wide, height: 2 * high }))
-    element.setAttribute(name, String(value));
-}
+/** @param {Posture} posture @param {Posture} goal @param {number} scale */
+const placeOf = ({ x, y, theta }, goal, scale) =>
+  `translate(${(x - goal.x) * scale} ${(goal.y - y) * scale}) rotate(${-degrees(theta)})`;

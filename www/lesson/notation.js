@@ -1,8 +1,8 @@
 // How formulas are put together. A leaf is drawn as its symbol or as its present number; all else is the same in both.
 import { mathml, sub as indexed } from './symbols.js';
 
-/** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('./symbols.js').SymbolName} SymbolName */
+/** @import { Live } from './page.js' */
+/** @import { SymbolName } from './symbols.js' */
 /** @typedef {(name: SymbolName) => Element} Leaf */
 /**
  * @typedef {object} Formula

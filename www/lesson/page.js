@@ -1,7 +1,12 @@
 // The lesson: the words of one step beside the lab's own views.
-import { byId, create, write } from '../kit/elements.js';
+import { html, nothing, render } from 'lit-html';
+import { keyed } from 'lit-html/directives/keyed.js';
+import { byId, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
-import { gainsOf } from '../run/state.js';
+import { disturbanceSlice } from '../parts/disturbance/state.js';
+import { generationSlice } from '../parts/generation/state.js';
+import { landscapeSlice } from '../parts/landscape/state.js';
+import { gainsOf } from '../run/drivers.js';
 import { lesson as words } from '../words/index.js';
 import { createErrorPosture } from './error-posture.js';
 import { createFormula } from './formula.js';
@@ -9,25 +14,24 @@ import { createLit } from './lit.js';
 import { inline, list, paragraphs } from './prose.js';
 import { createQuiz } from './quiz.js';
 import { createSights } from './sights.js';
-import { hrefOf, steps } from './steps.js';
+import { hrefOf, linkOfStep, steps } from './steps.js';
+import { progressSlice } from './state.js';
 import { createTally } from './tally.js';
 
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../core/engine.js').Sample} Sample */
-/** @typedef {import('../run/state.js').Scene} Scene */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Store} Store */
-/** @typedef {import('../run/state.js').Triple} Triple */
-/** @typedef {import('./quiz.js').Quiz} Quiz */
-/** @typedef {import('./quiz.js').Outcome} Outcome */
-/** @typedef {import('./steps.js').Step} Step */
+/** @import { TemplateResult } from 'lit-html' */
+/** @import { Engine, PaperResult, Sample, Triple } from '../core/engine.js' */
+/** @import { Actions } from '../run/actions/actions.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Store } from '../run/store.js' */
+/** @import { Outcome } from './quiz.js' */
+/** @import { Content, Step } from './steps.js' */
 
 /** What runs now: all that a step's values, answers and views are made of. @typedef {{ engine: Engine, state: State, scene: Scene, paper: PaperResult[], gains: Triple, sample: Sample, decided: Sample }} Live At the robots’ clock: what is, and what the law decided last, which at the end of a drive is one sample old. */
 /** What a step holds, drawn at every change. @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
+/** The same, or what never changes. @typedef {{ element: HTMLElement | TemplateResult, draw: (live: Live) => void }} Part */
 /** A prediction, and what came out once it is known. @typedef {{ choice: number, outcome: Outcome | null }} Answer */
-/** What is kept in this tab, and leaves with it. @typedef {{ answers: Record<string, Answer>, tally: import('./tally.js').Tally, duel: import('./duel.js').Duel | null }} Progress */
-/** @typedef {{ go: (link: string) => void, store: Store, actions: import('../run/actions.js').Actions, engine: Engine }} Tools */
+/** @typedef {{ go: (link: string) => void, store: Store, actions: Actions, engine: Engine }} Tools */
 
 /** @param {Tools & { paper: PaperResult[] }} parts */
 export function createLesson({ engine, store, actions, paper, go }) {
@@ -40,7 +44,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
   const headChanged = watch();
   const sights = createSights(byId('sights'));
   createLit();
-  /** @type {Block[]} */
+  /** @type {Part[]} */
   let blocks = [];
   new ResizeObserver(([{ target }]) =>
     document.body.style.setProperty('--head', `${target.clientHeight}px`),
@@ -71,7 +75,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
       if (stepChanged(lesson)) {
         blocks = createStep(article, step, lesson, tools);
         if (!state.dragging) for (const one of [window, article]) one.scrollTo({ top: 0 });
-        if (step.time !== undefined) actions.scrub(step.time);
+        if (step.time !== undefined) actions.standAt(step.time);
       }
       tally.count(state, scene);
       const live = {
@@ -112,92 +116,77 @@ function settle(live, step, store) {
   for (const block of step.blocks) {
     if (block.kind !== 'quiz') continue;
     const key = `${step.name}.${block.name}`;
-    const answer = live.state.progress.answers[key];
+    const answer = progressSlice.of(live.state).answers[key];
     if (!answer || answer.outcome || pending.has(answer)) continue;
     if (block.quiz.ready && !block.quiz.ready(live)) continue;
     pending.add(answer);
     Promise.resolve(block.quiz.answer(live)).then((outcome) => {
-      const { progress } = store.get();
-      if (progress.answers[key] === answer)
-        store.update({
-          progress: { ...progress, answers: { ...progress.answers, [key]: { ...answer, outcome } } },
-        });
+      const { answers } = progressSlice.of(store.get());
+      if (answers[key] === answer)
+        progressSlice.update(store, { answers: { ...answers, [key]: { ...answer, outcome } } });
     });
   }
 }
 /** @type {WeakSet<Answer>} */
 const pending = new WeakSet();
 
-/** @param {HTMLElement} article @param {Step} step @param {number} number @param {Tools} tools @returns {Block[]} */
+/** @param {HTMLElement} article @param {Step} step @param {number} number @param {Tools} tools @returns {Part[]} */
 function createStep(article, step, number, tools) {
   const text = words.steps[step.name];
   const href = (/** @type {string} */ link) => hrefOf(link, number);
   const blocks = step.blocks.map((block) => createBlock(block, step, text, href, tools));
-  const heading = create('h2', '', text.title);
-  heading.id = 'lesson-title';
-  article.replaceChildren(
-    createHead(number),
-    heading,
-    ...blocks.map(({ element }) => element),
-    createFoot(number),
+  render(
+    keyed(
+      number,
+      html`${head(number, tools.go)}
+        <h2 id="lesson-title">${text.title}</h2>
+        ${blocks.map(({ element }) => element)} ${foot(number)}`,
+    ),
+    article,
   );
-  const values = [.../** @type {NodeListOf<HTMLElement>} */ (article.querySelectorAll('[data-value]'))];
-  const changed = watch();
-  return [
-    ...blocks,
-    {
-      element: article,
-      draw(live) {
-        if (
-          !changed(
-            live.scene.driving,
-            live.sample,
-            live.state.history,
-            live.state.generation,
-            live.state.anatomy,
-            live.state.progress,
-            live.state.landscape.result,
-            live.state.disturbance.measured,
-          )
-        )
-          return;
-        const known = step.values?.(live) ?? {};
-        for (const element of values) {
-          write(element, known[element.dataset.value ?? ''] ?? '–');
-        }
-      },
-    },
-  ];
+  return [...blocks, createValues(article, step)];
 }
 
-/** @param {import('./steps.js').Content} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools @returns {Block} */
+/** The numbers in the texts. @param {HTMLElement} article @param {Step} step @returns {Block} */
+function createValues(article, step) {
+  const changed = watch();
+  return {
+    element: article,
+    draw(live) {
+      const { state, scene, sample } = live;
+      const parts = [
+        generationSlice.of(state),
+        landscapeSlice.of(state).result,
+        disturbanceSlice.of(state).measured,
+      ];
+      if (!changed(scene.driving, sample, state.history, state.generation, progressSlice.of(state), ...parts))
+        return;
+      const known = step.values?.(live) ?? {};
+      for (const element of /** @type {NodeListOf<HTMLElement>} */ (article.querySelectorAll('[data-value]')))
+        write(element, known[element.dataset.value ?? ''] ?? '–');
+    },
+  };
+}
+
+/** @param {Content} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools @returns {Part} */
 function createBlock(block, step, text, href, tools) {
-  const still = (/** @type {HTMLElement} */ element) => ({ element, draw() {} });
+  const still = (/** @type {TemplateResult} */ element) => ({ element, draw() {} });
   switch (block.kind) {
     case 'text':
-      return still(create('div', 'prose', ...paragraphs(text.texts[block.name], href)));
+      return still(html`<div class="prose">${paragraphs(text.texts[block.name], href)}</div>`);
     case 'formula':
       return createFormula(block.formula);
     case 'notice':
-      return still(create('section', 'notice', create('h3', '', words.notice), list(text.notice, href)));
-    case 'tries':
       return still(
-        create(
-          'section',
-          'tries',
-          create('h3', '', words.tries),
-          create(
-            'ul',
-            '',
-            ...block.tries.map(([name, link]) => {
-              const anchor = Object.assign(create('a', 'try'), { href: href(link) });
-              anchor.dataset.try = name;
-              anchor.append(create('span', '', ...inline(text.tries[name], href)));
-              return create('li', '', anchor);
-            }),
-          ),
-        ),
+        html`<section class="notice"><h3>${words.notice}</h3>${list(text.notice, href)}</section>`,
       );
+    case 'tries': {
+      const tries = block.tries.map(
+        ([name, link]) =>
+          html`<li><a class="try" href=${href(link)} data-try=${name}><span>${inline(text.tries[name], href)}</span></a></li>`,
+      );
+      return still(html`<section class="tries"><h3>${words.tries}</h3><ul>${tries}</ul></section>`);
+    }
     case 'quiz':
       return createQuestion(block, step, text, href, tools);
     case 'view':
@@ -205,17 +194,16 @@ function createBlock(block, step, text, href, tools) {
   }
 }
 
-/** @param {Extract<import('./steps.js').Content, { kind: 'quiz' }>} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools */
+/** @param {Extract<Content, { kind: 'quiz' }>} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools */
 function createQuestion({ name, quiz }, step, text, href, { store, go }) {
   const key = `${step.name}.${name}`;
   const keep = (/** @type {Answer | undefined} */ answer) => {
-    const { progress } = store.get();
-    const { [key]: _, ...others } = progress.answers;
-    store.update({ progress: { ...progress, answers: answer ? { ...others, [key]: answer } : others } });
+    const { [key]: _, ...others } = progressSlice.of(store.get()).answers;
+    progressSlice.update(store, { answers: answer ? { ...others, [key]: answer } : others });
   };
   const view = createQuiz(text.quizzes[name], href, {
     onAnswer(choice) {
-      if (store.get().progress.answers[key]) return;
+      if (progressSlice.of(store.get()).answers[key]) return;
       if (quiz.shows) go(href(quiz.shows).slice(1));
       keep({ choice, outcome: null });
     },
@@ -224,41 +212,32 @@ function createQuestion({ name, quiz }, step, text, href, { store, go }) {
   view.element.id = `quiz-${name}`;
   return {
     element: view.element,
-    draw: (/** @type {Live} */ { state }) => view.draw(state.progress.answers[key]),
+    draw: (/** @type {Live} */ { state }) => view.draw(progressSlice.of(state).answers[key]),
   };
-}
-
-/** Where one is, and a way to every step. @param {number} number */
-function createHead(number) {
-  const select = document.createElement('select');
-  select.id = 'lesson-step';
-  select.setAttribute('aria-label', words.stepLabel);
-  select.replaceChildren(
-    ...steps.map(({ name }, i) => new Option(`${i + 1}  ${words.steps[name].title}`, String(i + 1))),
-  );
-  select.value = String(number);
-  select.addEventListener('change', () => {
-    const link = create('a', '');
-    link.setAttribute('href', hrefOf(steps[Number(select.value) - 1].link, Number(select.value)));
-    select.after(link);
-    link.click();
-  });
-  return create('div', 'lesson-head', create('p', 'muted', words.stepOf(number, steps.length)), select);
 }
 
 /** @param {number} number */
-function createFoot(number) {
+const titleOf = (number) => words.steps[steps[number - 1].name].title;
+
+/** Where one is, and a way to every step. @param {number} number @param {Tools['go']} go */
+const head = (number, go) => html`<div class="lesson-head">
+  <p class="muted">${words.stepOf(number, steps.length)}</p>
+  <select id="lesson-step" aria-label=${words.stepLabel}
+    @change=${(/** @type {{ target: HTMLSelectElement }} */ { target }) => go(linkOfStep(Number(target.value)))}>${steps.map(
+      (_, i) =>
+        html`<option value=${i + 1} ?selected=${i + 1 === number}>${i + 1}  ${titleOf(i + 1)}</option>`,
+    )}</select>
+</div>`;
+
+/** @param {number} number */
+function foot(number) {
   const to = (
     /** @type {number} */ other,
-    /** @type {string} */ className,
+    /** @type {string} */ look,
     /** @type {(title: string) => string} */ text,
-  ) => {
-    const link = create('a', className, text(words.steps[steps[other - 1].name].title));
-    link.setAttribute('href', hrefOf(steps[other - 1].link, other));
-    return link;
-  };
-  const links = [];
-  if (number > 1) links.push(to(number - 1, 'step-back', words.previousStep));
-  if (number < steps.length) links.push(to(number + 1, 'step-on', words.nextStep));
-  return create('nav', 'lesson-foot', ...links);
+  ) =>
+    other < 1 || other > steps.length
+      ? nothing
+      : html`<a class=${look} href=${`#${linkOfStep(other)}`}>${text(titleOf(other))}</a>`;
+  return html`<nav class="lesson-foot">${to(number - 1, 'step-back', words.previousStep)}${to(number + 1, 'step-on', words.nextStep)}</nav>`;
 }

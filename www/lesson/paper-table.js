@@ -1,26 +1,26 @@
 // What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
 import { create } from '../kit/elements.js';
+import { headCell } from '../kit/table.js';
 import { costText, degrees, fixed, postureText } from '../words/numbers.js';
 
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('./page.js').Block} Block */
-/** @typedef {import('./page.js').Tools} Tools */
+/** @import { Experiment, Individual, PaperResult } from '../core/engine.js' */
+/** @import { Block, Live, Tools } from './page.js' */
 
 const generations = 200;
 
 /** @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
 function tableOf(className, head, rows) {
-  const cell = (/** @type {string} */ tag, /** @type {Node | string} */ content) => create(tag, '', content);
   // A corner that names nothing heads no column.
-  const headRow = create('tr', '', ...head.map((text) => cell(text ? 'th' : 'td', text)));
-  for (const one of headRow.children) if (one.textContent) one.setAttribute('scope', 'col');
-  const body = rows.map(([first, ...rest]) => {
-    const name = cell('th', first);
-    name.setAttribute('scope', 'row');
-    return create('tr', '', name, ...rest.map((content) => cell('td', content)));
-  });
-  return create('table', className, create('thead', '', headRow), create('tbody', '', ...body));
+  const heads = head.map((text) => (text ? headCell('col', '', text) : create('td', '')));
+  const body = rows.map(([first, ...rest]) =>
+    create('tr', '', headCell('row', '', first), ...rest.map((content) => create('td', '', content))),
+  );
+  return create(
+    'table',
+    className,
+    create('thead', '', create('tr', '', ...heads)),
+    create('tbody', '', ...body),
+  );
 }
 
 const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) => fixed(gain, 2)).join(', ');
@@ -29,16 +29,16 @@ const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) =
 export function createPaperTable({ engine }, words) {
   const element = create('div', 'paper-table');
   element.id = 'paper-table';
-  /** What evolution finds with the first seed, in each preset. @type {Map<string, import('../core/engine.js').Individual> | 'asked' | null} */
+  /** What evolution finds with the first seed, in each preset. @type {Map<string, Individual> | 'asked' | null} */
   let found = null;
-  const draw = (/** @type {import('../core/engine.js').PaperResult[]} */ paper) => {
+  const draw = (/** @type {PaperResult[]} */ paper) => {
     const rows = paper.map(({ preset, figure, method, gains, cost }) => {
       const [run] = engine.drive(engine.experiment(preset), [gains]);
       return [words.row(figure, method), gainsText(gains), String(cost), costText(run.cost.total)];
     });
     for (const [i, preset] of /** @type {const} */ (['velocity-limits', 'acceleration-limits']).entries()) {
       const best = found instanceof Map ? found.get(preset) : null;
-      rows.splice(3 * i + (i === 0 ? 2 : 2), 0, [
+      rows.splice(3 * i + 2, 0, [
         words.ours(generations),
         best ? gainsText(best.gains) : '…',
         '',

@@ -1,10 +1,12 @@
 // A question: predict first, then see. The right answer comes from the running program, after the press.
+import { html, render } from 'lit-html';
 import { create } from '../kit/elements.js';
+import { watch } from '../kit/memo.js';
 import { lesson as words } from '../words/index.js';
 import { inline } from './prose.js';
 
-/** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('./page.js').Answer} Answer */
+/** @import { Answer, Live } from './page.js' */
+
 /**
  * The number of the right choice, and what the words tell of it.
  * @typedef {{ right: number } & Record<string, any>} Outcome
@@ -22,54 +24,38 @@ import { inline } from './prose.js';
  * @param {{ onAnswer: (choice: number) => void, onAgain: () => void }} events
  */
 export function createQuiz(text, hrefOf, { onAnswer, onAgain }) {
-  const legend = create('legend', '', ...inline(text.question, hrefOf));
-  const choices = text.choices.map((choice, i) => {
-    const button = create(
-      'button',
-      'choice',
-      create('span', 'choice-mark'),
-      create('span', '', ...inline(choice, hrefOf)),
-    );
-    button.setAttribute('type', 'button');
-    button.addEventListener('click', () => onAnswer(i));
-    return button;
-  });
-  const why = create('p', 'quiz-why');
-  why.setAttribute('role', 'status');
-  const again = create('button', 'link', words.askAgain);
-  again.setAttribute('type', 'button');
-  again.addEventListener('click', () => {
+  const question = inline(text.question, hrefOf);
+  const choices = text.choices.map((choice) => inline(choice, hrefOf));
+  const element = create('fieldset', 'quiz');
+  const again = () => {
     onAgain();
-    choices[0].focus();
-  });
-  const element = create('fieldset', 'quiz', legend, create('div', 'choices', ...choices), why, again);
-  /** @type {Answer | null | undefined} */
-  let drawn;
+    element.querySelector('button')?.focus();
+  };
+  const changed = watch();
   return {
     element,
     /** @param {Answer | undefined} answer */
-    draw(answer = undefined) {
-      if (answer === drawn && drawn !== undefined) return;
-      drawn = answer ?? null;
+    draw(answer) {
+      if (!changed(answer)) return;
       const right = answer?.outcome?.right;
-      for (const [i, button] of choices.entries()) {
-        button.toggleAttribute('aria-disabled', answer !== undefined);
-        button.classList.toggle('right', i === right);
-        button.classList.toggle('wrong', right !== undefined && i === answer?.choice && i !== right);
-        button.classList.toggle('chosen', i === answer?.choice);
-        const mark =
-          right === undefined ? '' : i === right ? words.right : i === answer?.choice ? words.wrong : '';
-        /** @type {Element} */ (button.firstElementChild).textContent = mark;
-      }
-      again.hidden = right === undefined;
-      if (!answer) why.replaceChildren();
-      else if (!answer.outcome) why.textContent = words.computing;
-      else
-        why.replaceChildren(
-          create('strong', '', answer.choice === right ? words.asPredicted : words.otherwise),
-          ' ',
-          ...inline(text.why(answer.outcome), hrefOf),
-        );
+      const button = (/** @type {(Node | string)[]} */ choice, /** @type {number} */ i) => {
+        const chosen = i === answer?.choice;
+        const wrong = chosen && right !== undefined && i !== right;
+        const mark = wrong ? words.wrong : i === right ? words.right : '';
+        const look = `choice${i === right ? ' right' : ''}${wrong ? ' wrong' : ''}${chosen ? ' chosen' : ''}`;
+        return html`<button type="button" class=${look} ?aria-disabled=${answer !== undefined}
+          @click=${() => onAnswer(i)}><span class="choice-mark">${mark}</span><span>${choice}</span></button>`;
+      };
+      const why = answer?.outcome
+        ? html`<strong>${answer.choice === right ? words.asPredicted : words.otherwise}</strong> ${inline(text.why(answer.outcome), hrefOf)}`
+        : answer && words.computing;
+      render(
+        html`<legend>${question}</legend>
+          <div class="choices">${choices.map(button)}</div>
+          <p class="quiz-why" role="status">${why}</p>
+          <button type="button" class="link" ?hidden=${right === undefined} @click=${again}>${words.askAgain}</button>`,
+        element,
+      );
     },
   };
 }

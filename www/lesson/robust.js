@@ -1,36 +1,39 @@
 // From how many starts gains arrive: those of the map, and those of the training.
+import { robustnessSlice } from '../parts/robustness/state.js';
 import { gridAround, tally } from '../parts/robustness/grid.js';
 import { fine, isFine } from '../parts/robustness/request.js';
+import { trainingSlice } from '../parts/training/state.js';
 import { testRobots } from '../parts/training/request.js';
 import { createSets } from '../parts/training/sets.js';
 
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Triple} Triple */
-/** @typedef {import('../parts/training/request.js').Result} Result */
-/** @typedef {import('../parts/training/sets.js').SetName} SetName */
-/** @typedef {{ count: number, starts: number, share: number }} Share How many of so many starts arrive. */
+/** @import { Engine, Robustness, Triple } from '../core/engine.js' */
+/** @import { Result } from '../parts/training/request.js' */
+/** @import { SetName } from '../parts/training/sets.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Share } from '../words/common/lesson.js' */
 
 /** The finished maps of this experiment: of who drives, and of who is compared. @param {State} state */
-const mapsOf = ({ experiment, robustness: { survey, rival, half } }) =>
-  [survey, rival].flatMap((map) =>
-    map && isFine(map) && map.spec.experiment === experiment && map.spec.half === half ? [map] : [],
+const mapsOf = (state) => {
+  const { survey, rival, half } = robustnessSlice.of(state);
+  return [survey, rival].flatMap((map) =>
+    map && isFine(map) && map.spec.experiment === state.experiment && map.spec.half === half ? [map] : [],
   );
+};
 
 /** Whether no map is still being computed. @param {State} state */
 export const mapsAreDone = (state) =>
-  state.page !== 'robustness' || state.robustness.message !== '' || mapsOf(state).length === 2;
+  state.page !== 'robustness' || robustnessSlice.of(state).message !== '' || mapsOf(state).length === 2;
 
 /** From the starts of the map; read from there if it has these gains. @param {Engine} engine @param {State} state @param {Triple} gains */
 export async function shareOfStarts(engine, state, gains) {
   const map = mapsOf(state).find(({ spec }) => spec.gains.every((gain, i) => gain === gains[i]));
   if (map) return shareOf(map.runs);
-  const { experiment, robustness } = state;
-  const grid = gridAround(experiment.goal, robustness.half, fine);
+  const { experiment } = state;
+  const grid = gridAround(experiment.goal, robustnessSlice.of(state).half, fine);
   return shareOf(await engine.surveys.robustness(experiment, { ...grid, gains }));
 }
 
-/** @param {import('../../pkg/ep_locomotion.js').Robustness} runs @returns {Share} */
+/** @param {Robustness} runs @returns {Share} */
 function shareOf(runs) {
   const starts = runs.arrived.length;
   const { share } = tally(runs);
@@ -38,10 +41,11 @@ function shareOf(runs) {
 }
 
 /** Evolved on sets of starts as in the training, and tested as there. @param {Engine} engine @param {State} state @param {readonly SetName[]} names @returns {Promise<Result[]>} */
-export async function trainedOn(engine, { experiment, training }, names) {
+export async function trainedOn(engine, state, names) {
+  const { experiment } = state;
   const sets = createSets(engine)(experiment);
   const asked = names.map((name) => ({ ...experiment, starts: sets[name] }));
-  const champions = await engine.surveys.evolveAll(asked, training.generations);
+  const champions = await engine.surveys.evolveAll(asked, trainingSlice.of(state).generations);
   const robots = names.map((name, i) => ({ name, gains: champions[i].gains, starts: sets[name] }));
   const results = await testRobots(engine, sets, experiment, robots);
   return names.map((name) => results[name]);

@@ -3,14 +3,14 @@ import { isEmbedded } from '../kit/host.js';
 import { createSegmented } from '../kit/segmented.js';
 import { lesson as words, lab } from '../words/index.js';
 
-/** @typedef {import('../run/state.js').PageName} PageName */
-/** @typedef {import('./steps.js').Step} Step */
+/** @import { Choice } from '../kit/segmented.js' */
+/** @import { Step } from './steps.js' */
 /** @typedef {'robot' | 'part' | 'gains'} Sight */
 
 /** @param {HTMLFieldSetElement} fieldset */
 export function createSights(fieldset) {
   // In a frame words and figure stand side by side sooner.
-  const narrow = matchMedia(`(max-width: ${isEmbedded ? 599 : 899}px)`);
+  const narrow = matchMedia(`(max-width: ${isEmbedded ? 599 : 1023}px)`);
   /** @type {Sight | null} */
   let chosen = null;
   const show = () => {
@@ -19,7 +19,7 @@ export function createSights(fieldset) {
   };
   narrow.addEventListener('change', show);
   return {
-    /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {PageName} page */
+    /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {string} page */
     open(step, page) {
       chosen = null;
       if (step) {
@@ -27,7 +27,7 @@ export function createSights(fieldset) {
         const isPart = page !== 'lab' || figure === 'evolve';
         const hasGains = page === 'curves' || !isPart;
         chosen = isPart ? 'part' : figure === 'drive' ? 'gains' : 'robot';
-        /** @type {import('../kit/segmented.js').Choice<Sight>[]} */
+        /** @type {Choice<Sight>[]} */
         const choices = [{ value: 'robot', text: words.sightOfRobot }];
         if (isPart)
           choices.push({

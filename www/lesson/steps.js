@@ -15,15 +15,14 @@ import { disturbance } from './steps/disturbance.js';
 import { paper } from './steps/paper.js';
 import { lecturers } from './steps/lecturers.js';
 
-/** @typedef {import('./page.js').Live} Live */
-/** @typedef {import('./page.js').Block} Block */
-/** @typedef {import('./page.js').Tools} Tools */
-/** @typedef {import('./quiz.js').Quiz} Quiz */
+/** @import { Formula } from './notation.js' */
+/** @import { Block, Live, Tools } from './page.js' */
+/** @import { Quiz } from './quiz.js' */
 /** @typedef {keyof typeof import('../words/en/lesson.js').steps} StepName */
 /** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. */
 /**
  * @typedef {{ kind: 'text', name: string }
- *   | { kind: 'formula', formula: import('./notation.js').Formula }
+ *   | { kind: 'formula', formula: Formula }
  *   | { kind: 'notice' }
  *   | { kind: 'tries', tries: readonly (readonly [name: string, link: string])[] }
  *   | { kind: 'quiz', name: string, quiz: Quiz }

@@ -1,18 +1,13 @@
 // The best by hand so far, in one line.
-import { create } from '../kit/elements.js';
-import { watch } from '../kit/memo.js';
+import { create, write } from '../kit/elements.js';
+import { progressSlice } from './state.js';
 
-/** @typedef {import('./tally.js').Tally} Tally */
+/** @import { Block, Tools } from './page.js' */
+/** @import { Tally } from './state.js' */
 
-/** @param {import("./page.js").Tools} _tools @param {{ tally: (tally: Tally) => string }} words @returns {import('./page.js').Block} */
+/** @param {Tools} _tools @param {{ tally: (tally: Tally) => string }} words @returns {Block} */
 export function createTallyLine(_tools, words) {
   const element = create('p', 'tally');
   element.id = 'tally';
-  const changed = watch();
-  return {
-    element,
-    draw({ state }) {
-      if (changed(state.progress.tally)) element.textContent = words.tally(state.progress.tally);
-    },
-  };
+  return { element, draw: ({ state }) => write(element, words.tally(progressSlice.of(state).tally)) };
 }

@@ -1,15 +1,12 @@
 // How often somebody has driven by hand, and the best that came of it.
 import { remember } from '../kit/memo.js';
+import { noTally, progressSlice } from './state.js';
 
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../run/state.js').Scene} Scene */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Store} Store */
-/** @typedef {import('../run/state.js').Triple} Triple */
-/** Drives with different gains, in the experiment with this text, the J of each, and the best that arrived. @typedef {{ experiment: string, drives: number, costs: readonly number[], best: { gains: Triple, cost: number } | null }} Tally */
-
-/** @type {Tally} */
-export const noTally = Object.freeze({ experiment: '', drives: 0, costs: [], best: null });
+/** @import { Experiment } from '../core/engine.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Store } from '../run/store.js' */
+/** @import { Tally } from './state.js' */
 
 /** What a drive by hand depends on: all but evolution. @param {Experiment} experiment */
 export const taskText = (experiment) => JSON.stringify({ ...experiment, evolution: null });
@@ -21,23 +18,21 @@ export function createTally(store) {
   let last = null;
   return {
     /** Counts what drives by hand, while the experiment stays the same. @param {State} state @param {Scene} scene */
-    count({ driver, handGains, progress, page }, { driving, experiment, chosen }) {
+    count(state, { driving, experiment, chosen }) {
+      const { driver, handGains, page } = state;
       if (driver !== 'hand' || !handGains || chosen || driving === last || page !== 'lab') return;
       last = driving;
       const text = textOf(experiment);
-      const { tally } = progress;
+      const { tally } = progressSlice.of(state);
       const before = tally.experiment === text ? tally : { ...noTally, experiment: text };
       const { total } = driving.cost;
       const isBest = driving.arrived && (!before.best || total < before.best.cost);
-      store.update({
-        progress: {
-          ...progress,
-          tally: {
-            ...before,
-            drives: before.drives + 1,
-            costs: [...before.costs, total],
-            best: isBest ? { gains: handGains, cost: total } : before.best,
-          },
+      progressSlice.update(store, {
+        tally: {
+          ...before,
+          drives: before.drives + 1,
+          costs: [...before.costs, total],
+          best: isBest ? { gains: handGains, cost: total } : before.best,
         },
       });
     },

@@ -5,6 +5,8 @@ import { fieldPath, valueAt } from '../run/paths.js';
 import { createNumber } from '../settings/rows.js';
 import { table } from '../settings/table.js';
 
+/** @import { Block, Tools } from './page.js' */
+
 /** The part of J that a weight weighs. @param {string} path */
 const partOf = (path) =>
   path.startsWith('weights.velocity')
@@ -13,12 +15,12 @@ const partOf = (path) =>
       ? 'finalError'
       : 'penalty';
 
-/** @param {import('./page.js').Tools} tools @param {{ otherWeights: string }} words @returns {import('./page.js').Block} */
+/** @param {Tools} tools @param {{ otherWeights: string }} words @returns {Block} */
 export function createWeights({ engine, actions }, words) {
   const fields = engine.fields();
   const rows = table.weights.map((row) => {
     const field = fields.find(({ path }) => path === fieldPath(row.path));
-    if (!field || 'words' in field) throw new Error(`weights: the core has no field ${row.path}`);
+    if (!field) throw new Error(`weights: the core has no field ${row.path}`);
     const view = createNumber(row, field, actions, 0, 'lesson');
     view.element.dataset.term = partOf(row.path);
     return { path: row.path, ...view };

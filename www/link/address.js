@@ -2,22 +2,22 @@
 import { byId } from '../kit/elements.js';
 import { isEmbedded } from '../kit/host.js';
 import { createLanguageSwitch } from './language-switch.js';
-import { linkOfStep } from '../lesson/steps.js';
-import { linkOf, openLink, withExercise } from './link.js';
+import { withExercise } from './link.js';
 import { watch } from '../kit/memo.js';
-import { pageNames } from '../run/state.js';
 import { language, languageOfAddress } from '../words/language.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../core/engine.js').Engine} Engine */
 /** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Store} Store */
+/** @typedef {import('../run/store.js').Store} Store */
+/** @typedef {import('./link.js').Links} Links */
 
 /** Browsers refuse an address that changes more often. */
 const pauseMilliseconds = 400;
 
-/** @param {Engine} engine @param {Store} store @param {Actions} actions */
-export function createAddress(engine, store, actions) {
+/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links }} parts */
+export function createAddress({ engine, store, actions, links }) {
+  const { pages, linkOf, linkOfStep } = links;
   const changed = watch();
   /** The host's “back” is not for what happens within a frame. */
   const onward = isEmbedded ? 'replaceState' : 'pushState';
@@ -28,13 +28,13 @@ export function createAddress(engine, store, actions) {
     // The words are chosen when the page loads.
     if (languageOfAddress() !== language) return location.reload();
     written = location.hash.slice(1);
-    const { opened, problems } = openLink(written || linkOfStep(1), engine);
+    const { opened, problems } = links.openLink(written || linkOfStep(1), engine);
     actions.openLinked(opened, problems);
   };
 
   /** Where the address is: the part, and the step of the lesson. */
   const place = () => ({
-    page: pageNames.find((name) => name === written.split('&')[0]) ?? 'lab',
+    page: pages.find((name) => name === written.split('&')[0]) ?? 'lab',
     lesson: Number(/&lesson=(\d+)/.exec(written)?.[1] ?? 0),
   });
   const isElsewhere = (/** @type {State} */ state) =>
@@ -74,8 +74,8 @@ export function createAddress(engine, store, actions) {
 
     /** Writes what has changed, once it rests. @param {State} state */
     follow(state) {
-      if (!isDue(state) || !changed(...partsOf(state))) return;
-      for (const name of pageNames)
+      if (!isDue(state) || !changed(...links.carried(state))) return;
+      for (const name of pages)
         byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name, lesson: 0 })}`);
       byId('page-lesson').setAttribute(
         'href',
@@ -94,29 +94,3 @@ export function createAddress(engine, store, actions) {
 
 /** @param {State} state */
 const rests = (state) => !state.dragging && !state.evolving;
-
-/** All that a link carries. @param {State} state */
-const partsOf = ({ landscape, anatomy, curves, robustness, ...run }) => [
-  run.page,
-  run.lesson,
-  run.preset,
-  run.experiment,
-  run.generation,
-  run.driver,
-  run.handGains,
-  run.found,
-  run.trial,
-  run.pins,
-  run.exercise,
-  anatomy.phase,
-  anatomy.chosen,
-  curves.view,
-  curves.lab,
-  curves.scale,
-  landscape.x,
-  landscape.y,
-  landscape.third,
-  robustness.quantity,
-  robustness.half,
-  robustness.heading,
-];

@@ -1,10 +1,10 @@
 // A run as a file: its link, which is all that is needed to make it again, and what it came to, which proves that it is.
-import { linkOf, openLink } from './link.js';
 import { keep as words } from '../words/index.js';
 
 /** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('./link.js').Linked} Linked */
-/** @typedef {import('./link.js').Opened} Opened */
+/** @typedef {import('./keys.js').Linked} Linked */
+/** @typedef {import('./link.js').Links} Links */
+/** @typedef {import('../run/actions/page.js').Opened} Opened */
 /** @typedef {import('../core/engine.js').Statistics} Statistics */
 
 const format = 'ep-locomotion run';
@@ -12,14 +12,14 @@ const version = 1;
 /** No run's file is near as large: what is larger is not read. */
 const mostCharacters = 50_000_000;
 
-/** @param {Linked & { history: Statistics[] }} state @param {Engine} engine */
-export function runFile(state, engine) {
+/** @param {Linked & { history: Statistics[] }} state @param {Engine} engine @param {Links} links */
+export function runFile(state, engine, links) {
   const newest = state.history.length - 1;
   const content = {
     format,
     version,
     program: engine.version(),
-    link: linkOf(state, engine.experiment),
+    link: links.linkOf(state, engine.experiment),
     hash: engine.hash(),
     generations: newest,
     experiment: state.experiment,
@@ -30,10 +30,10 @@ export function runFile(state, engine) {
 
 /**
  * Reads a run, and makes it again to see that it comes to the same. Throws an Error that says what is wrong with the file.
- * @param {string} text @param {Engine} engine
+ * @param {string} text @param {Engine} engine @param {Links} links
  * @returns {Promise<{ opened: Opened, generations: number }>}
  */
-export async function openRunFile(text, engine) {
+export async function openRunFile(text, engine, links) {
   const content = parse(text);
   if (content.format !== format) throw new Error(words.foreignFile);
   if (typeof content.version !== 'number') throw new Error(words.damagedFile('version'));
@@ -44,7 +44,7 @@ export async function openRunFile(text, engine) {
   const held = Array.isArray(statistics) ? statistics.length - 1 : -1;
   if (!Number.isInteger(generations) || generations < 0 || generations > 100_000 || generations !== held)
     throw new Error(words.damagedFile('generations'));
-  const { opened, problems } = openLink(link, engine);
+  const { opened, problems } = links.openLink(link, engine);
   if (problems.length > 0) throw new Error(words.damagedLink(problems));
   if (opened.generation > generations) throw new Error(words.damagedFile('generations'));
   const again = await engine.surveys.evolve(opened.experiment, generations);

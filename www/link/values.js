@@ -1,12 +1,10 @@
 // The values in a link as text, and back again; what cannot be read throws an Error that says what it must be.
-import { gainNames } from '../parts/landscape/request.js';
 import { link as words } from '../words/index.js';
 import { numberOf } from '../words/numbers.js';
 
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../core/engine.js').Posture} Posture */
-/** @typedef {import('../parts/landscape/request.js').AxisChoice} AxisChoice */
-/** @typedef {import('../run/state.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Triple} Triple */
 
 /** @param {number} value The shortest text that gives back the same bits. */
 export const numberText = (value) => (Object.is(value, -0) ? '-0' : String(value));
@@ -41,15 +39,6 @@ export function disturbanceOf(text) {
   const [linear, angular, seed] = numbers.map(number);
   return { kind: /** @type {Experiment['disturbance']['kind']} */ (kind), linear, angular, seed };
 }
-
-/** @param {AxisChoice} axis */
-export const axisText = ({ gain, log }) => (log ? `${gain}-log` : gain);
-
-/** @param {string} text @returns {AxisChoice} */
-export const axisOf = (text) => ({
-  gain: oneOf(gainNames, text.replace(/-log$/, '')),
-  log: text.endsWith('-log'),
-});
 
 /** @param {string} text @returns {Triple} */
 export function triple(text) {

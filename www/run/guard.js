@@ -1,12 +1,12 @@
 // What the controls may do in an exercise. Links, files and the page around a figure are not bound by it.
+/** @import { Actions } from './actions/actions.js' */
+/** @import { Group } from './exercise.js' */
+/** @import { State } from './state.js' */
+/** @import { Store } from './store.js' */
 import { shownExercise, wayOf } from './exercise.js';
 
-/** @typedef {import('./actions.js').Actions} Actions */
-/** @typedef {import('./state.js').State} State */
-/** @typedef {import('./exercise.js').Group} Group */
-
-/** The group that an action belongs to, whichever control asks for it: a press on a map chooses gains as a slider does. Any other changes only what is seen. @type {Partial<Record<keyof Actions, Group>>} */
-const groupOf = {
+/** The group that an action belongs to, whichever control asks for it: a press on a map chooses gains as a slider does. A free one changes only what is seen, or is the program's own. @type {Readonly<Record<keyof Actions, Group | 'free'>>} */
+export const groupOf = {
   slideGain: 'gains',
   typeGain: 'gains',
   driveGains: 'gains',
@@ -14,40 +14,64 @@ const groupOf = {
   movePosture: 'postures',
   restorePostures: 'postures',
   tryStart: 'postures',
+  evolve: 'run',
   forward: 'run',
   showGeneration: 'run',
   oneBack: 'run',
   oneGeneration: 'run',
+  pauseEvolution: 'run',
   toggleEvolution: 'run',
   reset: 'run',
   setPace: 'run',
   setUntil: 'run',
   newSeed: 'seed',
   useSeed: 'seed',
+  togglePlay: 'clock',
+  scrub: 'clock',
+  setSpeed: 'clock',
   choosePreset: 'settings',
   changeSetting: 'settings',
+  refuseSetting: 'settings',
   backToPreset: 'settings',
   openSettings: 'settings',
   tryDisturbance: 'settings',
   openPage: 'parts',
+  togglePin: 'free',
+  renamePin: 'free',
+  unpin: 'free',
+  advance: 'free',
+  driveAgain: 'free',
+  standAt: 'free',
+  undo: 'free',
+  redo: 'free',
+  postureOf: 'free',
+  releasePosture: 'free',
+  releaseSetting: 'free',
+  openLinked: 'free',
+  makeExercise: 'free',
+  say: 'free',
+  setSize: 'free',
+  changeTheme: 'free',
 };
 
 /** @param {Pick<State, 'exercise' | 'maker'>} state @param {Group} group */
 export const isFree = (state, group) => wayOf(shownExercise(state), group) === 'free';
 
-/** The actions as the controls have them: what is locked or hidden does nothing. @param {Actions} actions @param {import('./state.js').Store} store @returns {Actions} */
+/** The actions as the controls have them: what is locked or hidden does nothing. @param {Actions} actions @param {Store} store @returns {Actions} */
 export function guarded(actions, store) {
-  /** @param {string} name @param {unknown[]} given */
+  /** @param {keyof Actions} name @param {unknown[]} given */
   const mayDo = (name, [first]) => {
     const state = store.get();
-    const group = groupOf[/** @type {keyof Actions} */ (name)];
+    const group = groupOf[name];
     const asksForPaper = name === 'chooseDriver' && String(first).startsWith('paper-');
-    return (!group || isFree(state, group)) && (!asksForPaper || isFree(state, 'paper'));
+    return (group === 'free' || isFree(state, group)) && (!asksForPaper || isFree(state, 'paper'));
   };
   const entries = Object.entries(actions).map(([name, act]) => [
     name,
     (/** @type {any[]} */ ...given) =>
-      mayDo(name, given) ? /** @type {(...given: any[]) => unknown} */ (act)(...given) : undefined,
+      mayDo(/** @type {keyof Actions} */ (name), given)
+        ? /** @type {(...given: any[]) => unknown} */ (act)(...given)
+        : undefined,
   ]);
   return /** @type {Actions} */ (Object.fromEntries(entries));
 }

@@ -2,7 +2,7 @@
 import { curves as words } from '../words/index.js';
 
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('./state.js').Triple} Triple */
+/** @typedef {import('../core/engine.js').Triple} Triple */
 /** @typedef {{ experiment: Experiment, gains: Triple }} Driven What a run follows from. */
 /** @typedef {Driven & { slot: number, name: string }} Pin Plain data; its slot says how it looks. */
 /** @typedef {readonly Pin[]} Pins */

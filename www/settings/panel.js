@@ -6,11 +6,11 @@ import { fieldPath, valueAt } from '../run/paths.js';
 import { createChoice, createNumber, typingMark } from './rows.js';
 import { rows, table } from './table.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../core/engine.js').Engine} Engine */
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/state.js').Store} Store */
+/** @typedef {import('../run/store.js').Store} Store */
 /** @typedef {import('./rows.js').RowView} RowView */
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {{ open: boolean, error: { path: string, text: string } | null }} SettingsState */
@@ -85,14 +85,15 @@ function createPresets(engine) {
 /** @param {Engine} engine @param {Actions} actions @param {(path: string) => import('../run/paths.js').Value} somewhere @returns {Map<string, RowView>} */
 function createRows(engine, actions, somewhere) {
   const fields = new Map(engine.fields().map((field) => [field.path, field]));
+  const wordsOf = new Map(engine.wordFields().map((field) => [field.path, field.words]));
   return new Map(
     rows.map((row) => {
       const field = fields.get(fieldPath(row.path));
       return [
         row.path,
-        !field || 'words' in field
-          ? createChoice(row, actions)
-          : createNumber(row, field, actions, Number(somewhere(row.path))),
+        field
+          ? createNumber(row, field, actions, Number(somewhere(row.path)))
+          : createChoice(row, wordsOf.get(row.path) ?? [], actions),
       ];
     }),
   );

@@ -1,6 +1,6 @@
 // One number between the core and the screen: angles in degrees there, radians here; its range as the core gives it.
 
-/** @typedef {import('../core/engine.js').NumberField} NumberField */
+/** @typedef {import('../core/engine.js').Field} Field */
 /** @typedef {{ from: number, to: number, step?: number, log?: boolean }} SliderRange In the unit on screen; with `log` the left end is 0 where 0 is allowed. */
 /** @typedef {ReturnType<typeof createQuantity>} Quantity */
 
@@ -11,7 +11,7 @@ const onScreen = { rad: '°', 'rad/s': '°/s', 'rad/s²': '°/s²' };
 /** Without the digits that only rounding has put there. @param {number} value @param {number} digits */
 const rounded = (value, digits) => Number(value.toPrecision(digits));
 
-/** @param {NumberField} field */
+/** @param {Field} field */
 export function createQuantity({ unit, min, max, integer }) {
   const isAngle = unit in onScreen;
   const shown = (/** @type {number} */ value) =>

@@ -3,9 +3,9 @@ import { numberOf } from '../words/numbers.js';
 import { settings as words } from '../words/index.js';
 import { createQuantity, createSliderScale } from './quantity.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../core/engine.js').NumberField} NumberField */
+/** @typedef {import('../core/engine.js').Field} Field */
 /** @typedef {import('../run/paths.js').Value} Value */
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {{ experiment: Experiment, value: Value, original: Value, error: string }} RowModel */
@@ -56,12 +56,12 @@ function createFrame({ path, symbol }, control, help, onBack) {
   };
 }
 
-/** @param {Row} row @param {Actions} actions @returns {RowView} */
-export function createChoice(row, actions) {
+/** @param {Row} row @param {readonly string[]} values @param {Actions} actions @returns {RowView} */
+export function createChoice(row, values, actions) {
   const { path } = row;
   const { name, help, choices = {} } = words.settings[path];
   const select = make('select', { id: idOf(path) });
-  select.replaceChildren(...Object.entries(choices).map(([value, text]) => new Option(text, value)));
+  select.replaceChildren(...values.map((value) => new Option(choices[value], value)));
   select.addEventListener('change', () => actions.changeSetting(path, select.value, false));
   /** @type {Value} */
   let original = '';
@@ -79,7 +79,7 @@ export function createChoice(row, actions) {
   };
 }
 
-/** @param {Row} row @param {NumberField} field @param {Actions} actions @param {number} fallback The limit for who switches it on. @param {string} [place] @returns {RowView} */
+/** @param {Row} row @param {Field} field @param {Actions} actions @param {number} fallback The limit for who switches it on. @param {string} [place] @returns {RowView} */
 export function createNumber(row, field, actions, fallback, place) {
   const { path } = row;
   const { name, help } = words.settings[path];

@@ -3,7 +3,6 @@ import { download } from '../kit/download.js';
 import { byId } from '../kit/elements.js';
 import { createEmbedDialog } from './frame-text.js';
 import { isFree } from '../run/guard.js';
-import { linkOf } from '../link/link.js';
 import { messageOf } from '../words/errors.js';
 import { keep as words } from '../words/index.js';
 import { copy } from '../kit/copy.js';
@@ -13,19 +12,20 @@ import { openRunFile, runFile } from '../link/run-file.js';
 import { svgOf } from './svg.js';
 import { driveCsv, generationsCsv } from './csv.js';
 
-/** @typedef {import('../run/actions.js').Actions} Actions */
+/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../core/engine.js').Engine} Engine */
+/** @typedef {import('../link/link.js').Links} Links */
 /** @typedef {import('./pictures.js').Picture} Picture */
-/** @typedef {import('../run/state.js').Scene} Scene */
-/** @typedef {import('../run/state.js').Store} Store */
+/** @typedef {import('../run/scene.js').Scene} Scene */
+/** @typedef {import('../run/store.js').Store} Store */
 
 const kinds = /** @type {const} */ ([
   ['png', 'image/png', pngOf],
   ['svg', 'image/svg+xml', svgOf],
 ]);
 
-/** @param {{ engine: Engine, store: Store, actions: Actions, sceneOf: (state: ReturnType<Store['get']>) => Scene, redraw: () => void }} parts `redraw` draws all views anew. */
-export function createKeep({ engine, store, actions, sceneOf, redraw }) {
+/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, sceneOf: (state: ReturnType<Store['get']>) => Scene }} parts */
+export function createKeep({ engine, store, actions, links, sceneOf }) {
   /** @type {HTMLDialogElement} */
   const dialog = byId('keep');
   /** @type {HTMLInputElement} */
@@ -34,7 +34,7 @@ export function createKeep({ engine, store, actions, sceneOf, redraw }) {
   const file = byId('keep-file');
   const status = byId('keep-status');
 
-  const linkNow = () => linkOf(store.get(), engine.experiment);
+  const linkNow = () => links.linkOf(store.get(), engine.experiment);
   const embed = createEmbedDialog(store.get, linkNow);
   const address = () => `${location.href.split('#')[0]}#${linkNow()}`;
   const origin = () => words.origin(engine.version(), address());
@@ -53,7 +53,7 @@ export function createKeep({ engine, store, actions, sceneOf, redraw }) {
     try {
       const [version, link] = origin();
       const about = { title: picture.name, description: descriptionOf(picture), link, version };
-      const content = await write(await drawingOf(picture, redraw), about);
+      const content = await write(drawingOf(picture), about);
       download(`${name()}-${picture.key}.${ending}`, type, content);
     } catch (error) {
       status.textContent = words.pictureNotSaved(picture.name, messageOf(error));
@@ -77,7 +77,7 @@ export function createKeep({ engine, store, actions, sceneOf, redraw }) {
   };
 
   byId('keep-button').addEventListener('click', () => {
-    store.update({ evolving: false });
+    actions.pauseEvolution();
     show(words.fingerprint(engine.hash(), store.get().history.length - 1));
   });
   byId('keep-button').hidden = false;
@@ -85,7 +85,7 @@ export function createKeep({ engine, store, actions, sceneOf, redraw }) {
   link.addEventListener('focus', () => link.select());
   byId('keep-copy').addEventListener('click', () => copy(link, status, words));
   byId('keep-save').addEventListener('click', () =>
-    download(`${name()}.json`, 'application/json', runFile(store.get(), engine)),
+    download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
   );
   byId('keep-generations').addEventListener('click', () =>
     download(`${name()}-generations.csv`, 'text/csv', generationsCsv(store.get().history, origin())),
@@ -99,7 +99,7 @@ export function createKeep({ engine, store, actions, sceneOf, redraw }) {
   /** @param {File} chosen */
   const open = async (chosen) => {
     try {
-      const { opened, generations } = await openRunFile(await chosen.text(), engine);
+      const { opened, generations } = await openRunFile(await chosen.text(), engine, links);
       actions.openLinked(opened, [], generations);
       show(words.opened(chosen.name, generations));
     } catch (error) {

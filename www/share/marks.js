@@ -69,6 +69,3 @@ export class Outline {
     for (const part of [0.5, 1]) this.#add('A', r, r, 0, 0, back ? 0 : 1, ...at(part));
   }
 }
-
-/** The steps of an outline that views take. */
-export const steps = /** @type {const} */ (['moveTo', 'lineTo', 'closePath', 'rect', 'arc']);

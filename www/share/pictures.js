@@ -1,6 +1,5 @@
 // The pictures that are on screen: elements of the page with the same data-picture are one picture.
 import { keep as words } from '../words/index.js';
-import { recorded } from './recording.js';
 import { marksOf } from './screen.js';
 
 /** @typedef {import('./marks.js').Drawing} Drawing */
@@ -29,16 +28,8 @@ const isSeen = (/** @type {HTMLElement} */ element) => {
   return width > 0 && height > 0;
 };
 
-/**
- * What the picture shows now.
- * @param {Picture} picture @param {() => void} redraw Draws all views anew.
- * @returns {Promise<Drawing>}
- */
-export async function drawingOf({ elements }, redraw) {
-  const canvases = elements.flatMap((element) =>
-    element instanceof HTMLCanvasElement ? [element] : [...element.querySelectorAll('canvas')],
-  );
-  const recordings = await recorded(canvases, redraw);
+/** What the picture shows now. @param {Picture} picture @returns {Drawing} */
+export function drawingOf({ elements }) {
   const pieces = stacked(elements);
   const boxes = pieces.map(({ box }) => box);
   const x = Math.min(...boxes.map(({ left }) => left)) - margin;
@@ -47,9 +38,7 @@ export async function drawingOf({ elements }, redraw) {
     width: Math.ceil(Math.max(...boxes.map(({ right }) => right)) + margin - x),
     height: Math.ceil(Math.max(...pieces.map(({ top, box }) => top + box.height)) + margin - y),
     paper: getComputedStyle(document.body).backgroundColor,
-    marks: pieces.flatMap(({ element, box, top }) =>
-      marksOf(element, { x, y: y + box.top - top, alpha: 1, recordings }),
-    ),
+    marks: pieces.flatMap(({ element, box, top }) => marksOf(element, { x, y: y + box.top - top, alpha: 1 })),
   };
 }
 

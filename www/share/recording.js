@@ -1,217 +1,229 @@
-// Writes down what is drawn on canvases, as marks. The views draw as ever and know nothing of it.
-import { Outline, steps } from './marks.js';
+// A context that draws nothing and writes down as marks what it is told to draw.
+import { outlineOf } from '../kit/canvas.js';
+import { Outline } from './marks.js';
 
 /** @typedef {import('./marks.js').Clip} Clip */
+/** @typedef {import('./marks.js').Look} Look */
 /** @typedef {import('./marks.js').Mark} Mark */
 /** @typedef {import('./marks.js').Paint} Paint */
-/** @typedef {Record<string, (...args: any[]) => any>} Methods */
 
-const originalPath = globalThis.Path2D;
+/** What save() keeps. */
+const settings = /** @type {const} */ ([
+  ...['matrix', 'clips', 'dash', 'fillStyle', 'strokeStyle', 'globalAlpha', 'imageSmoothingEnabled'],
+  ...['lineWidth', 'lineCap', 'lineJoin', 'font', 'textAlign', 'textBaseline'],
+]);
 
-/** A path that knows its outline. Canvases cannot tell what a path is made of. */
-class RecordedPath extends originalPath {
-  outline = new Outline(2);
-
-  /** @param {Path2D | string} [from] */
-  constructor(from) {
-    super(from);
-    if (from !== undefined) this.outline.d = typeof from === 'string' ? from : outlineOf(from);
-    for (const step of steps)
-      before(this, step, (...args) =>
-        /** @type {Methods} */ (/** @type {unknown} */ (this.outline))[step](...args),
-      );
-  }
+/** What is drawn, as marks. @param {import('../kit/canvas.js').Paint} paint @returns {Mark[]} */
+export function marksOf(paint) {
+  const recorder = new Recorder();
+  paint(/** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (recorder)));
+  return recorder.marks;
 }
 
-/** @param {Path2D} path */
-function outlineOf(path) {
-  if (path instanceof RecordedPath) return path.outline.d;
-  throw new Error('a path was made before the recording began');
-}
-
-/**
- * Redraws, and returns what came onto each of the canvases. What was not redrawn is not in the map.
- * @param {HTMLCanvasElement[]} canvases @param {() => void} redraw
- * @returns {Promise<Map<HTMLCanvasElement, Mark[]>>}
- */
-export async function recorded(canvases, redraw) {
-  const recordings = canvases.map((canvas) => ({ canvas, ...record(canvas) }));
-  globalThis.Path2D = RecordedPath;
-  try {
-    redraw();
-    // uPlot draws in a microtask that the redrawing has asked for.
-    await null;
-  } finally {
-    globalThis.Path2D = originalPath;
-    for (const { stop } of recordings) stop();
-  }
-  return new Map(
-    recordings.filter(({ marks }) => marks.length > 0).map(({ canvas, marks }) => [canvas, marks]),
-  );
-}
-
-/** Calls a function before a method of an object. @param {object} object @param {string} name @param {(...args: any[]) => void} act */
-function before(object, name, act) {
-  const methods = /** @type {Methods} */ (object);
-  const own = methods[name].bind(object);
-  methods[name] = (...args) => {
-    act(...args);
-    return own(...args);
-  };
-}
-
-/** Calls a function with what a method of an object has made. @param {object} object @param {string} name @param {(made: any, ...args: any[]) => void} act */
-function after(object, name, act) {
-  const methods = /** @type {Methods} */ (object);
-  const own = methods[name].bind(object);
-  methods[name] = (...args) => {
-    const made = own(...args);
-    act(made, ...args);
-    return made;
-  };
-}
-
-/** @param {HTMLCanvasElement} canvas */
-function record(canvas) {
-  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-  const known = new Set(Object.keys(context));
+/** As much of a canvas's context as views use. */
+class Recorder {
   /** @type {Mark[]} */
-  const marks = [];
+  marks = [];
+  matrix = new DOMMatrix();
   /** @type {readonly Clip[]} */
-  let clips = [];
-  /** @type {(readonly Clip[])[]} */
-  const saved = [];
-  let path = new Outline(2);
-  const paintOf = recordPaints(context);
+  clips = [];
+  /** @type {number[]} */
+  dash = [];
+  /** @type {Paint} */
+  fillStyle = '#000000';
+  /** @type {Paint} */
+  strokeStyle = '#000000';
+  globalAlpha = 1;
+  imageSmoothingEnabled = true;
+  lineWidth = 1;
+  lineCap = 'butt';
+  lineJoin = 'miter';
+  font = '10px sans-serif';
+  /** @type {keyof typeof anchors} */
+  textAlign = 'start';
+  /** @type {CanvasTextBaseline} */
+  textBaseline = 'alphabetic';
 
-  const look = () => ({
-    matrix: context.getTransform(),
-    clips,
-    alpha: context.globalAlpha,
-    fill: null,
-    stroke: null,
-  });
-  const fill = () => ({ fill: paintOf(context.fillStyle) });
-  const stroke = () => ({
-    stroke: {
-      paint: paintOf(context.strokeStyle),
-      width: context.lineWidth,
-      dash: context.getLineDash(),
-      cap: context.lineCap,
-      join: context.lineJoin,
-    },
-  });
-  const given = (/** @type {unknown} */ one) => (one instanceof originalPath ? outlineOf(one) : path.d);
-  const shape = (/** @type {string} */ d, /** @type {object} */ paint) =>
-    marks.push({ kind: 'shape', d, ...look(), ...paint });
-  const rect = (/** @type {number[]} */ ...box) => {
-    const outline = outlineIn(context);
-    outline.rect(box[0], box[1], box[2], box[3]);
-    return outline.d;
-  };
+  #path = new Outline(2);
+  /** @type {Partial<Recorder>[]} */
+  #saved = [];
 
-  for (const step of steps)
-    before(context, step, (...args) => /** @type {Methods} */ (/** @type {unknown} */ (path))[step](...args));
-  before(context, 'beginPath', () => (path = outlineIn(context)));
-  before(context, 'fill', (one) => shape(given(one), fill()));
-  before(context, 'stroke', (one) => shape(given(one), stroke()));
-  before(context, 'fillRect', (...box) => shape(rect(...box), fill()));
-  before(context, 'strokeRect', (...box) => shape(rect(...box), stroke()));
-  before(context, 'clip', (one) => (clips = [...clips, { d: given(one), matrix: context.getTransform() }]));
-  before(context, 'save', () => saved.push(clips));
-  before(context, 'restore', () => (clips = saved.pop() ?? []));
-  // Views clear the whole canvas, or nothing.
-  before(context, 'clearRect', () => (marks.length = 0));
-  before(context, 'strokeText', (text, x, y) =>
-    marks.push({ ...look(), ...textIn(context, text, x, y), ...stroke() }),
-  );
-  before(context, 'fillText', (text, x, y) => {
-    const mark = textIn(context, text, x, y);
-    const last = marks[marks.length - 1];
+  save() {
+    this.#saved.push(Object.fromEntries(settings.map((name) => [name, this[/** @type {'font'} */ (name)]])));
+  }
+  restore() {
+    Object.assign(this, this.#saved.pop());
+  }
+  /** @param {number[]} numbers */
+  transform(...numbers) {
+    this.matrix = this.matrix.multiply(new DOMMatrix(numbers));
+  }
+  /** @param {number} x @param {number} y */
+  translate(x, y) {
+    this.matrix = this.matrix.translate(x, y);
+  }
+  /** @param {number[]} dash */
+  setLineDash(dash) {
+    this.dash = dash;
+  }
+
+  beginPath() {
+    this.#path = this.#outline();
+  }
+  /** @param {number} x @param {number} y */
+  moveTo(x, y) {
+    this.#path.moveTo(x, y);
+  }
+  /** @param {number} x @param {number} y */
+  lineTo(x, y) {
+    this.#path.lineTo(x, y);
+  }
+  closePath() {
+    this.#path.closePath();
+  }
+  /** @param {Parameters<Outline['rect']>} box */
+  rect(...box) {
+    this.#path.rect(...box);
+  }
+  /** @param {Parameters<Outline['arc']>} numbers */
+  arc(...numbers) {
+    this.#path.arc(...numbers);
+  }
+  clip() {
+    this.clips = [...this.clips, { d: this.#path.d, matrix: this.matrix }];
+  }
+  /** @param {Path2D} [path] */
+  fill(path) {
+    this.#shape(path ? outlineOf(path) : this.#path.d, this.#fill());
+  }
+  /** @param {Path2D} [path] */
+  stroke(path) {
+    this.#shape(path ? outlineOf(path) : this.#path.d, this.#stroke());
+  }
+  /** @param {Parameters<Outline['rect']>} box */
+  fillRect(...box) {
+    this.#shape(this.#rect(box), this.#fill());
+  }
+  /** @param {Parameters<Outline['rect']>} box */
+  strokeRect(...box) {
+    this.#shape(this.#rect(box), this.#stroke());
+  }
+  /** @param {string} text @param {number} x @param {number} y */
+  strokeText(text, x, y) {
+    this.marks.push({ ...this.#look(), ...this.#text(text, x, y), ...this.#stroke() });
+  }
+  /** @param {string} text @param {number} x @param {number} y */
+  fillText(text, x, y) {
+    const mark = this.#text(text, x, y);
+    const last = this.marks[this.marks.length - 1];
     const isHalo =
       last?.kind === 'text' && !last.fill && last.text === text && last.x === x && last.y === mark.y;
-    if (isHalo) Object.assign(last, fill());
-    else marks.push({ ...look(), ...mark, ...fill() });
-  });
-  before(context, 'drawImage', (source, x, y, width, height) =>
-    marks.push({
+    if (isHalo) Object.assign(last, this.#fill());
+    else this.marks.push({ ...this.#look(), ...mark, ...this.#fill() });
+  }
+  /** @param {string} text */
+  measureText(text) {
+    return measured(this.font, this.textBaseline, text);
+  }
+  /** @param {HTMLCanvasElement} source @param {number} x @param {number} y @param {number} width @param {number} height */
+  drawImage(source, x, y, width, height) {
+    this.marks.push({
+      ...this.#look(),
       kind: 'image',
       source: copyOf(source),
       box: [x, y, width, height],
-      smooth: context.imageSmoothingEnabled,
-      ...look(),
-    }),
-  );
-  const stop = () => {
-    for (const name of Object.keys(context))
-      if (!known.has(name)) delete (/** @type {Partial<Methods>} */ (/** @type {unknown} */ (context))[name]);
+      smooth: this.imageSmoothingEnabled,
+    });
+  }
+  /** @param {number} x0 @param {number} y0 @param {number} x1 @param {number} y1 */
+  createLinearGradient(x0, y0, x1, y1) {
+    /** @type {[number, string][]} */
+    const stops = [];
+    const addColorStop = (/** @type {number} */ at, /** @type {string} */ colour) => stops.push([at, colour]);
+    return { from: [x0, y0], to: [x1, y1], stops, addColorStop };
+  }
+  /** @param {HTMLCanvasElement} tile */
+  createPattern(tile) {
+    const pattern = { tile: copyOf(tile), scale: 1 };
+    const setTransform = (/** @type {DOMMatrix} */ matrix) => {
+      pattern.scale = matrix.a;
+    };
+    return Object.assign(pattern, { setTransform });
+  }
+
+  /** An outline as exact as a hundredth of a pixel, in whatever it is drawn. */
+  #outline() {
+    const { a, b } = this.matrix;
+    return new Outline(Math.max(0, 2 + Math.ceil(Math.log10(Math.hypot(a, b)))));
+  }
+  /** @param {Parameters<Outline['rect']>} box */
+  #rect(box) {
+    const outline = this.#outline();
+    outline.rect(...box);
+    return outline.d;
+  }
+  /** @returns {Look} */
+  #look() {
+    return { matrix: this.matrix, clips: this.clips, alpha: this.globalAlpha, fill: null, stroke: null };
+  }
+  #fill() {
+    return { fill: this.fillStyle };
+  }
+  #stroke() {
+    const { strokeStyle: paint, lineWidth: width, dash, lineCap: cap, lineJoin: join } = this;
+    return { stroke: { paint, width, dash, cap, join } };
+  }
+  /** @param {string} d @param {Partial<Look>} paint */
+  #shape(d, paint) {
+    this.marks.push({ kind: 'shape', d, ...this.#look(), ...paint });
+  }
+  /** @param {string} text @param {number} x @param {number} y */
+  #text(text, x, y) {
+    const ascent = this.measureText(text).actualBoundingBoxAscent;
+    const shift = measured(this.font, 'alphabetic', text).actualBoundingBoxAscent - ascent;
+    return {
+      kind: /** @type {const} */ ('text'),
+      text,
+      x,
+      y: y + shift,
+      anchor: anchors[this.textAlign],
+      font: fontOf(this.font),
+    };
+  }
+}
+
+const anchors = /** @type {const} */ ({
+  center: 'middle',
+  right: 'end',
+  end: 'end',
+  left: 'start',
+  start: 'start',
+});
+
+/** @param {string} font As CSS writes it. @returns {import('./marks.js').Font} */
+function fontOf(font) {
+  const [, before, size, family] = /^(.*?)([\d.]+)px\s+(.*)$/.exec(font) ?? ['', '', '10', 'sans-serif'];
+  return {
+    style: before.includes('italic') ? 'italic' : 'normal',
+    weight: /\d+/.exec(before)?.[0] ?? (before.includes('bold') ? '700' : '400'),
+    size: Number(size),
+    family,
   };
-  return { marks, stop };
 }
 
-/** An outline as exact as a hundredth of a pixel, in whatever it is drawn. @param {CanvasRenderingContext2D} context */
-function outlineIn(context) {
-  const { a, b } = context.getTransform();
-  return new Outline(Math.max(0, 2 + Math.ceil(Math.log10(Math.hypot(a, b)))));
-}
+const ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
 
-/** Gradients and patterns do not tell what they are made of either. @param {CanvasRenderingContext2D} context */
-function recordPaints(context) {
-  /** @type {WeakMap<object, Paint>} */
-  const paints = new WeakMap();
-  after(context, 'createLinearGradient', (gradient, x0, y0, x1, y1) => {
-    /** @type {import('./marks.js').Gradient} */
-    const paint = { from: [x0, y0], to: [x1, y1], stops: [] };
-    paints.set(gradient, paint);
-    before(gradient, 'addColorStop', (offset, colour) => paint.stops.push([offset, colour]));
-  });
-  after(context, 'createPattern', (pattern, tile) => {
-    const paint = { tile: copyOf(tile), scale: 1 };
-    paints.set(pattern, paint);
-    before(pattern, 'setTransform', (matrix) => (paint.scale = matrix.a));
-  });
-  return (/** @type {string | CanvasGradient | CanvasPattern} */ style) =>
-    typeof style === 'string' ? style : (paints.get(style) ?? 'none');
+/** @param {string} font @param {CanvasTextBaseline} baseline @param {string} text */
+export function measured(font, baseline, text) {
+  ruler.font = font;
+  ruler.textBaseline = baseline;
+  return ruler.measureText(text);
 }
 
 /** @param {HTMLCanvasElement} canvas */
-export function copyOf(canvas) {
+function copyOf(canvas) {
   const copy = document.createElement('canvas');
   [copy.width, copy.height] = [canvas.width, canvas.height];
   copy.getContext('2d')?.drawImage(canvas, 0, 0);
   return copy;
-}
-
-/** @param {CanvasRenderingContext2D} context @param {string} text @param {number} x @param {number} y */
-function textIn(context, text, x, y) {
-  const [, before, size, family] = /^(.*?)([\d.]+)px\s+(.*)$/.exec(context.font) ?? [
-    '',
-    '',
-    '10',
-    'sans-serif',
-  ];
-  const { textBaseline } = context;
-  const ascent = context.measureText(text).actualBoundingBoxAscent;
-  context.textBaseline = 'alphabetic';
-  const shift = context.measureText(text).actualBoundingBoxAscent - ascent;
-  context.textBaseline = textBaseline;
-  return {
-    kind: /** @type {const} */ ('text'),
-    text,
-    x,
-    y: y + shift,
-    anchor: /** @type {const} */ ({
-      center: 'middle',
-      right: 'end',
-      end: 'end',
-      left: 'start',
-      start: 'start',
-    })[context.textAlign],
-    font: {
-      style: before.includes('italic') ? 'italic' : 'normal',
-      weight: /\d+/.exec(before)?.[0] ?? (before.includes('bold') ? '700' : '400'),
-      size: Number(size),
-      family,
-    },
-  };
 }

@@ -1,13 +1,14 @@
 // What a person sees in a part of the page, as marks: canvases, SVG, and the boxes and texts of HTML.
-import { copyOf } from './recording.js';
+import { pictureOn } from '../kit/canvas.js';
 import { Outline } from './marks.js';
+import { marksOf as marksDrawn, measured } from './recording.js';
 
 /** @typedef {import('./marks.js').Font} Font */
 /** @typedef {import('./marks.js').Look} Look */
 /** @typedef {import('./marks.js').Mark} Mark */
 /** @typedef {import('./marks.js').Stroke} Stroke */
 /** @typedef {{ left: number, top: number, width: number, height: number }} Box */
-/** @typedef {{ x: number, y: number, alpha: number, recordings: Map<HTMLCanvasElement, Mark[]> }} Place Pixels of the picture's corner, and how opaque what is around is. */
+/** @typedef {{ x: number, y: number, alpha: number }} Place Pixels of the picture's corner, and how opaque what is around is. */
 
 /** Controls and hints are no part of a picture. */
 const left = 'button, input, select, fieldset, label, progress, .hint, .visually-hidden';
@@ -43,24 +44,19 @@ function inOrder(element) {
 const lookAt = ({ alpha }) => ({ matrix: new DOMMatrix(), clips: [], alpha, fill: null, stroke: null });
 
 /** @param {HTMLCanvasElement} canvas @param {Place} place @returns {Mark[]} */
-function canvasMarks(canvas, { x, y, alpha, recordings }) {
+function canvasMarks(canvas, { x, y, alpha }) {
   const { left, top, width, height } = canvas.getBoundingClientRect();
-  if (width === 0 || canvas.width === 0) return [];
-  const matrix = new DOMMatrix()
-    .translate(left - x, top - y)
-    .scale(width / canvas.width, height / canvas.height);
-  const recording = recordings.get(canvas);
+  const picture = pictureOn(canvas);
+  if (width === 0 || !picture) return [];
+  const { size, paint } = picture;
+  const matrix = new DOMMatrix().translate(left - x, top - y).scale(width / size.width, height / size.height);
   const inPicture = (/** @type {DOMMatrix} */ own) => matrix.multiply(own);
-  if (recording)
-    return recording.map((mark) => ({
-      ...mark,
-      matrix: inPicture(mark.matrix),
-      clips: mark.clips.map(({ d, matrix: own }) => ({ d, matrix: inPicture(own) })),
-      alpha: alpha * mark.alpha,
-    }));
-  const box = /** @type {const} */ ([0, 0, canvas.width, canvas.height]);
-  const look = { matrix, clips: [], alpha, fill: null, stroke: null };
-  return [{ kind: 'image', source: copyOf(canvas), box, smooth: true, ...look }];
+  return marksDrawn(paint).map((mark) => ({
+    ...mark,
+    matrix: inPicture(mark.matrix),
+    clips: mark.clips.map(({ d, matrix: own }) => ({ d, matrix: inPicture(own) })),
+    alpha: alpha * mark.alpha,
+  }));
 }
 
 /** @param {SVGElement} element @param {CSSStyleDeclaration} style @param {Place} place @returns {Mark[]} */
@@ -205,7 +201,7 @@ function marksBefore(element, place) {
   const outer = getComputedStyle(element);
   const width = px(style.width) + px(style.borderLeftWidth) + px(style.borderRightWidth);
   const height = px(style.height) + px(style.borderTopWidth) + px(style.borderBottomWidth);
-  const bottom = text.top + measured(fontOf(outer)).fontBoundingBoxAscent - px(style.verticalAlign);
+  const bottom = text.top + ascentOf(fontOf(outer)) - px(style.verticalAlign);
   const box = {
     left: text.left - px(style.marginRight) - width - place.x,
     top: bottom - height - place.y,
@@ -218,7 +214,7 @@ function marksBefore(element, place) {
 /** @param {Text} node @param {CSSStyleDeclaration} style @param {Place} place @returns {Mark[]} */
 function textMarks(node, style, place) {
   const font = fontOf(style);
-  const ascent = measured(font).fontBoundingBoxAscent;
+  const ascent = ascentOf(font);
   const isVector = node.parentElement instanceof SVGElement;
   const anchor = isVector ? style.textAnchor : style.textAlign;
   const side = /** @type {'start' | 'middle' | 'end'} */ (
@@ -271,10 +267,5 @@ const fontOf = ({ fontStyle, fontWeight, fontSize, fontFamily }) => ({
 /** @param {Font} font */
 export const cssFont = ({ style, weight, size, family }) => `${style} ${weight} ${size}px ${family}`;
 
-const ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
-
 /** @param {Font} font */
-function measured(font) {
-  ruler.font = cssFont(font);
-  return ruler.measureText('x');
-}
+const ascentOf = (font) => measured(cssFont(font), 'alphabetic', 'x').fontBoundingBoxAscent;

@@ -10,7 +10,7 @@ import { resultsOf } from '../../../www/core/checks/checks.js';
 import { allResults } from '../../../www/core/checks/run.js';
 import * as en from '../../../www/words/en/checks.js';
 import * as ko from '../../../www/words/ko/checks.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import * as core from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { checked } from '../harness/reading.js';
@@ -411,7 +411,7 @@ async function tabTo(page, id) {
   assert.fail(`Tab does not reach #${id}`);
 }
 
-pageTest(
+engineTest(
   'the keyboard alone starts the checks from the sheet of keys, and all of them pass',
   async (page) => {
     await page.focus('#keys-button');
@@ -453,7 +453,7 @@ pageTest('a sheet that is closed and opened again while it checks comes to its e
   assertAllPassed(await seen(page));
 });
 
-pageTest('the checks are copied as text; where no page may copy, the text is selected', async (page) => {
+engineTest('the checks are copied as text; where no page may copy, the text is selected', async (page) => {
   await page.click('#keys-button');
   await page.click('#keys-checks');
   await checked(page);

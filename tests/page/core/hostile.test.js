@@ -55,6 +55,13 @@ const calls = [
     ],
   ],
   ['startsOnCircle', core.startsOnCircle, [{ x: 0, y: 0, radius: 1, count: 3, seed: 1 }]],
+  [
+    'startsOnGrid',
+    core.startsOnGrid,
+    [{ x: { from: 0, to: 1, count: 2 }, y: { from: 0, to: 1, count: 1 }, headings: 3, part: [0, 6] }],
+  ],
+  ['lawTerms', core.lawTerms, [{}, [3, 0.1, 5], { x: 1, y: -1, theta: 0.5 }]],
+  ['winsBout', core.winsBout, [1, 2]],
   ['Simulation', (...given) => new Simulation(given[0], given[1], given[2]).step(), [{}, [3, 0.1, 5], 0]],
   ['Evolution', (given) => new Evolution(given).hash(), [{ horizon: 0.1, evolution: { population: 3 } }]],
   ['statistics', (given) => evolution.statistics(given), [1]],

@@ -8,7 +8,7 @@ import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { npm, top } from '../../../.tasks/run.mjs';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, simulate, version, wasm } from '../harness/core.js';
 import { onceOnly, test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
@@ -144,7 +144,7 @@ for (const [how, path] of [
   ['in a plain page', 'plain/index.html'],
   ['in a page that Vite bundled', 'bundled/dist/index.html'],
 ]) {
-  pageTest(`${how} the README's example prints the core's numbers`, async (page) => {
+  engineTest(`${how} the README's example prints the core's numbers`, async (page) => {
     await writePages();
     const site = await serve(project);
     try {

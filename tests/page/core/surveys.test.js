@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { after } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'vite';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest } from '../harness/browsers.js';
 import { evolve, experiment, landscape } from '../harness/core.js';
 import { onceOnly } from '../harness/once.js';
 import { checked, read } from '../harness/reading.js';
@@ -93,7 +93,7 @@ function checkSurvey({ costs, hash, told }) {
   assert.equal(told.at(-1), 1);
 }
 
-pageTest('one, two and eight workers compute the same bits as Node', async (page) => {
+engineTest('one, two and eight workers compute the same bits as Node', async (page) => {
   const site = await serve(await builds.served());
   try {
     for (const size of [1, 2, 8]) {
@@ -136,7 +136,7 @@ const evolveDespite = (page, generations) =>
     return { hash, workers: workers.length };
   }, generations);
 
-pageTest('work is ended, superseded, aborted and refused, and the workers go on', async (page) => {
+engineTest('work is ended, superseded, aborted and refused, and the workers go on', async (page) => {
   const site = await serve(await builds.served());
   try {
     await openEngine(page, site.address);
@@ -177,7 +177,7 @@ pageTest('work is ended, superseded, aborted and refused, and the workers go on'
   }
 });
 
-pageTest('one file from a disk computes in workers and asks nobody for anything', async (page) => {
+engineTest('one file from a disk computes in workers and asks nobody for anything', async (page) => {
   await openFile(page, join(await builds.offline(), 'ep-locomotion.html'));
   await page.until('the engine is there', () => 'engine' in window);
   checkSurvey(await survey(page));
@@ -185,7 +185,7 @@ pageTest('one file from a disk computes in workers and asks nobody for anything'
   assert.deepEqual(await traffic(page), { requests: [], problems: [] });
 });
 
-pageTest('where workers are forbidden, a job says that they cannot be started', async (page) => {
+engineTest('where workers are forbidden, a job says that they cannot be started', async (page) => {
   await openFile(page, join(await builds.offline(), 'ep-locomotion.html'), (html) =>
     html.replace('worker-src blob:', "worker-src 'none'"),
   );
@@ -197,7 +197,7 @@ pageTest('where workers are forbidden, a job says that they cannot be started', 
   assert.match(message, /No worker can be started|A worker was lost: it could not be started/);
 });
 
-pageTest('the whole page in one file from a disk drives, evolves and draws its landscape', async (page) => {
+engineTest('the whole page in one file from a disk drives, evolves and draws its landscape', async (page) => {
   assert.ok((await stat(productFile)).size <= 1.5e6);
   await openFile(page, productFile);
   await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');

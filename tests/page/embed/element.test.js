@@ -1,9 +1,10 @@
 // The element <ep-locomotion> in a page of another host.
 import assert from 'node:assert/strict';
+import { parts } from '../../../www/parts/parts.js';
 import { wantedHeight } from '../../../www/embed/frame.js';
 import * as en from '../../../www/words/en/element.js';
 import * as ko from '../../../www/words/ko/element.js';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, historyOf } from '../harness/core.js';
 import { serveHost } from '../harness/host.js';
 
@@ -45,7 +46,7 @@ const complaint = (page, id) =>
 const isReady = (page, id) =>
   page.until(`${id} is ready`, (name) => Reflect.get(document.getElementById(name) ?? {}, 'state'), id);
 
-pageTest('an element shows a figure, does what its page asks, and tells what comes of it', async (page) => {
+engineTest('an element shows a figure, does what its page asks, and tells what comes of it', async (page) => {
   const html = `
     <ep-locomotion id="own" link="lab&amp;v=1&amp;seed=7"></ep-locomotion>
     <ep-locomotion id="other" src="${page.site.address}" link="landscape&amp;v=1" height="400"></ep-locomotion>
@@ -60,7 +61,7 @@ pageTest('an element shows a figure, does what its page asks, and tells what com
     await isReady(page, 'own');
     await isReady(page, 'other');
     const [width, height] = await use(page, 'own', '[it.offsetWidth, it.offsetHeight]');
-    assert.equal(height, wantedHeight('lab', 0, width));
+    assert.equal(height, wantedHeight(parts, 'lab', 0, width));
     assert.equal(await use(page, 'other', 'it.offsetHeight'), 400);
     assert.equal((await use(page, 'own', 'it.state')).link, 'lab&v=1&seed=7');
 

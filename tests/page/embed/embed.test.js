@@ -6,8 +6,8 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { addressOf } from '../../../www/kit/host.js';
 import { frameText, sizes, wantedHeight } from '../../../www/embed/frame.js';
-import { pageNames } from '../../../www/run/state.js';
-import { pageTest } from '../harness/browsers.js';
+import { pageNames, parts } from '../../../www/parts/parts.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, historyOf, simulate } from '../harness/core.js';
 import { ask, heardFrom, inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
@@ -34,7 +34,9 @@ test('the text of a frame says where, how large and what, and nothing in it ends
 test('the height that is asked for depends on the width alone, and has bounds', () => {
   for (const page of pageNames)
     for (const lesson of [0, 3]) {
-      const heights = [100, 400, 640, 800, 1200, 3000].map((width) => wantedHeight(page, lesson, width));
+      const heights = [100, 400, 640, 800, 1200, 3000].map((width) =>
+        wantedHeight(parts, page, lesson, width),
+      );
       assert.ok(heights.every(Number.isInteger));
       assert.deepEqual(
         heights,
@@ -45,6 +47,7 @@ test('the height that is asked for depends on the width alone, and has bounds', 
 });
 
 /** The picture of each part, and what one presses first. */
+/** @type {Record<string, string[]>} */
 const essentials = {
   lab: ['#plane', '#run'],
   generation: ['#generation-picture', '#generation-next'],
@@ -103,35 +106,38 @@ for (const [[width, height], language] of /** @type {const} */ ([
   [sizes[1], 'ko'],
   [sizes[2], 'en'],
 ]))
-  pageTest(`every part finds its place in ${width} × ${height}, in ${language}`, async (page) => {
-    const links = pageNames.map((name) => `${name}&v=1${language === 'en' ? '' : `&lang=${language}`}`);
-    await inHost(page, links.map((link) => frameOf(page, link, width, height)).join(''), async () => {
-      /** @type {Record<string, string[]>} */
-      const problems = {};
-      for (const [frame, name] of pageNames.entries()) {
-        const found = await within(page, frame, () => page.evaluate(misplaced, essentials[name]));
-        if (found.length > 0) problems[name] = found;
-      }
-      assert.deepEqual(problems, {});
-      // At the height that it asks for it fits as well.
-      await page.evaluate(() => {
-        const { heard } = /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
-          /** @type {unknown} */ (window)
-        );
-        for (const [i, frame] of document.querySelectorAll('iframe').entries()) {
-          const said = heard.filter((one) => one.frame === i && one.data.type === 'height').at(-1);
-          frame.height = said?.data.height;
+  (width === sizes[0][0] ? engineTest : pageTest)(
+    `every part finds its place in ${width} × ${height}, in ${language}`,
+    async (page) => {
+      const links = pageNames.map((name) => `${name}&v=1${language === 'en' ? '' : `&lang=${language}`}`);
+      await inHost(page, links.map((link) => frameOf(page, link, width, height)).join(''), async () => {
+        /** @type {Record<string, string[]>} */
+        const problems = {};
+        for (const [frame, name] of pageNames.entries()) {
+          const found = await within(page, frame, () => page.evaluate(misplaced, essentials[name]));
+          if (found.length > 0) problems[name] = found;
+        }
+        assert.deepEqual(problems, {});
+        // At the height that it asks for it fits as well.
+        await page.evaluate(() => {
+          const { heard } = /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
+            /** @type {unknown} */ (window)
+          );
+          for (const [i, frame] of document.querySelectorAll('iframe').entries()) {
+            const said = heard.filter((one) => one.frame === i && one.data.type === 'height').at(-1);
+            frame.height = said?.data.height;
+          }
+        });
+        for (const [frame, name] of pageNames.entries()) {
+          const wanted = wantedHeight(parts, name, 0, width);
+          await within(page, frame, async () => {
+            await page.until(`${name} has its height`, (expected) => innerHeight === expected, wanted);
+            assert.deepEqual(await page.evaluate(misplaced, essentials[name]), [], `${name} at ${wanted}`);
+          });
         }
       });
-      for (const [frame, name] of pageNames.entries()) {
-        const wanted = wantedHeight(name, 0, width);
-        await within(page, frame, async () => {
-          await page.until(`${name} has its height`, (expected) => innerHeight === expected, wanted);
-          assert.deepEqual(await page.evaluate(misplaced, essentials[name]), [], `${name} at ${wanted}`);
-        });
-      }
-    });
-  });
+    },
+  );
 
 pageTest('a step of the lesson stands beside its figure, without the way to other steps', async (page) => {
   const html = [400, 640, 800].map((width) => frameOf(page, 'lesson&step=2', width, 420)).join('');
@@ -182,7 +188,7 @@ const clockOf = (page, frame) =>
     }),
   );
 
-pageTest('three figures leave focus, keys and wheel to their host until they are used', async (page) => {
+engineTest('three figures leave focus, keys and wheel to their host until they are used', async (page) => {
   await inHost(page, course(page), async () => {
     const focused = () => page.evaluate(() => document.activeElement?.id);
     assert.equal(await focused(), 'field');
@@ -226,7 +232,7 @@ pageTest('three figures leave focus, keys and wheel to their host until they are
   });
 });
 
-pageTest('a figure that is used has its keys, tells each generation, and is alone in it', async (page) => {
+engineTest('a figure that is used has its keys, tells each generation, and is alone in it', async (page) => {
   await inHost(page, course(page), async () => {
     await within(page, 0, async () => {
       await page.click('#one-generation');
@@ -254,7 +260,7 @@ pageTest('a figure that is used has its keys, tells each generation, and is alon
   });
 });
 
-pageTest('the host sets experiments and reads what comes of them', async (page) => {
+engineTest('the host sets experiments and reads what comes of them', async (page) => {
   await inHost(page, course(page), async () => {
     const [first] = await heardFrom(page, 0);
     assert.equal(first.type, 'ready');
@@ -359,7 +365,7 @@ pageTest('what the host has wrong is told, and nothing else is answered', async 
   });
 });
 
-pageTest(
+engineTest(
   'the height is told at once and whenever the width changes, to learning platforms too',
   async (page) => {
     await inHost(page, frameOf(page, 'lab&v=1', 400, 300), async () => {
@@ -374,7 +380,7 @@ pageTest(
       await page.evaluate(() => {
         /** @type {HTMLIFrameElement} */ (document.querySelector('iframe')).width = '800';
       });
-      const height = wantedHeight('lab', 0, 800);
+      const height = wantedHeight(parts, 'lab', 0, 800);
       await page.until(
         'the new height is told',
         (expected) =>
@@ -399,40 +405,43 @@ pageTest(
   },
 );
 
-pageTest('the full page opens with the run of the figure, and the figure fills the screen', async (page) => {
-  const frames = [frameOf(page, 'lab&v=1&seed=7', 640, 420), frameOf(page, 'lab', 640, 420, '')];
-  await inHost(page, frames.join(''), async () => {
-    const full = await within(page, 0, async () => {
-      await page.click('#one-generation');
-      await page.focus('#embed-full');
-      return page.evaluate(() => {
-        const { href, target, rel } = /** @type {HTMLAnchorElement} */ (
-          document.getElementById('embed-full')
+engineTest(
+  'the full page opens with the run of the figure, and the figure fills the screen',
+  async (page) => {
+    const frames = [frameOf(page, 'lab&v=1&seed=7', 640, 420), frameOf(page, 'lab', 640, 420, '')];
+    await inHost(page, frames.join(''), async () => {
+      const full = await within(page, 0, async () => {
+        await page.click('#one-generation');
+        await page.focus('#embed-full');
+        return page.evaluate(() => {
+          const { href, target, rel } = /** @type {HTMLAnchorElement} */ (
+            document.getElementById('embed-full')
+          );
+          return { href, target, rel };
+        });
+      });
+      assert.deepEqual(full, {
+        href: `${page.site.address}#lab&v=1&seed=7&generation=1`,
+        target: '_blank',
+        rel: 'noopener',
+      });
+      assert.equal(
+        await within(page, 1, () => page.evaluate(() => document.getElementById('embed-screen') !== null)),
+        false,
+        'no button for what the host has not allowed',
+      );
+      await within(page, 0, async () => {
+        await page.click('#embed-screen');
+        await page.until('the figure fills the screen', () => document.fullscreenElement !== null);
+        await page.until('it says how to leave', () =>
+          document.getElementById('embed-screen')?.getAttribute('aria-label')?.startsWith('Leave'),
         );
-        return { href, target, rel };
+        await page.click('#embed-screen');
+        await page.until('it has left the full screen', () => document.fullscreenElement === null);
       });
     });
-    assert.deepEqual(full, {
-      href: `${page.site.address}#lab&v=1&seed=7&generation=1`,
-      target: '_blank',
-      rel: 'noopener',
-    });
-    assert.equal(
-      await within(page, 1, () => page.evaluate(() => document.getElementById('embed-screen') !== null)),
-      false,
-      'no button for what the host has not allowed',
-    );
-    await within(page, 0, async () => {
-      await page.click('#embed-screen');
-      await page.until('the figure fills the screen', () => document.fullscreenElement !== null);
-      await page.until('it says how to leave', () =>
-        document.getElementById('embed-screen')?.getAttribute('aria-label')?.startsWith('Leave'),
-      );
-      await page.click('#embed-screen');
-      await page.until('it has left the full screen', () => document.fullscreenElement === null);
-    });
-  });
-});
+  },
+);
 
 pageTest('the dialog writes a frame that shows the present state', async (page) => {
   await page.open('#landscape&v=1&seed=7&generation=5&x=ky');
@@ -467,7 +476,7 @@ pageTest('nothing in a figure is in the way of assistive technology', async (pag
   }
 });
 
-pageTest('the one file is a figure too, from a disk', async (page) => {
+engineTest('the one file is a figure too, from a disk', async (page) => {
   const folder = await mkdtemp(join(tmpdir(), 'host-'));
   try {
     const file = pathToFileURL(fileURLToPath(new URL('../../../dist/ep-locomotion.html', import.meta.url)));

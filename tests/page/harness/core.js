@@ -1,30 +1,18 @@
-// The core under Node: what the page has to show is computed by the very module that the page was built with.
-import { readFile } from 'node:fs/promises';
-import init, { Evolution, paper } from '../../../pkg/ep_locomotion.js';
+// The core under Node, and what the page must show of it.
+import { Evolution } from '../../../www/core/headless.js';
 
-export * from '../../../pkg/ep_locomotion.js';
+export * from '../../../www/core/headless.js';
 
-/** @typedef {import('../../../pkg/ep_locomotion.js').Experiment} Experiment */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Gains} Gains */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Preset} Preset */
+/** @typedef {import('../../../www/core/headless.js').Experiment} Experiment */
+/** @typedef {import('../../../www/core/headless.js').Gains} Gains */
 
-export const wasm = new URL('../../../pkg/ep_locomotion_bg.wasm', import.meta.url);
 export const glue = new URL('../../../pkg/ep_locomotion.js', import.meta.url);
-/** Of the one instance of the core. */
-export const { memory } = await init({ module_or_path: await readFile(wasm) });
 
 /** A cost as it is shown. @param {number} cost */
 export const shown = (cost) => cost.toFixed(3);
 
 /** Gains as they are shown. @param {Gains} gains */
 export const shownGains = (gains) => [...gains].map((gain) => gain.toFixed(3));
-
-/** @param {Preset} preset @param {'ep' | 'arbitrary'} method */
-export function paperGains(preset, method) {
-  const row = paper().find((one) => one.preset === preset && one.method === method);
-  if (!row) throw new Error(`the core has no ${method} gains for ${preset}`);
-  return row.gains;
-}
 
 /** Some generations of an evolution: what is shown of the newest one, its best gains in full, and the hash. @param {Experiment} from @param {number} [generations] */
 export function evolve(from, generations = 0) {

@@ -5,9 +5,7 @@
 
 /** Reads the page once it has drawn what happened last. @param {Page} page */
 export function read(page) {
-  return page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
-
+  return page.evaluate(() => {
     /** @param {string} id */
     const element = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
     /** @param {string} id */
@@ -60,8 +58,7 @@ export const arrival = (page) =>
 /** The middle of an element, in pixels from the top left corner of another one. @param {Page} page @param {string} id @param {string} [within] */
 export function middleOf(page, id, within = 'plane-robots') {
   return page.evaluate(
-    async (one, other) => {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
+    (one, other) => {
       const [box, around] = [one, other].map((name) =>
         /** @type {HTMLElement} */ (document.getElementById(name)).getBoundingClientRect(),
       );
@@ -84,8 +81,7 @@ export const numberOf = (text) => Number(text.replaceAll('−', '-').replace(/[^
 
 /** The text of an element that is in sight, once what happened last is drawn. @param {Page} page @param {string} selector */
 export const textOf = (page, selector) =>
-  page.evaluate(async (one) => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
+  page.evaluate((one) => {
     const element = /** @type {HTMLElement} */ (document.querySelector(one));
     return element.checkVisibility() ? element.innerText.trim() : 'not in sight';
   }, selector);
@@ -121,8 +117,7 @@ export const coloured = (page, selector, points) =>
 /** How many pixels of a canvas have a colour. @param {Page} page @param {string} selector @param {string} token */
 export const pixelsOf = (page, selector, token) =>
   page.evaluate(
-    async (name, property) => {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
+    (name, property) => {
       const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(name));
       const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
       const { data } = context.getImageData(0, 0, canvas.width, canvas.height);

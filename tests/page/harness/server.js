@@ -15,6 +15,13 @@ const dist = fileURLToPath(new URL('../../../dist/', import.meta.url));
 export const axeAddress = '/axe.js';
 const reports = '/policy-reports';
 
+/** What runs in every page before its own scripts. */
+const scripts = ['collector.js', 'frames.js'].map((name) =>
+  readFileSync(new URL(name, import.meta.url), 'utf8'),
+);
+/** By how many milliseconds every frame of the page comes late, as on a machine with much to do. */
+const late = Number(process.env.LATE_FRAMES ?? 0);
+
 /** All that the page needs, and nothing else. */
 const strictest = {
   'default-src': "'none'",
@@ -68,7 +75,7 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
     .join('; ');
   /** @type {string[]} */
   const problems = [];
-  const collectorText = readFileSync(new URL('collector.js', import.meta.url), 'utf8') + before;
+  const collectorText = [...scripts, before].join('\n');
 
   /** @param {string} path @returns {Promise<string | Buffer | null>} the body, or null if there is none */
   async function body(path) {
@@ -81,7 +88,9 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
     const content = file && send(inside, file);
     if (content === null || extname(inside) !== '.html') return content;
     // The collector has to run before any script of the page.
-    return content.toString().replace(/<head[^>]*>/i, `$&<script src="${collector}"></script>`);
+    return content
+      .toString()
+      .replace(/<head[^>]*>/i, `$&<script src="${collector}" data-late="${late}"></script>`);
   }
 
   const server = createServer(async (request, response) => {

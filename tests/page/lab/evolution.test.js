@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { cp, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, glue, shown, simulate, wasm } from '../harness/core.js';
 import { arrival, read, readEvolution } from '../harness/reading.js';
 import { serve } from '../harness/server.js';
@@ -48,7 +48,7 @@ pageTest('1 generation makes one generation, and the best J never rises', async 
   assert.ok(costs[6] < costs[0], `best J did not fall in six generations: ${costs}`);
 });
 
-pageTest('Run goes on by itself until Pause, however long that is pressed', async (page) => {
+engineTest('Run goes on by itself until Pause, however long that is pressed', async (page) => {
   await page.click('#run');
   await reaches(page, 2);
   const run = await page.element('#run');
@@ -62,7 +62,7 @@ pageTest('Run goes on by itself until Pause, however long that is pressed', asyn
   await reaches(page, Number(paused.generation) + 1);
 });
 
-pageTest(
+engineTest(
   'generation 20 of a seed is the same whether it ran or was stepped, here and in Node',
   async (page) => {
     /** @param {number} generation */
@@ -89,7 +89,7 @@ pageTest(
   },
 );
 
-pageTest('every number of the history is the same here and in Node', async (page) => {
+engineTest('every number of the history is the same here and in Node', async (page) => {
   const folder = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
   await cp(glue, join(folder, 'ep_locomotion.js'));
   await cp(wasm, join(folder, 'ep_locomotion_bg.wasm'));

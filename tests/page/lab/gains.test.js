@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
 import { read } from '../harness/reading.js';
 
@@ -80,7 +80,7 @@ pageTest("the paper's gains cost what they are known to cost, the sum of the par
   }
 });
 
-pageTest('a slider takes over by hand from the gains that are shown, and they are kept', async (page) => {
+engineTest('a slider takes over by hand from the gains that are shown, and they are kept', async (page) => {
   await page.click('#drives-paper-ep');
   await page.focus('#slider-kx');
   await page.press(Key.ARROW_RIGHT);
@@ -149,7 +149,7 @@ pageTest('gains of every finite size drive at their J or are refused, and the pa
   assert.deepEqual(await readDriver(page), expected('hand', [kx, ky, ktheta]));
 });
 
-pageTest('a decimal comma and a minus sign are understood', async (page) => {
+engineTest('a decimal comma and a minus sign are understood', async (page) => {
   await type(page, 'gain-kx', '4,25');
   await type(page, 'gain-ky', '−0.5');
   const { gains } = await read(page);

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { read } from '../harness/reading.js';
 import { serve } from '../harness/server.js';
 
@@ -8,7 +8,7 @@ import { serve } from '../harness/server.js';
 
 const top = fileURLToPath(new URL('../../../', import.meta.url));
 
-pageTest(
+engineTest(
   'the page opens and works without errors, and asks no other host',
   async (page) => {
     assert.deepEqual(await page.problems(), []);
@@ -41,45 +41,48 @@ pageTest(
   { moves: true },
 );
 
-pageTest('Tab reaches every control in order and leaves the page, and each shows its focus', async (page) => {
-  /** @type {Record<string, string>} */
-  const focused = {};
-  /** @type {string[]} */
-  const reached = [];
-  do {
-    await page.press(Key.TAB);
-    reached.push(await page.evaluate(() => document.activeElement?.id ?? ''));
-    const [id] = reached.slice(-1);
-    if (id !== '') focused[id] = (await focusMarks(page, [id]))[id];
-    // A goal that is moved brings the button that moves it back.
-    if (id === 'goal-position') await page.press(Key.ARROW_UP);
-  } while (
-    reached.length < 50 &&
-    reached.at(-1) !== '' &&
-    reached.indexOf(reached[reached.length - 1]) === reached.length - 1
-  );
-  const after = reached.pop();
-
-  const controls = await page.evaluate(() => {
-    /** @type {HTMLElement} */ (document.activeElement).blur();
-    const all = /** @type {NodeListOf<HTMLInputElement>} */ (
-      document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')
+engineTest(
+  'Tab reaches every control in order and leaves the page, and each shows its focus',
+  async (page) => {
+    /** @type {Record<string, string>} */
+    const focused = {};
+    /** @type {string[]} */
+    const reached = [];
+    do {
+      await page.press(Key.TAB);
+      reached.push(await page.evaluate(() => document.activeElement?.id ?? ''));
+      const [id] = reached.slice(-1);
+      if (id !== '') focused[id] = (await focusMarks(page, [id]))[id];
+      // A goal that is moved brings the button that moves it back.
+      if (id === 'goal-position') await page.press(Key.ARROW_UP);
+    } while (
+      reached.length < 50 &&
+      reached.at(-1) !== '' &&
+      reached.indexOf(reached[reached.length - 1]) === reached.length - 1
     );
-    // Of radio buttons, Tab reaches the one that is chosen.
-    return [...all]
-      .filter((one) => one.checkVisibility() && !one.disabled && (one.type !== 'radio' || one.checked))
-      .map(({ id }) => id);
-  });
-  assert.ok(controls.includes('restore-postures'));
-  assert.deepEqual(reached, controls);
-  assert.ok(after === '' || after === controls[0], `after the last control, Tab goes to ${after}`);
+    const after = reached.pop();
 
-  const unfocused = await focusMarks(page, controls);
-  for (const id of controls) {
-    assert.notEqual(focused[id], unfocused[id], `${id} does not show its focus`);
-    assert.notEqual(focused[id], 'none', `${id} has no mark of its focus`);
-  }
-});
+    const controls = await page.evaluate(() => {
+      /** @type {HTMLElement} */ (document.activeElement).blur();
+      const all = /** @type {NodeListOf<HTMLInputElement>} */ (
+        document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')
+      );
+      // Of radio buttons, Tab reaches the one that is chosen.
+      return [...all]
+        .filter((one) => one.checkVisibility() && !one.disabled && (one.type !== 'radio' || one.checked))
+        .map(({ id }) => id);
+    });
+    assert.ok(controls.includes('restore-postures'));
+    assert.deepEqual(reached, controls);
+    assert.ok(after === '' || after === controls[0], `after the last control, Tab goes to ${after}`);
+
+    const unfocused = await focusMarks(page, controls);
+    for (const id of controls) {
+      assert.notEqual(focused[id], unfocused[id], `${id} does not show its focus`);
+      assert.notEqual(focused[id], 'none', `${id} has no mark of its focus`);
+    }
+  },
+);
 
 /** The outline and shadow of controls, or of what is seen in the place of one that is transparent. @param {Page} page @param {string[]} ids @returns {Promise<Record<string, string>>} */
 const focusMarks = (page, ids) =>
@@ -100,7 +103,7 @@ const focusMarks = (page, ids) =>
     ids,
   );
 
-pageTest('the source of the page, served or opened as it is, says how to start it', async (page) => {
+engineTest('the source of the page, served or opened as it is, says how to start it', async (page) => {
   const site = await serve(top);
   try {
     for (const address of [site.address, new URL('../../../index.html', import.meta.url).href]) {
@@ -120,7 +123,7 @@ pageTest('the source of the page, served or opened as it is, says how to start i
   }
 });
 
-pageTest('the page fits without scrolling into 1440 × 900 and 1024 × 768', async (page) => {
+engineTest('the page fits without scrolling into 1440 × 900 and 1024 × 768', async (page) => {
   for (const [width, height] of [
     [1440, 900],
     [1024, 768],
@@ -142,7 +145,7 @@ pageTest('the page fits without scrolling into 1440 × 900 and 1024 × 768', asy
   }
 });
 
-pageTest('the page is never wider than a telephone', async (page) => {
+engineTest('the page is never wider than a telephone', async (page) => {
   // In a frame, because not every engine's window can be so narrow.
   for (const width of [390, 320]) {
     await page.evaluate((pixels) => {

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, paperGains, simulate } from '../harness/core.js';
 import { arrival, middleOf, read } from '../harness/reading.js';
 
@@ -43,7 +43,7 @@ async function scaleOf(page) {
 const assertNear = (actual, wanted, tolerance) =>
   assert.ok(Math.abs(actual - wanted) <= tolerance, `${actual} is not within ${tolerance} of ${wanted}`);
 
-pageTest(
+engineTest(
   'the robots drive as soon as the page is open, until they arrive',
   async (page) => {
     // In a frame, so that nothing is missed between loading and looking.
@@ -72,7 +72,7 @@ pageTest(
   { moves: true },
 );
 
-pageTest('Play lets the robots drive again, Pause holds them on the way', async (page) => {
+engineTest('Play lets the robots drive again, Pause holds them on the way', async (page) => {
   await page.focus('#scrub');
   await page.press(Key.END);
   await page.click('#speed option[value="0.5"]');
@@ -91,7 +91,7 @@ pageTest('Play lets the robots drive again, Pause holds them on the way', async 
   await arrival(page);
 });
 
-pageTest('a robot stands where the clock says and has its trail behind it', async (page) => {
+engineTest('a robot stands where the clock says and has its trail behind it', async (page) => {
   const run = simulate(velocityLimits, paperGains('velocity-limits', 'ep'));
   await page.click('#drives-paper-ep');
   await page.focus('#scrub');
@@ -130,7 +130,7 @@ for (const [name, by] of /** @type {const} */ ([
   ['the mouse', 'drag'],
   ['a finger', 'touchDrag'],
 ]))
-  pageTest(`${name} drags the goal to where it is let go, and evolution begins again`, async (page) => {
+  engineTest(`${name} drags the goal to where it is let go, and evolution begins again`, async (page) => {
     const scale = await scaleOf(page);
     await page.click('#one-generation');
     await dragBy(page, by, 'goal-position', -90, 60);
@@ -148,7 +148,7 @@ for (const [name, by] of /** @type {const} */ ([
     await assertBegunAnew(page);
   });
 
-pageTest('the keyboard moves and turns start and goal, and they go back to the paper’s', async (page) => {
+engineTest('the keyboard moves and turns start and goal, and they go back to the paper’s', async (page) => {
   const first = await read(page);
   await page.click('#one-generation');
   await page.focus('#goal-position');

@@ -1,7 +1,7 @@
-// Step 12: what it says of a ground that pushes is so, and its own views show what the core gives.
+// What the lesson says of a ground that pushes is so, and its own views show what the core gives.
 import assert from 'node:assert/strict';
 import { disturbance as step } from '../../../www/lesson/steps/disturbance.js';
-import { withDisturbance } from '../../../www/run/state.js';
+import { withDisturbance } from '../../../www/run/scene.js';
 import { pageTest } from '../harness/browsers.js';
 import {
   Evolution,

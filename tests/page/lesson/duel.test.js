@@ -10,7 +10,8 @@ import {
   scoreOf,
   winners,
 } from '../../../www/lesson/duel.js';
-import { noTally, taskText } from '../../../www/lesson/tally.js';
+import { noTally } from '../../../www/lesson/state.js';
+import { taskText } from '../../../www/lesson/tally.js';
 import { duel as words } from '../../../www/words/en/lesson/duel.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, seedRuns, shown } from '../harness/core.js';
@@ -35,7 +36,7 @@ function evolvedBest(seed, generation) {
   return evolution.statistics().best.cost;
 }
 
-test('step 9: evolution gets the generations that fit into as many drives, at least the first robots', () => {
+test('evolution gets the generations that fit into as many drives, at least the first robots', () => {
   for (const [drives, generation] of [
     [1, 0],
     [19, 0],
@@ -48,7 +49,7 @@ test('step 9: evolution gets the generations that fit into as many drives, at le
     assert.equal(generationsIn(drives, 20), generation, `${drives} drives`);
 });
 
-test('step 9: the duel compares with the core’s evolution and random search of that seed', async () => {
+test('the duel compares with the core’s evolution and random search of that seed', async () => {
   const duel = driven(Array.from({ length: 187 }, (_, i) => 20 - i / 20));
   const round = await roundOf(engine, duel, 3);
   const verdict = judge(duel, round);
@@ -60,7 +61,7 @@ test('step 9: the duel compares with the core’s evolution and random search of
   assert.equal(verdict.costs.you, 20 - 186 / 20);
 });
 
-test('step 9: who has the lowest J wins, whether its robot arrived or not', async () => {
+test('who has the lowest J wins, whether its robot arrived or not', async () => {
   const round = { seed: 1, evolution: [9, 8.5, 8, 7.9], random: [9, 8.4, 8.4, 8.4] };
   const winnerWith = (/** @type {number} */ best, /** @type {number} */ drives) =>
     judge(driven([...Array(drives - 1).fill(30), best]), round).winner;
@@ -84,7 +85,7 @@ test('step 9: who has the lowest J wins, whether its robot arrived or not', asyn
   for (const text of why) assert.doesNotMatch(text, /undefined|NaN|∞/);
 });
 
-test('step 9: a duel is about start, goal and limits, not about the seed, and the seeds follow each other', () => {
+test('a duel is about start, goal and limits, not about the seed, and the seeds follow each other', () => {
   const duel = driven([9]);
   assert.ok(isDuelOf(duel, { ...usual, evolution: { ...usual.evolution, seed: 9 } }));
   assert.ok(!isDuelOf(duel, opened(tryOf('duel', 'round')).experiment));
@@ -92,7 +93,7 @@ test('step 9: a duel is about start, goal and limits, not about the seed, and th
   assert.equal(nextSeed({ ...duel, rounds: [{ seed: 4, evolution: [], random: [] }] }), 5);
 });
 
-test('step 9: with a hundred drives luck decides, with a thousand evolution is ahead', () => {
+test('with a hundred drives luck decides, with a thousand evolution is ahead', () => {
   const runs = seedRuns(usual, { seeds: [1, 31], generations: 49 });
   const ahead = (/** @type {number} */ drives) =>
     runs.filter(({ best, random }) => random[drives / 20 - 1] < best[drives / 20 - 1]).length;
@@ -101,14 +102,14 @@ test('step 9: with a hundred drives luck decides, with a thousand evolution is a
   for (const { best, random } of runs) assert.equal(best[0], random[0]);
 });
 
-test('step 9: looking away from the goal evolution is no better than drawing lots', () => {
+test('looking away from the goal evolution is no better than drawing lots', () => {
   const { experiment: from } = opened(tryOf('duel', 'backwards'));
   const runs = seedRuns(from, { seeds: [1, 21], generations: 49 });
   const lots = runs.filter(({ best, random }) => random[49] < best[49]).length;
   assert.ok(lots >= 7 && lots <= 15, `${lots} of 20`);
 });
 
-test('step 9: evolution leaves the range of the first gains, where that is better', () => {
+test('evolution leaves the range of the first gains, where that is better', () => {
   const { experiment: from } = opened(tryOf('duel', 'round'));
   const [low, high] = from.evolution.initialRange;
   assert.deepEqual([low, high], [0.01, 10]);
@@ -150,7 +151,7 @@ const table = (page) =>
 /** @param {Page} page @param {string} id */
 const textOf = (page, id) => page.evaluate((name) => document.getElementById(name)?.textContent ?? '', id);
 
-pageTest('step 9: drive, lock in, predict; every number is the core’s', async (page) => {
+pageTest('drive, lock in, predict; every number is the core’s', async (page) => {
   await page.open('#lesson&step=9');
   await page.until('the first drive', () => document.getElementById('duel-drives')?.textContent === '1');
   await drive(page, 'kx', 25);
@@ -162,7 +163,7 @@ pageTest('step 9: drive, lock in, predict; every number is the core’s', async 
   const costs = [...evaluate(usual, driven.flat())];
   const best = shown(Math.min(...costs));
   assert.deepEqual([await textOf(page, 'duel-drives'), await textOf(page, 'duel-best')], ['46', best]);
-  assert.equal(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility()), false);
+  assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));
 
   await page.click('#duel-lock');
   await drive(page, 'ky', 2);
@@ -209,7 +210,7 @@ pageTest('step 9: drive, lock in, predict; every number is the core’s', async 
   assert.equal(await textOf(page, 'duel-drives'), '46');
 });
 
-pageTest('step 9: a duel outlasts other steps, and can be started over elsewhere', async (page) => {
+pageTest('a duel outlasts other steps, and can be started over elsewhere', async (page) => {
   await page.open('#lesson&step=9');
   await page.click('#quiz-ahead .choice:first-child');
   await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
@@ -230,7 +231,7 @@ pageTest('step 9: a duel outlasts other steps, and can be started over elsewhere
   assert.deepEqual(await table(page), before);
   await page.click('#duel-new');
   await drawn(page);
-  assert.equal(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility()), false);
+  assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));
   assert.equal(await textOf(page, 'duel-drives'), '0');
   await drive(page, 'kx', 3);
   const { experiment: from } = opened(tryOf('duel', 'backwards'));

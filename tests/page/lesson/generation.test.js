@@ -1,11 +1,12 @@
 import assert from 'node:assert/strict';
+import { generationSlice } from '../../../www/parts/generation/state.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { placeByCost } from '../../../www/lesson/anatomy.js';
 import { generation as step, question } from '../../../www/lesson/steps/generation.js';
 import { generation as words } from '../../../www/words/en/lesson/generation.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, simulate } from '../harness/core.js';
-import { evolved, opened } from './links.js';
+import { evolved, opened, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
@@ -39,18 +40,18 @@ const linksIn = (text) => [...text.matchAll(/\]\(([^)]+)\)/g)].map(([, link]) =>
 const near = (a, b, what) =>
   assert.ok(Math.abs(a - b) <= 1e-12 * Math.max(1, Math.abs(a)), `${what}: ${a}, ${b}`);
 
-test('step 7: the four moves show one generation and one pair, phase by phase', () => {
+test('the four moves show one generation and one pair, phase by phase', () => {
   const links = [step.link, ...linksIn(words.texts.mutate), ...linksIn(words.texts.select)];
   const phases = links.map((link) => {
-    const { generation, view } = opened(link);
-    assert.equal(generation, 1);
-    assert.equal(view.anatomy.chosen, 26);
-    return view.anatomy.phase;
+    const shown = shownIn(link, generationSlice);
+    assert.equal(opened(link).generation, 1);
+    assert.equal(shown.chosen, 26);
+    return shown.phase;
   });
   assert.deepEqual(phases, ['parents', 'mutation', 'drive', 'tournament', 'survivors']);
 });
 
-test('step 7: an offspring is its parent moved by the old σ times a draw, which is rarely beyond ±2', () => {
+test('an offspring is its parent moved by the old σ times a draw, which is rarely beyond ±2', () => {
   const draws = [];
   for (const { parents, offspring, mutations } of recordsOf(5, 20))
     for (const [i, child] of offspring.entries())
@@ -62,7 +63,7 @@ test('step 7: an offspring is its parent moved by the old σ times a draw, which
   for (const { sigmas } of anatomyOf(step.link).record.parents) assert.deepEqual(sigmas, [1, 1, 1]);
 });
 
-test('step 7: most offspring drive worse than their parent', () => {
+test('most offspring drive worse than their parent', () => {
   const { record } = anatomyOf(step.link);
   const betterIn = (/** @type {typeof record} */ { offspring, parents }) =>
     offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
@@ -72,7 +73,7 @@ test('step 7: most offspring drive worse than their parent', () => {
   assert.ok(share < 0.3, `${share}`);
 });
 
-test('step 7: ten bouts each; the twenty with the most wins stay, with gains, σ and J; 20 drives a generation', () => {
+test('ten bouts each; the twenty with the most wins stay, with gains, σ and J; 20 drives a generation', () => {
   const { evolution } = evolved('generation&generation=2');
   const { record, all } = dissect(evolution.record(1));
   for (const [i, met] of record.opponents.entries()) {
@@ -89,7 +90,7 @@ test('step 7: ten bouts each; the twenty with the most wins stay, with gains, σ
   assert.equal(evolution.statistics(2).evaluations - evolution.statistics(1).evaluations, 20);
 });
 
-test('step 7: of the two in the question the better one falls, and the answer says so', async () => {
+test('of the two in the question the better one falls, and the answer says so', async () => {
   const { better, worse, right } = (await answered('generation', 'luck')).outcome;
   assert.ok(better.cost < worse.cost && better.place < worse.place);
   assert.equal(right, 1);
@@ -98,7 +99,7 @@ test('step 7: of the two in the question the better one falls, and the answer sa
   assert.equal(record.survivors.includes(question.worse), true);
 });
 
-test('step 7: the best J never rises, for the best wins all its bouts', async () => {
+test('the best J never rises, for the best wins all its bouts', async () => {
   const { rose, fell, right } = (await answered('generation', 'best')).outcome;
   assert.equal(rose, 0);
   assert.ok(fell > 10);
@@ -112,15 +113,15 @@ test('step 7: the best J never rises, for the best wins all its bouts', async ()
   }
 });
 
-test('step 7: what its tries are said to show', () => {
+test('what its tries are said to show', () => {
   const lucky = anatomyOf(tryOf('generation', 'lucky'));
   const { upset } = lucky;
   assert.equal(upset?.survivor, 12);
-  assert.equal(opened(tryOf('generation', 'lucky')).view.anatomy.chosen, 12);
+  assert.equal(shownIn(tryOf('generation', 'lucky'), generationSlice).chosen, 12);
   assert.ok(placeByCost(lucky, 12) > 20);
 
   const below = tryOf('generation', 'below');
-  const [, chosen] = [opened(below), opened(below).view.anatomy.chosen ?? 0];
+  const chosen = shownIn(below, generationSlice).chosen ?? 0;
   const { gains } = anatomyOf(below).all[chosen];
   const { cost } = simulate(usual, gains);
   assert.equal(chosen, 20 + 14);
@@ -138,7 +139,7 @@ test('step 7: what its tries are said to show', () => {
 });
 
 pageTest(
-  'step 7: the text tells of whoever is chosen in the figure, and the formula has the numbers',
+  'the text tells of whoever is chosen in the figure, and the formula has the numbers',
   async (page) => {
     await page.open('#lesson&step=7');
     const { record, all } = anatomyOf(step.link);

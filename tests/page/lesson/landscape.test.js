@@ -1,14 +1,15 @@
-// Step 10: what it says of the landscape is so.
+// What the lesson says of the landscape is so.
 import assert from 'node:assert/strict';
+import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import { landscape as step } from '../../../www/lesson/steps/landscape.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
-import { opened } from './links.js';
+import { opened, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
-const { experiment: own, view } = opened(step.link);
-const ky = view.landscape.third ?? Number.NaN;
+const { experiment: own } = opened(step.link);
+const ky = shownIn(step.link, landscapeSlice).third ?? Number.NaN;
 const count = 128;
 /** @param {number} third */
 const mapOf = (third, from = own) =>
@@ -51,7 +52,7 @@ test('at the edge J rises at once, because robots do not arrive', () => {
 });
 
 test('the ripples are single huge commands, and gone with ky = 0', () => {
-  const smooth = opened(tryOf('landscape', 'smooth')).view.landscape.third;
+  const smooth = shownIn(tryOf('landscape', 'smooth'), landscapeSlice).third;
   assert.equal(smooth, 0);
   const along = Array.from({ length: 60 }, (_, i) => 3.5 + i / 20);
   const [rough, even] = [ky, 0].map((third) => along.map((kx) => simulate(own, [kx, third, 6])));

@@ -4,7 +4,7 @@ import { law as step } from '../../../www/lesson/steps/law.js';
 import { law as words } from '../../../www/words/en/lesson/law.js';
 import { signed } from '../../../www/words/numbers.js';
 import { pageTest } from '../harness/browsers.js';
-import { paperGains } from '../harness/core.js';
+import { experiment, paperGains } from '../harness/core.js';
 import { answerOf, driven, engine, linkOf, opened, samples } from './links.js';
 import { test } from '../harness/once.js';
 
@@ -12,14 +12,16 @@ import { test } from '../harness/once.js';
 /** @typedef {import('../../../www/core/engine.js').Sample} Sample */
 /** @typedef {import('../../../www/core/engine.js').Triple} Triple */
 
+/** What the law asks for depends on nothing else of it. */
+const paper = experiment('velocity-limits');
 const tries = step.blocks.flatMap((block) => (block.kind === 'tries' ? block.tries : []));
 
 /** @param {string} link */
 function seen(link) {
-  const { experiment, handGains } = opened(link);
+  const { experiment: own, handGains } = opened(link);
   const gains = handGains ?? paperGains('velocity-limits', 'ep');
-  const all = samples(experiment, gains);
-  return { all, gains, first: all[0], last: all[all.length - 1] };
+  const all = samples(own, gains);
+  return { all, gains, own, first: all[0], last: all[all.length - 1] };
 }
 
 /** @param {{ linear: object, angular: object }} pushes */
@@ -29,10 +31,10 @@ const sumsOf = ({ linear, angular }) =>
 test('the single terms add up to what the core asks for, also next to the singularity', () => {
   let largest = 0;
   for (const link of [step.link, ...tries.map(([, to]) => to), 'lab&drives=paper-ep']) {
-    const { all, gains } = seen(link);
+    const { all, gains, own } = seen(link);
     // The sample at the end has no command of its own.
     for (const { error, command } of all.slice(0, -1)) {
-      const pushes = pushesOf(error, /** @type {Triple} */ (gains));
+      const pushes = pushesOf(own, /** @type {Triple} */ (gains), error);
       for (const [i, asked] of [command.linear, command.angular].entries()) {
         const terms = Object.values(i === 0 ? pushes.linear : pushes.angular);
         const size = Math.max(1, ...terms.map(Math.abs));
@@ -58,15 +60,15 @@ test('each gain alone brings its own error to zero and leaves the others', () =>
 });
 
 test('without ky the robot parks beside the goal from below, and arrives from the paper’s start', async () => {
-  const { last, gains } = seen(linkOf(step, 'beside'));
+  const { last, gains, own } = seen(linkOf(step, 'beside'));
   assert.equal(last.outcome, 'horizon');
   assert.ok(Math.abs(last.error.x) < 0.001 && Math.abs(last.error.theta) < 0.001);
   assert.ok(Math.abs(last.error.y) > 0.5, `${last.error.y} m beside`);
-  for (const sum of sumsOf(pushesOf(last.error, /** @type {Triple} */ (gains))))
+  for (const sum of sumsOf(pushesOf(own, /** @type {Triple} */ (gains), last.error)))
     assert.ok(Math.abs(sum) < 0.001);
   const right = async (/** @type {string} */ name) => {
-    const { experiment } = opened(linkOf(step, name));
-    return (await answerOf(step, name, { engine, scene: /** @type {any} */ ({ experiment }) })).right;
+    const scene = /** @type {any} */ ({ experiment: opened(linkOf(step, name)).experiment });
+    return (await answerOf(step, name, { engine, scene })).right;
   };
   assert.match(words.quizzes.beside.choices[await right('beside')], /^Beside the goal/);
   assert.match(words.quizzes.ahead.choices[await right('ahead')], /^It arrives/);
@@ -75,9 +77,9 @@ test('without ky the robot parks beside the goal from below, and arrives from th
 });
 
 test('in the drive from the paper’s start the kx term of ω steers back to the line', () => {
-  const { all, gains } = seen(linkOf(step, 'ahead'));
+  const { all, gains, own } = seen(linkOf(step, 'ahead'));
   const farthest = all.reduce((a, b) => (Math.abs(b.error.y) > Math.abs(a.error.y) ? b : a));
-  const { kx } = pushesOf(farthest.error, /** @type {Triple} */ (gains)).angular;
+  const { kx } = pushesOf(own, /** @type {Triple} */ (gains), farthest.error).angular;
   // It turns the robot on, past the goal's heading: driving ahead then brings y_e down.
   assert.ok(farthest.error.y * kx > 0);
 });
@@ -107,7 +109,7 @@ test('without limits the robot spins', () => {
 });
 
 test('where y_e is 0, kx drives, kθ turns, and no other term is left', () => {
-  const { linear, angular } = pushesOf({ x: 1, y: 0, theta: 0.5 }, [3, 8, 5]);
+  const { linear, angular } = pushesOf(paper, [3, 8, 5], { x: 1, y: 0, theta: 0.5 });
   assert.ok(linear.kx > 0 && angular.kt > 0);
   for (const other of [linear.ky, angular.ky, angular.kx]) assert.equal(Math.abs(other), 0);
 });
@@ -129,7 +131,7 @@ async function barsAt(page, time) {
 
 /** What the table has to say. @param {Sample} sample @param {Triple} gains */
 function rowsOf({ error, command, velocity }, gains) {
-  const { linear, angular } = pushesOf(error, gains);
+  const { linear, angular } = pushesOf(paper, gains, error);
   return [
     ...[linear.kx, linear.ky, command.linear, velocity.linear],
     ...[angular.kt, angular.ky, angular.kx, command.angular, velocity.angular],
@@ -148,8 +150,7 @@ pageTest('the bars are the core’s numbers at the robot’s clock, and follow a
 
   await page.focus('#gain-ky');
   await page.press('0', '\uE007');
-  const { experiment } = opened(linkOf(step, 'all'));
-  const without = samples(experiment, [3, 0, 5]);
+  const without = samples(opened(linkOf(step, 'all')).experiment, [3, 0, 5]);
   assert.deepEqual(await barsAt(page, 0.6), rowsOf(without[60], [3, 0, 5]));
 });
 

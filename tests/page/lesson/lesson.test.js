@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { hrefOf, linkOfStep, steps } from '../../../www/lesson/steps.js';
 import * as en from '../../../www/words/en/lesson.js';
 import * as ko from '../../../www/words/ko/lesson.js';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { driven, linkOf, opened, samples } from './links.js';
 import { test } from '../harness/once.js';
 
@@ -59,7 +59,7 @@ test('both languages have the same live values and symbols', () => {
     );
 });
 
-test('step 1: what is said of its drives is so', () => {
+test('what is said of its drives is so', () => {
   const miss = driven(steps[0].link);
   assert.equal(miss.outcome, 'horizon');
   assert.ok(Math.hypot((miss.x.at(-1) ?? 0) - 2, (miss.y.at(-1) ?? 0) - 2) > 0.5);
@@ -70,9 +70,10 @@ test('step 1: what is said of its drives is so', () => {
   assert.equal(driven('lab&drives=paper-ep').arrived, true);
 });
 
-test('step 2: turned wrong by 90° on the goal the robot turns on the spot, and only θe changes', () => {
+test('turned wrong by 90° on the goal the robot turns on the spot, and only θe changes', () => {
   const { experiment, handGains } = opened(linkOf(steps[1], 'turned'));
-  const all = samples(experiment, handGains ?? []);
+  assert.ok(handGains);
+  const all = samples(experiment, handGains);
   assert.ok(Math.abs(all[0].error.theta - Math.PI / 2) < 1e-9);
   for (const { error } of all) assert.ok(Math.hypot(error.x, error.y) < 1e-9);
   assert.equal(all[all.length - 1].outcome, 'arrived');
@@ -145,7 +146,7 @@ pageTest('the lesson leads on and back, and a link of it opens there again', asy
   await stands(en.steps.drive.title);
 });
 
-pageTest('a symbol that is pointed at lights up in formula and picture', async (page) => {
+engineTest('a symbol that is pointed at lights up in formula and picture', async (page) => {
   await page.open('#lesson&step=2');
   const lit = () =>
     page.evaluate(() => ({
@@ -175,7 +176,7 @@ const sight = (page) =>
     return { shown, isOnTop: top === 0, share: Math.round((10 * (bottom - top)) / innerHeight) };
   });
 
-pageTest('where there is no room beside the words, what they speak of stays over them', async (page) => {
+engineTest('where there is no room beside the words, what they speak of stays over them', async (page) => {
   await page.resize(800, 900);
   await page.open('#lesson&step=4');
   const atTheEnd = () =>

@@ -1,30 +1,12 @@
 // What a link of the lesson sets up, under Node: so that a claim of the lesson is held by the core itself.
-import { openLink } from '../../../www/link/link.js';
-import { Evolution, experiment, paperGains, Simulation, simulate, simulateAll } from '../harness/core.js';
+import { openedBy } from '../../../www/lesson/headless.js';
+import { createEngine, Evolution, paperGains, simulate } from '../harness/core.js';
 
-/** @typedef {import('../harness/core.js').Experiment} Experiment */
-/** @typedef {import('../../../www/core/engine.js').Engine} Engine */
-/** @typedef {import('../../../www/core/engine.js').Sample} Sample */
 /** @typedef {import('../../../www/lesson/steps.js').Step} Step */
 
-/** As much of the page's engine as needs no worker. */
-export const engine = /** @type {Engine} */ (
-  /** @type {unknown} */ ({
-    experiment,
-    drive: (/** @type {Experiment} */ from, /** @type {number[][]} */ gains) =>
-      simulateAll(from, gains.flat()),
-    samples,
-  })
-);
-
-/** Every sample of a drive. @param {Experiment} from @param {readonly number[]} gains @returns {Sample[]} */
-export function samples(from, gains) {
-  const robot = new Simulation(from, Float64Array.from(gains));
-  const all = [];
-  do all.push(robot.step());
-  while (all[all.length - 1].outcome === null);
-  return all;
-}
+/** The page's engine. */
+export const engine = createEngine();
+export const { samples } = engine;
 
 /** The link of a try or a question. @param {Step} step @param {string} name */
 export function linkOf({ blocks }, name) {
@@ -44,11 +26,11 @@ export async function answerOf({ blocks }, name, live) {
 }
 
 /** What a link asks for; it must not have anything wrong. @param {string} link */
-export function opened(link) {
-  const { opened, problems } = openLink(link, engine);
-  if (problems.length > 0) throw new Error(problems.join(' '));
-  return opened;
-}
+export const opened = (link) => openedBy(link, engine);
+
+/** What a link says of a part of the page. @template {object} S @param {string} link @param {import('../../../www/run/store.js').Slice<S>} slice @returns {S} */
+export const shownIn = (link, slice) =>
+  /** @type {S} */ ({ ...slice.first, ...opened(link).parts[slice.name] });
 
 /** The drive of the robot in ink. @param {string} link */
 export function driven(link) {

@@ -1,9 +1,10 @@
 import assert from 'node:assert/strict';
+import { generationSlice } from '../../../www/parts/generation/state.js';
 import { sigma as step } from '../../../www/lesson/steps/sigma.js';
 import { sigma as words } from '../../../www/words/en/lesson/sigma.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, learningRates, seedRuns } from '../harness/core.js';
-import { evolved, opened } from './links.js';
+import { evolved, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
@@ -32,7 +33,7 @@ const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.
 /** @param {readonly number[]} sigmas */
 const logOf = (sigmas) => mean(sigmas.map(Math.log));
 
-test('step 8: how σ changes, by how much, and how often it is halved or doubled at most', () => {
+test('how σ changes, by how much, and how often it is halved or doubled at most', () => {
   const { own, common } = learningRates();
   assert.ok(Math.abs(own - 1 / Math.sqrt(2 * Math.sqrt(3))) < 1e-15);
   assert.ok(Math.abs(common - 1 / Math.sqrt(6)) < 1e-15);
@@ -52,7 +53,7 @@ test('step 8: how σ changes, by how much, and how often it is halved or doubled
   assert.ok(Math.abs(smaller / all - 0.5) < 0.02, `${smaller / all}`);
 });
 
-test('step 8: too short a step gets nowhere, too long a step misses', () => {
+test('too short a step gets nowhere, too long a step misses', () => {
   const median = (/** @type {number} */ initialSigma) =>
     seedRuns(withSeed(1, initialSigma), { seeds: [1, 22], generations: 60 })
       .map(({ best }) => best[60])
@@ -61,7 +62,7 @@ test('step 8: too short a step gets nowhere, too long a step misses', () => {
   for (const wrong of [0.01, 100]) assert.ok(median(wrong) > right + 0.1, `σ = ${wrong}`);
 });
 
-test('step 8: offspring of short steps survive more often', () => {
+test('offspring of short steps survive more often', () => {
   const [stay, fall] = [/** @type {number[]} */ ([]), /** @type {number[]} */ ([])];
   for (const { record, pair, generation } of births(12, 100)) {
     if (generation < 4) continue;
@@ -72,7 +73,7 @@ test('step 8: offspring of short steps survive more often', () => {
   assert.ok(mean(stay) < -0.3 && mean(fall) > 0.1, `${mean(stay)}, ${mean(fall)}`);
 });
 
-test('step 8: the step sizes rise at first, fall, and collapse; that of ky first', () => {
+test('the step sizes rise at first, fall, and collapse; that of ky first', () => {
   const [, link] = /\]\(([^)]+)\)/.exec(words.texts.collapse) ?? [];
   const { evolution, generation } = evolved(link ?? '');
   assert.equal(generation, 300);
@@ -91,7 +92,7 @@ test('step 8: the step sizes rise at first, fall, and collapse; that of ky first
   assert.equal(usual.weights.penalty, 1000);
 });
 
-test('step 8: its questions are answered as the texts say', async () => {
+test('its questions are answered as the texts say', async () => {
   const { right, own, usual: other, sigma, generation } = (await answered('sigma', 'small')).outcome;
   assert.equal(right, 2);
   assert.deepEqual([sigma, generation], [0.01, 60]);
@@ -104,7 +105,7 @@ test('step 8: its questions are answered as the texts say', async () => {
   assert.ok(outcome.after < 0.001 && outcome.before > 0.5);
 });
 
-test('step 8: what its tries are said to show', () => {
+test('what its tries are said to show', () => {
   const stuck = evolved(tryOf('sigma', 'stuck'));
   const [seed7, seed1] = [stuck.costs, evolved('lab&generation=300').costs];
   assert.ok(seed7[300] > seed1[300] + 0.08);
@@ -120,12 +121,12 @@ test('step 8: what its tries are said to show', () => {
 
   const late = tryOf('sigma', 'late');
   const { evolution, generation } = evolved(late);
-  assert.equal(opened(late).view.anatomy.chosen, 0);
+  assert.equal(shownIn(late, generationSlice).chosen, 0);
   const { parents, offspring } = evolution.record(generation);
   for (const j of [0, 1, 2]) assert.ok(Math.abs(parents[0].gains[j] - offspring[0].gains[j]) < 1e-6);
 });
 
-pageTest('step 8: the formula has the numbers of the best parent and its offspring', async (page) => {
+pageTest('the formula has the numbers of the best parent and its offspring', async (page) => {
   await page.open('#lesson&step=8');
   await page.click('.formula-button');
   const { evolution, generation } = evolved(step.link);
@@ -147,7 +148,7 @@ pageTest('step 8: the formula has the numbers of the best parent and its offspri
   }
 });
 
-pageTest('step 8: every mark of the axis of σ is a whole power of ten', async (page) => {
+pageTest('every mark of the axis of σ is a whole power of ten', async (page) => {
   await page.evaluate(() => {
     /** @type {string[]} */
     const drawn = [];

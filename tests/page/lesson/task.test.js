@@ -1,4 +1,4 @@
-// Step 11: what it says of starts that evolution did not see is so.
+// What the lesson says of starts that evolution did not see is so.
 import assert from 'node:assert/strict';
 import { task as step } from '../../../www/lesson/steps/task.js';
 import { gridAround, sharesBySide, tally } from '../../../www/parts/robustness/grid.js';

@@ -16,7 +16,7 @@ function samplesOf(link) {
 const risesOf = (link) =>
   samplesOf(link).filter(({ lyapunov }, i, all) => i > 0 && lyapunov > all[i - 1].lyapunov).length;
 
-test('step 4: without limits V falls from sample to sample, and its rate is what the law promises', () => {
+test('without limits V falls from sample to sample, and its rate is what the law promises', () => {
   assert.equal(risesOf(stability.link), 0);
   assert.ok(driven(stability.link).arrived);
   const [kx, ky, kt] = opened(stability.link).handGains ?? [0, 0, 0];
@@ -28,12 +28,12 @@ test('step 4: without limits V falls from sample to sample, and its rate is what
   }
 });
 
-test('step 4: with ky below zero V ends higher than it began', () => {
+test('with ky below zero V ends higher than it began', () => {
   const all = samplesOf(linkOf(stability, 'negative'));
   assert.ok(all[all.length - 1].lyapunov > all[0].lyapunov);
 });
 
-test('step 4: Kanayama’s rule stops beside a goal at rest and never turns, but follows a moving one, as the law does', () => {
+test('Kanayama’s rule stops beside a goal at rest and never turns, but follows a moving one, as the law does', () => {
   const parked = driven(linkOf(stability, 'kanayama'));
   const end = parked.x.length - 1;
   assert.ok(Math.hypot(parked.x[end] - 2, parked.y[end] - 2) > 1);
@@ -44,12 +44,12 @@ test('step 4: Kanayama’s rule stops beside a goal at rest and never turns, but
   }
 });
 
-test('step 4: from another start V rises at times; with kθ below zero the robot does not arrive', () => {
+test('from another start V rises at times; with kθ below zero the robot does not arrive', () => {
   assert.ok(risesOf(linkOf(stability, 'other')) > 0);
   assert.equal(driven(linkOf(stability, 'negativeTurn')).arrived, false);
 });
 
-test('step 4: early the blue part is the largest, near the goal the orange one the smallest', () => {
+test('early the blue part is the largest, near the goal the orange one the smallest', () => {
   const [kx, ky, kt] = opened(stability.link).handGains ?? [0, 0, 0];
   const parts = samplesOf(stability.link).map(({ error: { x, y, theta } }) => [
     kx * (x * Math.cos(theta)) ** 2,
@@ -60,7 +60,7 @@ test('step 4: early the blue part is the largest, near the goal the orange one t
   assert.equal(Math.min(...parts[parts.length - 1]), parts[parts.length - 1][1]);
 });
 
-test('step 4: on the goal, turned by 180°, V stays at 2 for seconds, then the robot tips over', () => {
+test('on the goal, turned by 180°, V stays at 2 for seconds, then the robot tips over', () => {
   const link = /180°\]\(([^)]+)\)/.exec(words.notice.join(' '))?.[1] ?? '';
   assert.ok(ko.notice.join(' ').includes(link));
   const all = samplesOf(link);
@@ -68,7 +68,7 @@ test('step 4: on the goal, turned by 180°, V stays at 2 for seconds, then the r
   assert.equal(all[all.length - 1].outcome, 'arrived');
 });
 
-test('step 5: without limits J rises, because energy counts the square of a huge turn rate', () => {
+test('without limits J rises, because energy counts the square of a huge turn rate', () => {
   const free = driven(linkOf(limits, 'free'));
   const limited = driven(limits.link);
   assert.ok(free.cost.total > 100 * limited.cost.total);
@@ -77,19 +77,19 @@ test('step 5: without limits J rises, because energy counts the square of a huge
   assert.equal(risesOf(limits.link), 0);
 });
 
-test('step 5: the robot of the paper drives at full speed for most of its way', () => {
+test('the robot of the paper drives at full speed for most of its way', () => {
   const { linear } = driven(limits.link);
   assert.ok(linear.filter((v) => v === 2).length > linear.length / 2);
 });
 
-test('step 5: with acceleration limits bold gains arrive much later and let V rise', () => {
+test('with acceleration limits bold gains arrive much later and let V rise', () => {
   const slow = driven(linkOf(limits, 'brakes'));
   const quick = simulate(opened('lab').experiment, [10, 10, 10]);
   assert.ok(slow.finalTime > 1.3 * quick.finalTime);
   assert.ok(risesOf(linkOf(limits, 'brakes')) > 0);
 });
 
-test('step 5: in Figure 7 the arbitrary robot never arrives, and speed climbs along a straight line', () => {
+test('in Figure 7 the arbitrary robot never arrives, and speed climbs along a straight line', () => {
   const arbitrary = driven('curves&preset=acceleration-limits&drives=paper-arbitrary');
   assert.equal(arbitrary.arrived, false);
   const { linear } = driven(linkOf(limits, 'figure7'));

@@ -9,10 +9,12 @@ import { pathToFileURL } from 'node:url';
 import { isDeepStrictEqual } from 'node:util';
 import fc from 'fast-check';
 import { openRunFile, runFile } from '../../../www/link/run-file.js';
-import { linkOf, mostCharacters, openLink } from '../../../www/link/link.js';
+import { links as pageLinks } from '../../../www/lesson/links.js';
+import { mostCharacters } from '../../../www/link/link.js';
 import { groupNames } from '../../../www/run/exercise.js';
-import { finds, pageNames } from '../../../www/run/state.js';
-import { experiment, fields, simulateAll } from '../harness/core.js';
+import { finds } from '../../../www/run/state.js';
+import { pageNames } from '../../../www/parts/parts.js';
+import { experiment, fields, simulateAll, wordFields } from '../harness/core.js';
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
 /** @typedef {import('../../../www/core/engine.js').Engine} Engine */
@@ -57,8 +59,10 @@ const engine = /** @type {Engine} */ (
   })
 );
 
+const { linkOf, openLink } = pageLinks;
+
 /** @param {Opened} opened */
-const linkAgain = ({ view, ...run }) => linkOf({ ...run, ...view }, engine.experiment);
+const linkAgain = ({ parts, ...run }) => linkOf({ ...run, slices: parts }, engine.experiment);
 
 /** No text takes longer than a reader notices; far more than any takes, for machines are busy. */
 const mostMilliseconds = 3000;
@@ -87,7 +91,7 @@ export function checkLink(link) {
 
 /** Any text is opened as a run, or refused with a reason for the reader. @param {string} text */
 export async function checkFile(text) {
-  const opened = await openRunFile(text, engine).catch((error) => {
+  const opened = await openRunFile(text, engine, pageLinks).catch((error) => {
     // Any other kind is a mistake of ours.
     assert.equal(error.constructor, Error, String(error.stack));
     assert.match(error.message, /\w/);
@@ -125,11 +129,7 @@ const lists = (/** @type {number} */ most) =>
 const postures = fc.tuple(numbers, numbers, angles).map((all) => all.join(','));
 const words = fc.constantFrom(
   ...[
-    'shim-kim',
-    'kanayama',
-    'none',
-    'random',
-    'slip',
+    ...wordFields().flatMap(({ words: all }) => all),
     'velocity-limits',
     'acceleration-limits',
     'hand',
@@ -158,23 +158,14 @@ const names = fc
   )
   .map(encodeURIComponent);
 
+/** @param {string} path */
+const wordOf = (path) =>
+  fc.constantFrom(...wordFields().flatMap((field) => (field.path === path ? field.words : [])));
 /** The paths of an experiment's fields, as links have them. */
-const paths = [...new Set(fields().map(({ path }) => path.replace(/\[\].*/, '')))];
+const paths = [...new Set([...fields(), ...wordFields()].map(({ path }) => path.replace(/\[\].*/, '')))];
 const keys = fc.constantFrom(
   ...paths,
-  ...[
-    'law',
-    'disturbance.kind',
-    'start',
-    'seed',
-    'population',
-    'opponents',
-    'v',
-    'lang',
-    'lesson',
-    'step',
-    'preset',
-  ],
+  ...['start', 'seed', 'population', 'opponents', 'v', 'lang', 'lesson', 'step', 'preset'],
   ...[
     'generation',
     'drives',
@@ -219,10 +210,7 @@ const rightPair = fc.oneof(
   fc.tuple(fc.constantFrom('gains', 'weights.final'), fc.tuple(numbers, numbers, numbers).map(String)),
   fc.tuple(fc.constantFrom('start', 'from'), postures),
   fc.tuple(fc.constantFrom('pin1', 'pin2', 'pin3', 'pin4'), pin),
-  fc.tuple(
-    fc.constant('under'),
-    fc.tuple(fc.constantFrom('none', 'random', 'slip'), numbers, numbers, numbers).map(String),
-  ),
+  fc.tuple(fc.constant('under'), fc.tuple(wordOf('disturbance.kind'), numbers, numbers, numbers).map(String)),
   fc.tuple(
     fc.constantFrom('lock', 'hide'),
     fc.array(fc.constantFrom(...groupNames, 'all'), { maxLength: 4 }).map(String),
@@ -303,7 +291,7 @@ const aSeed = fc.nat({ max: 2 ** 32 - 1 });
 const anyExperiment = fc
   .record(
     {
-      law: fc.constantFrom('shim-kim', 'kanayama'),
+      law: wordOf('law'),
       starts: fc.array(aPosture, { minLength: 1, maxLength: 5 }),
       goal: aPosture,
       referenceVelocity: fc.record({ linear: from(-100, 100), angular: from(-100, 100) }),
@@ -356,12 +344,16 @@ const anyLink = mutated(fc.oneof(linkText, fc.constantFrom(...links)));
 function fileOf(link, generations) {
   const { opened } = openLink(link, engine);
   const history = Array.from({ length: generations + 1 }, (_, generation) => ({ generation }));
-  const { view, ...run } = { ...opened, generation: Math.min(opened.generation, generations) };
-  return runFile(/** @type {any} */ ({ ...run, ...view, history }), {
-    ...engine,
-    version: () => '0.1.0',
-    hash: () => hashOf(opened.experiment, generations),
-  });
+  const { parts, ...run } = { ...opened, generation: Math.min(opened.generation, generations) };
+  return runFile(
+    /** @type {any} */ ({ ...run, slices: parts, history }),
+    {
+      ...engine,
+      version: () => '0.1.0',
+      hash: () => hashOf(opened.experiment, generations),
+    },
+    pageLinks,
+  );
 }
 /** With another value of one of its fields, or without it. */
 const changedFile = fc

@@ -1,9 +1,19 @@
 import assert from 'node:assert/strict';
 import { groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
-import { linkOf, openLink } from '../../../www/link/link.js';
+import { links } from '../../../www/lesson/links.js';
 import { finds } from '../../../www/run/state.js';
-import { Key, pageTest } from '../harness/browsers.js';
-import { evolve, experiment, paperGains, shown, shownGains, simulate, simulateAll } from '../harness/core.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import {
+  evolve,
+  experiment,
+  fields,
+  wordFields,
+  paperGains,
+  shown,
+  shownGains,
+  simulate,
+  simulateAll,
+} from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { read, readEvolution } from '../harness/reading.js';
 
@@ -11,7 +21,7 @@ import { read, readEvolution } from '../harness/reading.js';
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
 /** @typedef {import('../../../www/core/engine.js').Engine} Engine */
 /** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
-/** @typedef {import('../../../www/link/link.js').Linked} Linked */
+/** @typedef {import('../../../www/link/keys.js').Linked} Linked */
 
 const velocityLimits = experiment('velocity-limits');
 const engine = /** @type {Engine} */ (
@@ -21,10 +31,11 @@ const engine = /** @type {Engine} */ (
       simulateAll(from, gains.flat()),
   })
 );
+const { linkOf, openLink } = links;
 const open = (/** @type {string} */ link) => openLink(link, engine);
 
 /** A link's content as the page holds it. @param {ReturnType<typeof open>['opened']} opened @returns {Linked} */
-const linked = ({ view, ...run }) => ({ ...run, ...view });
+const linked = ({ parts, ...run }) => ({ ...run, slices: parts });
 const plain = linked(open('lab').opened);
 
 /** Numbers that look random, the same every time. @param {number} seed */
@@ -68,6 +79,72 @@ test('a link is short, and reads like what it says', () => {
   );
 });
 
+test('every field of the core, number or word, is read as it is written', () => {
+  const values = [
+    ...fields().map(({ path, min, max, integer }) => {
+      const value = min + (max - min) * 0.37;
+      return { path: path.replace('[]', '.0'), value: integer ? Math.round(value) : value };
+    }),
+    ...wordFields().flatMap(({ path, words }) => words.map((value) => ({ path, value }))),
+  ];
+  assert.ok(values.length > 30);
+  for (const { path, value } of values) {
+    const changed = structuredClone(velocityLimits);
+    const keys = path.split('.');
+    const last = keys.pop() ?? '';
+    /** @type {any} */ (keys.reduce((inner, key) => /** @type {any} */ (inner)[key], changed))[last] = value;
+    // As long as it may be with a short sample time, and the other way round.
+    const own = {
+      ...changed,
+      ...(path === 'horizon' && { sampleTime: 1 }),
+      ...(path === 'sampleTime' && { horizon: 10 }),
+    };
+    const link = linkOf({ ...plain, experiment: own }, experiment);
+    const { opened, problems } = open(link);
+    assert.deepEqual(problems, [], link);
+    assert.deepEqual(opened.experiment, own, link);
+  }
+});
+
+test('every key of a link is read as it is written', () => {
+  const written = linkOf(
+    {
+      ...plain,
+      page: 'disturbance',
+      preset: 'acceleration-limits',
+      experiment: experiment('acceleration-limits'),
+      lesson: 3,
+      generation: 4,
+      driver: 'hand',
+      handGains: [3, 0.5, 4],
+      found: 'map',
+      trial: {
+        start: { x: 1, y: 0, theta: 0 },
+        disturbance: { kind: 'slip', linear: 0.2, angular: 0.1, seed: 3 },
+      },
+      pins: [0, 1, 2, 3].map((slot) => ({
+        slot,
+        name: `pin ${slot}`,
+        experiment: velocityLimits,
+        gains: [1, 2, 3],
+      })),
+      exercise: { task: 'Park.', locked: ['run'], hidden: ['paper'] },
+      slices: {
+        generation: { phase: 'ranking', chosen: 3 },
+        curves: { view: 'stability', scale: 'log' },
+        lab: { curve: 'sigmas' },
+        landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: 0.25 },
+        robustness: { quantity: 'time', half: 8, heading: 3 },
+      },
+    },
+    experiment,
+  );
+  for (const { key } of links.keys) assert.ok(written.includes(`&${key}=`), `${key} is not written`);
+  const { opened, problems } = open(written);
+  assert.deepEqual(problems, []);
+  assert.equal(linkOf(linked(opened), experiment), written);
+});
+
 test('every experiment comes back from its link to the bit', () => {
   for (let seed = 1; seed <= 200; seed += 1) {
     const next = numbers(seed);
@@ -108,10 +185,13 @@ test('every experiment comes back from its link to the bit', () => {
       trial: { start: posture(), disturbance: null },
       pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
       exercise: wildExercise(next),
-      anatomy: { phase: 'ranking', chosen: Math.floor(40 * next()) },
-      curves: { view: 'stability', lab: 'sigmas', scale: 'log' },
-      landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
-      robustness: { quantity: 'time', half: 8, heading: 3 },
+      slices: {
+        generation: { phase: 'ranking', chosen: Math.floor(40 * next()) },
+        curves: { view: 'stability', scale: 'log' },
+        lab: { curve: 'sigmas' },
+        landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
+        robustness: { quantity: 'time', half: 8, heading: 3 },
+      },
     };
     const link = linkOf(state, experiment);
     assert.match(link, /^[\w.,;=&%~-]+$/);
@@ -168,7 +248,7 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
 
 const link = 'lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=hand&gains=4,0.5,6';
 
-pageTest('a link opens the same run, and the address goes on telling what is on screen', async (page) => {
+engineTest('a link opens the same run, and the address goes on telling what is on screen', async (page) => {
   await page.open(`#${link}`);
   const goal = { x: 1.5, y: 2, theta: (30 * Math.PI) / 180 };
   const moved = { ...velocityLimits, goal, evolution: { ...velocityLimits.evolution, seed: 7 } };
@@ -192,7 +272,7 @@ pageTest('a link opens the same run, and the address goes on telling what is on 
   assert.deepEqual(await page.problems(), []);
 });
 
-pageTest('another part of the page is a step that back takes back, and nothing is lost', async (page) => {
+engineTest('another part of the page is a step that back takes back, and nothing is lost', async (page) => {
   await page.click('#drives-paper-ep');
   await page.click('#one-generation');
   await page.click('#page-landscape');

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { layoutOf } from '../../../www/parts/curves/layout.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, paperGains, shown, simulate } from '../harness/core.js';
 import { coloured, numberOf, pixelsOf, textOf } from '../harness/reading.js';
 
@@ -107,7 +107,7 @@ pageTest('the numbers of the run are those of the core', async (page) => {
   assert.deepEqual(await page.obstacles(), []);
 });
 
-pageTest('the lines are where the core has them', async (page) => {
+engineTest('the lines are where the core has them', async (page) => {
   await openCurves(page);
   const layout = await layoutOn(page, [arbitrary]);
   const tokens = /** @type {Record<string, string[]>} */ ({
@@ -150,7 +150,7 @@ pageTest('the lines are where the core has them', async (page) => {
   assert.deepEqual(await page.obstacles(), []);
 });
 
-pageTest('the cursor of the plots is the robots’ clock, both ways', async (page) => {
+engineTest('the cursor of the plots is the robots’ clock, both ways', async (page) => {
   await openCurves(page);
   assert.deepEqual(await readings(page), expectedReadings(ep, ep.time.length - 1));
   await page.focus('#scrub');

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evolve, experiment, simulate } from '../harness/core.js';
 import { read, readEvolution } from '../harness/reading.js';
 
@@ -116,12 +116,12 @@ async function table(page) {
   const rows = await page.evaluate(() => {
     const texts = (/** @type {Element} */ row) =>
       [...row.children].map((cell) => /** @type {HTMLElement} */ (cell).innerText);
-    const names = texts(/** @type {Element} */ (document.querySelector('#generation-rows thead tr')));
-    return [...document.querySelectorAll('#generation-rows tbody tr')].map((row) =>
+    const names = texts(/** @type {Element} */ (document.querySelector('#table-rows thead tr')));
+    return [...document.querySelectorAll('#table-rows tbody tr')].map((row) =>
       Object.fromEntries(texts(row).map((text, i) => [names[i], text])),
     );
   });
-  await page.click('#generation-close');
+  await page.click('#table-close');
   return rows;
 }
 
@@ -288,7 +288,7 @@ pageTest('the rule of mutation stands in one line', async (page) => {
   assert.ok(rule.height < 30 && exponent.top < rule.top + rule.height / 2, JSON.stringify([rule, exponent]));
 });
 
-pageTest('any of them is chosen by a press, by keys, and by name', async (page) => {
+engineTest('any of them is chosen by a press, by keys, and by name', async (page) => {
   await openAt(page, 3);
   const record = recordOf(3);
   await go(page, 'ranking');
@@ -313,7 +313,7 @@ pageTest('any of them is chosen by a press, by keys, and by name', async (page) 
 
   await go(page, 'tournament');
   const opponent = record.opponents[order[2 * count - 1]][0];
-  const links = await page.driver.findElements({ css: '#generation-details .bouts button' });
+  const links = await page.elements('#generation-details .bouts button');
   await links[0].click();
   assert.equal((await shownOn(page)).chosen, nameOf(opponent));
 });
@@ -429,7 +429,7 @@ pageTest('back in time the generation is as it was, and evolution is untouched',
   assert.deepEqual(await readEvolution(page), expected(13));
 });
 
-pageTest('each phase is readable for everybody, in sight without scrolling', async (page) => {
+engineTest('each phase is readable for everybody, in sight without scrolling', async (page) => {
   await page.resize(1024, 768);
   await openAt(page, 3);
   for (const phase of phases) {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { createAxis, createCostScale } from '../../../www/parts/landscape/scale.js';
 import { shadeAt } from '../../../www/kit/shades.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { experiment, landscape, paperGains, shown, simulate } from '../harness/core.js';
 import { middleOf, read } from '../harness/reading.js';
 
@@ -95,7 +95,7 @@ async function hover(page, [px, py]) {
     .perform();
 }
 
-pageTest('the landscape has the colours of the costs that the core computes', async (page) => {
+engineTest('the landscape has the colours of the costs that the core computes', async (page) => {
   await openLandscape(page);
   await assertPicture(page, velocityLimits, across, up, [0, paperKy, 0]);
   assert.deepEqual(await page.problems(), []);
@@ -140,7 +140,7 @@ pageTest('the cursor reads J, and a click drives those gains', async (page) => {
   assert.equal(driven.generation, '0');
 });
 
-pageTest('the cursor moves by keys, and Enter drives', async (page) => {
+engineTest('the cursor moves by keys, and Enter drives', async (page) => {
   await openLandscape(page);
   const before = await readout(page);
   await page.focus('#landscape-map');

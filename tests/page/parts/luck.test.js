@@ -89,12 +89,12 @@ const numbersIn = (text) => text.replaceAll('−', '-').match(/-?\d+\.\d+/g) ?? 
 async function readTable(page) {
   await page.click('#luck-table');
   const rows = await page.evaluate(() =>
-    [...document.querySelectorAll('#luck-rows tbody tr')].map((row) =>
+    [...document.querySelectorAll('#table-rows tbody tr')].map((row) =>
       [...row.children].map((cell) => (cell.textContent ?? '').replaceAll('−', '-')),
     ),
   );
   await page.press(Key.ESCAPE);
-  await page.until('the table is closed', () => !document.querySelector('#luck-dialog[open]'));
+  await page.until('the table is closed', () => !document.querySelector('#table[open]'));
   return rows;
 }
 
@@ -180,7 +180,7 @@ pageTest('the CSV holds every number of every seed', async (page) => {
       if (this.href.startsWith('blob:')) Object.assign(saved.saved ?? {}, { name: this.download });
     };
   });
-  await page.click('#luck-csv');
+  await page.click('#table-csv');
   const { text, type, name } = await page.evaluate(async () => {
     const { saved } = /** @type {{ saved: { blob: Blob, name: string } }} */ (
       /** @type {unknown} */ (window)

@@ -113,8 +113,8 @@ for (const isLog of [false, true])
         isLog ? values[i] / ep.lyapunov[i] : values[i];
       const [own, promised] = [scaled(ep.rate), scaled(ep.promisedX)];
       const samples = [10, 25, 45, 65, 80, 95];
-      const at = (/** @type {(i: number) => number} */ value, /** @type {typeof rate} */ { scale }) =>
-        samples.map((i) => ({ x: time(ep.time[i]), y: scale(value(i)), token: '--ink' }));
+      const at = (/** @type {(i: number) => number} */ value, /** @type {typeof rate} */ axes) =>
+        samples.map((i) => ({ x: time(ep.time[i]), y: axes.y(value(i)), token: '--ink' }));
       const lines = { V: at((i) => ep.lyapunov[i], lyapunov), rate: at(own, rate) };
       for (const [name, points] of Object.entries(lines)) {
         const found = await coloured(page, '#stability-lines', points);
@@ -125,7 +125,7 @@ for (const isLog of [false, true])
       // Between the robot's rate and what x_e promises there is blue.
       const tint = await pixelsAt(
         page,
-        samples.map((i) => ({ x: time(ep.time[i]) + 3, y: rate.scale((promised(i) + own(i)) / 2) })),
+        samples.map((i) => ({ x: time(ep.time[i]) + 3, y: rate.y((promised(i) + own(i)) / 2) })),
       );
       for (const [red, , blue] of tint) assert.ok(blue - red > 25, `${red} red and ${blue} blue`);
       assert.deepEqual(await page.obstacles(), []);
@@ -184,7 +184,7 @@ pageTest('a gain below zero is moved here, and V rises in sight', async (page) =
   const { time, rate } = await layoutOn(page, run, []);
   const [above, below] = await pixelsAt(
     page,
-    [12, -8].map((up) => ({ x: time(9.5), y: rate.scale(0) - up })),
+    [12, -8].map((up) => ({ x: time(9.5), y: rate.y(0) - up })),
   );
   assert.ok(above[0] - above[2] > 25, `above zero: ${above}`);
   assert.ok(below[0] - below[2] < 15, `below zero: ${below}`);

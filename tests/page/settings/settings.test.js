@@ -1,7 +1,10 @@
 import assert from 'node:assert/strict';
+import * as en from '../../../www/words/en/index.js';
+import * as ko from '../../../www/words/ko/index.js';
 import { rows } from '../../../www/settings/table.js';
-import { Key, pageTest } from '../harness/browsers.js';
-import { evolve, experiment, fields } from '../harness/core.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { evolve, experiment, fields, wordFields } from '../harness/core.js';
+import { test } from '../harness/once.js';
 import { middleOf, read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -85,11 +88,22 @@ async function slide(page, id, from, dx) {
   );
 }
 
+test('every field has its name and its help, and every word its text, in every language', () => {
+  for (const { settings } of [en, ko]) {
+    const known =
+      /** @type {Record<string, { name: string, help: string, choices?: Record<string, string> }>} */ (
+        settings.settings
+      );
+    for (const { path } of rows) assert.ok(known[path]?.name && known[path].help, path);
+    for (const { path, words } of wordFields())
+      assert.deepEqual(Object.keys(known[path].choices ?? {}).sort(), [...words].sort(), path);
+  }
+});
+
 pageTest('every number of an experiment has a row, with its unit and range', async (page) => {
   const paths = rows.map(({ path }) => path);
   const general = new Set(paths.map((path) => path.replace(/\[\d\]/, '[]')));
-  for (const { path } of fields()) assert.ok(general.has(path), `${path} has no row`);
-  assert.ok(general.has('law') && general.has('disturbance.kind'));
+  for (const { path } of [...fields(), ...wordFields()]) assert.ok(general.has(path), `${path} has no row`);
   for (const [list, length] of /** @type {const} */ ([
     ['weights.final', 3],
     ['weights.velocity', 2],
@@ -125,7 +139,7 @@ pageTest('every number of an experiment has a row, with its unit and range', asy
   assert.deepEqual(await page.obstacles(), []);
 });
 
-pageTest('a weight that is dragged changes J at every step, and the landscape follows', async (page) => {
+engineTest('a weight that is dragged changes J at every step, and the landscape follows', async (page) => {
   await page.open('#landscape');
   await openSettings(page);
   const fine = () =>
@@ -338,7 +352,7 @@ pageTest('undo and redo step through drags, presets, seeds and settings', async 
   await assertAt(2);
 });
 
-pageTest('an arrow key that is held is one step of undo, each press another', async (page) => {
+engineTest('an arrow key that is held is one step of undo, each press another', async (page) => {
   const { goal } = await read(page);
   await page.focus('#goal-position');
   const { ARROW_UP: up } = Key;
@@ -353,7 +367,7 @@ pageTest('an arrow key that is held is one step of undo, each press another', as
   assert.deepEqual((await read(page)).goal, goal);
 });
 
-pageTest('the panel is opened, used and closed with the keyboard alone', async (page) => {
+engineTest('the panel is opened, used and closed with the keyboard alone', async (page) => {
   const isOpen = () =>
     page.evaluate(async () => {
       await new Promise((resolve) => requestAnimationFrame(resolve));
@@ -418,7 +432,7 @@ for (const [width, height] of /** @type {const} */ ([
   [1440, 900],
   [1024, 768],
 ]))
-  pageTest(`the open panel makes the page no taller at ${width} × ${height}`, async (page) => {
+  engineTest(`the open panel makes the page no taller at ${width} × ${height}`, async (page) => {
     await page.resize(width, height);
     const tall = () => page.evaluate(() => document.documentElement.scrollHeight);
     const closed = await tall();

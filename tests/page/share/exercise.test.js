@@ -1,5 +1,6 @@
 // Exercises: a link with a task, in which controls are locked or hidden.
 import assert from 'node:assert/strict';
+import { parts } from '../../../www/parts/parts.js';
 import { sizes, wantedHeight } from '../../../www/embed/frame.js';
 import {
   firstMaker,
@@ -10,9 +11,9 @@ import {
   wayOf,
   withWay,
 } from '../../../www/run/exercise.js';
-import { guarded } from '../../../www/run/guard.js';
+import { groupOf, guarded } from '../../../www/run/guard.js';
 import { withExercise } from '../../../www/link/link.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
 import { ask, heardFrom, inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
@@ -46,25 +47,17 @@ test('each group of controls is free, locked or hidden, and says so in a fixed o
 });
 
 test('what is locked or hidden does nothing, whichever control asks for it; what is free goes on', () => {
-  /** @type {Record<string, readonly (readonly [string, ...unknown[]])[]>} */
-  const asked = {
-    gains: [['slideGain', 0, 1], ['typeGain', 0, '1'], ['driveGains']],
-    drives: [['chooseDriver', 'evolved']],
-    paper: [
-      ['chooseDriver', 'paper-ep'],
-      ['chooseDriver', 'paper-arbitrary'],
-    ],
-    postures: [['movePosture', 'goal'], ['restorePostures'], ['tryStart', null]],
-    run: [['toggleEvolution'], ['oneGeneration'], ['oneBack'], ['showGeneration', 0], ['reset'], ['forward']],
-    seed: [['newSeed'], ['useSeed', 3]],
-    settings: [['choosePreset'], ['changeSetting', 'horizon', 9], ['openSettings', true], ['tryDisturbance']],
-    parts: [['openPage', 'luck']],
-    always: [['togglePlay'], ['scrub', 1], ['chooseCurve', 'cost'], ['postureOf', 'goal']],
-  };
-  /** @type {string[]} */
-  let done = [];
-  const names = Object.values(asked).flatMap((calls) => calls.map(([name]) => name));
-  const actions = Object.fromEntries(names.map((name) => [name, () => done.push(name)]));
+  /** Each action with the group that it obeys; of what drives, the paper's gains are a group of their own. @type {[name: string, owners: string[], ...given: unknown[]][]} */
+  const asked = [
+    .../** @type {[string, string][]} */ (Object.entries(groupOf)).map(
+      ([name, owner]) => /** @type {[string, string[]]} */ ([name, [owner]]),
+    ),
+    ['chooseDriver', ['drives'], 'evolved'],
+    ['chooseDriver', ['drives', 'paper'], 'paper-ep'],
+    ['chooseDriver', ['drives', 'paper'], 'paper-arbitrary'],
+  ];
+  let done = 0;
+  const actions = Object.fromEntries(asked.map(([name]) => [name, () => (done += 1)]));
   for (const group of groupNames)
     for (const way of /** @type {const} */ (['locked', 'hidden', 'free'])) {
       const exercise = withWay(noExercise, group, way);
@@ -76,13 +69,35 @@ test('what is locked or hidden does nothing, whichever control asks for it; what
           )
         )
       );
-      for (const [owner, calls] of Object.entries(asked)) {
-        done = [];
-        for (const [name, ...given] of calls) controls[name](...given);
-        // The paper's gains are one choice of what drives.
-        const isOwn = owner === group || (owner === 'paper' && group === 'drives');
-        assert.equal(done.length, isOwn && way !== 'free' ? 0 : calls.length, `${way} ${group}: ${owner}`);
+      for (const [name, owners, ...given] of asked) {
+        done = 0;
+        controls[name](...given);
+        assert.equal(done, owners.includes(group) && way !== 'free' ? 0 : 1, `${way} ${group}: ${name}`);
       }
+    }
+});
+
+pageTest('a locked clock stands still, also for who moves over the curves', async (page) => {
+  for (const view of ['time', 'stability'])
+    for (const lock of ['lock', 'hide']) {
+      await page.open(`#curves&v=1&view=${view}&${lock}=clock`);
+      const clock = () =>
+        page.evaluate(async () => {
+          for (let frame = 0; frame < 2; frame += 1)
+            await new Promise((resolve) => requestAnimationFrame(resolve));
+          return document.getElementById('clock')?.textContent;
+        });
+      const picture = view === 'time' ? '#curves-picture' : '#stability-picture';
+      await page.until('the robot has arrived', () => {
+        const [now, end] = document.getElementById('clock')?.textContent?.match(/[\d.]+/g) ?? [];
+        return now !== undefined && now === end;
+      });
+      const before = await clock();
+      await page.drag(picture, [
+        { x: 60, y: 60 },
+        { x: 90, y: 60 },
+      ]);
+      assert.equal(await clock(), before, `${view}, ${lock}`);
     }
 });
 
@@ -111,7 +126,7 @@ const follow = (page, link) =>
 
 const task = 'Park <b>it</b> in 6 s & no ky.';
 
-pageTest('an exercise is made by pressing, and holds against pointer, keys and drag', async (page) => {
+engineTest('an exercise is made by pressing, and holds against pointer, keys and drag', async (page) => {
   await page.open('#lab&v=1&seed=7&generation=2&drives=hand&gains=4,0.5,6');
   await page.click('#keep-button');
   await page.click('#keep-exercise');
@@ -299,7 +314,7 @@ pageTest('in a frame the task is beside the figure, and its host may do what is 
         );
         assert.equal(await page.text('#task'), 'Wait for the lecture.');
         const room = await page.evaluate(() => (document.getElementById('exercise')?.offsetHeight ?? 0) + 6);
-        heights.push(wantedHeight('lab', 0, await page.evaluate(() => innerWidth)) + room);
+        heights.push(wantedHeight(parts, 'lab', 0, await page.evaluate(() => innerWidth)) + room);
         if (frame === 1) assert.deepEqual(await page.obstacles(), []);
         await page.click('#run');
         await page.press('n', 'r');

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { openRunFile, runFile } from '../../../www/link/run-file.js';
-import { openLink } from '../../../www/link/link.js';
+import { links } from '../../../www/lesson/links.js';
 import { driveCsv, generationsCsv } from '../../../www/share/csv.js';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evolve, experiment, simulate, simulateAll, stability } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { readEvolution } from '../harness/reading.js';
@@ -32,15 +32,15 @@ function evolved(from, generations) {
       },
     })
   );
-  const { view, ...run } = openLink('lab', engine).opened;
+  const { parts, ...run } = links.openLink('lab', engine).opened;
   /** @type {Kept} */
-  const state = { ...run, ...view, experiment: from, generation: 3, history };
+  const state = { ...run, slices: parts, experiment: from, generation: 3, history };
   return { engine, state };
 }
 
 test('a file holds the run: opened again it is the same', async () => {
   const { engine, state } = evolved(experiment({ evolution: { seed: 9 } }), 5);
-  const { opened, generations } = await openRunFile(runFile(state, engine), engine);
+  const { opened, generations } = await openRunFile(runFile(state, engine, links), engine, links);
   assert.equal(generations, 5);
   assert.equal(opened.generation, 3);
   assert.deepEqual(opened.experiment, state.experiment);
@@ -48,7 +48,7 @@ test('a file holds the run: opened again it is the same', async () => {
 
 test('a file that is damaged or foreign is refused with the reason', async () => {
   const { engine, state } = evolved(velocityLimits, 4);
-  const good = JSON.parse(runFile(state, engine));
+  const good = JSON.parse(runFile(state, engine, links));
   const rows = /** @type {const} */ ([
     ['', /no run/],
     ['{', /no run/],
@@ -62,10 +62,10 @@ test('a file that is damaged or foreign is refused with the reason', async () =>
     [JSON.stringify({ ...good, generations: 1e9 }), /generations/],
     [JSON.stringify({ ...good, generations: 2 }), /generations/],
     [JSON.stringify({ ...good, link: good.link.replace('lab', 'lab&seed=2') }), /was changed/],
-    [runFile(state, engine).slice(0, 300), /no run/],
+    [runFile(state, engine, links).slice(0, 300), /no run/],
   ]);
   for (const [text, reason] of rows)
-    await assert.rejects(openRunFile(text, engine), { message: reason }, text.slice(0, 60));
+    await assert.rejects(openRunFile(text, engine, links), { message: reason }, text.slice(0, 60));
 });
 
 test('the tables have units in their headers and every digit of the numbers', () => {
@@ -125,7 +125,7 @@ async function choose(page, name, text) {
   return page.text('#keep-status');
 }
 
-pageTest('a run is saved, and opened again as it was', async (page) => {
+engineTest('a run is saved, and opened again as it was', async (page) => {
   await page.open('#lab&seed=5&generation=6');
   await page.focus('#one-back');
   await page.click('#one-back');
@@ -160,7 +160,7 @@ pageTest('a run is saved, and opened again as it was', async (page) => {
 pageTest('a long run is opened at the generation that was shown when it was saved', async (page) => {
   const many = { ...velocityLimits, evolution: { ...velocityLimits.evolution, population: 1000 } };
   const { engine, state } = evolved(many, 150);
-  const text = runFile({ ...state, generation: 60 }, engine);
+  const text = runFile({ ...state, generation: 60 }, engine, links);
   await page.click('#keep-button');
   assert.match(await choose(page, 'long.json', text), /“long.json” is open: all 150 generations/);
   await page.click('#keep-close');

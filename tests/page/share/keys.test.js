@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
 import { read, readEvolution } from '../harness/reading.js';
 
@@ -33,7 +33,7 @@ async function rest(page) {
   return still;
 }
 
-pageTest('"?" opens the sheet, Escape closes it, and the focus goes back to where it was', async (page) => {
+engineTest('"?" opens the sheet, Escape closes it, and the focus goes back to where it was', async (page) => {
   for (const id of ['one-generation', 'slider-ky', 'goal-position', 'preset-velocity-limits']) {
     await page.focus(`#${id}`);
     await page.press('?');
@@ -49,7 +49,7 @@ pageTest('"?" opens the sheet, Escape closes it, and the focus goes back to wher
   assert.equal((await stateOf(page)).sheet, false);
 });
 
-pageTest('each single key does what the sheet says, and no key is missing there', async (page) => {
+engineTest('each single key does what the sheet says, and no key is missing there', async (page) => {
   await page.press('?');
   const lines = await page.evaluate(() =>
     [...document.querySelectorAll('#keys-list dt')].map((term) => [
@@ -122,7 +122,7 @@ pageTest('the box in the sheet turns the single keys off, not the sheet', async 
   assert.deepEqual(await readEvolution(page), expected(1));
 });
 
-pageTest('no key acts while one types in a field or chooses from a list', async (page) => {
+engineTest('no key acts while one types in a field or chooses from a list', async (page) => {
   await page.focus('#gain-kx');
   await page.press('n', 'r', 's', 'b', 'p', '?');
   await page.focus('#speed');
@@ -153,7 +153,7 @@ pageTest('a key presses only what is in sight', async (page) => {
   assert.deepEqual(await readEvolution(page), expected(0));
 });
 
-pageTest('where a key writes Korean, it is known by its place', async (page) => {
+engineTest('where a key writes Korean, it is known by its place', async (page) => {
   await page.evaluate(() => {
     document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'ㅜ', code: 'KeyN', bubbles: true }));
   });

@@ -1,7 +1,7 @@
 // Pictures of what is on screen: each is offered, looks like the screen, and says where it comes from.
 import assert from 'node:assert/strict';
 import { crc32 } from 'node:zlib';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest } from '../harness/browsers.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {{ name: string, key: string, texts: readonly string[], lines: number, apart?: boolean }} Expected Some of its texts, and how many shapes there are at least. Apart: other things stand between its parts. */
@@ -277,7 +277,7 @@ const base64 = (/** @type {string} */ type, /** @type {Buffer} */ bytes) =>
   `data:${type};base64,${bytes.toString('base64')}`;
 
 for (const { page: name, setUp, pictures } of parts)
-  pageTest(`${name}: ${pictures.map((one) => one.key).join(', ')} as files`, async (page) => {
+  engineTest(`${name}: ${pictures.map((one) => one.key).join(', ')} as files`, async (page) => {
     await page.open(`#${name}`);
     await setUp?.(page);
     await page.evaluate(async () => {

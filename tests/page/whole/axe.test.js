@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { Command } from 'selenium-webdriver/lib/command.js';
 import { linkOfStep, steps } from '../../../www/lesson/steps.js';
-import { pageNames } from '../../../www/run/state.js';
+import { pageNames } from '../../../www/parts/parts.js';
 import { languageNames } from '../../../www/words/language.js';
 import { pageTest } from '../harness/browsers.js';
 

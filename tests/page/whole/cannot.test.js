@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import binaryen from 'binaryen';
 import { writeInstead } from '../../../.tasks/instead.mjs';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
 
@@ -32,7 +32,7 @@ const inSight = (page) =>
     return {
       message: texts('#message, noscript').join(''),
       why: texts('.instead-why').join(''),
-      articles: texts('#instead details > section').map((text) => text.split('\n')[0]),
+      lessons: texts('#instead a'),
       captions: texts('#instead figcaption p'),
       picture: document.querySelector('#instead svg')?.checkVisibility({ visibilityProperty: true }),
       instrument: document.getElementById('instrument')?.checkVisibility(),
@@ -43,7 +43,7 @@ const inSight = (page) =>
 /** A file of the site that is not sent. @param {RegExp} name @returns {Changes} */
 const without = (name) => ({ send: (file, content) => (name.test(file) ? null : content) });
 
-pageTest('what the browser or the server lacks is said, above a picture and the lesson', async (page) => {
+engineTest('what the browser or the server lacks is said, above a picture and the lesson', async (page) => {
   for (const [wrong, fragment, said] of /** @type {[Changes, string, RegExp][]} */ ([
     [{ before: 'delete globalThis.WebAssembly;' }, '', /^The robots cannot drive here: .*no WebAssembly/],
     [
@@ -58,21 +58,56 @@ pageTest('what the browser or the server lacks is said, above a picture and the 
       await page.visit(address + fragment);
       await page.until('a message is there to read', () => document.getElementById('message')?.innerText);
       const korean = fragment.includes('ko');
-      const { message, why, articles, captions, picture, instrument, all } = await inSight(page);
+      const { message, why, lessons, captions, picture, instrument, all } = await inSight(page);
       assert.match(message, said);
       assert.equal(why, '');
       assert.equal(picture, true);
       assert.equal(captions.length, 1);
-      assert.equal(articles.length, 13);
-      assert.match(articles[0], korean ? /^1\. [가-힣]/ : /^1\. Drive it yourself/);
+      assert.deepEqual(lessons, [korean ? '읽는 수업' : 'The lesson, to read']);
       assert.equal(instrument, false, 'controls that nothing drives are to be seen');
       assert.doesNotMatch(all, /npm start/);
       // Once, for it is long.
       if (page.engine === 'chromium' && korean) assert.deepEqual(await page.obstacles(), []);
+      if (korean) await readsLesson(page, 'ko');
     });
 });
 
-pageTest('without its scripts, or where they are forbidden, the page can be read', async (page) => {
+/** Follows the link to the lesson and sees that all of it is there, in its looks. @param {Page} page @param {'en' | 'ko'} language */
+async function readsLesson(page, language) {
+  await page.click(`#instead [lang=${language}] a`);
+  const seen = await page.until('the lesson is there to read', () => {
+    const sections = [
+      .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('main > section')),
+    ].map((section) => section.innerText);
+    return (
+      document.readyState === 'complete' &&
+      sections.length > 0 && {
+        language: document.documentElement.lang,
+        heading: document.querySelector('h1')?.innerText,
+        firsts: sections.map((text) => text.split('\n')[0]),
+        shortest: Math.min(...sections.map((text) => text.length)),
+        formulas: document.querySelectorAll('math').length,
+        paper: getComputedStyle(document.body).getPropertyValue('--paper'),
+        width: document.documentElement.scrollWidth - innerWidth,
+        links: [...document.querySelectorAll('a')].map((link) => link.getAttribute('href')),
+      }
+    );
+  });
+  const korean = language === 'ko';
+  assert.equal(seen.language, language);
+  assert.equal(seen.heading, korean ? '읽는 수업' : 'The lesson, to read');
+  assert.equal(seen.firsts.length, 13);
+  for (const [i, first] of seen.firsts.entries())
+    assert.match(first, new RegExp(`^${i + 1}\\. ${korean ? '.*[가-힣]' : '[A-Z]'}`));
+  assert.ok(seen.shortest > 200, 'a section of it is empty');
+  assert.ok(seen.formulas > 20);
+  assert.notEqual(seen.paper, '', 'it has no style');
+  assert.ok(seen.width <= 0, 'it is wider than the window');
+  assert.deepEqual(seen.links, [`./#lesson&lang=${language}`, `./lesson.${korean ? 'en' : 'ko'}.html`]);
+  if (page.engine === 'chromium') assert.deepEqual(await page.obstacles(), []);
+}
+
+engineTest('without its scripts, or where they are forbidden, the page can be read', async (page) => {
   await withSite(page, without(/index.*\.js$/), async (address) => {
     await page.visit(address);
     assert.equal(
@@ -82,11 +117,12 @@ pageTest('without its scripts, or where they are forbidden, the page can be read
     );
     await page.evaluate(() => {
       for (const wait of document.getAnimations()) wait.finish();
-      for (const details of document.querySelectorAll('details')) details.open = true;
     });
-    const { why, articles, captions, picture } = await inSight(page);
+    const { why, lessons, captions, picture } = await inSight(page);
     assert.match(why, /^No robots yet\?.*Firefox.*\n+.*Firefox/s);
-    assert.deepEqual([picture, captions.length, articles.length], [true, 2, 26]);
+    assert.deepEqual([picture, captions.length], [true, 2]);
+    assert.deepEqual(lessons, ['The lesson, to read', '읽는 수업']);
+    await readsLesson(page, 'en');
   });
 
   await page.visit(page.site.blank);
@@ -102,9 +138,13 @@ pageTest('without its scripts, or where they are forbidden, the page can be read
     for (const wait of inside?.getAnimations() ?? []) wait.finish();
     const text = /** @type {HTMLElement | null | undefined} */ (inside?.querySelector('noscript'))?.innerText;
     const picture = inside?.querySelector('#instead svg');
-    return picture?.checkVisibility({ visibilityProperty: true }) && text;
+    const links = [...(inside?.querySelectorAll('#instead a') ?? [])].filter((link) =>
+      link.checkVisibility({ visibilityProperty: true }),
+    );
+    return picture?.checkVisibility({ visibilityProperty: true }) && text && [text, links.length];
   });
-  assert.match(seen, /need JavaScript.*JavaScript/);
+  assert.match(String(seen[0]), /need JavaScript.*JavaScript/);
+  assert.equal(seen[1], 2);
 });
 
 pageTest('when the core fails the page says so and how to go on, and answers nothing more', async (page) => {
@@ -139,13 +179,40 @@ function withTrap(bytes, name) {
   return broken;
 }
 
+/** @param {string} name */
+const built = (name) => readFile(new URL(`../../../dist/${name}`, import.meta.url), 'utf8');
+
 test('what is there to read has every number, and is what the core says today', async () => {
-  const written = await writeInstead();
-  assert.doesNotMatch(written, /[–…]<|undefined|NaN|null|\{/);
-  assert.doesNotMatch(written, / style=|href=|<a |<script|∞/);
-  for (const name of ['index.html', 'ep-locomotion.html'])
-    assert.ok(
-      (await readFile(new URL(`../../../dist/${name}`, import.meta.url), 'utf8')).includes(written),
-      `${name} has another`,
-    );
+  const { linked, inside, pages } = await writeInstead();
+  assert.doesNotMatch(inside, /[–…]<|undefined|NaN|null|\{/);
+  assert.doesNotMatch(inside, / style=|href=|<a |<script|∞/);
+  assert.equal(inside.match(/<details/g)?.length, 2);
+  assert.equal(inside.match(/<h2/g)?.length, 26);
+  const site = await built('index.html');
+  assert.ok(site.includes(linked), 'the site has another');
+  assert.ok((await built('ep-locomotion.html')).includes(inside), 'the one file has another');
+  const styles = site.match(/<link rel="(stylesheet|icon)"[^>]*>/g)?.join('\n  ') ?? '';
+  for (const { fileName, html } of pages) {
+    assert.equal(await built(fileName), html(styles), `${fileName} is another`);
+    assert.doesNotMatch(html(styles), / style=|<script|<style/);
+  }
+});
+
+pageTest('the one file has the lesson to read in it, where the core cannot run', async (page) => {
+  const before = 'delete globalThis.WebAssembly;';
+  const policy = { 'script-src': "'self' 'unsafe-inline'", 'style-src': "'unsafe-inline'" };
+  await withSite(page, { before, policy }, async (address) => {
+    await page.visit(`${address}ep-locomotion.html#lab&lang=ko`);
+    const sections = await page.until('the lesson is there to read', () => {
+      const seen = [
+        .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#instead details > section')),
+      ];
+      return (
+        document.getElementById('message')?.innerText &&
+        seen.filter((section) => section.checkVisibility()).map((section) => section.innerText)
+      );
+    });
+    assert.equal(sections.length, 13);
+    assert.match(sections[0], /^1\. [가-힣]/);
+  });
 });

@@ -5,12 +5,12 @@ import { fileURLToPath } from 'node:url';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { createAccumulator, createFrameLoop } from '../../../www/kit/loop.js';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, memory } from '../harness/core.js';
 import { inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 
-pageTest('a frame without an origin, where all storage is forbidden, drives and computes', async (page) => {
+engineTest('a frame without an origin, where all storage is forbidden, drives and computes', async (page) => {
   const file = '/dist/ep-locomotion.html?embed#landscape&v=1&seed=7';
   const html = `<iframe sandbox="allow-scripts" src="${file}" width="1000" height="800"></iframe>`;
   await inHost(page, html, async () => {
@@ -115,7 +115,7 @@ function runIn(env) {
     const { liveOf } = await import('../lesson/live.js');
     const { stability, Evolution } = await import('../harness/core.js');
     const { driveCsv, generationsCsv } = await import('../../../www/share/csv.js');
-    const { linkOf } = await import('../../../www/link/link.js');
+    const { links } = await import('../../../www/lesson/links.js');
     const { lab } = await import('../../../www/words/index.js');
     const { engine, state, scene, gains } = liveOf('lab&seed=7&generation=30&start=0.1,-1.25,30deg&drives=hand&gains=3.5,0.1,1234.5');
     const evolution = new Evolution(state.experiment);
@@ -127,7 +127,7 @@ function runIn(env) {
         evolution.hash(),
         generationsCsv(state.history, ['origin']),
         driveCsv(scene.driving, stability(scene.experiment, gains), ['origin']),
-        linkOf(state, engine.experiment),
+        links.linkOf(state, engine.experiment),
         lab.costText(12.5), lab.grouped(118098), lab.numberOf('1234,5'),
       ],
     }));`;

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest } from '../harness/browsers.js';
 import { read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -31,7 +31,7 @@ for (const part of [
   'disturbance',
   'luck',
 ])
-  pageTest(
+  engineTest(
     `on paper there is the plane and the open part, whole, and nothing to press: ${part}`,
     async (page) => {
       await page.open(`#${part}`);
@@ -81,28 +81,31 @@ for (const part of [
     },
   );
 
-pageTest('what is drawn gets the colours of paper before it is printed, and its own again', async (page) => {
-  await page.open('#lab&v=1&generation=5');
-  await read(page);
-  const reds = () =>
-    page.evaluate(() => {
-      const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('plane-robots'));
-      const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
-        0,
-        0,
-        canvas.width,
-        canvas.height,
-      );
-      return data.filter((value, i) => i % 4 === 0 && value > 200 && data[i + 1] < 50 && data[i + 3] > 200)
-        .length;
+engineTest(
+  'what is drawn gets the colours of paper before it is printed, and its own again',
+  async (page) => {
+    await page.open('#lab&v=1&generation=5');
+    await read(page);
+    const reds = () =>
+      page.evaluate(() => {
+        const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('plane-robots'));
+        const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
+          0,
+          0,
+          canvas.width,
+          canvas.height,
+        );
+        return data.filter((value, i) => i % 4 === 0 && value > 200 && data[i + 1] < 50 && data[i + 3] > 200)
+          .length;
+      });
+    assert.equal(await reds(), 0);
+    // A printer waits for no frame: this is all in one.
+    await page.evaluate(() => {
+      document.styleSheets[0].insertRule('[data-printing] { --ink: #f00 !important }');
+      dispatchEvent(new Event('beforeprint'));
     });
-  assert.equal(await reds(), 0);
-  // A printer waits for no frame: this is all in one.
-  await page.evaluate(() => {
-    document.styleSheets[0].insertRule('[data-printing] { --ink: #f00 !important }');
-    dispatchEvent(new Event('beforeprint'));
-  });
-  assert.ok((await reds()) > 100);
-  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
-  assert.equal(await reds(), 0);
-});
+    assert.ok((await reds()) > 100);
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.equal(await reds(), 0);
+  },
+);

@@ -3,12 +3,12 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { pageNames } from '../../../www/run/state.js';
+import { pageNames } from '../../../www/parts/parts.js';
 import * as en from '../../../www/words/en/index.js';
 import * as ko from '../../../www/words/ko/index.js';
 import { languageOf } from '../../../www/words/language.js';
 import { linkOfStep, steps } from '../../../www/lesson/steps.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 import { checked, read } from '../harness/reading.js';
@@ -32,7 +32,7 @@ function textsOf(value, place) {
 
 /** Places that hold an identifier, which is the same in every language. @param {string} place */
 const isIdentifier = (place) =>
-  /\.(value|id|symbol|className|unit|letter|index)$|^lab\.(costParts|untils)\.\d\.0$|^keys\.single\.\d\.[02]$|^lab\.gains|^(disturbance|curves)\.units|^luck\.gainColumns|^disturbance\.formulas/.test(
+  /\.(value|id|symbol|className|unit|letter|index)$|^lab\.(costParts|untils)\.\d\.0$|^keys\.single\.\d\.[02]$|^lab\.gains|^(disturbance|curves)\.units|^luck\.gainColumns|^disturbance\.(formulas|parts)/.test(
     place,
   );
 
@@ -259,7 +259,7 @@ pageTest('what the workers find is told in Korean', async (page) => {
   await isKorean(page, 'luck');
   await page.click('#luck-table');
   await isKorean(page, 'the table of all seeds');
-  await page.click('#luck-close');
+  await page.click('#table-close');
   for (const [name, found] of [
     ['robustness', '#robustness-share'],
     ['landscape', '#landscape-readout'],
@@ -283,7 +283,7 @@ const loaded = (page, language) =>
     language,
   );
 
-pageTest(
+engineTest(
   'the link to the other language keeps the run, and "back" brings the first one back',
   async (page) => {
     await page.open('#lab&v=1&seed=7&generation=5&drives=paper-ep');

@@ -1,13 +1,13 @@
-// Step 6: what is "good"? J, its parts and its weights.
+// What is "good"? J, its parts and its weights.
 import { remember } from '../../kit/memo.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { costFormula } from '../formulas.js';
 import { entrantsOf, createStandings, gentle, winnerOf } from '../standings.js';
 import { createWeights } from '../weights.js';
 
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
-/** @typedef {import('../page.js').Live} Live */
+/** @import { Engine, Triple } from '../../core/engine.js' */
+/** @import { Live } from '../page.js' */
+/** @import { Step } from '../steps.js' */
 
 const byHand = 'lab&drives=hand&gains=3,1,5';
 const heavy = 'weights.velocity=5,5';
@@ -42,7 +42,7 @@ const costsOfKy = remember((/** @type {Engine} */ engine) =>
   engine.drive(engine.experiment('velocity-limits'), withKy).map(({ cost: { total } }) => costText(total)),
 );
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const cost = {
   name: 'cost',
   link: byHand,

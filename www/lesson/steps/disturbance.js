@@ -1,17 +1,15 @@
-// Step 12: a ground that pushes, and what Theorem 2 says of it.
-import { gainsOf, withDisturbance } from '../../run/state.js';
+// A ground that pushes, and what Theorem 2 says of it.
+import { disturbanceSlice } from '../../parts/disturbance/state.js';
+import { gainsOf } from '../../run/drivers.js';
+import { withDisturbance } from '../../run/scene.js';
 import { fixed, threeDigits } from '../../words/numbers.js';
 import { robustFormula } from '../formulas.js';
 import { createNearGoal } from '../near-goal.js';
 import { createTheoremNow } from '../theorem-now.js';
 
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @import { Engine, Experiment, PaperResult, Posture, Run, Triple } from '../../core/engine.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Step } from '../steps.js' */
 
 const slip = { kind: /** @type {const} */ ('slip'), linear: 0.1, angular: 0, seed: 1 };
 /** What remains is what the last seconds still have. */
@@ -29,7 +27,7 @@ function farthest({ time, x, y, finalTime }, goal) {
 const driveUnder = (engine, experiment, gains, disturbance) =>
   engine.drive({ ...experiment, ...withDisturbance(disturbance) }, [gains])[0];
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const disturbance = {
   name: 'disturbance',
   link: 'disturbance&drives=paper-ep&under=slip,0.1,0,1',
@@ -89,7 +87,7 @@ export const disturbance = {
   ],
   values({ engine, state, paper }) {
     const { experiment } = state;
-    const { measured } = state.disturbance;
+    const { measured } = disturbanceSlice.of(state);
     const run = driveUnder(engine, experiment, gainsOf(state, 'paper-ep', paper), slip);
     // Of who drives, as beside the curves; the first start is that of the drive.
     const others = measured?.calm.error.y.subarray(1);

@@ -1,8 +1,10 @@
-// Step 1: drive it yourself. No theory yet.
+// Drive it yourself. No theory yet.
 import { createTallyLine } from '../tally-line.js';
 import { costText, fixed } from '../../words/numbers.js';
 
-/** @type {import('../steps.js').Step} */
+/** @import { Step } from '../steps.js' */
+
+/** @type {Step} */
 export const drive = {
   name: 'drive',
   link: 'lab&drives=hand&gains=3,0,0',

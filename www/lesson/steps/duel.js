@@ -1,9 +1,11 @@
-// Step 9: you against evolution.
+// You against evolution.
 import { costText } from '../../words/numbers.js';
 import { judge, lowestOf, nextSeed, roundOf, winners } from '../duel.js';
 import { createDuelDrives, createDuelResult, duelIn } from '../duel-view.js';
 
-/** @type {import('../steps.js').Step} */
+/** @import { Step } from '../steps.js' */
+
+/** @type {Step} */
 export const duel = {
   name: 'duel',
   link: 'lab&drives=hand&gains=1,1,1',

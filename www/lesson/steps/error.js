@@ -1,8 +1,10 @@
-// Step 2: where the goal is, seen from the robot.
+// Where the goal is, seen from the robot.
 import { errorFormula } from '../formulas.js';
 import { degreesText, signed } from '../../words/numbers.js';
 
-/** @type {import('../steps.js').Step} */
+/** @import { Step } from '../steps.js' */
+
+/** @type {Step} */
 export const error = {
   name: 'error',
   link: 'lab&drives=hand&gains=3,5,5&start=1,0,90deg',

@@ -1,12 +1,14 @@
-// Step 7: one generation by hand.
+// One generation by hand.
 import { generation as words, lesson } from '../../words/index.js';
 import { anatomyOf, birthOf, chosenIn, placeByCost } from '../anatomy.js';
 import { gainFormula } from '../formulas.js';
 
+/** @import { Step } from '../steps.js' */
+
 /** The two whose fates the first question is about: offspring 6 and parent 12 of generation 1. */
 export const question = { better: 25, worse: 11 };
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const generation = {
   name: 'generation',
   link: 'generation&generation=1&phase=parents&individual=26',

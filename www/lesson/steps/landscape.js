@@ -1,8 +1,11 @@
-// Step 10: J as a landscape, and where evolution walked in it.
+// J as a landscape, and where evolution walked in it.
+import { landscapeSlice } from '../../parts/landscape/state.js';
 import { remember } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { lowestPoint } from '../lowest.js';
+
+/** @import { Step } from '../steps.js' */
 
 /** As dear as this times the lowest point is still the floor of the valley. */
 const floor = 1.05;
@@ -13,7 +16,7 @@ const floorShare = remember((/** @type {Float64Array} */ costs) => {
   return costs.filter((cost) => cost < floor * least).length / costs.length;
 });
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const landscape = {
   name: 'landscape',
   link: 'landscape&third=0.05',
@@ -71,7 +74,7 @@ export const landscape = {
   ],
   values({ state }) {
     const { history, generation, experiment } = state;
-    const { result } = state.landscape;
+    const { result } = landscapeSlice.of(state);
     return {
       drives: result ? lab.grouped(result.costs.length) : '…',
       floor: result ? fixed(100 * floorShare(result.costs), 0) : '…',

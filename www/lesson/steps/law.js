@@ -1,11 +1,12 @@
-// Step 3: the control law, term by term, and what each gain does alone.
+// The control law, term by term, and what each gain does alone.
 import { remember } from '../../kit/memo.js';
 import { degreesText, fixed, signed } from '../../words/numbers.js';
 import { lawFormula } from '../formulas.js';
 import { createPushes } from '../pushes.js';
 
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
+/** @import { Engine, Triple } from '../../core/engine.js' */
+/** @import { Live } from '../page.js' */
+/** @import { Step } from '../steps.js' */
 
 /** From here each gain alone brings its own error to zero and leaves the others. */
 const start = { x: 1.5, y: 0.5, theta: 0 };
@@ -38,7 +39,7 @@ const numbersOf = remember((/** @type {Engine} */ engine) => {
   };
 });
 
-/** How a drive without ky ends. @param {import('../page.js').Live} live */
+/** How a drive without ky ends. @param {Live} live */
 function withoutKyFrom({ engine, scene }) {
   const samples = engine.samples(scene.experiment, withoutKy);
   const { error, outcome, time } = samples[samples.length - 1];
@@ -47,7 +48,7 @@ function withoutKyFrom({ engine, scene }) {
   return { right, arrived, error, time, farthest: Math.max(...samples.map((one) => Math.abs(one.error.y))) };
 }
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const law = {
   name: 'law',
   link: byHand(kxAlone, below),

@@ -1,5 +1,7 @@
-// Step 14: for lecturers. A demonstration, a lab sheet, questions for an exam; every claim is held by a test of its link.
+// For lecturers. A demonstration, a lab sheet, questions for an exam; every claim is held by a test of its link.
 import { sheet } from '../sheet.js';
+
+/** @import { Step } from '../steps.js' */
 
 export const demonstration = sheet('demonstration', [
   ['park', 'lab&drives=hand&gains=3,0,0'],
@@ -32,7 +34,7 @@ export const exam = sheet('exam', [
   ['compare', null],
 ]);
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const lecturers = {
   name: 'lecturers',
   link: 'lab',

@@ -1,10 +1,10 @@
-// Step 5: what the wheels cannot do, and what that does to the theory. Figures 4 to 7 of the paper.
+// What the wheels cannot do, and what that does to the theory. Figures 4 to 7 of the paper.
 import { remember } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 
-/** @typedef {import('../page.js').Live} Live */
-/** @typedef {import('../page.js').Sample} Sample */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
+/** @import { Sample, Triple } from '../../core/engine.js' */
+/** @import { Live } from '../page.js' */
+/** @import { Step } from '../steps.js' */
 
 const unlimited = 'limits.speed=off&limits.turnRate=off';
 
@@ -37,7 +37,7 @@ const runsWith = remember(
 /** @param {Live} live */
 const runsOf = ({ engine, state, gains }) => runsWith(engine, state.experiment, gains);
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const limits = {
   name: 'limits',
   link: 'curves&drives=paper-ep',

@@ -1,8 +1,9 @@
-// Step 13: the paper's numbers beside ours, and what lies between them.
+// The paper's numbers beside ours, and what lies between them.
 import { fixed } from '../../words/numbers.js';
 import { createChoicesTable, createPaperTable } from '../paper-table.js';
 
-/** @typedef {import('../page.js').Live} Live */
+/** @import { Live } from '../page.js' */
+/** @import { Step } from '../steps.js' */
 
 /** The run of one row of the paper, in its own preset. @param {Live} live @param {number} row */
 function runOf({ engine, paper }, row) {
@@ -13,7 +14,7 @@ function runOf({ engine, paper }, row) {
 /** @param {Live} live */
 const costsOf = (live) => live.paper.map((_, row) => runOf(live, row).cost.total);
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const paper = {
   name: 'paper',
   link: 'curves&drives=paper-ep',

@@ -1,13 +1,15 @@
-// Step 8: the step size that adapts itself, and its collapse.
+// The step size that adapts itself, and its collapse.
 import { generation as words } from '../../words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { sigmaFormula } from '../formulas.js';
+
+/** @import { Step } from '../steps.js' */
 
 /** What counts as the same J in the answers: nothing that one sees of a drive. */
 const same = 0.01;
 const usualSigma = 1;
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const sigma = {
   name: 'sigma',
   link: 'lab&generation=60&curve=sigmas',

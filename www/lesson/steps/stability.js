@@ -1,8 +1,9 @@
-// Step 4: why it gets there. The Lyapunov function and its rate.
+// Why it gets there. The Lyapunov function and its rate.
 import { fixed, signed } from '../../words/numbers.js';
 import { lyapunovFormula, rateFormula } from '../formulas.js';
 
-/** @typedef {import('../page.js').Live} Live */
+/** @import { Live } from '../page.js' */
+/** @import { Step } from '../steps.js' */
 
 const unlimited = 'limits.speed=off&limits.turnRate=off';
 
@@ -10,7 +11,7 @@ const unlimited = 'limits.speed=off&limits.turnRate=off';
 const valuesOf = ({ engine, scene, gains }) =>
   engine.samples(scene.experiment, gains).map(({ lyapunov }) => lyapunov);
 
-/** @type {import('../steps.js').Step} */
+/** @type {Step} */
 export const stability = {
   name: 'stability',
   link: `curves&view=stability&drives=hand&gains=3,1,5&${unlimited}`,

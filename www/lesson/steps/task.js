@@ -1,12 +1,15 @@
-// Step 11: the gains that were evolved on one start, from everywhere else.
+// The gains that were evolved on one start, from everywhere else.
+import { robustnessSlice } from '../../parts/robustness/state.js';
 import { gridAround, headings } from '../../parts/robustness/grid.js';
 import { fine } from '../../parts/robustness/request.js';
-import { gainsOf } from '../../run/state.js';
+import { gainsOf } from '../../run/drivers.js';
 import { lab } from '../../words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { mapsAreDone, shareOfStarts, trainedOn } from '../robust.js';
 
-/** @type {import('../steps.js').Step} */
+/** @import { Step } from '../steps.js' */
+
+/** @type {Step} */
 export const task = {
   name: 'task',
   link: 'lab&generation=100',
@@ -76,7 +79,7 @@ export const task = {
     const { gains } = population[0];
     const given = paper.find(({ preset, method }) => preset === state.preset && method === 'ep');
     const [best, ep] = engine.drive(experiment, [gains, given?.gains ?? gains]);
-    const grid = gridAround(experiment.goal, state.robustness.half, fine);
+    const grid = gridAround(experiment.goal, robustnessSlice.of(state).half, fine);
     const places = grid.x.count * grid.y.count;
     return {
       generation: String(generation),
@@ -84,7 +87,7 @@ export const task = {
       cost: costText(best.cost.total),
       paper: costText(ep.cost.total),
       places: lab.grouped(places),
-      side: fixed(2 * state.robustness.half, 0),
+      side: fixed(2 * robustnessSlice.of(state).half, 0),
       headings: String(headings),
       starts: lab.grouped(places * headings),
       ky: fixed(gains[1], 4),

@@ -1,6 +1,8 @@
 // The pinned runs: their names, and a table of what differs between them and the run on screen.
-import { byId } from '../../kit/elements.js';
-import { renamed, withoutPin } from '../../run/pins.js';
+import { curvesSlice } from './state.js';
+import { byId, create } from '../../kit/elements.js';
+import { headCell } from '../../kit/table.js';
+import { styles } from '../../run/pins.js';
 import { createSwatch } from '../../kit/swatch.js';
 import { createQuantity } from '../../settings/quantity.js';
 import { fieldPath, valueAt } from '../../run/paths.js';
@@ -11,33 +13,32 @@ import { curves as words, lab, settings as settingWords } from '../../words/inde
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../core/engine.js').Field} Field */
 /** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('../../lab/navigation.js').PageParts} PageParts */
+/** @typedef {import('../part.js').Tools} PageParts */
 /** @typedef {import('../../run/pins.js').Pin} Pin */
-/** @typedef {import('../../run/state.js').Scene} Scene */
+/** @typedef {import('../../run/scene.js').Scene} Scene */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {{ name: string, gains: Triple, experiment: Experiment, run: Run, slot: number | null }} Column */
 /** @typedef {{ id: string, head: string, className?: string, texts: readonly string[] }} Row */
 
 /** @param {PageParts} parts */
-export function createComparison({ engine, store }) {
+export function createComparison({ engine, store, actions }) {
   const list = byId('pins-list');
   const message = byId('pins-message');
   const table = byId('pins-table');
   const settingTexts = createSettingTexts(engine.fields());
-  const say = (/** @type {string} */ text) =>
-    store.update({ curves: { ...store.get().curves, message: text } });
+  const say = (/** @type {string} */ text) => curvesSlice.update(store, { message: text });
   const on = {
     /** @param {number} slot @param {string} text */
     onName(slot, text) {
       const name = text.trim();
       if (name === '') return say(words.nameNeeded);
-      store.update({ pins: renamed(store.get().pins, slot, name) });
+      actions.renamePin(slot, name);
       say('');
     },
     /** @param {number} slot */
     onUnpin(slot) {
-      store.update({ pins: withoutPin(store.get().pins, slot) });
+      actions.unpin(slot);
       say('');
       // The button that was pressed is gone.
       (list.querySelector('input') ?? byId('pin')).focus();
@@ -48,12 +49,14 @@ export function createComparison({ engine, store }) {
   const tableChanged = watch();
   return {
     /** @param {State} state @param {{ name: string, gains: Triple, scene: Scene }} driving */
-    draw({ pins, curves }, { name, gains, scene }) {
-      if (pinsChanged(pins, curves.message)) {
+    draw(state, { name, gains, scene }) {
+      const { pins } = state;
+      const said = curvesSlice.of(state).message;
+      if (pinsChanged(pins, said)) {
         byId('pins-text').textContent = pins.length === 0 ? words.noPinsText : words.pinsText(pins.length);
         list.replaceChildren(...pins.map((pin) => createItem(pin, on)));
-        message.textContent = curves.message;
-        message.hidden = curves.message === '';
+        message.textContent = said;
+        message.hidden = said === '';
       }
       if (!tableChanged(pins, scene.driving, name)) return;
       const columns = [
@@ -77,7 +80,7 @@ function createItem({ slot, name }, { onName, onUnpin }) {
   Object.assign(button, { type: 'button', id: `unpin-${slot + 1}`, textContent: words.unpinShort });
   button.setAttribute('aria-label', words.unpin(name));
   button.addEventListener('click', () => onUnpin(slot));
-  item.append(createSwatch(slot), input, button);
+  item.append(createSwatch(styles[slot]), input, button);
   return item;
 }
 
@@ -87,12 +90,9 @@ function createHead(columns) {
   const row = head.insertRow();
   row.append(document.createElement('td'));
   for (const { name, slot } of columns) {
-    const cell = document.createElement('th');
-    cell.scope = 'col';
-    if (slot === null) cell.className = 'driving';
-    else cell.append(createSwatch(slot), document.createElement('br'));
-    cell.append(words.breakable(slot === null ? words.drivingColumn(name) : name));
-    row.append(cell);
+    const swatch = slot === null ? [] : [createSwatch(styles[slot]), create('br', '')];
+    const text = words.breakable(slot === null ? words.drivingColumn(name) : name);
+    row.append(headCell('col', slot === null ? 'driving' : '', ...swatch, text));
   }
   return head;
 }
@@ -112,12 +112,9 @@ function createBody(columns, settingTexts) {
 
 /** @param {Row} row */
 function createRow({ id, head, className = '', texts }) {
-  const row = document.createElement('tr');
-  const name = document.createElement('th');
-  Object.assign(name, { scope: 'row', textContent: head, className });
+  const cells = texts.map((text) => create('td', '', text));
+  const row = create('tr', '', headCell('row', className, head), ...cells);
   row.dataset.row = id;
-  row.append(name);
-  for (const text of texts) row.insertCell().textContent = text;
   return row;
 }
 
@@ -143,8 +140,7 @@ function createSettingTexts(fields) {
   const text = (path, experiment) => {
     const value = valueAt(experiment, path);
     const field = known.get(fieldPath(path));
-    if (!field || 'words' in field)
-      return settingWords.settings[path].choices?.[String(value)] ?? String(value);
+    if (!field) return settingWords.settings[path].choices?.[String(value)] ?? String(value);
     if (typeof value !== 'number') return settingWords.noLimit;
     const quantity = createQuantity(field);
     return settingWords.quantity(String(quantity.shown(value)), quantity.unit);

@@ -5,7 +5,7 @@ import { paidAt } from '../../core/paid.js';
 
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('./axes.js').Frame} Frame */
+/** @typedef {import('../../kit/chart.js').Frame} Frame */
 /** @typedef {import('d3-scale').ScaleLinear<number, number>} Scale */
 /** @typedef {'position' | 'theta' | 'linear' | 'angular' | 'cost'} PlotName */
 /** @typedef {{ name: PlotName, frame: Frame, scale: Scale, limit: number | null }} Plot */

@@ -1,5 +1,7 @@
 // The run in numbers, for who wants to read or to hear them; the row of the robots' clock is marked.
-import { sampleBefore } from '../../lab/plane.js';
+import { sampleBefore } from '../../lab/track.js';
+import { create } from '../../kit/elements.js';
+import { headRow } from '../../kit/table.js';
 import { watch } from '../../kit/memo.js';
 import { curves as words } from '../../words/index.js';
 import { paidUntil } from '../../core/paid.js';
@@ -23,9 +25,8 @@ export function createNumbers(table) {
         const { every, samples } = readableSamples(run.time.length);
         const body = document.createElement('tbody');
         rows = samples.map((sample) => ({ sample, row: rowOf(body, run, sample) }));
-        const caption = document.createElement('caption');
-        caption.textContent = words.numbersCaption(name, every * (run.time[1] ?? 0));
-        table.replaceChildren(caption, head(), body);
+        const caption = create('caption', '', words.numbersCaption(name, every * (run.time[1] ?? 0)));
+        table.replaceChildren(caption, headRow(words.numberColumns.map(({ head }) => head)), body);
         marked = undefined;
       }
       const now = sampleBefore(run, time);
@@ -49,17 +50,6 @@ export function readableSamples(count) {
 function stepOf(samples) {
   for (let power = 1; ; power *= 10)
     for (const factor of [1, 2, 5]) if (samples / (factor * power) <= mostRows) return factor * power;
-}
-
-function head() {
-  const element = document.createElement('thead');
-  const row = element.insertRow();
-  for (const column of words.numberColumns) {
-    const cell = document.createElement('th');
-    Object.assign(cell, { scope: 'col', textContent: column.head });
-    row.append(cell);
-  }
-  return element;
 }
 
 /** @param {HTMLTableSectionElement} body @param {Run} run @param {number} sample */

@@ -1,30 +1,25 @@
 // The part of the page that shows runs against time and beside each other.
+import { curvesSlice } from './state.js';
 import { byId, followSize } from '../../kit/elements.js';
-import { sampleBefore } from '../../lab/plane.js';
+import { sampleBefore } from '../../lab/track.js';
 import { createSegmented } from '../../kit/segmented.js';
 import { createStability } from './stability/view.js';
 import { remember, watch } from '../../kit/memo.js';
-import { gainsOf } from '../../run/state.js';
+import { gainsOf } from '../../run/drivers.js';
 import { curves as words, lab } from '../../words/index.js';
-import { followPointer, sampleTime } from './axes.js';
+import { followPointer } from '../../kit/chart.js';
+import { sampleTime } from './axes.js';
 import { createComparison } from './compare.js';
 import { createNumbers } from './numbers.js';
 import { paidUntil } from '../../core/paid.js';
 import { createPlots } from './plots.js';
 
 /** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('../../lab/navigation.js').PageParts} PageParts */
-/** @typedef {import('../../lab/navigation.js').Page} Page */
+/** @typedef {import('../part.js').Tools} PageParts */
+/** @typedef {import('../part.js').Page} Page */
 /** @typedef {import('../../run/pins.js').Driven} Driven */
-/** @typedef {import('../../run/state.js').Scene} Scene */
+/** @typedef {import('../../run/scene.js').Scene} Scene */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {'time' | 'stability' | 'compare' | 'numbers'} CurvesView */
-/** @typedef {'cost' | 'sigmas'} LabCurve */
-/** @typedef {{ view: CurvesView, lab: LabCurve, scale: 'linear' | 'log', refused: Driven | null, message: string }} CurvesState Refused: the run for which there was no room among the pins. */
-
-/** @type {CurvesState} */
-export const firstCurves = { view: 'time', lab: 'cost', scale: 'linear', refused: null, message: '' };
-
 /** @param {PageParts} parts @returns {Page} */
 export function createCurvesPage(parts) {
   const { store, actions, paper } = parts;
@@ -38,9 +33,9 @@ export function createCurvesPage(parts) {
   const comparison = createComparison(parts);
   const stability = createStability(parts);
   const choice = createSegmented(byId('curves-view'), words.viewLegend, words.views, (view) =>
-    store.update({ curves: { ...store.get().curves, view } }),
+    curvesSlice.update(store, { view }),
   );
-  const size = followSize(byId('curves-picture'), () => store.update({}));
+  const size = followSize(byId('curves-picture'), () => store.redraw());
   /** @type {Run | null} */
   let driving = null;
   followPointer(byId('curves-picture'), (px) => {
@@ -85,10 +80,9 @@ export function createCurvesPage(parts) {
   };
 
   return {
-    name: 'curves',
     draw(state, scene) {
       driving = scene.driving;
-      const { view } = state.curves;
+      const { view } = curvesSlice.of(state);
       const time = Math.min(state.robot.time, driving.finalTime);
       const name = lab.driverName(state.driver, state.generation, state.found);
       choice.draw(view);

@@ -3,11 +3,22 @@ import { createLayer } from '../../kit/canvas.js';
 import { symbolFont, textFont } from '../../kit/fonts.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
-import { sampleBefore } from '../../lab/plane.js';
-import { colour, sameDigits, spread } from '../../kit/plot.js';
+import { sampleBefore } from '../../lab/track.js';
+import {
+  drawCursorDot,
+  drawCursorLine,
+  drawGrid,
+  line,
+  pointsOf,
+  sameDigits,
+  through,
+  within,
+} from '../../kit/chart.js';
+import { spread } from '../../kit/names.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { curves as words, lab } from '../../words/index.js';
-import { drawCursorDot, drawCursorLine, drawGrid, drawTimeAxis, line, pointsOf, through } from './axes.js';
+import { drawTimeAxis, timeTicks } from './axes.js';
 import { curvesOf, layoutOf } from './layout.js';
 
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
@@ -65,14 +76,16 @@ export function createPlots({ lines, cursor }) {
       if (size.width === 0) return;
       if (linesChanged(driving, comparison, pinned, limits, size, theme) || !layout) {
         layout = layoutOf(size, driving, [comparison, ...pinned], limits);
-        under.clear(size);
-        for (const plot of layout.plots) drawPlot(under.context, layout, plot, model);
         const { time: scale, plots } = layout;
-        drawTimeAxis(under.context, scale, plots[plots.length - 1].frame.bottom);
+        const drawn = layout;
+        under.draw(size, (context) => {
+          for (const plot of plots) drawPlot(context, drawn, plot, model);
+          drawTimeAxis(context, scale, plots[plots.length - 1].frame.bottom);
+        });
       }
       if (cursorChanged(layout, time)) {
-        over.clear(size);
-        drawCursor(over.context, layout, driving, time);
+        const drawn = layout;
+        over.draw(size, (context) => drawCursor(context, drawn, driving, time));
       }
     },
     /** The time at a place of the picture. @param {number} px */
@@ -96,27 +109,21 @@ export const linesOf = ({ driving, comparison, pins, pinned }) => [
   { run: driving, colour: null, dash: [], width: 2.25, slot: null },
 ];
 
+/** @param {Layout} layout @param {Plot} plot */
+const axesOf = ({ time }, { scale, frame }) => ({ x: time, y: scale, frame });
+
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {PlotsModel} model */
 function drawPlot(context, layout, plot, model) {
   const { frame, name } = plot;
   const ticks = plot.scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
-  const texts = sameDigits(/** @type {any} */ (null), ticks);
-  drawGrid(
-    context,
-    { time: layout.time, ...plot },
-    ticks,
-    texts.map((text) => words.tickText(name, text)),
-  );
+  const texts = sameDigits(ticks).map((text) => words.tickText(name, text));
+  drawGrid(context, axesOf(layout, plot), { x: timeTicks(layout.time), y: ticks }, texts);
   drawLimits(context, plot);
-  context.save();
-  context.beginPath();
-  context.rect(frame.left, frame.top, layout.time.range()[1] - frame.left, frame.bottom - frame.top);
-  context.clip();
-  context.lineJoin = 'round';
-  if (name === 'cost') drawParts(context, layout, plot, model.driving);
-  drawCommand(context, layout, plot, model.driving);
-  for (const line of linesOf(model)) drawLine(context, layout, plot, line);
-  context.restore();
+  within(context, frame, () => {
+    if (name === 'cost') drawParts(context, layout, plot, model.driving);
+    drawCommand(context, layout, plot, model.driving);
+    for (const line of linesOf(model)) drawLine(context, layout, plot, line);
+  });
   drawNames(context, plot, model.driving);
 }
 
@@ -144,7 +151,7 @@ function drawLine(context, layout, plot, { run, colour: own, dash, width, slot }
     context.stroke();
     if (slot === null) continue;
     const last = run.time.length - 1;
-    drawMark(context, slot, layout.time(run.time[last]), plot.scale(value(run, last)), {
+    drawMark(context, styles[slot].mark, layout.time(run.time[last]), plot.scale(value(run, last)), {
       fill: String(own),
       edge: colour('--paper'),
     });
@@ -155,11 +162,11 @@ function drawLine(context, layout, plot, { run, colour: own, dash, width, slot }
 const isHeld = (name) => name in commands;
 
 /** Adds a curve to the path. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run @param {Value} value */
-function trace(context, { time }, { scale, name, frame }, run, value) {
-  const axes = { time, scale, frame };
+function trace(context, layout, plot, run, value) {
+  const axes = axesOf(layout, plot);
   through(
     context,
-    pointsOf(axes, run.time, (i) => value(run, i), isHeld(name)),
+    pointsOf(axes, run.time, (i) => value(run, i), isHeld(plot.name)),
   );
 }
 
@@ -226,15 +233,15 @@ function drawNames(context, plot, run) {
   const half = 8;
   const names = namesOf(plot, run).map(({ y, ...rest }) => ({
     ...rest,
-    y: Math.min(Math.max(y, frame.top + half), frame.bottom - half) - frame.top - half,
+    y: Math.min(Math.max(y, frame.top + half), frame.bottom - half),
   }));
-  spread(names, frame.bottom - frame.top - 2 * half);
+  spread(names, frame.top + half, frame.bottom - half);
   context.textAlign = 'left';
   context.textBaseline = 'middle';
   for (const { text, token, font: own, y } of names) {
     context.font = own;
     context.fillStyle = colour(token);
-    context.fillText(text, px, frame.top + half + y);
+    context.fillText(text, px, y);
   }
   if (name === 'cost') return;
   const symbols = names.filter((one) => one.font === symbolFont);
@@ -242,7 +249,7 @@ function drawNames(context, plot, run) {
   const middle = symbols.reduce((sum, { y }) => sum + y, 0) / symbols.length;
   context.font = textFont;
   context.fillStyle = colour('--muted');
-  context.fillText(words.units[name], px + wide + 5, frame.top + half + middle);
+  context.fillText(words.units[name], px + wide + 5, middle);
 }
 
 /** @param {Plot} plot @param {Run} run @returns {Name[]} */

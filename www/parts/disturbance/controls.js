@@ -1,4 +1,5 @@
 // The controls of the disturbance: its kind, its two sizes, and another draw.
+import { disturbanceSlice } from './state.js';
 import { byId } from '../../kit/elements.js';
 import { createRow } from '../../lab/gains.js';
 import { messageOf } from '../../words/errors.js';
@@ -6,9 +7,9 @@ import { createSegmented } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';
 import { disturbance as words, lab } from '../../words/index.js';
 
-/** @typedef {import('../../lab/navigation.js').PageParts} PageParts */
+/** @typedef {import('../part.js').Tools} PageParts */
 /** @typedef {import('../../core/engine.js').Experiment['disturbance']} Disturbance */
-/** @typedef {import('./request.js').DisturbanceState} DisturbanceState */
+/** @typedef {import('./state.js').DisturbanceState} DisturbanceState */
 
 const sizes = /** @type {const} */ (['linear', 'angular']);
 /** What the sliders reach; more can be typed. */
@@ -16,16 +17,21 @@ const reach = /** @type {const} */ ([0.5, 1]);
 
 /** @param {PageParts} parts */
 export function createControls({ engine, store, actions }) {
-  const tried = () => store.get().disturbance.tried;
+  const tried = () => store.get().tried;
+
+  /** @param {Partial<Disturbance>} patch */
+  const tryOut = (patch) => {
+    actions.tryDisturbance({ ...tried(), ...patch });
+    disturbanceSlice.update(store, { error: null });
+  };
 
   /** @param {number} index @param {string} text */
-  const refuse = (index, text) =>
-    store.update({ disturbance: { ...store.get().disturbance, error: { index, text } } });
+  const refuse = (index, text) => disturbanceSlice.update(store, { error: { index, text } });
 
   /** @param {Partial<Disturbance>} patch @param {number} index Of the size that is to blame. @param {string} name */
   const attempt = (patch, index, name) => {
     try {
-      actions.tryDisturbance({ ...tried(), ...patch });
+      tryOut(patch);
     } catch (error) {
       refuse(index, lab.gainRefused(name, messageOf(error)));
     }
@@ -34,28 +40,25 @@ export function createControls({ engine, store, actions }) {
   /** @param {'random' | 'slip'} kind */
   const createRows = (kind) =>
     words.sizes[kind].map((size, index) => {
-      const row = createRow(size, index, {
-        onSlide: (_, value) => attempt({ [sizes[index]]: value }, index, size.name),
+      const events = {
+        onSlide: (/** @type {number} */ _, /** @type {number} */ value) =>
+          attempt({ [sizes[index]]: value }, index, size.name),
         onSlid: actions.driveAgain,
-        onType(_, text) {
+        onType(/** @type {number} */ _, /** @type {string} */ text) {
           const value = lab.numberOf(text);
           if (!Number.isFinite(value)) return refuse(index, lab.notANumber(size.name, text));
           attempt({ [sizes[index]]: value }, index, size.name);
           actions.driveAgain();
         },
-      });
-      const unit = document.createElement('span');
-      unit.className = 'muted';
-      unit.textContent = words.units[index];
-      row.row.insertBefore(unit, row.row.lastChild);
-      return row;
+      };
+      return createRow(size, index, events, words.units[index]);
     });
 
   const kind = createSegmented(byId('disturbance-kind'), words.kindLegend, words.kinds, (chosen) => {
     const { linear, angular } = tried();
     // A bound has no sign.
     const bounds = { linear: Math.abs(linear), angular: Math.abs(angular) };
-    actions.tryDisturbance({ ...tried(), ...(chosen === 'random' && bounds), kind: chosen });
+    tryOut({ ...(chosen === 'random' && bounds), kind: chosen });
     actions.driveAgain();
   });
   const rows = { random: createRows('random'), slip: createRows('slip') };
@@ -64,15 +67,14 @@ export function createControls({ engine, store, actions }) {
   fieldset.append(...[...rows.random, ...rows.slip].map(({ row }) => row));
   const draw = byId('disturbance-draw');
   draw.addEventListener('click', () => {
-    actions.tryDisturbance({ ...tried(), seed: engine.randomSeed() });
+    tryOut({ seed: engine.randomSeed() });
     actions.driveAgain();
   });
 
   const changed = watch();
   return {
-    /** @param {DisturbanceState} state */
-    draw(state) {
-      const { tried: now, error } = state;
+    /** @param {Disturbance} now @param {DisturbanceState['error']} error */
+    draw(now, error) {
       if (!changed(now, error)) return;
       kind.draw(now.kind);
       draw.hidden = now.kind !== 'random';

@@ -2,9 +2,10 @@
 import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
+import { drawCursorDot, drawCursorLine, pointsOf, through } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
-import { colour } from '../../kit/plot.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { disturbance as words } from '../../words/index.js';
 
@@ -12,8 +13,7 @@ import { disturbance as words } from '../../words/index.js';
 /** @typedef {import('./request.js').ErrorParts} ErrorParts */
 /** @typedef {import('./summary.js').PartName} PartName */
 /** @typedef {{ measured: Measured, time: number, theme: number }} PlotsModel */
-/** @typedef {{ width: number, height: number }} Size */
-/** @typedef {{ left: number, right: number, top: number, bottom: number }} Frame */
+/** @typedef {import('../../kit/canvas.js').Size} Size */
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
 const margin = { left: 36, right: 8, top: 5 };
@@ -50,12 +50,10 @@ function createPlot(part, root, onResize) {
       if (size.width === 0) return;
       const axes = axesOf(measured, size, part === 'theta' ? 1 : most, isLast);
       if (linesChanged(measured, most, size, theme)) {
-        lines.clear(size);
-        drawLines(lines.context, axes, measured, part, isLast);
+        lines.draw(size, (context) => drawLines(context, axes, measured, part, isLast));
       }
       if (clockChanged(measured, most, size, theme, time)) {
-        clock.clear(size);
-        drawClock(clock.context, axes, measured.runs[0], part, time);
+        clock.draw(size, (context) => drawClock(context, axes, measured.runs[0], part, time));
       }
     },
   };
@@ -72,9 +70,9 @@ function axesOf({ spec }, { width, height }, most, isLast) {
   return {
     frame,
     horizon,
-    time: scaleLinear([0, horizon], [frame.left, frame.right]),
+    x: scaleLinear([0, horizon], [frame.left, frame.right]),
     /** What lies beyond the axis is drawn at its end. */
-    size: scaleSymlog([0, most], [frame.bottom, frame.top]).constant(evenUpTo).clamp(true),
+    y: scaleSymlog([0, most], [frame.bottom, frame.top]).constant(evenUpTo).clamp(true),
   };
 }
 
@@ -82,7 +80,7 @@ function axesOf({ spec }, { width, height }, most, isLast) {
 function drawLines(context, axes, measured, part, isLast) {
   const { spec, runs } = measured;
   const { frame } = axes;
-  const since = axes.time(axes.horizon - spec.seconds);
+  const since = axes.x(axes.horizon - spec.seconds);
   context.fillStyle = colour('--panel');
   context.fillRect(since, frame.top, frame.right - since, frame.bottom - frame.top);
   drawAxes(context, axes, isLast ? spec.seconds : null);
@@ -118,8 +116,8 @@ function drawAxes(context, axes, seconds) {
   context.textBaseline = 'middle';
   context.beginPath();
   let free = Number.POSITIVE_INFINITY;
-  for (const value of decades.filter((one) => one <= axes.size.domain()[1])) {
-    const py = Math.round(axes.size(value)) + 0.5;
+  for (const value of decades.filter((one) => one <= axes.y.domain()[1])) {
+    const py = Math.round(axes.y(value)) + 0.5;
     context.moveTo(frame.left, py);
     context.lineTo(frame.right, py);
     const place = Math.min(py, frame.bottom - 5);
@@ -128,8 +126,8 @@ function drawAxes(context, axes, seconds) {
     free = place - labelHeight;
   }
   context.textAlign = 'center';
-  for (const time of axes.time.ticks(5)) {
-    const px = Math.round(axes.time(time)) + 0.5;
+  for (const time of axes.x.ticks(5)) {
+    const px = Math.round(axes.x(time)) + 0.5;
     context.moveTo(px, frame.top);
     context.lineTo(px, frame.bottom);
     if (seconds !== null && time < axes.horizon - seconds)
@@ -150,8 +148,8 @@ function drawSet(context, axes, { runs, disturbed }, part) {
   context.beginPath();
   if (part === 'y') trace(context, axes, ...crests(time, ySet));
   else {
-    context.moveTo(frame.left, axes.size(reach));
-    context.lineTo(frame.right, axes.size(reach));
+    context.moveTo(frame.left, axes.y(reach));
+    context.lineTo(frame.right, axes.y(reach));
   }
   context.stroke();
   context.setLineDash([]);
@@ -177,37 +175,18 @@ function crests(times, sizes) {
   return [crestTimes, crestSizes];
 }
 
-/** Adds a curve to the path, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {ArrayLike<number>} times @param {ArrayLike<number>} sizes */
-function trace(context, axes, times, sizes) {
-  const least = 0.6;
-  let [drawnX, drawnY] = [axes.time(times[0]), axes.size(sizes[0])];
-  context.moveTo(drawnX, drawnY);
-  for (let i = 1; i < times.length; i += 1) {
-    const [px, py] = [axes.time(times[i]), axes.size(sizes[i])];
-    if (i < times.length - 1 && Math.abs(px - drawnX) + Math.abs(py - drawnY) < least) continue;
-    context.lineTo(px, py);
-    [drawnX, drawnY] = [px, py];
-  }
-}
+/** Adds a curve to the path. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {ArrayLike<number>} times @param {ArrayLike<number>} sizes */
+const trace = (context, axes, times, sizes) =>
+  through(
+    context,
+    pointsOf(axes, times, (i) => sizes[i]),
+  );
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {ErrorParts} run @param {PartName} part @param {number} time */
 function drawClock(context, axes, run, part, time) {
   const { frame } = axes;
   const now = Math.max(0, bisectRight(run.time, time + 1e-9) - 1);
-  const px = axes.time(Math.min(time, axes.horizon));
-  context.strokeStyle = colour('--ink');
-  context.lineWidth = 1;
-  context.globalAlpha = 0.5;
-  context.beginPath();
-  context.moveTo(px, frame.top);
-  context.lineTo(px, frame.bottom);
-  context.stroke();
-  context.globalAlpha = 1;
-  context.fillStyle = colour('--ink');
-  context.strokeStyle = colour('--paper');
-  context.lineWidth = 2;
-  context.beginPath();
-  context.arc(px, axes.size(run[part][now]), 5, 0, 2 * Math.PI);
-  context.fill();
-  context.stroke();
+  const px = axes.x(Math.min(time, axes.horizon));
+  drawCursorLine(context, px, frame.top, frame.bottom);
+  drawCursorDot(context, frame, px, axes.y(run[part][now]), '--ink');
 }

@@ -1,35 +1,22 @@
 // What is measured of a disturbed drive, and asking the workers for it.
+import { disturbanceSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { remember } from '../../kit/memo.js';
-import { endsOf, gainsOf, undisturbed, withDisturbance } from '../../run/state.js';
+import { endsOf } from '../../run/state.js';
+import { gainsOf } from '../../run/drivers.js';
+import { undisturbed, withDisturbance } from '../../run/scene.js';
 
 /** @typedef {import('../../core/engine.js').Engine} Engine */
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
 /** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Store} Store */
-/** @typedef {import('../../run/state.js').Triple} Triple */
-/** @typedef {import('../../../pkg/ep_locomotion.js').ErrorParts} ErrorParts */
-/** @typedef {import('../../../pkg/ep_locomotion.js').RemainingErrors} RemainingErrors */
+/** @typedef {import('../../run/store.js').Store} Store */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').ErrorParts} ErrorParts */
+/** @typedef {import('../../core/engine.js').RemainingErrors} RemainingErrors */
 /** The experiment's first start is that of the drive. @typedef {{ experiment: Experiment, gains: Triple, seconds: number }} Spec */
 /** @typedef {{ spec: Spec, runs: ErrorParts[], disturbed: RemainingErrors, calm: RemainingErrors }} Measured One value for each start. */
-
-/**
- * @typedef {object} DisturbanceState
- * @property {Experiment['disturbance']} tried
- * @property {{ index: number, text: string } | null} error Beside one of its two sizes.
- * @property {Measured | null} measured
- * @property {string} message
- */
-
-/** @type {DisturbanceState} */
-export const firstDisturbance = {
-  tried: { kind: 'slip', linear: 0.1, angular: 0.2, seed: 1 },
-  error: null,
-  measured: null,
-  message: '',
-};
 
 /** The other starts: as far from the goal as the paper's, all around. */
 const circle = { radius: Math.hypot(2, 2), count: 32, seed: 1 };
@@ -63,7 +50,7 @@ export function createSpec(engine, paper) {
     },
   );
   return (/** @type {State} */ state) =>
-    spec(state.experiment, state.disturbance.tried, endsOf(state).start, gainsOf(state, state.driver, paper));
+    spec(state.experiment, state.tried, endsOf(state).start, gainsOf(state, state.driver, paper));
 }
 
 /** @param {Engine} engine @param {Store} store */
@@ -72,8 +59,8 @@ export function createRequests(engine, store) {
   let asked = null;
   let isRunning = false;
 
-  /** @param {Partial<DisturbanceState>} patch */
-  const update = (patch) => store.update({ disturbance: { ...store.get().disturbance, ...patch } });
+  /** @param {Partial<import('./state.js').DisturbanceState>} patch */
+  const update = (patch) => disturbanceSlice.update(store, patch);
 
   /** @param {Spec} spec */
   const ask = async (spec) => {

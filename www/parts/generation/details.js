@@ -1,9 +1,10 @@
 // What the chosen individual went through in a phase, in the numbers of the record.
+import { winsBout } from '../../core/rules.js';
 import { create } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
 import { generation as words, lab } from '../../words/index.js';
 import { createBell } from './bell.js';
-import { isInitial, partnerOf, winsBout } from './record.js';
+import { isInitial, partnerOf } from './record.js';
 
 /** @typedef {import('../../core/engine.js').Individual} Individual */
 /** @typedef {import('./record.js').GenerationRecord['mutations'][number]} Mutation */

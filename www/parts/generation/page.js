@@ -1,43 +1,50 @@
 // The part of the page that shows one generation phase by phase, and what its controls do.
+import { generationSlice } from './state.js';
 import { byId, create } from '../../kit/elements.js';
 import { createSegmented } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';
-import { playsPhases } from '../../run/state.js';
+import { playsPhases } from '../../run/pace.js';
 import { generation as words } from '../../words/index.js';
 import { createDetails } from './details.js';
 import { createPicture } from './picture.js';
-import { chosenOf, isInitial, phaseAfter, phaseOf } from './record.js';
-import { createTable } from './table.js';
+import { chosenOf, createAnatomy, createChosenDrives, isInitial, phaseAfter, phaseOf } from './record.js';
+import { createSteps } from './steps.js';
+import { offerTable } from '../../kit/table.js';
+import { generationTable } from './table.js';
 
-/** @typedef {import('../../lab/navigation.js').PageParts} PageParts */
-/** @typedef {import('../../run/state.js').Scene} Scene */
+/** @typedef {import('../part.js').Tools} PageParts */
+/** @typedef {import('../../run/scene.js').Scene} Scene */
 /** @typedef {import('../../run/state.js').State} State */
 /** @typedef {import('./record.js').Anatomy} Anatomy */
 /** @typedef {import('./record.js').Phase} Phase */
 
-/** @param {PageParts} parts @returns {import('../../lab/navigation.js').Page} */
-export function createGenerationPage({ engine, store, actions, anatomyOf, steps }) {
+/** @param {PageParts} parts @returns {import('../part.js').Page} */
+export function createGenerationPage({ engine, store, actions }) {
+  const anatomyOf = createAnatomy(engine.record);
+  const steps = createSteps({ store, actions, anatomyOf });
+  const drives = createChosenDrives(anatomyOf);
   const choose = (/** @type {number} */ chosen) => {
-    store.update({ anatomy: { ...store.get().anatomy, chosen } });
+    generationSlice.update(store, { chosen });
     actions.driveAgain();
   };
   const segmented = createSegmented(byId('generation-phases'), words.phaseLegend, words.phases, steps.show);
   const picture = createPicture(byId('generation-picture'), { onChoose: choose });
   const details = createDetails(byId('generation-details'), engine.learningRates(), choose);
-  const table = createTable(() => anatomyOf(store.get()));
-  byId('generation-table').addEventListener('click', table.show);
+  offerTable('generation-table', () => generationTable(anatomyOf(store.get())));
   byId('generation-back').addEventListener('click', steps.back);
   byId('generation-next').addEventListener('click', steps.next);
   drawKey(byId('generation-key'));
   const changed = watch();
 
   return {
-    name: 'generation',
+    tick: steps.tick,
+    drives,
+
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const anatomy = anatomyOf(state);
-      const phase = phaseOf(anatomy, state.anatomy.phase);
-      const chosen = chosenOf(anatomy, state.anatomy);
+      const phase = phaseOf(anatomy, generationSlice.of(state).phase);
+      const chosen = chosenOf(anatomy, generationSlice.of(state));
       const hurries = state.evolving && !playsPhases(state);
       picture.draw({ anatomy, phase, chosen, still: hurries });
       details.draw({ anatomy, phase, chosen, run: scene.driving, starts: state.experiment.starts.length });

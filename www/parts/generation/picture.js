@@ -1,12 +1,13 @@
 // The picture of a generation: every individual is a mark that keeps its height, its J, through all phases.
+import { winsBout } from '../../core/rules.js';
 import { tickStep, ticks as ticksOf } from 'd3-array';
 import { followSize, svg } from '../../kit/elements.js';
 import { isChord } from '../../kit/keyboard.js';
-import { sameDigits } from '../../kit/plot.js';
+import { sameDigits } from '../../kit/chart.js';
 import { watch } from '../../kit/memo.js';
 import { generation as words } from '../../words/index.js';
 import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
-import { isInitial, winsBout } from './record.js';
+import { isInitial } from './record.js';
 
 /** @typedef {import('./places.js').Place} Place */
 /** @typedef {import('./places.js').Size} Size */
@@ -48,7 +49,7 @@ export function createPicture(root, { onChoose }) {
     root.classList.add('still');
     if (before && !still) place(marks, before);
     // What moves sets out from where it stands by now.
-    root.getBoundingClientRect();
+    if (!still) root.getBoundingClientRect();
     root.classList.toggle('still', still);
     root.dataset.phase = phase;
     dress(marks, model, radiusOf(size, anatomy.count));
@@ -205,7 +206,7 @@ function drawAxis(layer, { anatomy, phase }, size) {
   const ticks = narrow ? ticksOf(0, high - low, room).map((tick) => low + tick) : ticksOf(low, high, room);
   const texts = narrow
     ? ticks.map((tick, i) => words.beyondBest(i === 0 ? 0 : tick - low))
-    : sameDigits(/** @type {any} */ (null), ticks);
+    : sameDigits(ticks);
   const digits = narrow ? 3 : (texts[0]?.split('.')[1] ?? '').length;
   const line = (/** @type {number} */ y) => svg('line', { x1: margin.left, x2: right, y1: y, y2: y });
   const label = (/** @type {number} */ y, /** @type {string} */ text) =>

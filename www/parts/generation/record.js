@@ -1,14 +1,15 @@
 // A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
-import { ascending } from 'd3-array';
+import { generationSlice, phases } from './state.js';
 import { remember } from '../../kit/memo.js';
 import { generation as words } from '../../words/index.js';
 
 /** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */
 /** @typedef {import('../../core/engine.js').Individual} Individual */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Statistics} Statistics */
-/** @typedef {typeof phases[number]} Phase */
-/** @typedef {{ phase: Phase, chosen: number | null }} GenerationState The number of the chosen one in the record; null: the luckiest survivor, or the best offspring. */
+/** @typedef {import('../../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../../run/scene.js').ChosenDrives} ChosenDrives */
+/** @typedef {import('./state.js').GenerationState} GenerationState */
+/** @typedef {import('./state.js').Phase} Phase */
 /** @typedef {{ survivor: number, fallen: number }} Upset One that survives though a better one fell. */
 
 /**
@@ -21,31 +22,10 @@ import { generation as words } from '../../words/index.js';
  * @property {Upset | null} upset
  */
 
-/** @typedef {{ gains: Individual['gains'], name: string }} Named */
-/**
- * @typedef {object} ChosenDrives What drives on the plane while the page is open.
- * @property {string} name
- * @property {Individual[]} population The one in ink, then the others.
- * @property {(others: number, arrived: number | null) => string} othersText
- * @property {Named | null} partner Its parent, or its offspring.
- */
-
-export const phases = /** @type {const} */ ([
-  'parents',
-  'mutation',
-  'drive',
-  'tournament',
-  'ranking',
-  'survivors',
-]);
-
-/** @type {GenerationState} */
-export const firstGeneration = { phase: 'parents', chosen: null };
-
 /** @param {GenerationRecord} record @returns {Anatomy} */
 export function dissect(record) {
   const all = [...record.parents, ...record.offspring];
-  const ranking = isInitial(record) ? record.survivors : rank(all, record.wins);
+  const { ranking } = record;
   const ranks = new Array(all.length);
   for (const [place, number] of ranking.entries()) ranks[number] = place;
   return { record, count: record.parents.length, all, ranking, ranks, upset: upsetOf(record, all) };
@@ -53,15 +33,6 @@ export function dissect(record) {
 
 /** Generation 0 has no offspring and no tournament. @param {GenerationRecord} record */
 export const isInitial = (record) => record.offspring.length === 0;
-
-/** The rule of the core: most wins first, then lower J, then lower number. @param {Individual[]} all @param {number[]} wins */
-const rank = (all, wins) =>
-  all
-    .map((_, number) => number)
-    .sort((a, b) => wins[b] - wins[a] || ascending(all[a].cost, all[b].cost) || a - b);
-
-/** Whether the tournament gives a bout to the one with this J. @param {number} cost @param {number} opponent */
-export const winsBout = (cost, opponent) => Number.isFinite(cost) && cost <= opponent;
 
 /** The worst that survives and the best that falls, if the wrong way round. @param {GenerationRecord} record @param {Individual[]} all @returns {Upset | null} */
 function upsetOf({ survivors }, all) {
@@ -110,7 +81,7 @@ export const partnerOf = ({ count }, number) => (number < count ? number + count
 export function createChosenDrives(anatomyOf) {
   const drives = remember(drivesOf);
   return (/** @type {State} */ state) =>
-    state.page === 'generation' ? drives(anatomyOf(state), state.anatomy) : null;
+    state.page === 'generation' ? drives(anatomyOf(state), generationSlice.of(state)) : null;
 }
 
 /** @param {Anatomy} anatomy @param {GenerationState} state @returns {ChosenDrives} */

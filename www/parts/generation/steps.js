@@ -1,6 +1,7 @@
 // From phase to phase of a generation, and over its last one into the next: by hand, or by a clock.
+import { generationSlice } from './state.js';
 import { watch } from '../../kit/memo.js';
-import { pausesAt, playsPhases } from '../../run/state.js';
+import { pausesAt, playsPhases } from '../../run/pace.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
 
 /** @typedef {import('../../run/state.js').State} State */
@@ -12,15 +13,15 @@ import { chosenOf, phaseAfter, phaseOf } from './record.js';
 /** Long enough to read what happens in a phase, and for a screen reader to say it. */
 const secondsOfPhase = 2;
 
-/** @param {{ store: import('../../run/state.js').Store, actions: import('../../run/actions.js').Actions, anatomyOf: (state: State) => Anatomy }} parts */
+/** @param {{ store: import('../../run/store.js').Store, actions: import('../../run/actions/actions.js').Actions, anatomyOf: (state: State) => Anatomy }} parts */
 export function createSteps({ store, actions, anatomyOf }) {
   /** @param {Partial<GenerationState>} patch */
-  const update = (patch) => store.update({ anatomy: { ...store.get().anatomy, ...patch } });
-  const pause = () => store.update({ evolving: false });
+  const update = (patch) => generationSlice.update(store, patch);
+  const pause = () => actions.pauseEvolution();
   const shown = () => {
     const state = store.get();
     const anatomy = anatomyOf(state);
-    return { state, anatomy, phase: phaseOf(anatomy, state.anatomy.phase) };
+    return { state, anatomy, phase: phaseOf(anatomy, generationSlice.of(state).phase) };
   };
 
   /** The next phase, or the next generation with whoever is chosen, if it stays. */
@@ -31,8 +32,11 @@ export function createSteps({ store, actions, anatomyOf }) {
     else {
       actions.forward();
       if (store.get().generation === state.generation) return;
-      const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, state.anatomy));
-      update({ phase: 'parents', chosen: state.anatomy.chosen === null || place < 0 ? null : place });
+      const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, generationSlice.of(state)));
+      update({
+        phase: 'parents',
+        chosen: generationSlice.of(state).chosen === null || place < 0 ? null : place,
+      });
     }
     actions.driveAgain();
   };
@@ -67,12 +71,15 @@ export function createSteps({ store, actions, anatomyOf }) {
       const { state, anatomy, phase } = shown();
       const before = phaseAfter(anatomy, phase, -1);
       if (before) return show(before);
-      const chosen = chosenOf(anatomy, state.anatomy);
+      const chosen = chosenOf(anatomy, generationSlice.of(state));
       actions.oneBack();
       const after = shown();
       if (after.state.generation === state.generation) return;
       const { survivors } = after.anatomy.record;
-      update({ phase: 'survivors', chosen: state.anatomy.chosen === null ? null : survivors[chosen] });
+      update({
+        phase: 'survivors',
+        chosen: generationSlice.of(state).chosen === null ? null : survivors[chosen],
+      });
       actions.driveAgain();
     },
 
@@ -87,7 +94,7 @@ function createPhaseClock(goOn) {
   const changed = watch();
   return (/** @type {State} */ state, /** @type {number} */ seconds) => {
     const plays = playsPhases(state) && !state.dragging;
-    waited = changed(plays, state.generation, state.anatomy) ? 0 : waited + seconds;
+    waited = changed(plays, state.generation, generationSlice.of(state)) ? 0 : waited + seconds;
     if (plays && waited >= secondsOfPhase) goOn();
   };
 }

@@ -1,35 +1,46 @@
 // The part of the page that shows J over two gains, and what its controls do.
+import { gainNames, landscapeSlice } from './state.js';
+import { offerTable } from '../../kit/table.js';
+import { landscapeTable } from './table.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { remember, watch } from '../../kit/memo.js';
-import { gainsOf } from '../../run/state.js';
+import { gainsOf } from '../../run/drivers.js';
 import { byId, followSize } from '../../kit/elements.js';
 import { lab, landscape as words } from '../../words/index.js';
-import { createLandscapeRequests, createSpec, gainNames, gainsAt, thirdOf } from './request.js';
+import { createLandscapeRequests, createSpec, gainsAt, thirdOf } from './request.js';
 import { axesOf, countOutside, createMap } from './view.js';
 
-/** @typedef {import('../../run/actions.js').Actions} Actions */
+/** @typedef {import('../../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../../core/engine.js').Engine} Engine */
 /** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../../run/state.js').Scene} Scene */
+/** @typedef {import('../../run/scene.js').Scene} Scene */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Store} Store */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../run/store.js').Store} Store */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {import('./request.js').AxisChoice} AxisChoice */
-/** @typedef {import('./request.js').LandscapeState} LandscapeState */
+/** @typedef {import('./state.js').LandscapeState} LandscapeState */
 /** @typedef {import('./view.js').Point} Point */
 /** @typedef {import('./view.js').MapModel} MapModel */
 
-/** @param {import('../../lab/navigation.js').PageParts} parts @returns {import('../../lab/navigation.js').Page} */
+/** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createLandscapePage({ engine, store, actions, paper }) {
   const specOf = createSpec(paper);
   const requests = createLandscapeRequests(engine, store);
-  const map = createMap({
-    picture: byId('landscape-picture'),
-    marks: byId('landscape-marks'),
-    legend: byId('landscape-legend'),
-  });
+  const { redraw } = store;
+  const map = createMap(
+    {
+      picture: byId('landscape-picture'),
+      marks: byId('landscape-marks'),
+      legend: byId('landscape-legend'),
+    },
+    redraw,
+  );
   const controls = createControls(store);
+  offerTable('landscape-table', () => {
+    const { result } = landscapeSlice.of(store.get());
+    return result && landscapeTable(result);
+  });
   const pathOf = remember((/** @type {Statistics[]} */ history) => history.map(({ best }) => best.gains));
   const read = remember(
     (/** @type {State['experiment']} */ experiment, /** @type {Triple} */ gains) =>
@@ -37,18 +48,18 @@ export function createLandscapePage({ engine, store, actions, paper }) {
   );
   const gainsUnder = remember(gainsAt);
   const textsChanged = watch();
-  const size = followSize(byId('landscape-map'), () => store.update({}));
+  const size = followSize(byId('landscape-map'), redraw);
 
   /** @returns {MapModel} */
   const modelOf = () => {
     const state = store.get();
     return {
       spec: specOf(state),
-      result: state.landscape.result,
+      result: landscapeSlice.of(state).result,
       population: state.population,
       path: pathOf(state.history),
       points: pointsOf(state, paper),
-      cursor: state.landscape.cursor,
+      cursor: landscapeSlice.of(state).cursor,
       size: size(),
       theme: state.theme,
     };
@@ -57,15 +68,14 @@ export function createLandscapePage({ engine, store, actions, paper }) {
   followKeys(store, actions, modelOf);
 
   return {
-    name: 'landscape',
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const model = modelOf();
       const { spec } = model;
       requests.follow(spec, state.dragging);
-      controls.draw(state.landscape, spec.third);
+      controls.draw(landscapeSlice.of(state), spec.third);
       map.draw(model);
-      const { result, message, cursor } = state.landscape;
+      const { result, message, cursor } = landscapeSlice.of(state);
       const fresh = result?.spec === spec;
       const gains = cursor ? gainsUnder(spec, cursor) : gainsOf(state, state.driver, paper);
       const run = cursor ? read(state.experiment, gains) : scene.driving;
@@ -96,8 +106,7 @@ function pointsOf(state, paper) {
   ];
 }
 
-/** @param {Store} store @param {Partial<LandscapeState>} patch */
-const update = (store, patch) => store.update({ landscape: { ...store.get().landscape, ...patch } });
+const { update } = landscapeSlice;
 
 /** As many digits as are shown, so that the gains in the text are the gains that drive. @param {number} value */
 const tidy = (value) => Number(value.toPrecision(3));
@@ -183,7 +192,7 @@ function createControls(store) {
     );
     select.replaceChildren(...options.map(({ text }, i) => new Option(text, String(i))));
     select.addEventListener('change', () => {
-      const { [axis]: own, [axis === 'x' ? 'y' : 'x']: other } = store.get().landscape;
+      const { [axis]: own, [axis === 'x' ? 'y' : 'x']: other } = landscapeSlice.of(store.get());
       const chosen = options[Number(select.value)].choice;
       // The gain of the other axis: the two change places.
       const left = chosen.gain === other.gain ? { ...other, gain: own.gain } : other;
@@ -212,7 +221,7 @@ function createControls(store) {
   third.addEventListener('focus', () => third.select());
   third.addEventListener('change', () => {
     const value = lab.numberOf(third.value);
-    const { name } = lab.gains[thirdOf(store.get().landscape)];
+    const { name } = lab.gains[thirdOf(landscapeSlice.of(store.get()))];
     if (Number.isFinite(value)) update(store, { third: value, thirdError: '' });
     else update(store, { thirdError: lab.notANumber(name, third.value) });
   });

@@ -1,43 +1,22 @@
 // What the landscape shows, and asking the workers for it: coarse while something moves, fine when it rests.
+import { messageOf } from '../../words/errors.js';
+import { gainNames, landscapeSlice } from './state.js';
 import { createRefining } from '../../core/refine.js';
 import { remember } from '../../kit/memo.js';
-import { gainsOf } from '../../run/state.js';
+import { gainsOf } from '../../run/drivers.js';
 
 /** @typedef {import('../../core/engine.js').Engine} Engine */
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../run/state.js').Preset} Preset */
+/** @typedef {import('../../core/engine.js').Preset} Preset */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Store} Store */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../run/store.js').Store} Store */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
+/** @typedef {import('./state.js').LandscapeState} LandscapeState */
 /** @typedef {'kx' | 'ky' | 'ktheta'} GainName */
 /** @typedef {{ gain: GainName, log: boolean }} AxisChoice */
 /** @typedef {{ experiment: Experiment, x: AxisChoice, y: AxisChoice, range: readonly [number, number], third: number }} Spec */
 /** @typedef {{ spec: Spec, count: number, costs: Float64Array, milliseconds: number }} Landscape */
-
-/**
- * @typedef {object} LandscapeState
- * @property {AxisChoice} x
- * @property {AxisChoice} y
- * @property {number | null} third The gain that is on no axis; null: that of who drives.
- * @property {string} thirdError
- * @property {readonly [number, number] | null} cursor Values of the gains on the axes.
- * @property {Landscape | null} result
- * @property {string} message
- */
-
-export const gainNames = /** @type {const} */ (['kx', 'ky', 'ktheta']);
-
-/** @type {LandscapeState} */
-export const firstLandscape = {
-  x: { gain: 'kx', log: false },
-  y: { gain: 'ktheta', log: false },
-  third: null,
-  thirdError: '',
-  cursor: null,
-  result: null,
-  message: '',
-};
 
 export const linearRange = {
   'velocity-limits': /** @type {const} */ ([0, 12]),
@@ -78,8 +57,8 @@ export function createSpec(paper) {
     ) => ({ experiment, x, y, range: linearRange[preset], third }),
   );
   return (/** @type {State} */ state) => {
-    const { x, y, third } = state.landscape;
-    const driven = gainsOf(state, state.driver, paper)[thirdOf(state.landscape)];
+    const { x, y, third } = landscapeSlice.of(state);
+    const driven = gainsOf(state, state.driver, paper)[thirdOf(landscapeSlice.of(state))];
     return spec(state.experiment, state.preset, x, y, third ?? driven);
   };
 }
@@ -88,8 +67,7 @@ export function createSpec(paper) {
 export function createLandscapeRequests(engine, store) {
   /** @type {ReturnType<Engine['surveys']['channel']> | null} */
   let channel = null;
-  const update = (/** @type {Partial<LandscapeState>} */ patch) =>
-    store.update({ landscape: { ...store.get().landscape, ...patch } });
+  const update = (/** @type {Partial<LandscapeState>} */ patch) => landscapeSlice.update(store, patch);
 
   return createRefining({
     counts,
@@ -106,6 +84,6 @@ export function createLandscapeRequests(engine, store) {
       return { spec, count, costs, milliseconds: performance.now() - began };
     },
     onResult: (result) => update({ result, message: '' }),
-    onFailure: (message) => update({ message }),
+    onFailure: (error) => update({ message: messageOf(error) }),
   });
 }

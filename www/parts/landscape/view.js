@@ -1,17 +1,22 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
+import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
-import { createLayer } from '../../kit/canvas.js';
+import { createLayer, fillTextWithHalo, pathOf, strokeTwice } from '../../kit/canvas.js';
+import { through } from '../../kit/chart.js';
+import { followSize } from '../../kit/elements.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
+import { colour } from '../../kit/palette.js';
+import { styles } from '../../run/pins.js';
 import { drawMark } from '../../kit/swatch.js';
 import { shadeAt } from '../../kit/shades.js';
 import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { landscape as words } from '../../words/index.js';
-import { endsOfAxis, gainNames } from './request.js';
+import { endsOfAxis } from './request.js';
 import { createAxis, createCostScale, paint } from './scale.js';
 
 /** @typedef {import('../../core/engine.js').Individual} Individual */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {import('./request.js').Landscape} Landscape */
 /** @typedef {import('./request.js').Spec} Spec */
 /** @typedef {import('./scale.js').Axis} Axis */
@@ -35,6 +40,13 @@ const margin = { left: 44, right: 14, top: 10, bottom: 30 };
 // The same in both themes, as the shades are.
 const [dark, light] = ['#14161a', '#ffffff'];
 
+/** The marks of points, around (0, 0). */
+const outlines = {
+  diamond: 'M0-7 7 0 0 7-7 0z',
+  cross: 'M-6-6 6 6M-6 6 6-6',
+  ring: 'M7 0A7 7 0 1 1-7 0A7 7 0 1 1 7 0z',
+};
+
 /** @param {MapModel} model */
 export function axesOf({ spec, size }) {
   const frame = {
@@ -52,11 +64,16 @@ export function axesOf({ spec, size }) {
 
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
-/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement, legend: HTMLCanvasElement }} elements */
-export function createMap({ picture, marks, legend }) {
+/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement, legend: HTMLCanvasElement }} elements @param {() => void} onResize */
+export function createMap({ picture, marks, legend }, onResize) {
   const under = createLayer(picture);
   const over = createLayer(marks);
   const bar = createLayer(legend);
+  let barWidth = 0;
+  followSize(legend, ({ width }) => {
+    barWidth = width;
+    onResize();
+  });
   const cells = document.createElement('canvas');
   const pictureChanged = watch();
   const marksChanged = watch();
@@ -67,17 +84,16 @@ export function createMap({ picture, marks, legend }) {
       const { spec, result, population, path, points, cursor, size, theme } = model;
       if (size.width === 0) return;
       const axes = axesOf(model);
-      if (pictureChanged(result, spec.x, spec.y, spec.range, size, theme)) {
-        under.clear(size);
+      if (pictureChanged(result, spec.x, spec.y, spec.range, size, barWidth, theme)) {
         const fits =
           result && result.spec.x === spec.x && result.spec.y === spec.y && result.spec.range === spec.range;
-        if (fits)
-          drawLandscape(
-            { context: under.context, cells, legend: bar, width: legend.clientWidth },
-            result,
-            axes,
-          );
-        drawAxes(under.context, axes, spec);
+        const scale = fits ? createCostScale(result.costs) : null;
+        under.draw(size, (context) => {
+          if (fits && scale) drawLandscape(context, cells, result, axes, scale);
+          drawAxes(context, axes, spec);
+        });
+        if (scale)
+          bar.draw({ width: barWidth, height: 34 }, (context) => drawLegend(context, scale, barWidth));
       }
       if (
         marksChanged(
@@ -92,19 +108,14 @@ export function createMap({ picture, marks, legend }) {
           theme,
         )
       ) {
-        over.clear(size);
-        drawMarks(over.context, axes, model);
+        over.draw(size, (context) => drawMarks(context, axes, model));
       }
     },
   };
 }
 
-/**
- * @param {{ context: CanvasRenderingContext2D, cells: HTMLCanvasElement, legend: import('../../kit/canvas.js').Layer, width: number }} on
- * @param {Landscape} landscape @param {Axes} axes
- */
-function drawLandscape({ context, cells, legend, width }, { costs, count }, { frame }) {
-  const scale = createCostScale(costs);
+/** @param {CanvasRenderingContext2D} context @param {HTMLCanvasElement} cells @param {Landscape} landscape @param {Axes} axes @param {CostScale} scale */
+function drawLandscape(context, cells, { costs, count }, { frame }, scale) {
   cells.width = count;
   cells.height = count;
   cells.getContext('2d')?.putImageData(paint(costs, count, scale), 0, 0);
@@ -123,30 +134,26 @@ function drawLandscape({ context, cells, legend, width }, { costs, count }, { fr
     context.globalAlpha = 0.55;
     context.beginPath();
     for (const ring of line.coordinates.flat().filter(({ length }) => length >= smallestRing)) {
-      for (const [i, [column, row]] of ring.entries()) {
-        const [px, py] = [frame.left + (column - 0.5) * wide, frame.bottom - (row - 0.5) * high];
-        if (i === 0) context.moveTo(px, py);
-        else context.lineTo(px, py);
-      }
+      const points = ring.map(
+        ([column, row]) =>
+          /** @type {const} */ ([frame.left + (column - 0.5) * wide, frame.bottom - (row - 0.5) * high]),
+      );
+      through(context, points);
     }
     context.stroke();
   }
   context.restore();
-  drawLegend(legend, scale, width);
 }
 
-/** @param {import('../../kit/canvas.js').Layer} layer @param {CostScale} scale @param {number} width */
-function drawLegend(layer, scale, width) {
-  const { context } = layer;
-  layer.clear({ width, height: 34 });
+/** @param {CanvasRenderingContext2D} context @param {CostScale} scale @param {number} width */
+function drawLegend(context, scale, width) {
   const [left, right] = [margin.left, width - margin.right];
   const colours = context.createLinearGradient(left, 0, right, 0);
   for (let i = 0; i <= 16; i += 1) colours.addColorStop(i / 16, shadeAt(i / 16));
   context.fillStyle = colours;
   context.fillRect(left, 0, right - left, 12);
-  const { muted } = coloursOfText();
   context.font = textFont;
-  context.fillStyle = muted;
+  context.fillStyle = colour('--muted');
   context.textBaseline = 'top';
   context.textAlign = 'center';
   const digits = scale.levels.some((level) => level % 1 !== 0) ? 1 : 0;
@@ -159,20 +166,9 @@ function drawLegend(layer, scale, width) {
   context.fillText(words.legendLow, 8, 18);
 }
 
-function coloursOfText() {
-  const style = getComputedStyle(document.documentElement);
-  const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
-  return {
-    muted: colour('--muted'),
-    hairline: colour('--hairline'),
-    gains: { kx: colour('--x'), ky: colour('--y'), ktheta: colour('--theta') },
-  };
-}
-
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Spec} spec */
 function drawAxes(context, { frame, x, y }, spec) {
-  const { muted, hairline, gains } = coloursOfText();
-  context.strokeStyle = hairline;
+  context.strokeStyle = colour('--hairline');
   context.lineWidth = 1;
   context.strokeRect(
     frame.left - 0.5,
@@ -181,7 +177,7 @@ function drawAxes(context, { frame, x, y }, spec) {
     frame.bottom - frame.top + 1,
   );
   context.font = textFont;
-  context.fillStyle = muted;
+  context.fillStyle = colour('--muted');
   context.textBaseline = 'top';
   context.textAlign = 'center';
   for (const tick of x.ticks)
@@ -190,14 +186,14 @@ function drawAxes(context, { frame, x, y }, spec) {
   context.textAlign = 'right';
   for (const tick of y.ticks)
     if (y.at(tick) > frame.top + 26) context.fillText(String(tick), frame.left - 8, y.at(tick));
-  drawSymbol(context, spec.x.gain, gains[spec.x.gain], frame.right - 8, frame.bottom + 14);
-  drawSymbol(context, spec.y.gain, gains[spec.y.gain], frame.left - 24, frame.top + 8);
+  drawSymbol(context, spec.x.gain, frame.right - 8, frame.bottom + 14);
+  drawSymbol(context, spec.y.gain, frame.left - 24, frame.top + 8);
 }
 
-/** kx, ky or kθ as in the formulas. @param {CanvasRenderingContext2D} context @param {string} gain @param {string} colour @param {number} px @param {number} py */
-function drawSymbol(context, gain, colour, px, py) {
+/** kx, ky or kθ as in the formulas. @param {CanvasRenderingContext2D} context @param {Spec['x']['gain']} gain @param {number} px @param {number} py */
+function drawSymbol(context, gain, px, py) {
   context.save();
-  context.fillStyle = colour;
+  context.fillStyle = colour(gain.replace('k', '--'));
   context.textAlign = 'left';
   context.textBaseline = 'middle';
   context.font = 'italic 18px "STIX Two Text", "Cambria Math", Georgia, serif';
@@ -232,19 +228,9 @@ function drawMarks(context, { frame, x, y }, { spec, population, path, points, c
   context.stroke();
   context.globalAlpha = 1;
 
-  for (const [colour, width] of /** @type {const} */ ([
-    [dark, 4],
-    [light, 2],
-  ])) {
-    context.strokeStyle = colour;
-    context.lineWidth = width;
-    context.beginPath();
-    for (const [i, gains] of path.entries()) {
-      if (i === 0) context.moveTo(...place(gains));
-      else context.lineTo(...place(gains));
-    }
-    context.stroke();
-  }
+  context.beginPath();
+  for (const gains of path) context.lineTo(...place(gains));
+  strokeTwice(context, [dark, 4], [light, 2]);
 
   context.lineWidth = 1;
   context.strokeStyle = dark;
@@ -286,46 +272,19 @@ function disc(context, [px, py], radius) {
 /** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {string} name @param {Point['mark']} mark @param {Axes['frame']} frame */
 function drawPoint(context, [px, py], name, mark, frame) {
   // The names of the pins are in the legend, beside the same marks.
-  if (typeof mark === 'number') return drawMark(context, mark, px, py, { fill: light, edge: dark });
-  context.beginPath();
-  if (mark === 'diamond')
-    for (const [dx, dy] of [
-      [0, -7],
-      [7, 0],
-      [0, 7],
-      [-7, 0],
-      [0, -7],
-    ])
-      context.lineTo(px + dx, py + dy);
-  else if (mark === 'ring') context.arc(px, py, 7, 0, 2 * Math.PI);
-  else
-    for (const [dx, dy] of [
-      [-6, -6],
-      [6, 6],
-      [0, 0],
-      [-6, 6],
-      [6, -6],
-    ])
-      context.lineTo(px + dx, py + dy);
-  for (const [colour, width] of /** @type {const} */ ([
-    [dark, 5],
-    [light, 2.5],
-  ])) {
-    context.strokeStyle = colour;
-    context.lineWidth = width;
-    context.stroke();
-  }
+  if (typeof mark === 'number')
+    return drawMark(context, styles[mark].mark, px, py, { fill: light, edge: dark });
+  context.save();
+  context.translate(px, py);
+  strokeTwice(context, [dark, 5], [light, 2.5], pathOf(outlines[mark]));
+  context.restore();
   context.font = strongFont;
   const onLeft = px + 14 + context.measureText(name).width > frame.right;
   const nameX = px + (onLeft ? -12 : 12);
   const nameY = Math.min(Math.max(py, frame.top + 10), frame.bottom - 10);
   context.textAlign = onLeft ? 'right' : 'left';
   context.textBaseline = 'middle';
-  context.lineWidth = 4;
-  context.strokeStyle = dark;
-  context.fillStyle = light;
-  context.strokeText(name, nameX, nameY);
-  context.fillText(name, nameX, nameY);
+  fillTextWithHalo(context, name, nameX, nameY, { fill: light, halo: dark, width: 4 });
 }
 
 /** How many lie outside. @param {Axes} axes @param {Spec} spec @param {Individual[]} population */

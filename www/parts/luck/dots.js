@@ -1,4 +1,6 @@
-// One dot a seed: where dots stand that would lie on each other, and which of them is meant.
+// One dot a seed: where dots stand that would lie on each other, which of them is meant, and how they are drawn.
+import { strokeTwice } from '../../kit/canvas.js';
+import { colour } from '../../kit/palette.js';
 
 /** Pixels along the axis, and away from it. @typedef {{ along: Float64Array, away: Float64Array }} Dots */
 
@@ -40,4 +42,24 @@ export function nearestDot({ along: alongs, away: aways }, along, away) {
     if (own < distance) [nearest, distance] = [i, own];
   }
   return nearest;
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Dots} dots @param {number} diameter @param {string} token @param {(along: number, away: number) => [number, number]} place */
+export function drawDots(context, { along, away }, diameter, token, place) {
+  context.fillStyle = colour(token);
+  // Overlapping dots show where there are many.
+  context.globalAlpha = 0.6;
+  for (let i = 0; i < along.length; i += 1) {
+    context.beginPath();
+    context.arc(...place(along[i], away[i]), Math.max(1, diameter / 2 - 0.5), 0, 2 * Math.PI);
+    context.fill();
+  }
+  context.globalAlpha = 1;
+}
+
+/** Marks the seed in question. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y */
+export function drawRing(context, x, y) {
+  context.beginPath();
+  context.arc(x, y, 5.5, 0, 2 * Math.PI);
+  strokeTwice(context, [colour('--paper'), 5], [colour('--ink'), 2]);
 }

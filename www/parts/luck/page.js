@@ -1,20 +1,22 @@
 // The part of the page that runs evolution with many seeds: how much of a result is luck?
+import { luckSlice } from './state.js';
 import { byId, write } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
-import { gainsOf } from '../../run/state.js';
+import { gainsOf } from '../../run/drivers.js';
 import { luck as words } from '../../words/index.js';
 import { createSeedCurve } from './curve.js';
-import { createSeedRequests, drivesOf, isSameButSeed, update } from './request.js';
+import { createSeedRequests, drivesOf, isSameButSeed } from './request.js';
 import { createStrips } from './strips.js';
-import { createTable } from './table.js';
+import { offerTable } from '../../kit/table.js';
+import { seedTable } from './table.js';
 
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../../lab/navigation.js').PageParts} PageParts */
-/** @typedef {import('../../lab/navigation.js').Page} Page */
+/** @typedef {import('../part.js').Tools} PageParts */
+/** @typedef {import('../part.js').Page} Page */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Store} Store */
-/** @typedef {import('./request.js').LuckState} LuckState */
+/** @typedef {import('../../run/store.js').Store} Store */
+/** @typedef {import('./state.js').LuckState} LuckState */
 /** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
 
 const counts = [20, 100, 500];
@@ -23,28 +25,30 @@ const lengths = [50, 100, 200];
 /** @param {PageParts} parts @returns {Page} */
 export function createLuckPage({ engine, store, actions, paper }) {
   const requests = createSeedRequests(engine, store, paper);
-  const luck = () => store.get().luck;
+  const luck = () => luckSlice.of(store.get());
 
   /** Drives with the gains that a seed ended with. @param {number} index */
   const choose = (index) => {
     const run = luck().result?.runs[index];
     if (!run) return;
-    update(store, { chosen: index });
+    luckSlice.update(store, { chosen: index });
     actions.driveGains(run.champion.gains, 'luck');
     actions.driveAgain();
   };
   /** @param {number} index */
   const point = (index) => {
     const pointed = index < 0 ? null : index;
-    if (pointed !== luck().pointed) update(store, { pointed });
+    if (pointed !== luck().pointed) luckSlice.update(store, { pointed });
   };
   const on = { onPoint: point, onChoose: choose };
   const curve = createSeedCurve(byId('luck-curve'), on);
   const strips = createStrips(byId('luck-gains'), on);
-  const table = createTable(() => luck().result);
+  offerTable('luck-table', () => {
+    const { result } = luck();
+    return result && seedTable(result);
+  });
   const controls = createControls(store, {
     onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
-    onTable: table.show,
     onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
     onOpen: (seed) => {
       actions.useSeed(seed);
@@ -67,9 +71,8 @@ export function createLuckPage({ engine, store, actions, paper }) {
   }));
 
   return {
-    name: 'luck',
     draw(state) {
-      const { result, generations, log } = state.luck;
+      const { result, generations, log } = luckSlice.of(state);
       const fresh = isFresh(state.experiment, result);
       const index = questionOf(state);
       const seed = result && index >= 0 ? seedLine(result, index) : null;
@@ -97,8 +100,9 @@ export function createLuckPage({ engine, store, actions, paper }) {
 }
 
 /** The index of the seed in question: under the pointer, else chosen, else the lab's own. @param {State} state */
-function questionOf({ luck, experiment }) {
-  const { result, pointed, chosen } = luck;
+function questionOf(state) {
+  const { experiment } = state;
+  const { result, pointed, chosen } = luckSlice.of(state);
   if (!result) return -1;
   const lab = experiment.evolution.seed - result.first;
   return pointed ?? chosen ?? (lab >= 0 && lab < result.runs.length ? lab : result.summary.ranking[0]);
@@ -106,9 +110,9 @@ function questionOf({ luck, experiment }) {
 
 /**
  * @param {Store} store
- * @param {{ onRun: () => void, onTable: () => void, onRank: (rank: number) => void, onOpen: (seed: number) => void }} on
+ * @param {{ onRun: () => void, onRank: (rank: number) => void, onOpen: (seed: number) => void }} on
  */
-function createControls(store, { onRun, onTable, onRank, onOpen }) {
+function createControls(store, { onRun, onRank, onOpen }) {
   const run = byId('luck-run');
   /** @type {HTMLSelectElement} */
   const count = byId('luck-count');
@@ -125,10 +129,11 @@ function createControls(store, { onRun, onTable, onRank, onOpen }) {
   generations.replaceChildren(...lengths.map((one) => new Option(words.generationsChoice(one), String(one))));
 
   run.addEventListener('click', onRun);
-  count.addEventListener('change', () => update(store, { count: Number(count.value) }));
-  generations.addEventListener('change', () => update(store, { generations: Number(generations.value) }));
-  log.addEventListener('change', () => update(store, { log: log.checked }));
-  byId('luck-table').addEventListener('click', onTable);
+  count.addEventListener('change', () => luckSlice.update(store, { count: Number(count.value) }));
+  generations.addEventListener('change', () =>
+    luckSlice.update(store, { generations: Number(generations.value) }),
+  );
+  log.addEventListener('change', () => luckSlice.update(store, { log: log.checked }));
   rank.addEventListener('input', () => onRank(Number(rank.value)));
   open.addEventListener('click', () => onOpen(Number(open.dataset.seed)));
   const changed = watch();
@@ -136,7 +141,8 @@ function createControls(store, { onRun, onTable, onRank, onOpen }) {
   return {
     /** @param {State} state @param {number} index @param {boolean} fresh */
     draw(state, index, fresh) {
-      const { luck, experiment, history } = state;
+      const { experiment, history } = state;
+      const luck = luckSlice.of(state);
       const { result } = luck;
       if (!changed(luck, experiment, history, index, fresh)) return;
       const runs = luck.progress !== null;
@@ -179,15 +185,17 @@ function createControls(store, { onRun, onTable, onRank, onOpen }) {
 }
 
 /** @param {State} state */
-function noteText({ luck, experiment, history }) {
-  const { result, progress, count } = luck;
+function noteText(state) {
+  const { experiment, history } = state;
+  const { result, progress, count } = luckSlice.of(state);
   if (progress !== null) return words.progressText(progress, count);
   return result ? words.surveyNote(result) : words.labNote(experiment.evolution.seed, history.length - 1);
 }
 
 /** @param {State} state @param {boolean} fresh */
-function statusText({ luck, experiment }, fresh) {
-  const { result, cancelled, message } = luck;
+function statusText(state, fresh) {
+  const { experiment } = state;
+  const { result, cancelled, message } = luckSlice.of(state);
   if (message) return words.failed(message, result !== null);
   const stale = result && !fresh ? words.outOfDate(changesOf(result.experiment, experiment)) : '';
   return [cancelled ? words.cancelled(result !== null) : '', stale].filter((text) => text !== '').join(' ');

@@ -3,14 +3,13 @@ import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
-import { colour } from '../../kit/plot.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { luck as words } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
-import { drawDots, drawRing } from './curve.js';
-import { diameterOf, nearestDot, stackDots } from './dots.js';
+import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {import('./dots.js').Dots} Dots */
 /** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
 /** @typedef {{ survey: SeedSurvey | null, paper: Triple, range: readonly [number, number], index: number, theme: number }} StripsModel */
@@ -35,36 +34,12 @@ export function createStrips(canvas, { onPoint, onChoose }) {
   /** @type {StripsModel | null} */
   let model = null;
 
-  const strip = () => (size.height - axisHeight) / 3;
-
   const draw = () => {
-    if (!model || size.width === 0) return;
-    const { survey, paper, range, index } = model;
-    layer.clear(size);
-    const { context } = layer;
-    const scale = scaleLinear()
-      .domain(survey ? domainOf(survey, paper) : range)
-      .range([margin.left, size.width - margin.right])
-      .clamp(true);
-    drawAxis(context, scale, size.height);
-    const diameter = diameterOf(survey?.runs.length ?? 1);
-    strips = [];
-    for (const [i, name] of colours.entries()) {
-      const base = Math.round((i + 1) * strip()) - 0.5;
-      drawSymbol(context, i, base);
-      context.fillStyle = colour('--hairline');
-      context.fillRect(margin.left, base, size.width - margin.left - margin.right, 1);
-      if (survey) {
-        const positions = survey.runs.map(({ champion }) => scale(champion.gains[i]));
-        const dots = stackDots(positions, diameter, strip() - margin.top - 4);
-        strips.push(dots);
-        context.fillStyle = colour(name);
-        drawDots(context, dots, diameter, (along, away) => [along, base - away]);
-        if (index >= 0) drawRing(context, dots.along[index], base - dots.away[index]);
-      }
-      drawDiamond(context, scale(paper[i]), base);
-      if (survey) drawMedian(context, survey.summary.gains[i].median, size.width, base);
-    }
+    const shown = model;
+    if (shown && size.width > 0)
+      layer.draw(size, (context) => {
+        strips = drawStrips(context, size, shown);
+      });
   };
 
   followSize(canvas, (now) => {
@@ -75,8 +50,8 @@ export function createStrips(canvas, { onPoint, onChoose }) {
   /** The seed whose dot is there. @param {PointerEvent | MouseEvent} event */
   const at = (event) => {
     const { left, top } = canvas.getBoundingClientRect();
-    const i = Math.min(2, Math.max(0, Math.floor((event.clientY - top) / strip())));
-    const base = (i + 1) * strip();
+    const i = Math.min(2, Math.max(0, Math.floor((event.clientY - top) / stripIn(size))));
+    const base = (i + 1) * stripIn(size);
     return strips[i] ? nearestDot(strips[i], event.clientX - left, base - (event.clientY - top)) : -1;
   };
   canvas.addEventListener('pointermove', (event) => onPoint(at(event)));
@@ -91,6 +66,38 @@ export function createStrips(canvas, { onPoint, onChoose }) {
       draw();
     },
   };
+}
+
+/** The height of one. @param {import('../../kit/canvas.js').Size} size */
+const stripIn = ({ height }) => (height - axisHeight) / 3;
+
+/** @param {CanvasRenderingContext2D} context @param {import('../../kit/canvas.js').Size} size @param {StripsModel} model @returns {Dots[]} */
+function drawStrips(context, size, { survey, paper, range, index }) {
+  const strip = stripIn(size);
+  const scale = scaleLinear()
+    .domain(survey ? domainOf(survey, paper) : range)
+    .range([margin.left, size.width - margin.right])
+    .clamp(true);
+  drawAxis(context, scale, size.height);
+  const diameter = diameterOf(survey?.runs.length ?? 1);
+  /** @type {Dots[]} */
+  const strips = [];
+  for (const [i, name] of colours.entries()) {
+    const base = Math.round((i + 1) * strip) - 0.5;
+    drawSymbol(context, i, base);
+    context.fillStyle = colour('--hairline');
+    context.fillRect(margin.left, base, size.width - margin.left - margin.right, 1);
+    if (survey) {
+      const positions = survey.runs.map(({ champion }) => scale(champion.gains[i]));
+      const dots = stackDots(positions, diameter, strip - margin.top - 4);
+      strips.push(dots);
+      drawDots(context, dots, diameter, name, (along, away) => [along, base - away]);
+      if (index >= 0) drawRing(context, dots.along[index], base - dots.away[index]);
+    }
+    drawDiamond(context, scale(paper[i]), base);
+    if (survey) drawMedian(context, survey.summary.gains[i].median, size.width, base);
+  }
+  return strips;
 }
 
 /** All but the strangest gains; those stand at the end. @param {SeedSurvey} survey @param {Triple} paper @returns {[number, number]} */

@@ -1,9 +1,11 @@
 // The starts of the map, positions on a square around the goal times headings, and what comes of them at each position.
 
+import { startsOnGrid } from '../../core/rules.js';
+
 /** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Range} Range */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Robustness} Robustness */
-/** @typedef {{ x: Range, y: Range, headings: number }} Grid */
+/** @typedef {import('../../core/engine.js').Range} Range */
+/** @typedef {import('../../core/engine.js').Robustness} Robustness */
+/** @typedef {{ x: Range, y: Range, headings: number }} Grid As the core understands it. */
 /** @typedef {ReturnType<typeof tally>} Tally */
 
 /** How many, evenly around the circle from 0. */
@@ -16,18 +18,9 @@ export const gridAround = (goal, half, count) => ({
   headings,
 });
 
-/** The value with this index, to the last bit as in the core. @param {Range} range @param {number} index */
-function valueAt({ from, to, count }, index) {
-  const t = index / (count - 1);
-  return from * (1 - t) + to * t;
-}
-
-/** In (−π, π], to the last bit as in the core. @param {number} heading Its index. */
-export function angleOf(heading) {
-  const turn = 2 * Math.PI;
-  const angle = (turn * heading) / headings;
-  return angle - turn * Math.ceil((angle - Math.PI) / turn);
-}
+const here = { from: 0, to: 0, count: 1 };
+/** In (−π, π]. @param {number} heading Its index. */
+export const angleOf = (heading) => startOf({ x: here, y: here, headings }, 0, heading).theta;
 
 /** The heading that is nearest to an angle. @param {number} angle */
 export function headingNear(angle) {
@@ -36,11 +29,10 @@ export function headingNear(angle) {
 }
 
 /** The start that the core drives from: the run from there is the map's own. @param {Grid} grid @param {number} cell @param {number} heading @returns {Posture} */
-export const startOf = ({ x, y }, cell, heading) => ({
-  x: valueAt(x, cell % x.count),
-  y: valueAt(y, Math.floor(cell / x.count)),
-  theta: angleOf(heading),
-});
+export function startOf(grid, cell, heading) {
+  const index = cell * grid.headings + heading;
+  return startsOnGrid({ ...grid, part: [index, index + 1] })[0];
+}
 
 /** Column and row of the cell that is nearest to a point. @param {Grid} grid @param {{ x: number, y: number }} point @returns {[number, number]} */
 export const placeOf = ({ x, y }, point) => [indexNear(x, point.x), indexNear(y, point.y)];
@@ -99,8 +91,7 @@ export function tally({ cost, finalTime, arrived }) {
 /** The share that arrives from behind the goal, from in front of it, from its left and from its right. @param {Grid} grid @param {Posture} goal @param {Uint8Array} count */
 export function sharesBySide(grid, goal, count) {
   const sides = { behind: [0, 0], front: [0, 0], left: [0, 0], right: [0, 0] };
-  for (let cell = 0; cell < count.length; cell += 1) {
-    const { x, y } = startOf(grid, cell, 0);
+  for (const [cell, { x, y }] of startsOnGrid({ ...grid, headings: 1 }).entries()) {
     const angle = Math.atan2(y - goal.y, x - goal.x) - goal.theta;
     const [ahead, aside] = [Math.cos(angle), Math.sin(angle)];
     const along = ahead > 0 ? sides.front : sides.behind;

@@ -31,9 +31,10 @@ export function createLegend(root) {
       drawBar(bar, shading, quantity === 'share' && !all);
       ticks.hidden = quantity === 'share' && !all;
       ticks.replaceChildren(...tickMarks(shading, quantity));
-      layer.clear({ width: 20, height: 14 });
-      layer.context.fillStyle = hatch(layer.context);
-      layer.context.fillRect(0, 0, 20, 14);
+      layer.draw({ width: 20, height: 14 }, (context) => {
+        context.fillStyle = hatch(context);
+        context.fillRect(0, 0, 20, 14);
+      });
     },
   };
 }

@@ -1,6 +1,9 @@
 // The part of the page that shows from where one set of gains arrives, and what its controls do.
+import { halves, robustnessSlice } from './state.js';
 import { byId, followSize, write } from '../../kit/elements.js';
 import { createSegmented } from '../../kit/segmented.js';
+import { offerTable } from '../../kit/table.js';
+import { robustnessTable } from './table.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { remember, watch } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
@@ -19,25 +22,23 @@ import {
   worstHeading,
 } from './grid.js';
 import { createLegend } from './legend.js';
-import { createSpec, createSurveyRequests, halves, update } from './request.js';
+import { createSpec, createSurveyRequests } from './request.js';
 import { createRose } from './rose.js';
 import { createShading } from './scale.js';
 import { axesOf, createMap } from './view.js';
 
-/** @typedef {import('../../run/actions.js').Actions} Actions */
-/** @typedef {import('../../run/state.js').Scene} Scene */
+/** @typedef {import('../../run/actions/actions.js').Actions} Actions */
+/** @typedef {import('../../run/scene.js').Scene} Scene */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Store} Store */
+/** @typedef {import('../../run/store.js').Store} Store */
 /** @typedef {import('./request.js').Quantity} Quantity */
-/** @typedef {import('./request.js').RobustnessState} RobustnessState */
+/** @typedef {import('./state.js').RobustnessState} RobustnessState */
 /** @typedef {import('./request.js').Spec} Spec */
 /** @typedef {import('./request.js').Survey} Survey */
 /** @typedef {import('./scale.js').Shading} Shading */
 /** @typedef {import('./view.js').MapModel} MapModel */
 
-export { firstRobustness } from './request.js';
-
-/** @param {import('../../lab/navigation.js').PageParts} parts @returns {import('../../lab/navigation.js').Page} */
+/** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createRobustnessPage({ engine, store, actions, paper }) {
   const specOf = createSpec(paper);
   const rivalSpecOf = createSpec(paper);
@@ -47,8 +48,8 @@ export function createRobustnessPage({ engine, store, actions, paper }) {
   const controls = createControls(store);
   const texts = createTexts();
   const rose = createRose(byId('robustness-rose'), {
-    chosen: () => store.get().robustness.heading,
-    onChoose: (heading) => update(store, { heading }),
+    chosen: () => robustnessSlice.of(store.get()).heading,
+    onChoose: (heading) => robustnessSlice.update(store, { heading }),
   });
   const shadingOf = remember(createShading);
   const emptyGrid = remember(gridAround);
@@ -56,14 +57,17 @@ export function createRobustnessPage({ engine, store, actions, paper }) {
   const angle = remember((/** @type {number | null} */ heading) =>
     heading === null ? null : angleOf(heading),
   );
-  const size = followSize(byId('robustness-map'), () => store.update({}));
+  const size = followSize(byId('robustness-map'), () => store.redraw());
+  offerTable('robustness-table', () => {
+    const { survey } = robustnessSlice.of(store.get());
+    return survey && robustnessTable(survey);
+  });
   followMap(store, actions, size);
 
   return {
-    name: 'robustness',
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
-      const { survey, heading, quantity, half, cursor } = state.robustness;
+      const { survey, heading, quantity, half, cursor } = robustnessSlice.of(state);
       const spec = specOf(state, state.driver);
       const rivalSpec = rivalSpecOf(state, scene.comparisonDriver);
       requests.follow(spec, rivalSpec, state.dragging);
@@ -83,7 +87,7 @@ export function createRobustnessPage({ engine, store, actions, paper }) {
         size: size(),
         theme: state.theme,
       });
-      controls.draw(state.robustness);
+      controls.draw(robustnessSlice.of(state));
       if (shading) legend.draw({ shading, quantity, heading, theme: state.theme });
       const cell = cellNear(grid, cursor ?? watched);
       rose.draw({ heading, parts: survey && shading ? partsOf(survey, shading, quantity, cell) : noParts });
@@ -112,7 +116,7 @@ function followMap(store, actions, size) {
 
   /** @param {MouseEvent} event */
   const pointAt = (event) => {
-    const { survey } = store.get().robustness;
+    const { survey } = robustnessSlice.of(store.get());
     if (!survey) return null;
     const { left, top } = element.getBoundingClientRect();
     const { frame, x, y } = axesOf({ grid: survey.grid, size: size() });
@@ -122,7 +126,7 @@ function followMap(store, actions, size) {
   };
   /** @param {{ x: number, y: number } | null} point */
   const driveFrom = (point) => {
-    const { survey, heading } = store.get().robustness;
+    const { survey, heading } = robustnessSlice.of(store.get());
     if (!survey || !point) return;
     const cell = cellNear(survey.grid, point);
     actions.tryStart(
@@ -132,27 +136,27 @@ function followMap(store, actions, size) {
 
   element.addEventListener('click', (event) => {
     const cursor = pointAt(event);
-    update(store, { cursor });
+    robustnessSlice.update(store, { cursor });
     driveFrom(cursor);
   });
   element.addEventListener('pointermove', (event) => {
-    if (event.pointerType !== 'touch') update(store, { cursor: pointAt(event) });
+    if (event.pointerType !== 'touch') robustnessSlice.update(store, { cursor: pointAt(event) });
   });
   element.addEventListener('pointerleave', (event) => {
-    if (event.pointerType !== 'touch') update(store, { cursor: null });
+    if (event.pointerType !== 'touch') robustnessSlice.update(store, { cursor: null });
   });
-  element.addEventListener('blur', () => update(store, { cursor: null }));
+  element.addEventListener('blur', () => robustnessSlice.update(store, { cursor: null }));
 
   element.addEventListener('keydown', (event) => {
     const state = store.get();
-    const { survey, cursor } = state.robustness;
+    const { survey, cursor } = robustnessSlice.of(state);
     if (!survey || isChord(event)) return;
     const from = cursor ?? endsOf(state).start;
     if (event.key === 'Enter' || event.key === ' ') {
       event.preventDefault();
-      update(store, { cursor: from });
+      robustnessSlice.update(store, { cursor: from });
       driveFrom(from);
-    } else if (event.key === 'Escape') update(store, { cursor: null });
+    } else if (event.key === 'Escape') robustnessSlice.update(store, { cursor: null });
     const step = arrowOf(event.key);
     if (!step) return;
     event.preventDefault();
@@ -162,7 +166,7 @@ function followMap(store, actions, size) {
     const [column, row] = placeOf(grid, from).map((index, i) =>
       Math.min(Math.max(index + cells * step[i], 0), last),
     );
-    update(store, { cursor: startOf(grid, row * grid.x.count + column, 0) });
+    robustnessSlice.update(store, { cursor: startOf(grid, row * grid.x.count + column, 0) });
   });
 }
 
@@ -178,18 +182,21 @@ function createControls(store) {
     byId('robustness-quantity'),
     words.quantityLegend,
     words.quantities,
-    (quantity) => update(store, { quantity }),
+    (quantity) => robustnessSlice.update(store, { quantity }),
   );
   const choice = createSegmented(
     byId('robustness-headings'),
     words.headingLegend,
     words.headingChoices,
-    (value) => update(store, { heading: value === 'all' ? null : watchedHeading(store.get()) }),
+    (value) =>
+      robustnessSlice.update(store, { heading: value === 'all' ? null : watchedHeading(store.get()) }),
   );
   /** @type {HTMLSelectElement} */
   const extent = byId('robustness-half');
   extent.replaceChildren(...halves.map((half) => new Option(words.extent(half), String(half))));
-  extent.addEventListener('change', () => update(store, { half: Number(extent.value), cursor: null }));
+  extent.addEventListener('change', () =>
+    robustnessSlice.update(store, { half: Number(extent.value), cursor: null }),
+  );
   return {
     /** @param {RobustnessState} robustness */
     draw({ quantity, heading, half }) {
@@ -218,11 +225,11 @@ function createTexts() {
   return {
     /** @param {State} state @param {Scene} scene @param {{ spec: Spec, rivalSpec: Spec }} specs */
     draw(state, scene, { spec, rivalSpec }) {
-      const { survey, rival: other, message, heading, cursor } = state.robustness;
+      const { survey, rival: other, message, heading, cursor } = robustnessSlice.of(state);
       const fresh = survey?.spec === spec;
       const generation = state.history.length - 1;
       if (surveyChanged(survey, fresh, other, rivalSpec, message, state.driver, state.found, generation)) {
-        write(note, noteText(state.robustness, spec));
+        write(note, noteText(robustnessSlice.of(state), spec));
         note.classList.toggle('failed', message !== '');
         // Until there is a new one, the old number stands with its own name.
         if (survey && fresh) {
@@ -254,7 +261,7 @@ function noteText({ survey, message }, spec) {
 
 /** What the cursor reads, or else the run that is watched. @param {State} state @param {Scene} scene */
 function readoutText(state, scene) {
-  const { survey, heading, cursor } = state.robustness;
+  const { survey, heading, cursor } = robustnessSlice.of(state);
   const { start } = endsOf(state);
   const { arrived, finalTime, cost } = scene.driving;
   const run = { heading: start.theta, arrived, finalTime, cost: cost.total };

@@ -1,46 +1,24 @@
 // What the map shows, and asking the workers for it.
+import { messageOf } from '../../words/errors.js';
+import { robustnessSlice } from './state.js';
 import { createRefining } from '../../core/refine.js';
 import { remember } from '../../kit/memo.js';
-import { gainsOf } from '../../run/state.js';
+import { gainsOf } from '../../run/drivers.js';
 import { gridAround, tally } from './grid.js';
 
 /** @typedef {import('../../core/engine.js').Engine} Engine */
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Robustness} Robustness */
+/** @typedef {import('../../core/engine.js').Robustness} Robustness */
 /** @typedef {import('../../run/state.js').Driver} Driver */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Store} Store */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../run/store.js').Store} Store */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {import('./grid.js').Grid} Grid */
 /** @typedef {import('./grid.js').Tally} Tally */
 /** @typedef {'share' | 'time' | 'cost'} Quantity What a colour means. */
 /** @typedef {{ experiment: Experiment, gains: Triple, half: number }} Spec */
 /** @typedef {{ spec: Spec, grid: Grid, runs: Robustness, tally: Tally, milliseconds: number }} Survey */
-
-/**
- * @typedef {object} RobustnessState
- * @property {number} half Metres from the goal to the map's edge.
- * @property {Quantity} quantity
- * @property {number | null} heading Its index; null: all of them together.
- * @property {{ x: number, y: number } | null} cursor Metres.
- * @property {Survey | null} survey
- * @property {Survey | null} rival The same starts with the gains that are compared.
- * @property {string} message
- */
-
-export const halves = /** @type {const} */ ([2, 4, 8]);
-
-/** @type {RobustnessState} */
-export const firstRobustness = {
-  half: 4,
-  quantity: 'share',
-  heading: null,
-  cursor: null,
-  survey: null,
-  rival: null,
-  message: '',
-};
 
 /** Positions on an edge, of which one is the goal's. */
 const coarse = 25;
@@ -48,9 +26,6 @@ export const fine = 81;
 
 /** @param {Survey} survey */
 export const isFine = ({ grid }) => grid.x.count === fine;
-
-/** @param {Store} store @param {Partial<RobustnessState>} patch */
-export const update = (store, patch) => store.update({ robustness: { ...store.get().robustness, ...patch } });
 
 /** The survey that somebody's gains ask for; the same object while nothing that matters has changed. @param {PaperResult[]} paper */
 export function createSpec(paper) {
@@ -65,7 +40,7 @@ export function createSpec(paper) {
     ) => ({ experiment, gains: [kx, ky, ktheta], half }),
   );
   return (/** @type {State} */ state, /** @type {Driver} */ driver) =>
-    spec(state.experiment, state.robustness.half, ...gainsOf(state, driver, paper));
+    spec(state.experiment, robustnessSlice.of(state).half, ...gainsOf(state, driver, paper));
 }
 
 /** @param {Engine} engine @param {Store} store */
@@ -83,17 +58,18 @@ export function createSurveyRequests(engine, store) {
     const runs = await engine.surveys.robustness(spec.experiment, asked, { channel });
     return { spec, grid, runs, tally: tally(runs), milliseconds: performance.now() - began };
   };
-  const onFailure = (/** @type {string} */ message) => update(store, { message });
+  const onFailure = (/** @type {unknown} */ error) =>
+    robustnessSlice.update(store, { message: messageOf(error) });
   const own = createRefining({
     counts: [coarse, fine],
     compute,
-    onResult: (survey) => update(store, { survey, message: '' }),
+    onResult: (survey) => robustnessSlice.update(store, { survey, message: '' }),
     onFailure,
   });
   const rival = createRefining({
     counts: [fine],
     compute,
-    onResult: (survey) => update(store, { rival: survey }),
+    onResult: (survey) => robustnessSlice.update(store, { rival: survey }),
     onFailure,
   });
 
@@ -101,7 +77,7 @@ export function createSurveyRequests(engine, store) {
     /** @param {Spec} spec @param {Spec} compared @param {boolean} moving */
     follow(spec, compared, moving) {
       own.follow(spec, moving);
-      const { survey } = store.get().robustness;
+      const { survey } = robustnessSlice.of(store.get());
       if (survey?.spec === spec && isFine(survey) && !moving) rival.follow(compared, false);
     },
   };

@@ -1,9 +1,9 @@
 // The map: cells and axes on one canvas, redrawn with the survey; goal, starts, the run and the cursor on another.
 import { scaleLinear } from 'd3-scale';
-import { createLayer } from '../../kit/canvas.js';
+import { createLayer, fillTextWithHalo, strokeTwice } from '../../kit/canvas.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
-import { kite } from '../../lab/plane.js';
-import { colour } from '../../kit/plot.js';
+import { kite } from '../../lab/track.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { robustness as words } from '../../words/index.js';
@@ -71,13 +71,13 @@ export function createMap({ picture, marks }) {
       if (size.width === 0) return;
       const axes = axesOf(model);
       if (pictureChanged(grid, shading, size, theme)) {
-        under.clear(size);
-        if (shading) drawCells(under.context, cells, shading, axes, grid.x.count);
-        drawAxes(under.context, axes);
+        under.draw(size, (context) => {
+          if (shading) drawCells(context, cells, shading, axes, grid.x.count);
+          drawAxes(context, axes);
+        });
       }
       if (marksChanged(grid, goal, starts, watched, run, cursor, heading, size, theme)) {
-        over.clear(size);
-        drawMarks(over.context, axes, model);
+        over.draw(size, (context) => drawMarks(context, axes, model));
       }
     },
   };
@@ -161,15 +161,10 @@ function drawMarks(context, axes, { grid, goal, starts, watched, run, cursor, he
   for (const start of starts) label(context, axes, start, words.ownStart);
   if (cursor) {
     const at = startOf(grid, cellNear(grid, cursor), 0);
-    for (const [line, width] of /** @type {const} */ ([
-      [dark, 4],
-      [light, 2],
-    ])) {
-      context.strokeStyle = line;
-      context.lineWidth = width;
-      const size = Math.max(cell, 9);
-      context.strokeRect(x(at.x) - size / 2, y(at.y) - size / 2, size, size);
-    }
+    const size = Math.max(cell, 9);
+    context.beginPath();
+    context.rect(x(at.x) - size / 2, y(at.y) - size / 2, size, size);
+    strokeTwice(context, [dark, 4], [light, 2]);
   }
   if (heading !== null) drawHeading(context, frame, heading);
   context.restore();
@@ -185,25 +180,13 @@ function drawWay(context, { x, y }, run) {
     context.lineTo(nx, ny);
     [px, py] = [nx, ny];
   }
-  for (const [line, width] of /** @type {const} */ ([
-    [light, 4],
-    [dark, 2],
-  ])) {
-    context.strokeStyle = line;
-    context.lineWidth = width;
-    context.stroke();
-  }
+  strokeTwice(context, [light, 4], [dark, 2]);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Posture} posture @param {{ fill: string, line: string, size: number }} look */
 function arrow(context, { x, y }, posture, { fill, line, size }) {
   kite(context, x(posture.x), y(posture.y), posture.theta, size);
-  context.lineWidth = 4;
-  context.strokeStyle = fill === dark ? line : fill;
-  context.stroke();
-  context.lineWidth = 2;
-  context.strokeStyle = fill === dark ? fill : line;
-  context.stroke();
+  strokeTwice(context, [fill === dark ? line : fill, 4], [fill === dark ? fill : line, 2]);
   context.fillStyle = fill;
   context.fill();
 }
@@ -215,11 +198,11 @@ function label(context, { frame, x, y }, posture, text) {
   const onLeft = px + 18 + context.measureText(text).width > frame.right;
   context.textAlign = onLeft ? 'right' : 'left';
   context.textBaseline = 'middle';
-  context.lineWidth = 4;
-  context.strokeStyle = dark;
-  context.fillStyle = light;
-  context.strokeText(text, px + (onLeft ? -14 : 14), y(posture.y) + 14);
-  context.fillText(text, px + (onLeft ? -14 : 14), y(posture.y) + 14);
+  fillTextWithHalo(context, text, px + (onLeft ? -14 : 14), y(posture.y) + 14, {
+    fill: light,
+    halo: dark,
+    width: 4,
+  });
 }
 
 /** The heading of all starts of the map, in its corner. @param {CanvasRenderingContext2D} context @param {Axes['frame']} frame @param {number} angle */

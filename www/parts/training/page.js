@@ -1,23 +1,24 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
+import { trainingSlice } from './state.js';
 import { byId, write } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { training as words } from '../../words/index.js';
 import { createPicture } from './picture.js';
-import { changesOf, createTraining, handOf, lengths, update } from './request.js';
+import { changesOf, createTraining, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
 import { createTable } from './table.js';
 
-/** @typedef {import('../../run/actions.js').Actions} Actions */
+/** @typedef {import('../../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Store} Store */
+/** @typedef {import('../../run/store.js').Store} Store */
 /** @typedef {import('./request.js').RowName} RowName */
 /** @typedef {import('./request.js').Result} Result */
-/** @typedef {import('./request.js').TrainingState} TrainingState */
+/** @typedef {import('./state.js').TrainingState} TrainingState */
 /** @typedef {import('./sets.js').SetName} SetName */
 /** @typedef {import('./table.js').Row} Row */
 
-/** @param {import('../../lab/navigation.js').PageParts} parts @returns {import('../../lab/navigation.js').Page} */
+/** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createTrainingPage({ engine, store, actions, paper }) {
   const training = createTraining(engine, store, paper);
   const rowsOf = createRows();
@@ -26,11 +27,11 @@ export function createTrainingPage({ engine, store, actions, paper }) {
   const choose = (name) => {
     const state = store.get();
     const row = rowsOf(state).find((one) => one.name === name);
-    update(store, { chosen: name });
+    trainingSlice.update(store, { chosen: name });
     if (!row?.result) return;
     if (name === 'paper-ep' || name === 'paper-arbitrary') actions.chooseDriver(name);
     else {
-      update(store, { byHand: handOf(state) });
+      trainingSlice.update(store, { byHand: handOf(state) });
       actions.driveGains(row.result.gains, isSet(name) ? 'training' : 'hand');
     }
     actions.tryStart(store.get().trial.start);
@@ -43,10 +44,10 @@ export function createTrainingPage({ engine, store, actions, paper }) {
   };
 
   const evolve = async () => {
-    if (store.get().training.progress !== null) return training.cancel();
+    if (trainingSlice.of(store.get()).progress !== null) return training.cancel();
     if (!(await training.evolve())) return;
     // The newest gains drive, unless those of somebody else were chosen.
-    const { chosen } = store.get().training;
+    const { chosen } = trainingSlice.of(store.get());
     const next = chosen ?? 'circle';
     if (store.get().page === 'training' && isSet(next)) choose(next);
   };
@@ -54,7 +55,7 @@ export function createTrainingPage({ engine, store, actions, paper }) {
   const table = createTable(byId('training-table'), choose);
   const pictures = ['seen', 'unseen'].map((part) => {
     const canvas = /** @type {HTMLCanvasElement} */ (byId(`training-${part}`));
-    const onSize = () => store.update({});
+    const onSize = () => store.redraw();
     return {
       canvas,
       title: byId(`training-${part}-title`),
@@ -64,7 +65,6 @@ export function createTrainingPage({ engine, store, actions, paper }) {
   const controls = createControls(store, evolve);
 
   return {
-    name: 'training',
     /** @param {State} state */
     draw(state) {
       const { goal } = state.experiment;
@@ -84,7 +84,8 @@ export function createTrainingPage({ engine, store, actions, paper }) {
         words.unseenTitle(result, unseen.starts.length),
       ];
       // What was evolved for another goal is shown around that goal.
-      const around = isSet(chosen) && state.training.evolved ? state.training.evolved.experiment.goal : goal;
+      const { evolved } = trainingSlice.of(state);
+      const around = isSet(chosen) && evolved ? evolved.experiment.goal : goal;
       for (const [i, { starts, arrived }] of [seen, unseen].entries()) {
         const { canvas, title, picture } = pictures[i];
         write(title, titles[i]);
@@ -99,7 +100,10 @@ export function createTrainingPage({ engine, store, actions, paper }) {
 const isSet = (name) => setNames.some((set) => set === name);
 
 /** @param {State} state @returns {RowName} */
-const chosenOf = ({ training: { chosen, evolved } }) => chosen ?? (evolved ? 'circle' : 'paper-ep');
+const chosenOf = (state) => {
+  const { chosen, evolved } = trainingSlice.of(state);
+  return chosen ?? (evolved ? 'circle' : 'paper-ep');
+};
 
 function createRows() {
   const changes = remember(changesOf);
@@ -131,7 +135,12 @@ function createRows() {
     },
   );
   return (/** @type {State} */ state) =>
-    rows(state.training.evolved, state.training.given, state.experiment, handOf(state) !== null);
+    rows(
+      trainingSlice.of(state).evolved,
+      trainingSlice.of(state).given,
+      state.experiment,
+      handOf(state) !== null,
+    );
 }
 
 /** @param {Store} store @param {() => void} onEvolve */
@@ -143,12 +152,16 @@ function createControls(store, onEvolve) {
   const progress = byId('training-progress');
   generations.replaceChildren(...lengths.map((one) => new Option(words.generationsChoice(one), String(one))));
   button.addEventListener('click', onEvolve);
-  generations.addEventListener('change', () => update(store, { generations: Number(generations.value) }));
+  generations.addEventListener('change', () =>
+    trainingSlice.update(store, { generations: Number(generations.value) }),
+  );
   const changed = watch();
 
   return {
     /** @param {State} state @param {readonly Row[]} rows */
-    draw({ training, experiment }, rows) {
+    draw(state, rows) {
+      const { experiment } = state;
+      const training = trainingSlice.of(state);
       if (!changed(training, experiment, rows)) return;
       const { evolved } = training;
       const runs = training.progress !== null;

@@ -1,9 +1,9 @@
 // A picture of starts around the goal: filled where the robot arrives, open where it does not.
-import { createLayer } from '../../kit/canvas.js';
+import { createLayer, strokeTwice } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
-import { kite } from '../../lab/plane.js';
-import { colour } from '../../kit/plot.js';
+import { kite } from '../../lab/track.js';
+import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 
 /** @typedef {import('../../core/engine.js').Posture} Posture */
@@ -81,8 +81,8 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
       model = next;
       const { starts, arrived, goal, tried, theme } = next;
       if (size.width === 0 || !changed(starts, arrived, goal, tried, theme, size)) return;
-      layer.clear(size);
-      drawStarts(layer.context, next, placeOf(goal));
+      const place = placeOf(goal);
+      layer.draw(size, (context) => drawStarts(context, next, place));
     },
   };
 }
@@ -123,14 +123,7 @@ function drawStarts(context, { starts, arrived, goal, tried }, { scale, at }) {
   const current = starts.find((start) => isSame(start, tried));
   if (!current) return;
   const place = at(current);
-  for (const [stroke, width] of /** @type {const} */ ([
-    [paper, 5],
-    [ink, 2],
-  ])) {
-    context.beginPath();
-    context.arc(place.px, place.py, size + 5, 0, 2 * Math.PI);
-    context.strokeStyle = stroke;
-    context.lineWidth = width;
-    context.stroke();
-  }
+  context.beginPath();
+  context.arc(place.px, place.py, size + 5, 0, 2 * Math.PI);
+  strokeTwice(context, [paper, 5], [ink, 2]);
 }

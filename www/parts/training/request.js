@@ -1,18 +1,19 @@
 // Asking the workers: to evolve gains on each set of starts, and to drive all gains from starts that no evolution sees.
+import { trainingSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { createRefining } from '../../core/refine.js';
 import { remember } from '../../kit/memo.js';
-import { gainsOf } from '../../run/state.js';
+import { gainsOf } from '../../run/drivers.js';
 import { createSets, setNames } from './sets.js';
 
 /** @typedef {import('../../core/engine.js').Engine} Engine */
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
 /** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../run/state.js').Preset} Preset */
+/** @typedef {import('../../core/engine.js').Preset} Preset */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Store} Store */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../run/store.js').Store} Store */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {import('../../core/surveys.js').SurveyOptions} SurveyOptions */
 /** @typedef {import('./sets.js').SetName} SetName */
 /** @typedef {SetName | 'paper-ep' | 'paper-arbitrary' | 'hand'} RowName */
@@ -22,40 +23,15 @@ import { createSets, setNames } from './sets.js';
 /** @typedef {{ experiment: Experiment, generations: number, drives: number, milliseconds: number, results: Record<SetName, Result> }} Evolved */
 /** @typedef {{ experiment: Experiment, robots: Robot[] }} Spec */
 
-/**
- * @typedef {object} TrainingState
- * @property {number} generations
- * @property {RowName | null} chosen
- * @property {number | null} progress From 0 to 1; null: nothing is evolved now.
- * @property {boolean} cancelled
- * @property {string} message
- * @property {Evolved | null} evolved
- * @property {{ spec: Spec, results: Partial<Record<RowName, Result>> } | null} given What was not evolved here.
- * @property {Triple | null} byHand Gains by hand, kept while a row of the table drives.
- */
-
-/** @type {TrainingState} */
-export const firstTraining = {
-  generations: 100,
-  chosen: null,
-  progress: null,
-  cancelled: false,
-  message: '',
-  evolved: null,
-  given: null,
-  byHand: null,
-};
-
 export const lengths = [50, 100, 200];
-
-/** @param {Store} store @param {Partial<TrainingState>} patch */
-export const update = (store, patch) => store.update({ training: { ...store.get().training, ...patch } });
 
 /** @param {Triple} a @param {Triple} b */
 const isSame = (a, b) => a.every((gain, i) => gain === b[i]);
 
-/** The gains by hand that are not those of an evolved row. @param {Pick<State, 'handGains' | 'training'>} state */
-export function handOf({ handGains, training: { evolved, byHand } }) {
+/** The gains by hand that are not those of an evolved row. @param {Pick<State, 'handGains' | 'slices'>} state */
+export function handOf(state) {
+  const { handGains } = state;
+  const { evolved, byHand } = trainingSlice.of(state);
   const isRow = Object.values(evolved?.results ?? {}).some(
     ({ gains }) => handGains && isSame(gains, handGains),
   );
@@ -108,8 +84,8 @@ export function createTraining(engine, store, paper) {
       const { experiment, robots } = spec;
       return { spec, results: await testRobots(engine, setsOf(experiment), experiment, robots, { channel }) };
     },
-    onResult: (result) => update(store, { given: result, message: '' }),
-    onFailure: (message) => update(store, { message }),
+    onResult: (result) => trainingSlice.update(store, { given: result, message: '' }),
+    onFailure: (error) => trainingSlice.update(store, { message: messageOf(error) }),
   });
 
   const specOf = remember(
@@ -149,7 +125,7 @@ export function createTraining(engine, store, paper) {
           onProgress(part) {
             // Work goes by the number of starts.
             done[i] = (part * sets[name].length) / total;
-            update(store, { progress: done.reduce((sum, one) => sum + one, 0) });
+            trainingSlice.update(store, { progress: done.reduce((sum, one) => sum + one, 0) });
           },
         }),
       ),
@@ -182,17 +158,22 @@ export function createTraining(engine, store, paper) {
     async evolve() {
       evolution = new AbortController();
       const { signal } = evolution;
-      const { experiment, training } = store.get();
-      update(store, { progress: 0, cancelled: false, message: '' });
+      const { experiment } = store.get();
+      const { generations } = trainingSlice.of(store.get());
+      trainingSlice.update(store, { progress: 0, cancelled: false, message: '' });
       try {
-        const evolved = await evolveAll(experiment, training.generations, signal);
-        update(store, { byHand: handOf(store.get()), progress: null });
-        update(store, { evolved });
+        const evolved = await evolveAll(experiment, generations, signal);
+        trainingSlice.update(store, { byHand: handOf(store.get()), progress: null });
+        trainingSlice.update(store, { evolved });
         return true;
       } catch (error) {
         const cancelled = signal.aborted;
         evolution.abort();
-        update(store, { progress: null, cancelled, message: cancelled ? '' : messageOf(error) });
+        trainingSlice.update(store, {
+          progress: null,
+          cancelled,
+          message: cancelled ? '' : messageOf(error),
+        });
         return false;
       }
     },

@@ -3,7 +3,6 @@ import { byId, create } from '../../kit/elements.js';
 import { frameOf } from '../frame-text.js';
 import { addressOf } from '../../kit/host.js';
 import { copy } from '../../kit/copy.js';
-import { linkOf } from '../../link/link.js';
 import { createSegmented } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';
 import { embed as embedWords, exercise as words, keep as keepWords } from '../../words/index.js';
@@ -12,8 +11,8 @@ import { groupNames, isEmpty, mostOfTask, wayOf, withWay } from '../../run/exerc
 /** @typedef {import('../../run/state.js').State} State */
 /** @typedef {import('../../run/exercise.js').Exercise} Exercise */
 
-/** @param {{ engine: import('../../core/engine.js').Engine, store: import('../../run/state.js').Store, actions: import('../../run/actions.js').Actions }} parts */
-export function createMaker({ engine, store, actions }) {
+/** @param {{ engine: import('../../core/engine.js').Engine, store: import('../../run/store.js').Store, actions: import('../../run/actions/actions.js').Actions, links: import('../../link/link.js').Links }} parts */
+export function createMaker({ engine, store, actions, links }) {
   const panel = byId('maker');
   /** @type {HTMLTextAreaElement} */
   const task = byId('maker-task');
@@ -68,7 +67,7 @@ export function createMaker({ engine, store, actions }) {
         if (open) task.focus();
       }
       if (!open) return;
-      const text = linkOf({ ...state, exercise: draft }, engine.experiment);
+      const text = links.linkOf({ ...state, exercise: draft }, engine.experiment);
       if (!draftChanged(draft, text)) return;
       if (task.value !== draft.task) task.value = draft.task;
       byId('maker-count').textContent = words.countText(draft.task.length, mostOfTask);

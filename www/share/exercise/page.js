@@ -1,7 +1,6 @@
 // An exercise as who follows the link sees it: the task at the top, and the controls that are locked or hidden.
 import { byId } from '../../kit/elements.js';
 import { isEmbedded } from '../../kit/host.js';
-import { linkOf } from '../../link/link.js';
 import { watch } from '../../kit/memo.js';
 import { exercise as words } from '../../words/index.js';
 import { groupNames, isEmpty, noExercise, shownExercise, tidyTask, wayOf } from '../../run/exercise.js';
@@ -10,27 +9,23 @@ import { groupNames, isEmpty, noExercise, shownExercise, tidyTask, wayOf } from 
 /** @typedef {import('../../run/exercise.js').Exercise} Exercise */
 /** @typedef {import('../../run/exercise.js').Group} Group */
 
-/** Where the controls of a group stand: what is locked, and what is gone when they are hidden. @type {Record<Group, { lock: string, hide: string }>} */
-const places = {
-  gains: { lock: '#gains, #landscape-map, #luck-rank', hide: '#gains, #gains-note' },
+/** @typedef {Partial<Record<Group, { lock?: string, hide?: string }>>} Places Where the controls of a group stand, as selectors: what is locked, and what is gone when they are hidden. */
+
+/** Those of the lab and the lesson. @type {Places} */
+const own = {
+  gains: { lock: '#gains', hide: '#gains, #gains-note' },
   drives: { lock: '#drives, .standing-name', hide: '#drives' },
   paper: {
     lock: '#drives-paper-ep, #drives-paper-arbitrary',
     hide: 'label:has(> #drives-paper-ep), label:has(> #drives-paper-arbitrary)',
   },
-  postures: {
-    lock: '#handles, #restore-postures, #robustness-map, #training-seen, #training-unseen',
-    hide: '#handles, #postures .hint',
-  },
-  run: {
-    lock: '#evolution-clock, #evolution-pace, #generation-step, #training-evolve, #luck-run',
-    hide: '.evolving, #generation-step button, .training-controls, .luck-bar',
-  },
-  seed: { lock: '#new-seed, #luck-open', hide: '#new-seed, #luck-open' },
+  postures: { lock: '#handles, #restore-postures', hide: '#handles, #postures .hint' },
+  run: { lock: '#evolution-clock, #evolution-pace', hide: '.evolving' },
+  seed: { lock: '#new-seed', hide: '#new-seed' },
   clock: { lock: '#robot-clock', hide: '#robot-clock' },
   settings: {
-    lock: '#preset, #settings-button, #disturbance-controls, #weights',
-    hide: '#preset, #settings-button, #disturbance-controls, #weights',
+    lock: '#preset, #settings-button, #weights',
+    hide: '#preset, #settings-button, #weights',
   },
   parts: { lock: '#pages a:not(#page-lesson)', hide: '#pages a:not(#page-lesson)' },
   lesson: {
@@ -40,8 +35,9 @@ const places = {
   share: { lock: '#keep-button', hide: '#keep-button' },
 };
 
-/** @param {{ store: import('../../run/state.js').Store, engine: import('../../core/engine.js').Engine }} parts */
-export function createExercise({ store, engine }) {
+/** @param {{ store: import('../../run/store.js').Store, engine: import('../../core/engine.js').Engine, links: import('../../link/link.js').Links, places: readonly Places[] }} parts `places` of the parts of the page. */
+export function createExercise({ store, engine, links, places }) {
+  const all = [own, ...places];
   const section = byId('exercise');
   const [label, task, locks] = ['task-label', 'task', 'exercise-locks'].map((id) => byId(id));
   const leave = byId('exercise-leave');
@@ -50,7 +46,10 @@ export function createExercise({ store, engine }) {
   // What moves is written into no address: only who is about to press takes it along as it is now.
   for (const type of ['pointerdown', 'focus', 'click'])
     leave.addEventListener(type, () =>
-      leave.setAttribute('href', `#${linkOf({ ...store.get(), exercise: noExercise }, engine.experiment)}`),
+      leave.setAttribute(
+        'href',
+        `#${links.linkOf({ ...store.get(), exercise: noExercise }, engine.experiment)}`,
+      ),
     );
   for (const type of ['click', 'auxclick']) document.addEventListener(type, keepFromLinks, true);
 
@@ -61,7 +60,7 @@ export function createExercise({ store, engine }) {
     draw(state) {
       const exercise = shownExercise(state);
       // Each step of the lesson has controls of its own.
-      if (placesChanged(exercise, state.lesson)) for (const group of groupNames) lay(exercise, group);
+      if (placesChanged(exercise, state.lesson)) for (const group of groupNames) lay(all, exercise, group);
       if (!changed(exercise)) return;
       section.hidden = isEmpty(exercise);
       task.textContent = tidyTask(exercise.task);
@@ -74,12 +73,16 @@ export function createExercise({ store, engine }) {
   };
 }
 
-/** @param {Exercise} exercise @param {Group} group */
-function lay(exercise, group) {
+/** @param {readonly Places[]} places @param {Exercise} exercise @param {Group} group */
+function lay(places, exercise, group) {
   const way = wayOf(exercise, group);
-  for (const element of document.querySelectorAll(places[group].lock)) lock(element, way === 'locked');
-  for (const element of document.querySelectorAll(places[group].hide))
-    element.toggleAttribute('data-away', way === 'hidden');
+  const found = (/** @type {'lock' | 'hide'} */ kind) =>
+    places.flatMap((one) => {
+      const selector = one[group]?.[kind];
+      return selector ? [...document.querySelectorAll(selector)] : [];
+    });
+  for (const element of found('lock')) lock(element, way === 'locked');
+  for (const element of found('hide')) element.toggleAttribute('data-away', way === 'hidden');
 }
 
 /** A control, or a fieldset of them, by the browser's own means; what is no form says so itself. @param {Element} element @param {boolean} locked */

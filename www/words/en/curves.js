@@ -9,7 +9,7 @@ export * from '../common/curves.js';
 /** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
 /** @typedef {import('../../run/state.js').Driver} Driver */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 
 export const texts = {
   curvesTitle: 'Curves',
@@ -18,7 +18,7 @@ export const texts = {
 };
 
 export const viewLegend = 'What is shown';
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../../run/state.js').State['curves']['view']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../parts/curves/state.js').CurvesView>[]} */
 export const views = [
   { value: 'time', text: 'Against time' },
   { value: 'stability', text: 'Stability', hint: 'The Lyapunov function V and its rate' },
@@ -93,7 +93,7 @@ export const startsHead = 'Evolved from';
 /** @param {number} count */
 export const startsText = (count) => (count === 1 ? '1 start' : `${count} starts`);
 export const curveLegend = 'Curve over the generations';
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../../run/state.js').State['curves']['lab']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../lab/state.js').LabCurve>[]} */
 export const curveChoices = [
   { value: 'cost', text: 'J' },
   { value: 'sigmas', text: 'σ', hint: 'Mean step size of each gain' },

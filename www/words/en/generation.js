@@ -9,7 +9,6 @@ export * from '../common/generation.js';
 
 export const texts = {
   generationTable: 'Table',
-  generationTableClose: 'Close',
   generationBack: 'Phase before',
   generationDetails: 'The chosen individual',
 };

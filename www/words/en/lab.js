@@ -9,9 +9,8 @@ export * from './numbers.js';
 /** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
 /** @typedef {import('../../run/state.js').Driver} Driver */
-/** @typedef {import('../../run/state.js').PageName} PageName */
 /** @typedef {import('../../run/state.js').Restart} Restart */
-/** @typedef {import('../../run/state.js').Until} Until */
+/** @typedef {import('../../run/pace.js').Until} Until */
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
@@ -65,6 +64,7 @@ export const drivers = [
 ];
 
 /** @type {Record<PageName, string>} */
+/** @type {Record<string, string>} */
 export const pages = {
   lab: 'Lab',
   generation: 'Generation',
@@ -76,7 +76,7 @@ export const pages = {
   luck: 'Luck',
 };
 
-/** What each part is for. @param {number} population @returns {Record<PageName, string>} */
+/** What each part is for. @param {number} population @returns {Record<string, string>} */
 export const taglines = (population) => ({
   lab: `${population} robots, each with three random gains, drive to the goal. Evolution keeps what drives well.`,
   generation:

@@ -20,9 +20,6 @@ export const texts = {
   luckLuckiest: 'luckiest',
   luckUnluckiest: 'unluckiest',
   luckRank: 'One seed, from the luckiest to the unluckiest',
-  luckDialog: 'All seeds',
-  luckCsv: 'Download CSV',
-  luckClose: 'Close',
 };
 
 /** @param {number} count */

@@ -3,6 +3,7 @@
 export const texts = {
   tableButton: 'Table',
   tableClose: 'Close',
+  tableCsv: 'Download CSV',
 };
 
 /** @param {number} newest */

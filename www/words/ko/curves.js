@@ -10,7 +10,7 @@ export * from '../common/curves.js';
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
 /** @typedef {import('../../run/state.js').Driver} Driver */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/state.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
 
 export const texts = {
   curvesTitle: '곡선',
@@ -19,7 +19,7 @@ export const texts = {
 };
 
 export const viewLegend = '보여 줄 내용';
-/** @type {readonly import('../../kit/segmented.js').Choice<State['curves']['view']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../parts/curves/state.js').CurvesView>[]} */
 export const views = [
   { value: 'time', text: '시간에 따라' },
   { value: 'stability', text: '안정성', hint: '리아푸노프 함수 V와 그 변화율' },
@@ -94,7 +94,7 @@ export const startsHead = '진화한 출발점';
 /** @param {number} count */
 export const startsText = (count) => `${count}개`;
 export const curveLegend = '세대에 따른 곡선';
-/** @type {readonly import('../../kit/segmented.js').Choice<State['curves']['lab']>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../lab/state.js').LabCurve>[]} */
 export const curveChoices = [
   { value: 'cost', text: 'J' },
   { value: 'sigmas', text: 'σ', hint: '이득마다의 평균 변이 폭' },

@@ -9,7 +9,6 @@ export * from '../common/generation.js';
 
 export const texts = {
   generationTable: '세대 표',
-  generationTableClose: '닫기',
   generationBack: '이전 단계',
   generationDetails: '선택한 개체',
 };

@@ -9,9 +9,8 @@ export * from './numbers.js';
 /** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
 /** @typedef {import('../../run/state.js').Driver} Driver */
-/** @typedef {import('../../run/state.js').PageName} PageName */
 /** @typedef {import('../../run/state.js').Restart} Restart */
-/** @typedef {import('../../run/state.js').Until} Until */
+/** @typedef {import('../../run/pace.js').Until} Until */
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
@@ -61,6 +60,7 @@ export const drivers = [
 ];
 
 /** @type {Record<PageName, string>} */
+/** @type {Record<string, string>} */
 export const pages = {
   lab: '실험실',
   generation: '세대',
@@ -72,7 +72,7 @@ export const pages = {
   luck: '운',
 };
 
-/** What each part is for. @param {number} population @returns {Record<PageName, string>} */
+/** What each part is for. @param {number} population @returns {Record<string, string>} */
 export const taglines = (population) => ({
   lab: `무작위 이득 세 개씩을 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`,
   generation:

@@ -20,9 +20,6 @@ export const texts = {
   luckLuckiest: '최고의 운',
   luckUnluckiest: '최악의 운',
   luckRank: '가장 운 좋은 시드부터 가장 운 나쁜 시드까지 하나 고르기',
-  luckDialog: '모든 시드',
-  luckCsv: 'CSV 내려받기',
-  luckClose: '닫기',
 };
 
 /** @param {number} count */

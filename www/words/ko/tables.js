@@ -3,6 +3,7 @@
 export const texts = {
   tableButton: '표',
   tableClose: '닫기',
+  tableCsv: 'CSV 내려받기',
 };
 
 /** @param {number} newest */

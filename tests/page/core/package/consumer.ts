@@ -14,6 +14,7 @@ import init, {
   fares,
   fields,
   landscape,
+  lawTerms,
   learningRates,
   paper,
   randomSeed,
@@ -23,7 +24,9 @@ import init, {
   simulate,
   simulateAll,
   startsOnCircle,
+  startsOnGrid,
   version,
+  winsBout,
 } from 'ep-locomotion';
 
 type Same<A, B> = (<T>() => T extends A ? 1 : 2) extends <T>() => T extends B ? 1 : 2 ? true : false;
@@ -77,6 +80,11 @@ exactly<Float64Array>()(errorParts(e, gains)[0].ySet);
 exactly<Float64Array>()(remainingErrors(e, gains, 1).error.x);
 exactly<Individual>()(seedRuns(e, { seeds: [0, 2], generations: 3 })[0].champion);
 exactly<number>()(startsOnCircle({ x: 0, y: 0, radius: 1, count: 4, seed: 1 })[0].theta);
+const grid = { x: { from: -1, to: 1, count: 3 }, y: { from: -1, to: 1, count: 3 }, headings: 4 };
+exactly<number>()(startsOnGrid({ ...grid, part: [0, 5] })[0].theta);
+exactly<number>()(lawTerms(e, gains, sample.error).command.kx.linear);
+exactly<boolean>()(winsBout(1, 2));
+exactly<number[]>()(evolution.record(evolution.generation).ranking);
 exactly<boolean>()(fields()[0].nullable);
 exactly<[number, number, number]>()(paper()[0].gains);
 exactly<number>()(learningRates().common);

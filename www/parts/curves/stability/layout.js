@@ -2,10 +2,10 @@
 import { scaleLinear, scaleLog } from 'd3-scale';
 import { endOf } from '../axes.js';
 
-/** @typedef {import('../axes.js').Axes} Axes */
-/** @typedef {import('../axes.js').Frame} Frame */
-/** @typedef {import('../axes.js').Scale} Scale */
-/** @typedef {import('../axes.js').Value} Value */
+/** @typedef {import('../../../kit/chart.js').Axes} Axes */
+/** @typedef {import('../../../kit/chart.js').Frame} Frame */
+/** @typedef {import('../../../kit/chart.js').Scale} Scale */
+/** @typedef {import('../../../kit/chart.js').Value} Value */
 /** @typedef {import('../../../core/engine.js').Stability} Stability */
 /** @typedef {{ token: string, from: Value, to: Value }} Area A part of V̇ between two edges. */
 /** @typedef {{ lyapunov: Value, rate: Value, promised: Value, areas: Area[] }} Drawn */
@@ -74,8 +74,8 @@ export function layoutOf({ width, height }, driving, others, isLog) {
   return {
     time,
     isLog,
-    lyapunov: { time, frame: upper, scale: lyapunovScale(driving, others, upper, isLog) },
-    rate: { time, frame: lower, scale: rateScale(driving, lower, isLog) },
+    lyapunov: { x: time, frame: upper, y: lyapunovScale(driving, others, upper, isLog) },
+    rate: { x: time, frame: lower, y: rateScale(driving, lower, isLog) },
   };
 }
 

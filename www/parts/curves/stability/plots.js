@@ -1,18 +1,27 @@
 // V and V̇ against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
 import { createLayer } from '../../../kit/canvas.js';
-import { drawCursorDot, drawCursorLine, drawGrid, drawTimeAxis, line, pointsOf, through } from '../axes.js';
+import {
+  drawCursorDot,
+  drawCursorLine,
+  drawGrid,
+  line,
+  pointsOf,
+  through,
+  within,
+} from '../../../kit/chart.js';
+import { drawTimeAxis, timeTicks } from '../axes.js';
 import { linesOf } from '../plots.js';
 import { symbolFont, textFont } from '../../../kit/fonts.js';
+import { styles } from '../../../run/pins.js';
 import { drawMark } from '../../../kit/swatch.js';
-import { sampleBefore } from '../../../lab/plane.js';
-import { colour } from '../../../kit/plot.js';
+import { sampleBefore } from '../../../lab/track.js';
+import { colour } from '../../../kit/palette.js';
 import { watch } from '../../../kit/memo.js';
 import { stability as words } from '../../../words/index.js';
 import { drawnOf, layoutOf } from './layout.js';
 import { risesOf } from './summary.js';
 
-/** @typedef {import('../axes.js').Axes} Axes */
-/** @typedef {import('../axes.js').Scale} Scale */
+/** @typedef {import('../../../kit/chart.js').Axes} Axes */
 /** @typedef {import('../../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../../core/engine.js').Stability} Stability */
 /** @typedef {import('./layout.js').Layout} Layout */
@@ -44,30 +53,21 @@ export function createPlots({ lines, cursor }) {
       if (size.width === 0) return;
       if (linesChanged(driving, law, comparison, pinned, isLog, size, theme) || !layout) {
         layout = layoutOf(size, driving, [comparison, ...pinned], isLog);
-        under.clear(size);
-        drawLyapunov(under.context, layout, model);
-        drawRate(under.context, layout, driving);
-        drawTimeAxis(under.context, layout.time, layout.rate.frame.bottom);
+        const drawn = layout;
+        under.draw(size, (context) => {
+          drawLyapunov(context, drawn, model);
+          drawRate(context, drawn, driving);
+          drawTimeAxis(context, drawn.time, drawn.rate.frame.bottom);
+        });
       }
       if (cursorChanged(layout, time)) {
-        over.clear(size);
-        drawCursor(over.context, layout, driving, time);
+        const drawn = layout;
+        over.draw(size, (context) => drawCursor(context, drawn, driving, time));
       }
     },
     /** The time at a place of the picture. @param {number} px */
     timeAt: (px) => layout?.time.invert(px) ?? 0,
   };
-}
-
-/** What is drawn stays within the axes. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {() => void} draw */
-function within(context, { frame }, draw) {
-  context.save();
-  context.beginPath();
-  context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top);
-  context.clip();
-  context.lineJoin = 'round';
-  draw();
-  context.restore();
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {StabilityModel} model */
@@ -77,10 +77,10 @@ function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
   drawGrid(
     context,
     axes,
-    ticks,
+    { x: timeTicks(axes.x), y: ticks },
     ticks.map((tick) => words.tickText(tick, isLog)),
   );
-  within(context, axes, () => {
+  within(context, axes.frame, () => {
     drawLimited(context, axes, driving);
     for (const { run, colour: own, dash, width, slot } of linesOf(model)) {
       context.lineWidth = width;
@@ -94,7 +94,7 @@ function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
       context.stroke();
       const last = run.time.length - 1;
       if (slot !== null)
-        drawMark(context, slot, axes.time(run.time[last]), axes.scale(run.lyapunov[last]), {
+        drawMark(context, styles[slot].mark, axes.x(run.time[last]), axes.y(run.lyapunov[last]), {
           fill: String(own),
           edge: colour('--paper'),
         });
@@ -108,15 +108,15 @@ function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Stability} driving */
 function drawRate(context, { rate: axes, isLog }, driving) {
   const { rate, promised, areas } = drawnOf(driving, isLog);
-  const { frame, scale } = axes;
+  const { frame, y: scale } = axes;
   const ticks = ticksOf(axes);
   drawGrid(
     context,
     axes,
-    ticks,
+    { x: timeTicks(axes.x), y: ticks },
     ticks.map((tick) => words.tickText(tick, false)),
   );
-  within(context, axes, () => {
+  within(context, axes.frame, () => {
     for (const { token, from, to } of areas) {
       const outer = pointsOf(axes, driving.time, to);
       context.beginPath();
@@ -153,7 +153,7 @@ function drawRate(context, { rate: axes, isLog }, driving) {
 }
 
 /** Where the limits cut the command. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving */
-function drawLimited(context, { time: across, frame, scale: _ }, { time, limited }) {
+function drawLimited(context, { x: across, frame }, { time, limited }) {
   context.fillStyle = colour('--ink');
   context.globalAlpha = 0.06;
   for (let from = 0; from < time.length; from += 1) {
@@ -168,7 +168,7 @@ function drawLimited(context, { time: across, frame, scale: _ }, { time, limited
 }
 
 /** Where V rises, over its line. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving */
-function drawRises(context, { time: across, scale }, driving) {
+function drawRises(context, { x: across, y: scale }, driving) {
   const { time, lyapunov } = driving;
   const isRising = risesOf(driving);
   context.strokeStyle = colour('--error');
@@ -183,10 +183,11 @@ function drawRises(context, { time: across, scale }, driving) {
 }
 
 /** @param {Axes} axes */
-const ticksOf = ({ frame, scale }) => scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
+const ticksOf = ({ frame, y: scale }) =>
+  scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
 
 /** Powers of ten, not too close; where there are hardly any, 1, 2 and 5 times each. @param {Axes} axes */
-function decadesOf({ frame, scale }) {
+function decadesOf({ frame, y: scale }) {
   const [from, to] = scale.domain();
   const [low, high] = [Math.log10(from), Math.log10(to)];
   const every = Math.max(1, Math.ceil(((high - low) * 22) / (frame.bottom - frame.top)));
@@ -211,7 +212,7 @@ function drawTitle(context, { frame }, text) {
 }
 
 /** V at the end of its line, or V with a dot. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} end @param {string} [after] What follows V with a dot. */
-function drawName(context, { frame, scale }, end, after) {
+function drawName(context, { frame, y: scale }, end, after) {
   const half = 10;
   const px = frame.right + 8;
   const wanted = Number.isFinite(end) ? scale(end) : frame.top;
@@ -237,7 +238,7 @@ function drawCursor(context, { time, lyapunov, rate, isLog }, driving, now) {
   const px = time(driving.time[i]);
   drawCursorLine(context, px, lyapunov.frame.top, rate.frame.bottom);
   const drawn = drawnOf(driving, isLog);
-  drawCursorDot(context, lyapunov.frame, px, lyapunov.scale(drawn.lyapunov(i)), '--ink');
-  for (const { token, to } of drawn.areas) drawCursorDot(context, rate.frame, px, rate.scale(to(i)), token);
-  drawCursorDot(context, rate.frame, px, rate.scale(drawn.rate(i)), '--ink');
+  drawCursorDot(context, lyapunov.frame, px, lyapunov.y(drawn.lyapunov(i)), '--ink');
+  for (const { token, to } of drawn.areas) drawCursorDot(context, rate.frame, px, rate.y(to(i)), token);
+  drawCursorDot(context, rate.frame, px, rate.y(drawn.rate(i)), '--ink');
 }

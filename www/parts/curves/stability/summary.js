@@ -2,7 +2,7 @@
 
 /** @typedef {import('../../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../../core/engine.js').Stability} Stability */
-/** @typedef {import('../../../run/state.js').Triple} Triple */
+/** @typedef {import('../../../core/engine.js').Triple} Triple */
 /** @typedef {'limits' | 'disturbance' | 'sampling'} Cause Why V rises though its promised rate is not above zero. */
 /**
  * @typedef {object} Summary

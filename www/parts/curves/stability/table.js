@@ -4,7 +4,7 @@ import { stability as words } from '../../../words/index.js';
 
 /** @typedef {import('../../../core/engine.js').Stability} Stability */
 
-/** @param {string} name @param {Stability} run @returns {import('../../../lab/tables.js').Table} */
+/** @param {string} name @param {Stability} run @returns {import('../../../kit/table.js').Table} */
 export function stabilityTable(name, run) {
   const { every, samples } = readableSamples(run.time.length);
   return {

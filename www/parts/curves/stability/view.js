@@ -1,9 +1,11 @@
 // The Lyapunov function of the run on screen: V, what the law promises of its rate, and what the robot makes of that.
-import { followPointer, sampleTime } from '../axes.js';
+import { curvesSlice } from '../state.js';
+import { followPointer } from '../../../kit/chart.js';
+import { sampleTime } from '../axes.js';
 import { byId, create, followSize, formula, write } from '../../../kit/elements.js';
-import { sampleBefore } from '../../../lab/plane.js';
+import { sampleBefore } from '../../../lab/track.js';
 import { remember, watch } from '../../../kit/memo.js';
-import { offer } from '../../../lab/tables.js';
+import { offerTable } from '../../../kit/table.js';
 import { stability as words } from '../../../words/index.js';
 import { createPlots } from './plots.js';
 import { summaryOf } from './summary.js';
@@ -11,11 +13,11 @@ import { stabilityTable } from './table.js';
 
 /** @typedef {import('../../../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../../core/engine.js').Stability} Stability */
-/** @typedef {import('../../../lab/navigation.js').PageParts} PageParts */
+/** @typedef {import('../../part.js').Tools} PageParts */
 /** @typedef {import('../../../run/pins.js').Pins} Pins */
-/** @typedef {import('../../../run/state.js').Scene} Scene */
+/** @typedef {import('../../../run/scene.js').Scene} Scene */
 /** @typedef {import('../../../run/state.js').State} State */
-/** @typedef {import('../../../run/state.js').Triple} Triple */
+/** @typedef {import('../../../core/engine.js').Triple} Triple */
 
 /** @param {Pick<PageParts, 'engine' | 'store' | 'actions'>} parts */
 export function createStability({ engine, store, actions }) {
@@ -27,10 +29,8 @@ export function createStability({ engine, store, actions }) {
   const picture = byId('stability-picture');
   /** @type {HTMLInputElement} */
   const log = byId('stability-log');
-  const size = followSize(picture, () => store.update({}));
-  log.addEventListener('change', () =>
-    store.update({ curves: { ...store.get().curves, scale: log.checked ? 'log' : 'linear' } }),
-  );
+  const size = followSize(picture, () => store.redraw());
+  log.addEventListener('change', () => curvesSlice.update(store, { scale: log.checked ? 'log' : 'linear' }));
 
   const stabilityOne = () =>
     remember((/** @type {Experiment} */ experiment, /** @type {Triple} */ gains) =>
@@ -46,15 +46,17 @@ export function createStability({ engine, store, actions }) {
   followPointer(picture, (px) => {
     if (shown) actions.scrub(sampleTime(shown.driving, plots.timeAt(px)));
   });
-  offer('stability-table', () => shown && stabilityTable(shown.name, shown.driving));
+  offerTable('stability-table', () => shown && stabilityTable(shown.name, shown.driving));
 
   const textsChanged = watch();
   return {
     /** @param {State} state @param {Scene} scene @param {{ name: string, time: number }} of */
-    draw({ curves, pins, theme }, { experiment, gains, compared }, { name, time }) {
+    draw(state, { experiment, gains, compared }, { name, time }) {
+      const { pins, theme } = state;
+      const isLog = curvesSlice.of(state).scale === 'log';
       const driving = drivingOf(experiment, gains);
       shown = { name, driving };
-      log.checked = curves.scale === 'log';
+      log.checked = isLog;
       if (textsChanged(driving, name)) {
         const summary = summaryOf(driving, experiment, gains);
         write(note, words.noteText(summary));
@@ -67,7 +69,7 @@ export function createStability({ engine, store, actions }) {
         comparison: comparisonOf(compared.experiment, compared.gains),
         pins,
         pinned: pinnedOf(pins),
-        isLog: curves.scale === 'log',
+        isLog,
         time,
         size: size(),
         theme,

@@ -1,4 +1,4 @@
-// Step 6 in English.
+// The step “cost” in English.
 import { costText, fixed } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */

@@ -1,4 +1,4 @@
-// Step 12 in English.
+// The step “disturbance” in English.
 import { fixed } from '../numbers.js';
 
 export const disturbance = {

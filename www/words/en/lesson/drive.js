@@ -1,4 +1,4 @@
-// Step 1 in English.
+// The step “drive” in English.
 import { costText, fixed } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
@@ -13,7 +13,7 @@ Move the three sliders under the picture. At every change the robot drives again
 *Can you get J below {=arbitrary}?* That is the J of the numbers that the authors of the method picked without evolution.`,
     next: `You have just done what this page is about: you changed numbers by feel, watched, and kept what was better. Evolution does the same, with twenty robots at a time, and does not tire. But what *are* these three numbers?`,
   },
-  /** @param {import('../../../lesson/tally.js').Tally} tally */
+  /** @param {import('../../common/lesson.js').Drives} tally */
   tally: ({ drives, best }) =>
     best
       ? `Your best so far: J ${costText(best.cost)} with ${best.gains.map((gain) => fixed(gain, 2)).join(', ')}. ${drives === 1 ? '1 drive' : `${drives} drives`}.`

@@ -1,7 +1,7 @@
-// Step 9 in English.
+// The step “duel” in English.
 import { costText, fixed, grouped } from '../numbers.js';
 
-/** @typedef {import('../../../lesson/duel.js').Verdict} Verdict */
+/** @typedef {import('../../common/lesson.js').Verdict} Verdict */
 
 /** @param {number} count */
 const drivesText = (count) => (count === 1 ? '1 drive' : `${grouped(count)} drives`);

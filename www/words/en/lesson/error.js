@@ -1,4 +1,4 @@
-// Step 2 in English.
+// The step “error” in English.
 import { degreesText, fixed } from '../numbers.js';
 
 export const error = {

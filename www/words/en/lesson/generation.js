@@ -1,4 +1,4 @@
-// Step 7 in English.
+// The step “generation” in English.
 import { costText } from '../numbers.js';
 
 /** @typedef {{ stays: boolean, cost: number, wins: number, place: number }} Fate */

@@ -1,8 +1,8 @@
-// Step 10 in English.
+// The step “landscape” in English.
 import { costText, fixed, threeDigits } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
-/** @typedef {import('../../../lesson/lowest.js').Lowest} Lowest */
+/** @typedef {import('../../common/lesson.js').Lowest} Lowest */
 
 export const landscape = {
   title: 'The landscape it searched',

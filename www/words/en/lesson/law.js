@@ -1,4 +1,4 @@
-// Step 3 in English.
+// The step “law” in English.
 import { degreesText, fixed } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Posture} Posture */

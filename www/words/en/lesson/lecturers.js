@@ -1,4 +1,4 @@
-// Step 14 in English.
+// The step “lecturers” in English.
 
 export const lecturers = {
   title: 'For lecturers',

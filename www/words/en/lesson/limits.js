@@ -1,4 +1,4 @@
-// Step 5 in English.
+// The step “limits” in English.
 import { costText, fixed } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */

@@ -1,4 +1,4 @@
-// Step 13 in English.
+// The step “paper” in English.
 import { costText } from '../numbers.js';
 
 export const paper = {
@@ -36,7 +36,7 @@ The *numbers themselves* are not the paper’s, and no honest program could make
   head: ['drive', 'kx, ky, kθ', 'J in the paper', 'J here'],
   choicesTitle: 'Stated, and chosen',
   choicesHead: ['', 'in the paper', 'here'],
-  /** @param {ReturnType<typeof import('../../../lesson/paper-table.js')['textsOf']>} e */
+  /** @param {import('../../common/lesson.js').Choices} e */
   choices: (e) => [
     ['start', 'not given; the plots begin at 0', e.start],
     ['goal', '2 m, 2 m, 45°', e.goal],

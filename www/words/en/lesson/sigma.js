@@ -1,4 +1,4 @@
-// Step 8 in English.
+// The step “sigma” in English.
 import { costText, fixed } from '../numbers.js';
 
 export const sigma = {

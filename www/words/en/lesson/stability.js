@@ -1,4 +1,4 @@
-// Step 4 in English.
+// The step “stability” in English.
 import { fixed } from '../numbers.js';
 
 export const stability = {

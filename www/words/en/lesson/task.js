@@ -1,8 +1,8 @@
-// Step 11 in English.
+// The step “task” in English.
 import { costText, fixed, grouped } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
-/** @typedef {import('../../../lesson/robust.js').Share} Share */
+/** @typedef {import('../../common/lesson.js').Share} Share */
 /** @typedef {import('../../../parts/training/request.js').Result} Result */
 
 export const task = {

@@ -1,4 +1,4 @@
-// Step 6 in Korean.
+// The step “cost” in Korean.
 import { costText, fixed } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */

@@ -1,4 +1,4 @@
-// Step 12 in Korean.
+// The step “disturbance” in Korean.
 import { fixed } from '../numbers.js';
 
 export const disturbance = {

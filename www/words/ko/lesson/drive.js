@@ -1,4 +1,4 @@
-// Step 1 in Korean.
+// The step “drive” in Korean.
 import { costText, fixed } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
@@ -13,7 +13,7 @@ export const drive = {
 *J를 {=arbitrary} 아래로 낮출 수 있습니까?* 이 방법을 만든 저자들이 진화 없이 고른 숫자의 J입니다.`,
     next: `방금 한 일이 바로 이 페이지의 주제입니다. 숫자를 감으로 바꾸고, 지켜보고, 더 나은 것을 남겼습니다. 진화도 똑같이 합니다. 다만 로봇 스무 대로 한꺼번에 하고, 지치지 않습니다. 그런데 이 세 숫자는 도대체 무엇입니까?`,
   },
-  /** @param {import('../../../lesson/tally.js').Tally} tally */
+  /** @param {import('../../common/lesson.js').Drives} tally */
   tally: ({ drives, best }) =>
     best
       ? `지금까지 가장 좋은 결과: J ${costText(best.cost)}, 숫자 ${best.gains.map((gain) => fixed(gain, 2)).join(', ')}. 주행 ${drives}번.`

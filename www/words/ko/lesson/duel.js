@@ -1,7 +1,7 @@
-// Step 9 in Korean.
+// The step “duel” in Korean.
 import { costText, fixed, grouped } from '../numbers.js';
 
-/** @typedef {import('../../../lesson/duel.js').Verdict} Verdict */
+/** @typedef {import('../../common/lesson.js').Verdict} Verdict */
 
 export const duel = {
   title: '나와 진화의 대결',

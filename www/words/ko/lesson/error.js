@@ -1,4 +1,4 @@
-// Step 2 in Korean.
+// The step “error” in Korean.
 import { degreesText, fixed } from '../numbers.js';
 
 export const error = {

@@ -1,4 +1,4 @@
-// Step 7 in Korean.
+// The step “generation” in Korean.
 import { costText } from '../numbers.js';
 
 /** @typedef {{ stays: boolean, cost: number, wins: number, place: number }} Fate */

@@ -1,8 +1,8 @@
-// Step 10 in Korean.
+// The step “landscape” in Korean.
 import { costText, fixed, threeDigits } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
-/** @typedef {import('../../../lesson/lowest.js').Lowest} Lowest */
+/** @typedef {import('../../common/lesson.js').Lowest} Lowest */
 
 export const landscape = {
   title: '진화가 더듬은 비용 지형',

@@ -1,4 +1,4 @@
-// Step 3 in Korean.
+// The step “law” in Korean.
 import { degreesText, fixed } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Posture} Posture */

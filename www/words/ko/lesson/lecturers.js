@@ -1,4 +1,4 @@
-// Step 14 in Korean.
+// The step “lecturers” in Korean.
 
 export const lecturers = {
   title: '강의하는 분께',

@@ -1,4 +1,4 @@
-// Step 5 in Korean.
+// The step “limits” in Korean.
 import { costText, fixed } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */

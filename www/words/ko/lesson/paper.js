@@ -1,4 +1,4 @@
-// Step 13 in Korean.
+// The step “paper” in Korean.
 import { costText } from '../numbers.js';
 
 export const paper = {
@@ -36,7 +36,7 @@ export const paper = {
   head: ['주행', 'kx, ky, kθ', '논문의 J', '이 페이지의 J'],
   choicesTitle: '논문에 있는 것과 우리가 고른 것',
   choicesHead: ['', '논문', '이 페이지'],
-  /** @param {ReturnType<typeof import('../../../lesson/paper-table.js')['textsOf']>} e */
+  /** @param {import('../../common/lesson.js').Choices} e */
   choices: (e) => [
     ['출발', '없음. 그림은 0에서 시작', e.start],
     ['목표', '2 m, 2 m, 45°', e.goal],

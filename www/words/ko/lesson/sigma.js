@@ -1,4 +1,4 @@
-// Step 8 in Korean.
+// The step “sigma” in Korean.
 import { costText, fixed } from '../numbers.js';
 
 export const sigma = {

@@ -1,4 +1,4 @@
-// Step 4 in Korean.
+// The step “stability” in Korean.
 import { fixed } from '../numbers.js';
 
 export const stability = {

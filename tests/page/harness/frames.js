@@ -1,0 +1,58 @@
+// Runs in the page before its own scripts: knows when the page has drawn what happened, and can let every frame come late.
+(() => {
+  const { requestAnimationFrame: ask, cancelAnimationFrame: cancel } = window;
+  /** By how many milliseconds every frame comes late. */
+  const late = Number(document.currentScript?.dataset.late);
+  /** While a frame that changes something is waited for, how long at most: what nobody sees gets no frames. */
+  const patience = 1000;
+
+  /** The frames that are asked for, each with whether another frame did, as motion does. @type {Map<number, boolean>} */
+  const asked = new Map();
+  let isInFrame = false;
+  /** How many times as fast the time of the frames runs. */
+  let haste = 1;
+
+  window.requestAnimationFrame = (callback) => {
+    const run = (/** @type {number} */ now) => {
+      if (!asked.delete(id)) return;
+      isInFrame = true;
+      try {
+        callback(haste * now);
+      } finally {
+        isInFrame = false;
+      }
+    };
+    const id = ask(late > 0 ? () => setTimeout(() => run(performance.now()), late) : run);
+    asked.set(id, isInFrame);
+    return id;
+  };
+  window.cancelAnimationFrame = (id) => {
+    asked.delete(id);
+    cancel(id);
+  };
+
+  /** The next frame, with what the page hears of its new sizes after it. */
+  const frame = () =>
+    new Promise((resolve) => {
+      ask(() => setTimeout(resolve));
+      setTimeout(resolve, patience);
+    });
+
+  /** Waits for every frame that is asked for, and for those that come of what these changed; motion goes on. */
+  async function drawn() {
+    const end = performance.now() + patience;
+    const before = [...asked.keys()];
+    const isDrawn = () => !before.some((id) => asked.has(id)) && ![...asked.values()].includes(false);
+    while (!isDrawn() && performance.now() < end) await frame();
+  }
+
+  /** Whether nothing is to be drawn. */
+  const areNone = () => asked.size === 0;
+
+  /** @param {number} times */
+  const hurry = (times) => {
+    haste = times;
+  };
+
+  Object.defineProperty(window, 'pageFrames', { value: { drawn, areNone, hurry } });
+})();

@@ -1,0 +1,52 @@
+// What the harness does within the page. It is sent there as text, so nothing here may name anything else.
+
+/**
+ * Does something when what happened before is drawn. Other pages draw at once.
+ * @param {(...args: any[]) => unknown} body
+ * @param {unknown[]} args
+ */
+export function onceDrawn(body, args) {
+  const { pageFrames } = /** @type {{ pageFrames?: { drawn: () => Promise<void> } }} */ (
+    /** @type {unknown} */ (window)
+  );
+  return pageFrames ? pageFrames.drawn().then(() => body(...args)) : body(...args);
+}
+
+/**
+ * Looks again and again until there is something to see.
+ * @param {number} longest in milliseconds
+ * @param {(...args: unknown[]) => unknown} condition
+ * @param {unknown[]} args
+ */
+export async function look(longest, condition, args) {
+  const end = performance.now() + longest;
+  try {
+    for (;;) {
+      const result = await condition(...args);
+      if (result || performance.now() > end) return { result };
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+  } catch (error) {
+    return { error: String(error) };
+  }
+}
+
+/** @param {string} address of axe-core @param {string} selector @param {boolean} contrast whether colours are looked at */
+export async function obstaclesOf(address, selector, contrast) {
+  const own = /** @type {{ axe?: typeof import('axe-core') }} */ (/** @type {unknown} */ (window));
+  if (!own.axe)
+    await new Promise((resolve, reject) => {
+      const script = document.createElement('script');
+      Object.assign(script, { src: address, onload: resolve, onerror: reject });
+      document.head.append(script);
+    });
+  const { violations } = await /** @type {typeof import('axe-core')} */ (own.axe).run(selector, {
+    // What is read below names no selector, which takes time to find.
+    selectors: false,
+    resultTypes: ['violations'],
+    rules: { 'color-contrast': { enabled: contrast } },
+  });
+  return violations.map(
+    ({ id, help, nodes }) => `${id}: ${help}: ${nodes.map(({ html }) => html).join(' ')}`,
+  );
+}

@@ -1,0 +1,33 @@
+// The core under Node: what tests and the written lesson compute, by the very module that the page is built with.
+import { readFile } from 'node:fs/promises';
+import init, { paper } from '../../pkg/ep_locomotion.js';
+import { engineOf } from './direct.js';
+import { createJobs } from './jobs.js';
+import { createSurveys } from './surveys.js';
+
+export * from '../../pkg/ep_locomotion.js';
+
+/** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
+/** @typedef {import('../../pkg/ep_locomotion.js').Gains} Gains */
+/** @typedef {import('../../pkg/ep_locomotion.js').Preset} Preset */
+
+export const wasm = new URL('../../pkg/ep_locomotion_bg.wasm', import.meta.url);
+/** Of the one instance of the core. */
+export const { memory } = await init({ module_or_path: await readFile(wasm) });
+
+/** In the place of the page's workers, this thread. @type {import('./pool.js').Run} */
+const run = async ({ call, parts }) => {
+  const job = /** @type {(...args: any[]) => any} */ (jobs[call]);
+  return parts.map((part) => job(...part));
+};
+const jobs = createJobs(() => {});
+
+/** The page's engine, with an evolution of its own. */
+export const createEngine = () => engineOf(() => createSurveys({ size: 1, run, channel: () => ({ run }) }));
+
+/** @param {Preset} preset @param {'ep' | 'arbitrary'} method */
+export function paperGains(preset, method) {
+  const row = paper().find((one) => one.preset === preset && one.method === method);
+  if (!row) throw new Error(`the core has no ${method} gains for ${preset}`);
+  return row.gains;
+}

@@ -1,0 +1,78 @@
+// The long jobs, part by part, on whatever thread this is loaded.
+import {
+  Evolution,
+  Simulation,
+  errorParts,
+  evaluate,
+  experiment,
+  fares,
+  landscape,
+  learningRates,
+  paper,
+  remainingErrors,
+  robustness,
+  seedRuns,
+  simulate,
+  simulateAll,
+} from '../../pkg/ep_locomotion.js';
+import { groupNames } from './checks/check.js';
+import { resultsOf } from './checks/checks.js';
+
+/** @typedef {import('../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
+/** @typedef {ReturnType<typeof createJobs>} Jobs */
+
+/** Milliseconds from one progress to the next. */
+const progressPeriod = 100;
+
+/** @param {(done: number) => void} tell Gets the part of a job that is done, from 0 to 1. */
+export const createJobs = (tell) => ({
+  errorParts,
+  evaluate,
+  fares,
+  landscape,
+  remainingErrors,
+  robustness,
+  seedRuns,
+
+  /** A whole evolution: its champion, and best and median J of each generation from 0. @param {PartialExperiment} experiment @param {number} generations */
+  evolve(experiment, generations) {
+    if (!Number.isSafeInteger(generations) || generations < 0)
+      throw new Error(`generations must be a whole number from 0, but was ${generations}`);
+    const evolution = new Evolution(experiment);
+    const history = { best: new Float64Array(generations + 1), median: new Float64Array(generations + 1) };
+    let newest = evolution.statistics();
+    let told = performance.now();
+    for (;;) {
+      history.best[newest.generation] = newest.best.cost;
+      history.median[newest.generation] = newest.median;
+      if (newest.generation === generations) break;
+      if (performance.now() - told >= progressPeriod) {
+        told = performance.now();
+        tell(newest.generation / generations);
+      }
+      newest = evolution.step();
+    }
+    const hash = evolution.hash();
+    evolution.free();
+    return { ...newest.best, history, evaluations: newest.evaluations, hash };
+  },
+
+  /** The checks of the core's own numbers, by group. @param {import('./checks/check.js').Golden} golden */
+  checks(golden) {
+    const core = {
+      Evolution,
+      Simulation,
+      evaluate,
+      experiment,
+      fares,
+      landscape,
+      learningRates,
+      paper,
+      simulate,
+      simulateAll,
+    };
+    return groupNames.map((group, i) =>
+      resultsOf(core, group, golden, (done) => tell((i + done) / groupNames.length)),
+    );
+  },
+});

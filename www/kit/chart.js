@@ -1,0 +1,237 @@
+// Line charts on canvases: axes, lines, bands and a cursor. Names at the lines are in names.js.
+import { createLayer } from './canvas.js';
+import { followSize } from './elements.js';
+import { textFont } from './fonts.js';
+import { watch } from './memo.js';
+import { colour } from './palette.js';
+
+/** @typedef {import('./canvas.js').Size} Size */
+/** @typedef {import('d3-scale').ScaleContinuousNumeric<number, number>} Scale */
+/** @typedef {{ left: number, right: number, top: number, bottom: number }} Frame */
+/** @typedef {{ x: Scale, y: Scale, frame: Frame }} Axes */
+/** @typedef {(i: number) => number} Value At a sample. */
+/** @typedef {{ token: string, width: number, dash?: readonly number[] }} Stroke */
+
+/**
+ * A canvas that fills an element, drawn when what it shows or its size is another.
+ * @template {object} M
+ * @param {HTMLElement} root @param {(context: CanvasRenderingContext2D, size: Size, model: M) => void} draw
+ */
+export function createChart(root, draw) {
+  const canvas = root.appendChild(document.createElement('canvas'));
+  root.classList.add('chart');
+  const layer = createLayer(canvas);
+  const changed = watch();
+  /** @type {M | null} */
+  let shown = null;
+  const show = (/** @type {Size} */ size) => {
+    const model = shown;
+    if (!model || size.width === 0) return;
+    // In whole pixels, because a canvas that is stretched by a part of one is blurred.
+    canvas.style.setProperty('--wide', `${size.width}px`);
+    canvas.style.setProperty('--high', `${size.height}px`);
+    layer.draw(size, (context) => draw(context, size, model));
+  };
+  const sizeOf = followSize(root, show);
+  return {
+    canvas,
+    /** @param {M} model @returns {boolean} whether it is another */
+    draw(model) {
+      if (!changed(...Object.values(model))) return false;
+      shown = model;
+      show(sizeOf());
+      return true;
+    },
+  };
+}
+
+/** Where the lines are: beside numbers on the left, above those of the other axis. @param {Size} size @param {{ top?: number, right: number }} margin @returns {Frame} */
+export const frameIn = ({ width, height }, { top = 8, right }) => ({
+  left: 52,
+  right: width - right,
+  top,
+  bottom: height - 28,
+});
+
+/**
+ * Round numbers on an axis, at least so many pixels apart.
+ * @param {Scale} scale @param {number} space @param {{ factors?: readonly number[], least?: number }} [steps] Which multiples of powers of ten, from which on.
+ */
+export function ticksOn(scale, space, { factors = [1, 2, 2.5, 5], least = 0 } = {}) {
+  const [from, to] = scale.domain();
+  const [start, end] = scale.range();
+  const wanted = Math.max(least, (space * (to - from)) / Math.max(1, Math.abs(end - start)));
+  const power = 10 ** Math.floor(Math.log10(wanted) + 1e-9);
+  const step = power * (factors.find((factor) => factor * power >= wanted * (1 - 1e-9)) ?? 10);
+  const first = Math.ceil(from / step - 1e-9);
+  const count = Math.floor(to / step + 1e-9) - first + 1;
+  return Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * step);
+}
+
+/** Whole numbers, as generations are. @param {Scale} scale */
+export const wholeTicks = (scale) => ticksOn(scale, 56, { factors: [1, 2, 5], least: 1 });
+
+/** As many digits as the step needs, at every tick. @param {readonly number[]} ticks */
+export function sameDigits(ticks) {
+  const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
+  if (step >= 1000) return ticks.map((tick) => (tick === 0 ? '0' : `${tick / 1000}k`));
+  const digits =
+    [0, 1, 2, 3, 4, 5].find(
+      (count) => Math.abs(step * 10 ** count - Math.round(step * 10 ** count)) < 1e-6,
+    ) ?? 6;
+  return ticks.map((tick) => tick.toFixed(digits));
+}
+
+/** A straight line on the pixels. @param {CanvasRenderingContext2D} context @param {readonly [number, number]} from @param {readonly [number, number]} to */
+export function line(context, from, to) {
+  context.moveTo(Math.round(from[0]) + 0.5, Math.round(from[1]) + 0.5);
+  context.lineTo(Math.round(to[0]) + 0.5, Math.round(to[1]) + 0.5);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Stroke} stroke */
+export function take(context, { token, width, dash = [] }) {
+  context.strokeStyle = colour(token);
+  context.lineWidth = width;
+  context.setLineDash([...dash]);
+}
+
+/** Lines at the ticks, and the numbers on the left. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {{ x: readonly number[], y: readonly number[] }} ticks @param {readonly string[]} texts */
+export function drawGrid(context, { x, y, frame }, ticks, texts) {
+  take(context, { token: '--hairline', width: 1 });
+  context.beginPath();
+  for (const tick of ticks.x) line(context, [x(tick), frame.top], [x(tick), frame.bottom]);
+  for (const tick of ticks.y) line(context, [frame.left, y(tick)], [frame.right, y(tick)]);
+  context.stroke();
+  context.font = textFont;
+  context.fillStyle = colour('--muted');
+  context.textAlign = 'right';
+  context.textBaseline = 'middle';
+  for (const [i, tick] of ticks.y.entries()) context.fillText(texts[i], frame.left - 6, y(tick));
+}
+
+/** The numbers below. @param {CanvasRenderingContext2D} context @param {Scale} x @param {number} bottom @param {readonly number[]} ticks @param {readonly string[]} texts */
+export function drawNumbersBelow(context, x, bottom, ticks, texts) {
+  context.font = textFont;
+  context.fillStyle = colour('--muted');
+  context.textAlign = 'center';
+  context.textBaseline = 'top';
+  for (const [i, tick] of ticks.entries()) context.fillText(texts[i], x(tick), bottom + 7);
+}
+
+/** What is drawn stays within the frame. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {() => void} draw */
+export function within(context, frame, draw) {
+  context.save();
+  context.beginPath();
+  context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top);
+  context.clip();
+  context.lineJoin = 'round';
+  draw();
+  context.restore();
+}
+
+/**
+ * Where a curve goes, without the steps too small to see: from where it is a number to where it is none.
+ * @param {Axes} axes @param {ArrayLike<number>} xs @param {Value} value @param {boolean} [isHeld] until the next sample
+ */
+export function pointsOf({ x, y, frame }, xs, value, isHeld = false) {
+  const least = 0.5;
+  const last = xs.length - 1;
+  const height = frame.bottom - frame.top;
+  // A canvas draws nothing of what is too far outside.
+  const inside = (/** @type {number} */ py) =>
+    Math.min(Math.max(py, frame.top - 3 * height), frame.bottom + 3 * height);
+  let first = 0;
+  while (first < last && Number.isNaN(value(first))) first += 1;
+  let [fromX, fromY] = [x(xs[first]), inside(y(value(first)))];
+  /** @type {[number, number][]} */
+  const points = [[fromX, fromY]];
+  for (let i = first + 1; i <= last; i += 1) {
+    const [px, py] = [x(xs[i]), inside(y(value(i)))];
+    if (Number.isNaN(py)) break;
+    if (i < last && Math.abs(px - fromX) + Math.abs(py - fromY) < least) continue;
+    if (isHeld) points.push([px, fromY]);
+    points.push([px, py]);
+    [fromX, fromY] = [px, py];
+  }
+  return points;
+}
+
+/** Adds points to the path. @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} points */
+export function through(context, points) {
+  const [first, ...rest] = points;
+  context.moveTo(...first);
+  for (const point of rest) context.lineTo(...point);
+}
+
+/** A line that is sharp where it is level. @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} points @param {Stroke} stroke */
+export function drawCurve(context, points, stroke) {
+  const shift = (stroke.width % 2) / 2;
+  take(context, stroke);
+  context.beginPath();
+  through(
+    context,
+    points.map(([px, py]) => [Math.round(px) + shift, Math.round(py) + shift]),
+  );
+  context.stroke();
+}
+
+/** What lies between two curves. @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} upper @param {readonly (readonly [number, number])[]} lower @param {string} token @param {number} alpha */
+export function drawBand(context, upper, lower, token, alpha) {
+  context.beginPath();
+  through(context, [...upper, ...[...lower].reverse()]);
+  context.globalAlpha = alpha;
+  context.fillStyle = colour(token);
+  context.fill();
+  context.globalAlpha = 1;
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} px @param {Pick<Frame, 'top' | 'bottom'>} frame @param {Stroke} stroke */
+export function drawUpright(context, px, { top, bottom }, stroke) {
+  take(context, stroke);
+  context.beginPath();
+  line(context, [px, top], [px, bottom]);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} px @param {number} top @param {number} bottom */
+export function drawCursorLine(context, px, top, bottom) {
+  context.globalAlpha = 0.55;
+  drawUpright(context, px, { top, bottom }, { token: '--ink', width: 1 });
+  context.globalAlpha = 1;
+}
+
+/** The value at the cursor, unless it is outside. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {number} px @param {number} py @param {string} token */
+export function drawCursorDot(context, frame, px, py, token) {
+  if (!(py >= frame.top - 1 && py <= frame.bottom + 1)) return;
+  context.lineWidth = 2;
+  context.strokeStyle = colour('--paper');
+  context.fillStyle = colour(token);
+  context.beginPath();
+  context.arc(px, py, 5, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+}
+
+/** A line of one sample. @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {string} token */
+export function drawDot(context, px, py, token) {
+  if (!Number.isFinite(py)) return;
+  context.fillStyle = colour(token);
+  context.beginPath();
+  context.arc(px, py, 3.5, 0, 2 * Math.PI);
+  context.fill();
+}
+
+/** The mouse over a picture, or a finger or the mouse that drags on it. @param {HTMLElement} element @param {(px: number) => void} onPoint */
+export function followPointer(element, onPoint) {
+  const point = (/** @type {PointerEvent} */ event) =>
+    onPoint(event.clientX - element.getBoundingClientRect().left);
+  element.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    element.setPointerCapture(event.pointerId);
+    point(event);
+  });
+  element.addEventListener('pointermove', (event) => {
+    if (event.pointerType !== 'touch' || element.hasPointerCapture(event.pointerId)) point(event);
+  });
+}

@@ -1,0 +1,85 @@
+// The names at the lines of a chart, on its canvas.
+import { strongFont, textFont } from './fonts.js';
+import { colour } from './palette.js';
+
+/** @typedef {import('./chart.js').Frame} Frame */
+/** @typedef {import('./canvas.js').Size} Size */
+/**
+ * @typedef {object} Name
+ * @property {string | readonly string[]} text Of several pieces, every second one is a subscript.
+ * @property {number} x
+ * @property {number} y Of the middle.
+ * @property {'left' | 'right'} [align] Which of its sides is at x.
+ * @property {string} [token]
+ * @property {boolean} [isStrong]
+ */
+
+const labelHeight = 17;
+const [padding, high] = [3, 13];
+
+/** Where a chart is narrower, the names of its lines stand within it. */
+const roomForNames = 300;
+
+/** @param {Size} size */
+export const isNarrow = ({ width }) => width < roomForNames;
+
+/** The room for names beside the lines. @param {Size} size */
+export const gutterOf = (size) => (isNarrow(size) ? 10 : 100);
+
+/** A name on a piece of paper. @param {CanvasRenderingContext2D} context @param {Name} name @param {number} [opacity] Of the paper. */
+export function drawName(context, { text, x, y, align = 'left', token = '--muted', isStrong }, opacity = 1) {
+  const pieces = typeof text === 'string' ? [text] : text;
+  const font = isStrong ? strongFont : textFont;
+  const fonts = pieces.map((_, i) => (i % 2 ? font.replace('13px', '11px') : font));
+  const widths = pieces.map((piece, i) => {
+    context.font = fonts[i];
+    return context.measureText(piece).width;
+  });
+  const width = widths.reduce((sum, one) => sum + one, 2 * padding);
+  let left = align === 'left' ? x : x - width;
+  context.globalAlpha = opacity;
+  context.fillStyle = colour('--paper');
+  context.fillRect(left, y - high / 2, width, high);
+  context.globalAlpha = 1;
+  context.fillStyle = colour(token);
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  left += padding;
+  for (const [i, piece] of pieces.entries()) {
+    context.font = fonts[i];
+    if (piece) context.fillText(piece, left, Math.round(y + 1.5) + (i % 2 ? 4 : 0));
+    left += widths[i];
+  }
+}
+
+/**
+ * Names at the ends of their lines; in a narrow chart above them, at its edge.
+ * @param {CanvasRenderingContext2D} context @param {Size} size @param {Frame} frame @param {readonly Name[]} names
+ */
+export function drawNames(context, size, frame, names) {
+  for (const name of names)
+    if (isNarrow(size)) {
+      const y = Math.max(name.y, frame.top + labelHeight) - high / 2;
+      drawName(context, { ...name, x: frame.right, y, align: 'right' }, 0.72);
+    } else drawName(context, name);
+}
+
+/** What the axes show: beside the lower one, and at the top of the other. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {{ x?: string, y?: string }} names */
+export function drawAxisNames(context, frame, { x, y }) {
+  if (x) drawName(context, { text: x, x: frame.right + 12, y: frame.bottom + 6 + high / 2 });
+  if (y) drawName(context, { text: y, x: frame.left - 50, y: frame.top + high / 2 });
+}
+
+/**
+ * Moves names apart that would lie on each other, as little up as down, and keeps them between two heights.
+ * @param {{ y: number }[]} places @param {number} top @param {number} bottom
+ */
+export function spread(places, top, bottom) {
+  const sorted = [...places].sort((a, b) => a.y - b.y);
+  const wanted = sorted.map(({ y }) => y);
+  for (let i = 1; i < sorted.length; i += 1) sorted[i].y = Math.max(wanted[i], sorted[i - 1].y + labelHeight);
+  const pushed = sorted.reduce((sum, { y }, i) => sum + y - wanted[i], 0) / sorted.length;
+  const up = Math.min(pushed, sorted[0].y - top);
+  const over = Math.max(0, sorted[sorted.length - 1].y - up - bottom);
+  for (const place of sorted) place.y -= up + over;
+}

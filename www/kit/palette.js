@@ -1,0 +1,26 @@
+// The colours of the theme in style.css, read once for all that is drawn with them.
+
+const tokens = [
+  ...['paper', 'panel', 'hairline', 'ink', 'muted', 'error'],
+  ...['x', 'y', 'theta', 'energy', 'omega'],
+  ...['pin-1', 'pin-2', 'pin-3', 'pin-4'],
+].map((name) => `--${name}`);
+
+/** @type {Map<string, string> | null} */
+let colours = null;
+
+function readColours() {
+  const style = getComputedStyle(document.documentElement);
+  return new Map(tokens.map((token) => [token, style.getPropertyValue(token).trim()]));
+}
+
+/** @param {string} token */
+export function colour(token) {
+  colours ??= readColours();
+  return /** @type {string} */ (colours.get(token));
+}
+
+/** To be called when the theme is another one. */
+export const forgetColours = () => {
+  colours = null;
+};

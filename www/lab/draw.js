@@ -1,0 +1,121 @@
+// What the lab shows of the state: each view gets the numbers that it draws.
+/** @import { Engine, Experiment, PaperResult, Preset } from '../core/engine.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Views } from './views.js' */
+import { byId, write } from '../kit/elements.js';
+import { remember } from '../kit/memo.js';
+import { createView } from '../kit/transform.js';
+import { gainsOf } from '../run/drivers.js';
+import { pausesAt } from '../run/pace.js';
+import { endsOf } from '../run/state.js';
+import { curves as curveWords, lab as strings } from '../words/index.js';
+import { labSlice } from './state.js';
+import { showMessage } from './views.js';
+
+const sliderRange = {
+  'velocity-limits': /** @type {const} */ ([-2, 12]),
+  'acceleration-limits': /** @type {const} */ ([-2, 32]),
+};
+
+/** @param {Views} views @param {Engine} engine @param {PaperResult[]} paper */
+export function createDraw(views, engine, paper) {
+  const viewOf = remember(createView);
+  const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
+    const { starts, goal } = engine.experiment(preset);
+    return JSON.stringify([experiment.starts, experiment.goal]) !== JSON.stringify([starts, goal]);
+  });
+
+  /** @param {State} state @param {Scene} scene @param {number} time */
+  const drawPlane = (state, scene, time) => {
+    if (state.size.width === 0) return;
+    const view = viewOf(state.box, state.size);
+    const ends = endsOf(state);
+    const { pins, theme } = state;
+    views.plane.draw({ view, scene, ...ends, pins, pays: state.page === 'curves', time, theme });
+    views.handles.draw({ view, ...ends });
+  };
+
+  /** What evolution has done: J, or σ. @param {State} state @param {Scene} scene */
+  const drawCurve = (state, scene) => {
+    const { history, generation, theme } = state;
+    const { curve } = labSlice.of(state);
+    const isCost = curve === 'cost';
+    byId('curve').hidden = !isCost;
+    byId('sigmas').hidden = isCost;
+    write(byId('curve-title'), isCost ? strings.texts.curveTitle : curveWords.sigmaTitle);
+    views.curveChoice.draw(curve);
+    if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
+    else views.sigmas.draw({ history, generation, theme });
+  };
+
+  /** @param {State} state @param {Scene} scene */
+  return (state, scene) => {
+    const { driver, experiment, history, generation, preset, robot, evolving } = state;
+    const { driving } = scene;
+    const { best } = history[generation];
+    const time = Math.min(robot.time, driving.finalTime);
+
+    showMessage(state.message);
+    views.pages.draw(state.page, state.lesson, experiment.evolution.population);
+    views.preset.draw(preset);
+    views.drivers.draw(driver);
+    drawPlane(state, scene, time);
+    views.robotBar.draw({ time, finalTime: driving.finalTime, playing: robot.playing, speed: state.speed });
+    views.cost.draw({
+      title: strings.costTitle(driver, state.found),
+      run: driving,
+      note: costNote(scene, driver),
+    });
+    write(byId('generation'), String(generation));
+    write(byId('seed'), String(experiment.evolution.seed));
+    if (state.page === 'lab') drawCurve(state, scene);
+    views.evolutionBar.draw({
+      open: state.page,
+      evolving,
+      generation,
+      newest: history.length - 1,
+      pace: state.pace,
+      until: state.until,
+      untilError: state.untilError,
+      note: evolutionNote(state),
+    });
+    views.gains.draw({
+      gains: gainsOf(state, driver, paper),
+      errors: state.gainErrors,
+      range: sliderRange[preset],
+      note: strings.gainsNote(driver, best.cost),
+    });
+    views.notes.draw({
+      ...endsOf(state),
+      scene,
+      driver,
+      found: state.found,
+      history,
+      generation,
+      population: state.population.length,
+      time,
+      pins: state.pins,
+      atRest: !robot.playing && !evolving && !state.dragging,
+      moved: isMoved(experiment, preset),
+      tried: state.trial.start !== null,
+    });
+  };
+}
+
+/** @param {Scene} scene @param {State['driver']} driver */
+function costNote({ comparison, paperEp }, driver) {
+  return driver === 'paper-ep'
+    ? strings.costNote(strings.driverName('paper-arbitrary', 0, 'hand'), comparison.cost.total)
+    : strings.costNote(strings.driverName('paper-ep', 0, 'hand'), paperEp.cost.total);
+}
+
+/** @param {State} state */
+function evolutionNote({ history, generation, evolving, until, restart, experiment }) {
+  const shown = history[generation];
+  if (history.length === 1) return strings.restartText(restart, experiment.evolution.population);
+  if (generation < history.length - 1 && !evolving)
+    return strings.recordedText(generation, history.length - 1);
+  if (!evolving && pausesAt(until, shown)) return strings.restText(generation);
+  return strings.progressText(history[0], shown);
+}

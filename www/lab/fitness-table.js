@@ -1,0 +1,17 @@
+// The fitness curve as a table.
+import { lab, tables as words } from '../words/index.js';
+
+/** @typedef {import('../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../kit/table.js').Table} Table */
+
+/** @param {Statistics[]} history @returns {Table} */
+export const fitnessTable = (history) => ({
+  caption: words.fitnessCaption(history.length - 1),
+  columns: words.fitnessColumns,
+  rows: history.map(({ generation, evaluations, best, median, worst, meanSigmas }) => [
+    String(generation),
+    String(evaluations),
+    ...[best.cost, median, worst].map(lab.costText),
+    ...meanSigmas.map(lab.threeDigits),
+  ]),
+});

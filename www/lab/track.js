@@ -1,0 +1,60 @@
+// A run on the plane: where it is at a time, its line, and the arrow that is a robot.
+
+/** @typedef {import('../core/engine.js').Posture} Posture */
+/** @typedef {import('../core/engine.js').Run} Run */
+/** @typedef {import('../kit/transform.js').View} View */
+/** @typedef {Pick<Run, 'time' | 'x' | 'y' | 'theta'>} Track */
+
+/** As large as they are drawn, in pixels. */
+export const arrow = { robot: 17, posture: 17, ghost: 9 };
+
+/** @param {CanvasRenderingContext2D} context @param {View} view */
+export const inMetres = (context, { scale, originX, originY }) =>
+  context.transform(scale, 0, 0, -scale, originX, originY);
+
+/** The reference as if it were a robot. @param {Run} run @returns {Track} */
+export const referenceOf = ({ time, referenceX, referenceY, referenceTheta }) => ({
+  time,
+  x: referenceX,
+  y: referenceY,
+  theta: referenceTheta,
+});
+
+/** A run up to a sample, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {View} view @param {Track} run @param {number} last */
+export function trace(context, { scale }, { x, y }, last) {
+  const least = 0.6 / scale;
+  let drawn = 0;
+  context.moveTo(x[0], y[0]);
+  for (let i = 1; i <= last; i += 1) {
+    if (i < last && Math.abs(x[i] - x[drawn]) + Math.abs(y[i] - y[drawn]) < least) continue;
+    context.lineTo(x[i], y[i]);
+    drawn = i;
+  }
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {number} theta @param {number} size */
+export function kite(context, px, py, theta, size) {
+  const [c, s] = [Math.cos(theta) * size, -Math.sin(theta) * size];
+  context.beginPath();
+  context.moveTo(px + c, py + s);
+  context.lineTo(px - 0.75 * c - 0.68 * s, py - 0.75 * s + 0.68 * c);
+  context.lineTo(px - 0.35 * c, py - 0.35 * s);
+  context.lineTo(px - 0.75 * c + 0.68 * s, py - 0.75 * s - 0.68 * c);
+  context.closePath();
+}
+
+/** @param {Pick<Track, 'time'>} run @param {number} time */
+export function sampleBefore(run, time) {
+  const last = run.time.length - 1;
+  if (last < 1 || time >= run.time[last]) return last;
+  return Math.min(last, Math.floor(time / run.time[1] + 1e-9));
+}
+
+/** Where the robot is, between two samples on the straight line. @param {Track} run @param {number} time @returns {Posture} */
+export function postureAt(run, time) {
+  const i = sampleBefore(run, time);
+  const j = Math.min(i + 1, run.time.length - 1);
+  const part = i === j ? 0 : (time - run.time[i]) / (run.time[j] - run.time[i]);
+  const between = (/** @type {Float64Array} */ values) => values[i] + part * (values[j] - values[i]);
+  return { x: between(run.x), y: between(run.y), theta: between(run.theta) };
+}

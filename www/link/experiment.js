@@ -1,0 +1,59 @@
+// An experiment in a link: every number and word of it by its path, as text, and back again.
+/** @import { Experiment } from '../core/engine.js' */
+import { link as words } from '../words/index.js';
+import { angle, angleText, number, numberText, posture, postureText } from './values.js';
+
+/** Shorter names of what links carry most. @type {readonly (readonly [string, string])[]} */
+const shortNames = [
+  ['evolution.seed', 'seed'],
+  ['evolution.population', 'population'],
+  ['evolution.opponents', 'opponents'],
+  ['starts', 'start'],
+];
+/** @param {string} path */
+const nameOf = (path) => shortNames.find(([long]) => long === path)?.[1] ?? path;
+/** @param {string} name */
+export const pathOf = (name) => shortNames.find(([, short]) => short === name)?.[0] ?? name;
+
+/** What an experiment has different, as names and texts. @param {Experiment} experiment @param {Experiment} usual @returns {[string, string][]} */
+export function changesOf(experiment, usual) {
+  const fields = fieldsOf(usual);
+  return [...fieldsOf(experiment)]
+    .filter(([path, value]) => value !== fields.get(path))
+    .map(([path, value]) => [nameOf(path), value]);
+}
+
+/** @param {Experiment} experiment @returns {Map<string, string>} */
+function fieldsOf(experiment) {
+  /** @type {Map<string, string>} */
+  const fields = new Map();
+  const walk = (/** @type {unknown} */ value, /** @type {string} */ path) => {
+    if (path === 'starts') fields.set(path, experiment.starts.map(postureText).join(';'));
+    else if (Array.isArray(value)) fields.set(path, value.map(numberText).join(','));
+    else if (value !== null && typeof value === 'object')
+      for (const [key, inner] of Object.entries(value)) walk(inner, path ? `${path}.${key}` : key);
+    else if (typeof value === 'number')
+      fields.set(path, path.endsWith('theta') ? angleText(value) : numberText(value));
+    else fields.set(path, value === null ? 'off' : String(value));
+  };
+  walk(experiment, '');
+  return fields;
+}
+
+/** The experiment with one field read from text, which the core has still to accept. @param {Experiment} experiment @param {string} path @param {string} text */
+export function withField(experiment, path, text) {
+  if (!fieldsOf({ ...experiment, starts: [] }).has(path)) throw new Error(words.unknownField);
+  const copy = structuredClone(experiment);
+  const keys = path.split('.');
+  const last = /** @type {string} */ (keys.pop());
+  /** @type {any} */
+  let inner = copy;
+  for (const key of keys) inner = inner[key];
+  const before = inner[last];
+  if (path === 'starts') inner[last] = text.split(';').map(posture);
+  else if (Array.isArray(before)) inner[last] = text.split(',').map(number);
+  else if (typeof before === 'string') inner[last] = text;
+  else if (text === 'off') inner[last] = null;
+  else inner[last] = path.endsWith('theta') ? angle(text) : number(text);
+  return copy;
+}

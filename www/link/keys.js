@@ -1,0 +1,172 @@
+// What a link carries beside the experiment: one row a key, which says how it is written and how it is read.
+/** @import { Engine, Experiment } from '../core/engine.js' */
+/** @import { Opened } from '../run/actions/page.js' */
+/** @import { Pin } from '../run/pins.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Slice } from '../run/store.js' */
+import { groupNames, mostOfTask, tidyTask } from '../run/exercise.js';
+import { styles } from '../run/pins.js';
+import { drivers, finds } from '../run/state.js';
+import { link as words } from '../words/index.js';
+import { changesOf, pathOf, withField } from './experiment.js';
+import {
+  disturbanceOf,
+  disturbanceText,
+  numberText,
+  oneOf,
+  posture,
+  postureText,
+  triple,
+  wellFormed,
+  wholeNumber,
+} from './values.js';
+
+/** All that a link is written from. @typedef {Omit<Opened, 'parts'> & Pick<State, 'slices'>} Linked */
+/** A row: null is left out of links. A value that is refused throws an Error that says what it must be. @typedef {{ key: string, text: (state: Linked, usual: Experiment) => string | null, read: (opened: Opened, text: string, engine: Engine) => Opened }} Key */
+/** A row of something that a part of the page shows. @typedef {Key & { slice: Slice<any>, field: string }} PartKey */
+
+/**
+ * @template {object} S @template {keyof S & string} F
+ * @param {string} key @param {Slice<S>} slice @param {F} field @param {(text: string) => S[F]} read @param {(value: NonNullable<S[F]>) => string} [text]
+ * @returns {PartKey}
+ */
+export function partKey(key, slice, field, read, text = String) {
+  const textOf = (/** @type {S} */ state) => {
+    const value = state[field];
+    return value === null || value === undefined ? null : text(value);
+  };
+  return {
+    key,
+    slice,
+    field,
+    text(state) {
+      const own = textOf(slice.of(state));
+      return own === textOf(slice.first) ? null : own;
+    },
+    read: (opened, value) => ({
+      ...opened,
+      parts: { ...opened.parts, [slice.name]: { ...opened.parts[slice.name], [field]: read(value) } },
+    }),
+  };
+}
+
+/** Where links with a disturbance that is tried are written. @param {(page: string) => boolean} triesDisturbance @returns {readonly Key[]} */
+export const driveKeys = (triesDisturbance) => [
+  {
+    key: 'generation',
+    text: ({ generation }) => (generation > 0 ? String(generation) : null),
+    read: (opened, text) => ({ ...opened, generation: wholeNumber(text, 100_000) }),
+  },
+  {
+    key: 'drives',
+    text: ({ driver }) => (driver === 'evolved' ? null : driver),
+    read: (opened, text) => ({ ...opened, driver: oneOf(drivers, text) }),
+  },
+  {
+    key: 'gains',
+    text: ({ handGains }) => (handGains ? handGains.map(numberText).join(',') : null),
+    read(opened, text, engine) {
+      const handGains = triple(text);
+      // The core knows which gains cannot be driven.
+      engine.drive(opened.experiment, [handGains]);
+      return { ...opened, handGains };
+    },
+  },
+  {
+    key: 'found',
+    text: ({ handGains, found }) => (handGains && found !== 'hand' ? found : null),
+    read: (opened, text) => ({ ...opened, found: oneOf(finds, text) }),
+  },
+  {
+    key: 'from',
+    text: ({ trial }) => (trial.start ? postureText(trial.start) : null),
+    read(opened, text, engine) {
+      const start = posture(text);
+      engine.experiment({ starts: [start] });
+      return { ...opened, trial: { ...opened.trial, start } };
+    },
+  },
+  {
+    key: 'under',
+    text: ({ trial, page }) =>
+      trial.disturbance && triesDisturbance(page) ? disturbanceText(trial.disturbance) : null,
+    read(opened, text, engine) {
+      const { disturbance } = engine.experiment({ disturbance: disturbanceOf(text) });
+      return { ...opened, trial: { ...opened.trial, disturbance } };
+    },
+  },
+];
+
+/** @type {readonly Key[]} */
+export const pinKeys = styles.map((_, slot) => ({
+  key: `pin${slot + 1}`,
+  text({ pins }, usual) {
+    const pin = pins.find((one) => one.slot === slot);
+    return pin ? pinText(pin, usual) : null;
+  },
+  read: (opened, text, engine) => ({
+    ...opened,
+    pins: [...opened.pins, pinOf(text, slot, engine.experiment(opened.preset), engine)],
+  }),
+}));
+
+/** @param {number} count How many steps the lesson has. @returns {Key} */
+export const lessonKey = (count) => ({
+  key: 'lesson',
+  text: ({ lesson }) => (lesson > 0 ? String(lesson) : null),
+  read: (opened, text) => ({ ...opened, lesson: wholeNumber(text, count) }),
+});
+
+/** @type {readonly Key[]} */
+export const exerciseKeys = [
+  {
+    key: 'lock',
+    text: ({ exercise }) => exercise.locked.join(',') || null,
+    read: (opened, text) => ({ ...opened, exercise: { ...opened.exercise, locked: groupsOf(text) } }),
+  },
+  {
+    key: 'hide',
+    text: ({ exercise }) => exercise.hidden.join(',') || null,
+    read: (opened, text) => ({ ...opened, exercise: { ...opened.exercise, hidden: groupsOf(text) } }),
+  },
+  {
+    key: 'task',
+    text: ({ exercise }) => tidyTask(exercise.task) || null,
+    read(opened, text) {
+      const task = tidyTask(text);
+      if (task.length > mostOfTask) throw new Error(words.longTask(mostOfTask, task.length));
+      return { ...opened, exercise: { ...opened.exercise, task } };
+    },
+  },
+];
+
+/** Groups of controls, each once. @param {string} text */
+function groupsOf(text) {
+  const named = text.split(',').map((name) => oneOf(groupNames, name));
+  return groupNames.filter((name) => named.includes(name));
+}
+
+/** A pinned run: its name, gains, and what its experiment has different. @param {Pin} pin @param {Experiment} usual */
+function pinText({ name, gains, experiment }, usual) {
+  const changes = changesOf(experiment, usual).map(([key, value]) => `${key}:${value}`);
+  return [name.replaceAll('~', '-'), gains.map(numberText).join(','), ...changes].join('~');
+}
+
+/** @param {string} text @param {number} slot @param {Experiment} usual @param {Engine} engine @returns {Pin} */
+function pinOf(text, slot, usual, engine) {
+  const [name, gainsText, ...changes] = text.split('~');
+  if (gainsText === undefined) throw new Error(words.expected(words.aPin, text));
+  const gains = triple(gainsText);
+  /** @param {string} change @returns {[string, string]} */
+  const pathAndValue = (change) => {
+    const at = Math.max(change.indexOf(':'), 0);
+    return [pathOf(change.slice(0, at)), change.slice(at + 1)];
+  };
+  const changed = [...new Map(changes.map(pathAndValue))].reduce(
+    (before, [path, value]) => withField(before, path, value),
+    usual,
+  );
+  const experiment = engine.experiment(changed);
+  engine.drive(experiment, [gains]);
+  return { slot, name: wellFormed(name.slice(0, 80)), experiment, gains };
+}

@@ -1,0 +1,14 @@
+// The error that remains under a disturbance.
+/** @import { Part } from '../part.js' */
+import { createDisturbancePage } from './page.js';
+import { disturbanceSlice as slice } from './state.js';
+
+/** @type {Part} */
+export const disturbance = {
+  name: 'disturbance',
+  slice,
+  places: { settings: { lock: '#disturbance-controls', hide: '#disturbance-controls' } },
+  tries: ['start', 'disturbance'],
+  figure: [0.75, 680],
+  create: createDisturbancePage,
+};

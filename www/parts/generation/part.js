@@ -1,0 +1,20 @@
+// One generation, phase by phase.
+/** @import { Part } from '../part.js' */
+import { partKey } from '../../link/keys.js';
+import { oneOf, wholeNumber } from '../../link/values.js';
+import { createGenerationPage } from './page.js';
+import { generationSlice as slice, phases } from './state.js';
+
+/** @type {Part} */
+export const generation = {
+  name: 'generation',
+  slice,
+  keys: [
+    partKey('phase', slice, 'phase', (text) => oneOf(phases, text)),
+    partKey('individual', slice, 'chosen', (text) => wholeNumber(text, 3999)),
+  ],
+  places: { run: { lock: '#generation-step', hide: '#generation-step button' } },
+  phases: true,
+  figure: [0.72, 620],
+  create: createGenerationPage,
+};

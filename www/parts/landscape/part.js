@@ -1,0 +1,39 @@
+// J over two gains.
+/** @import { Part } from '../part.js' */
+/** @import { AxisChoice } from './request.js' */
+/** @import { LandscapeState } from './state.js' */
+import { partKey } from '../../link/keys.js';
+import { number, numberText, oneOf } from '../../link/values.js';
+import { link as words } from '../../words/index.js';
+import { createLandscapePage } from './page.js';
+import { gainNames, landscapeSlice as slice } from './state.js';
+
+/** @param {AxisChoice} axis */
+const axisText = ({ gain, log }) => (log ? `${gain}-log` : gain);
+
+/** @param {string} text @returns {AxisChoice} */
+const axisOf = (text) => ({
+  gain: oneOf(gainNames, text.replace(/-log$/, '')),
+  log: text.endsWith('-log'),
+});
+
+/** @type {Part} */
+export const landscape = {
+  name: 'landscape',
+  slice,
+  keys: [
+    partKey('x', slice, 'x', axisOf, axisText),
+    partKey('y', slice, 'y', axisOf, axisText),
+    partKey('third', slice, 'third', number, numberText),
+  ],
+  mend(opened, refuse) {
+    const asked = /** @type {LandscapeState} */ (opened.parts[slice.name]);
+    if (asked.x.gain !== asked.y.gain) return opened;
+    refuse('y', words.expected(words.otherGain, asked.y.gain));
+    const y = axisOf(asked.x.gain === 'ktheta' ? 'kx' : 'ktheta');
+    return { ...opened, parts: { ...opened.parts, [slice.name]: { ...asked, y } } };
+  },
+  places: { gains: { lock: '#landscape-map' } },
+  figure: [0.64, 620],
+  create: createLandscapePage,
+};

@@ -1,0 +1,25 @@
+// Some points of the landscape as a table.
+import { someOf } from '../../kit/table.js';
+import { lab, tables as words } from '../../words/index.js';
+import { gainOn, thirdOf } from './request.js';
+import { gainNames } from './state.js';
+
+/** @typedef {import('../../kit/table.js').Table} Table */
+/** @typedef {import('./request.js').Landscape} Landscape */
+
+/** @param {Landscape} landscape @returns {Table} */
+export function landscapeTable({ spec, count, costs }) {
+  const name = (/** @type {number} */ index) => lab.gains[index].name;
+  const [across, up] = [spec.x, spec.y].map(({ gain }) => name(gainNames.indexOf(gain)));
+  const columns = someOf(count);
+  /** @param {'x' | 'y'} axis @param {number} index */
+  const gain = (axis, index) => lab.threeDigits(gainOn(spec[axis], spec.range, index / (count - 1)));
+  return {
+    caption: words.landscapeCaption(across, up, name(thirdOf(spec)), Number(spec.third.toPrecision(3))),
+    columns: [words.corner(up, across), ...columns.map((column) => gain('x', column))],
+    // The highest row first, as in the picture.
+    rows: someOf(count)
+      .reverse()
+      .map((row) => [gain('y', row), ...columns.map((column) => lab.costText(costs[row * count + column]))]),
+  };
+}

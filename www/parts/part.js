@@ -1,0 +1,34 @@
+// What a part of the page is made of.
+/** @import { Actions } from '../run/actions/actions.js' */
+/** @import { Engine, PaperResult } from '../core/engine.js' */
+/** @import { Opened } from '../run/actions/page.js' */
+/** @import { Group } from '../run/exercise.js' */
+/** @import { ChosenDrives, Scene } from '../run/scene.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Slice, Store } from '../run/store.js' */
+/** @import { PartKey } from '../link/keys.js' */
+/** @import { Links } from '../link/link.js' */
+
+/** What an open part gets. @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links }} Tools */
+/**
+ * An open part.
+ * @typedef {object} Page
+ * @property {(state: State, scene: Scene) => void} draw At every change of the state, while it is open.
+ * @property {(state: State, seconds: number) => void} [tick] At every frame, while it is open.
+ * @property {(state: State) => ChosenDrives | null} [drives] What drives on the plane in the place of the population.
+ */
+/** Where the controls of a group stand, as selectors: what is locked, and what is gone when they are hidden. @typedef {Partial<Record<Group, { lock?: string, hide?: string }>>} Places */
+/**
+ * @typedef {object} Part
+ * @property {string} name In links; its words stand under the same name.
+ * @property {Slice<any>} slice What it keeps in the state.
+ * @property {readonly PartKey[]} [keys] What of that a link carries.
+ * @property {(opened: Opened, refuse: (key: string, why: string) => void) => Opened} [mend] What of a link goes wrong only together.
+ * @property {Places} [places] Its controls, for exercises.
+ * @property {readonly ('start' | 'disturbance')[]} [tries] What a drive there meets that evolution does not.
+ * @property {true} [phases] Where a generation is seen phase by phase.
+ * @property {readonly [share: number, most: number]} figure How high a figure of it looks best for its width, and the most that helps it, in pixels.
+ * @property {(tools: Tools) => Page} create
+ */
+
+export {};

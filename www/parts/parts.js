@@ -1,0 +1,35 @@
+// The parts of the page beside the lab, in the order in which it names them: one row each.
+/** @import { Part } from './part.js' */
+import { labSlice } from '../lab/state.js';
+import { curves } from './curves/part.js';
+import { disturbance } from './disturbance/part.js';
+import { generation } from './generation/part.js';
+import { landscape } from './landscape/part.js';
+import { luck } from './luck/part.js';
+import { robustness } from './robustness/part.js';
+import { training } from './training/part.js';
+
+/** @type {readonly Part[]} */
+export const parts = [generation, curves, landscape, robustness, training, disturbance, luck];
+
+export const pageNames = ['lab', ...parts.map(({ name }) => name)];
+
+/** @param {string} page */
+const partOf = (page) => parts.find(({ name }) => name === page);
+
+/** What a run knows of them. @type {import('../run/actions/basis.js').Places} */
+export const places = {
+  triesStarts: (page) => partOf(page)?.tries?.includes('start') ?? false,
+  triesDisturbance: (page) => partOf(page)?.tries?.includes('disturbance') ?? false,
+  phases: /** @type {Part} */ (parts.find(({ phases }) => phases)).name,
+  slices: [labSlice, ...parts.map(({ slice }) => slice)],
+};
+
+/** What links know of them. @type {Omit<import('../link/link.js').Tables, 'lesson'>} */
+export const linked = {
+  pages: pageNames,
+  triesDisturbance: places.triesDisturbance,
+  keys: parts.flatMap(({ keys = [] }) => keys),
+  mend: (opened, refuse) =>
+    parts.reduce((mended, { mend }) => (mend ? mend(mended, refuse) : mended), opened),
+};

@@ -1,0 +1,22 @@
+// One set of gains from many starts: where does the robot arrive?
+/** @import { Part } from '../part.js' */
+import { partKey } from '../../link/keys.js';
+import { oneOf, wholeNumber } from '../../link/values.js';
+import { headings } from './grid.js';
+import { createRobustnessPage } from './page.js';
+import { halves, quantities, robustnessSlice as slice } from './state.js';
+
+/** @type {Part} */
+export const robustness = {
+  name: 'robustness',
+  slice,
+  keys: [
+    partKey('colour', slice, 'quantity', (text) => oneOf(quantities, text)),
+    partKey('half', slice, 'half', (text) => Number(oneOf(halves.map(String), text))),
+    partKey('heading', slice, 'heading', (text) => wholeNumber(text, headings - 1)),
+  ],
+  places: { postures: { lock: '#robustness-map' } },
+  tries: ['start'],
+  figure: [0.64, 620],
+  create: createRobustnessPage,
+};

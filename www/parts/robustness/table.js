@@ -1,0 +1,22 @@
+// Some places of the map as a table.
+import { someOf } from '../../kit/table.js';
+import { lab, tables as words } from '../../words/index.js';
+import { startOf } from './grid.js';
+
+/** @typedef {import('../../kit/table.js').Table} Table */
+/** @typedef {import('./request.js').Survey} Survey */
+
+/** @param {Survey} survey @returns {Table} */
+export function robustnessTable({ grid, tally }) {
+  const columns = someOf(grid.x.count);
+  return {
+    caption: words.robustnessCaption(grid.headings),
+    columns: [words.corner('y', 'x'), ...columns.map((column) => lab.fixed(startOf(grid, column, 0).x, 2))],
+    rows: someOf(grid.y.count)
+      .reverse()
+      .map((row) => [
+        lab.fixed(startOf(grid, row * grid.x.count, 0).y, 2),
+        ...columns.map((column) => String(tally.count[row * grid.x.count + column])),
+      ]),
+  };
+}

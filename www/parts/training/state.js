@@ -1,0 +1,30 @@
+// What Training keeps in the state.
+/** @import { Triple } from '../../core/engine.js' */
+/** @import { Evolved, Result, RowName, Spec } from './request.js' */
+import { createSlice } from '../../run/store.js';
+
+/**
+ * @typedef {object} TrainingState
+ * @property {number} generations
+ * @property {RowName | null} chosen
+ * @property {number | null} progress From 0 to 1; null: nothing is evolved now.
+ * @property {boolean} cancelled
+ * @property {string} message
+ * @property {Evolved | null} evolved
+ * @property {{ spec: Spec, results: Partial<Record<RowName, Result>> } | null} given What was not evolved here.
+ * @property {Triple | null} byHand Gains by hand, kept while a row of the table drives.
+ */
+
+export const trainingSlice = createSlice(
+  'training',
+  /** @type {TrainingState} */ ({
+    generations: 100,
+    chosen: null,
+    progress: null,
+    cancelled: false,
+    message: '',
+    evolved: null,
+    given: null,
+    byHand: null,
+  }),
+);

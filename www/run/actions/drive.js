@@ -1,0 +1,109 @@
+// Whose gains drive, under what, and the robots' clock.
+/** @import { Triple } from '../../core/engine.js' */
+/** @import { Disturbance, Driver, Found } from '../state.js' */
+/** @import { Basis } from './basis.js' */
+import { messageOf } from '../../words/errors.js';
+import { lab as words } from '../../words/index.js';
+import { advanceRobot, atEnd, fromStart } from '../clock.js';
+import { gainsOf } from '../drivers.js';
+import { noErrors } from '../first.js';
+
+/** @param {Basis} basis */
+export function createDrive({ engine, store, paper, attempt, shown, driveAgain }) {
+  /** @param {readonly number[]} gains @param {Found} [found] */
+  const driveByHand = (gains, found = 'hand') => {
+    const handGains = /** @type {Triple} */ (gains);
+    engine.drive(store.get().experiment, [handGains]);
+    store.update({ handGains, found, driver: 'hand', gainErrors: noErrors, message: '' });
+  };
+
+  /** @param {number} index @param {string} error */
+  const refuseGain = (index, error) =>
+    store.update({
+      gainErrors: /** @type {[string, string, string]} */ (
+        noErrors.map((none, i) => (i === index ? error : none))
+      ),
+    });
+
+  /** @param {number} index @param {number} value */
+  const withGain = (index, value) =>
+    gainsOf(store.get(), store.get().driver, paper).map((gain, i) => (i === index ? value : gain));
+
+  return {
+    driveAgain,
+
+    /** @param {Driver} driver */
+    chooseDriver(driver) {
+      const state = store.get();
+      const handGains = state.handGains ?? gainsOf(state, state.driver, paper);
+      store.update({
+        driver,
+        handGains: driver === 'hand' ? handGains : state.handGains,
+        gainErrors: noErrors,
+        robot: shown(),
+      });
+    },
+
+    /** @param {number} index @param {number} value */
+    slideGain(index, value) {
+      attempt(() => driveByHand(withGain(index, value)));
+    },
+
+    /** Drives by hand with all three gains. @param {Triple} gains @param {Found} [found] */
+    driveGains(gains, found) {
+      attempt(() => driveByHand(gains, found));
+    },
+
+    /** @param {number} index @param {string} text */
+    typeGain(index, text) {
+      const value = words.numberOf(text);
+      const { name } = words.gains[index];
+      if (!Number.isFinite(value)) return refuseGain(index, words.notANumber(name, text));
+      try {
+        driveByHand(withGain(index, value));
+        driveAgain();
+      } catch (error) {
+        refuseGain(index, words.gainRefused(name, messageOf(error)));
+      }
+    },
+
+    /** Drives under a disturbance that evolution does not see. The core throws if it is out of range. @param {Disturbance} tried */
+    tryDisturbance(tried) {
+      const { experiment, trial } = store.get();
+      engine.experiment({ ...experiment, disturbance: tried });
+      store.update({ trial: { ...trial, disturbance: tried }, tried });
+    },
+  };
+}
+
+/** @param {Basis} basis */
+export function createClock({ store, finalTime }) {
+  /** @param {number} time */
+  const standAt = (time) =>
+    store.update({ robot: time >= finalTime() ? atEnd : { time, held: 0, playing: false } });
+
+  return {
+    /** Some real seconds go by. @param {number} seconds */
+    advance(seconds) {
+      const { robot, speed, evolving } = store.get();
+      if (robot.playing) store.update({ robot: advanceRobot(robot, seconds, speed, finalTime(), evolving) });
+    },
+
+    togglePlay() {
+      const { robot } = store.get();
+      if (robot.playing)
+        store.update({ robot: { ...robot, time: Math.min(robot.time, finalTime()), playing: false } });
+      else store.update({ robot: robot.time < finalTime() ? { ...robot, playing: true } : fromStart });
+    },
+
+    /** @param {number} speed */
+    setSpeed(speed) {
+      store.update({ speed });
+    },
+
+    scrub: standAt,
+
+    /** As the page itself asks for it, where scrubbing may be locked. */
+    standAt,
+  };
+}

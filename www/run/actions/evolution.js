@@ -1,0 +1,116 @@
+// Evolution goes on, back, and over again.
+/** @import { State } from '../state.js' */
+/** @import { Until } from '../pace.js' */
+/** @import { Basis } from './basis.js' */
+import { lab as words } from '../../words/index.js';
+import { atEnd, fromStart } from '../clock.js';
+import { pausesAt, playsPhases } from '../pace.js';
+
+/** @param {Basis} basis @param {(page: string) => void} openPage */
+export function createEvolution(
+  { engine, store, places, isStill, attempt, begin, shown, driveAgain },
+  openPage,
+) {
+  /** One generation on: the next that is recorded, or a new one. @param {State['history']} [known] A copy of the history, which takes the new one: whoever goes on and on makes only one, for it may be long. */
+  const forward = (known = [...store.get().history]) =>
+    attempt(() => {
+      const generation = store.get().generation + 1;
+      if (generation === known.length) known.push(engine.step());
+      store.update({ history: known, generation, population: engine.population(generation), message: '' });
+    });
+
+  /** Another generation that is recorded. @param {number} generation */
+  const showGeneration = (generation) =>
+    attempt(() =>
+      store.update({ evolving: false, generation, population: engine.population(generation), message: '' }),
+    );
+
+  /** Where phases are played they are seen, from the first one on. */
+  const seePhases = () => {
+    const state = store.get();
+    if (!playsPhases(state) || state.page === places.phases) return;
+    const { [places.phases]: _, ...slices } = state.slices;
+    store.update({ slices });
+    openPage(places.phases);
+  };
+
+  /** @param {number} seed */
+  const useSeed = (seed) =>
+    attempt(() => {
+      const { experiment } = store.get();
+      const next = engine.experiment({ ...experiment, evolution: { ...experiment.evolution, seed } });
+      begin(next, 'seed', { evolving: false, robot: shown() });
+    });
+
+  return {
+    /** Goes on while `more` says so, or until the run has to pause. @param {() => boolean} more */
+    evolve(more) {
+      const known = [...store.get().history];
+      while (store.get().evolving && more()) {
+        forward(known);
+        const { until, history, generation, catchingUp } = store.get();
+        if (generation === catchingUp?.newest) showGeneration(catchingUp.generation);
+        else if (!catchingUp && pausesAt(until, history[generation])) store.update({ evolving: false });
+      }
+    },
+
+    /** Evolves as far as a run has come: at once if that is soon done, else while the page looks on. @param {number} newest @param {number} generation The one that is shown then. */
+    catchUp(newest, generation) {
+      const end = performance.now() + 300;
+      const known = [...store.get().history];
+      while (store.get().generation < newest && performance.now() < end) forward(known);
+      if (store.get().generation < newest)
+        store.update({ evolving: true, catchingUp: { newest, generation } });
+      else showGeneration(generation);
+    },
+
+    forward: () => forward(),
+
+    showGeneration,
+
+    oneBack() {
+      const { generation } = store.get();
+      if (generation > 0) showGeneration(generation - 1);
+    },
+
+    pauseEvolution() {
+      store.update({ evolving: false });
+    },
+
+    /** @param {number} pace */
+    setPace(pace) {
+      store.update({ pace, catchingUp: null });
+      seePhases();
+    },
+
+    /** @param {Until['kind']} kind @param {string} text */
+    setUntil(kind, text) {
+      const value = words.numberOf(text);
+      const wrong = kind === 'every' ? '' : words.untilRefused(kind, value, text);
+      store.update(wrong ? { untilError: wrong } : { until: { kind, value }, untilError: '' });
+    },
+
+    toggleEvolution() {
+      const evolving = !store.get().evolving;
+      store.update({ evolving, catchingUp: null });
+      seePhases();
+      const { robot } = store.get();
+      if (evolving && !isStill())
+        store.update({ robot: robot.time === atEnd.time ? fromStart : { ...robot, playing: true } });
+    },
+
+    oneGeneration() {
+      store.update({ evolving: false });
+      forward();
+      driveAgain();
+    },
+
+    reset() {
+      begin(store.get().experiment, 'reset', { evolving: false, robot: shown() });
+    },
+
+    newSeed: () => useSeed(engine.randomSeed()),
+
+    useSeed,
+  };
+}

@@ -1,0 +1,122 @@
+// What is asked of the robot: start and goal, limits, and every other setting, with the way back.
+/** @import { Posture, Preset } from '../../core/engine.js' */
+/** @import { Value } from '../paths.js' */
+/** @import { Restart } from '../state.js' */
+/** @import { Basis } from './basis.js' */
+import { boxAround } from '../../kit/transform.js';
+import { messageOf } from '../../words/errors.js';
+import { settings as words } from '../../words/index.js';
+import { valueAt, withValue } from '../paths.js';
+import { endsOf, noTrial } from '../state.js';
+import { afterDrag, redone, undone } from '../undo.js';
+
+/** @typedef {'start' | 'goal'} End */
+
+/** @param {Posture} a @param {Posture} b */
+const isSame = (a, b) => a.x === b.x && a.y === b.y && a.theta === b.theta;
+
+/** @param {Basis} basis */
+export function createExperiments(basis) {
+  const { engine, store, attempt, tryToBegin, begin, shown, settle } = basis;
+
+  /** A posture or a setting is let go. */
+  const release = () => {
+    store.update({ dragging: false, versions: afterDrag(store.get()) });
+    settle();
+  };
+
+  /** @param {Restart} restart @param {ReturnType<typeof undone>} step */
+  const goTo = (restart, step) => {
+    if (!step || store.get().dragging) return;
+    const { preset, experiment } = step.version;
+    begin(experiment, restart, { preset, versions: step.versions });
+    settle();
+  };
+
+  /** @param {string} path @param {string} text */
+  const refuseSetting = (path, text) =>
+    store.update({ settings: { ...store.get().settings, error: { path, text } } });
+
+  return {
+    ...createPostures(basis),
+
+    releasePosture: release,
+
+    /** Other limits; start, goal and seed stay, so that only the limits differ. @param {Preset} preset */
+    choosePreset(preset) {
+      attempt(() => {
+        const { limits } = engine.experiment(preset);
+        const next = engine.experiment({ ...store.get().experiment, limits });
+        begin(next, 'limits', { preset, evolving: false, robot: shown() });
+      });
+    },
+
+    /** @param {string} path @param {Value} value @param {boolean} dragging */
+    changeSetting(path, value, dragging) {
+      const { experiment, settings } = store.get();
+      if (valueAt(experiment, path) === value) {
+        if (settings.error) store.update({ settings: { ...settings, error: null } });
+        return;
+      }
+      try {
+        tryToBegin(withValue(experiment, path, value), 'setting', { dragging });
+        if (!dragging) settle();
+      } catch (error) {
+        refuseSetting(path, words.named(messageOf(error)));
+      }
+    },
+
+    releaseSetting: release,
+
+    refuseSetting,
+
+    backToPreset() {
+      begin(engine.experiment(store.get().preset), 'setting');
+      settle();
+    },
+
+    undo: () => goTo('undone', undone(store.get())),
+
+    redo: () => goTo('redone', redone(store.get())),
+  };
+}
+
+/** @param {Basis} basis */
+function createPostures({ engine, store, places, begin, shown, inSight, refitBox }) {
+  /** Drives from a start that evolution does not see, or again from its own. @param {Posture | null} start */
+  const tryStart = (start) => {
+    const { trial } = store.get();
+    store.update({ trial: start || trial.disturbance ? { ...trial, start } : noTrial, robot: shown() });
+    refitBox();
+  };
+
+  return {
+    /** @param {End} end */
+    postureOf: (end) => endsOf(store.get())[end],
+
+    tryStart,
+
+    /** @param {End} end @param {Posture} posture @param {boolean} dragging */
+    movePosture(end, posture, dragging) {
+      const { experiment, trial, page } = store.get();
+      if (isSame(endsOf(store.get())[end], posture)) return;
+      if (end === 'start' && places.triesStarts(page))
+        store.update({ trial: { ...trial, start: posture }, dragging });
+      else {
+        const moved =
+          end === 'goal' ? { goal: posture } : { starts: [posture, ...experiment.starts.slice(1)] };
+        begin({ ...experiment, ...moved }, 'moved', { dragging });
+      }
+      if (!dragging) refitBox();
+    },
+
+    /** Start and goal of the paper. */
+    restorePostures() {
+      const { experiment, preset, trial } = store.get();
+      if (trial.start) return tryStart(null);
+      const { starts, goal } = engine.experiment(preset);
+      begin({ ...experiment, starts, goal }, 'moved');
+      store.update({ box: boxAround(inSight()), robot: shown() });
+    },
+  };
+}

@@ -1,0 +1,140 @@
+// Which part of the page is open, what stands beside it, and what a link opens.
+/** @import { MakerState } from '../exercise.js' */
+/** @import { State } from '../state.js' */
+/** @import { Basis } from './basis.js' */
+import { boxAround } from '../../kit/transform.js';
+import { noExercise, wayOf } from '../exercise.js';
+import { playsPhases } from '../pace.js';
+import { isFull, pinOf, renamed, withoutPin, withPin } from '../pins.js';
+import { noTrial } from '../state.js';
+import { noVersions } from '../undo.js';
+
+/** @typedef {Pick<State, 'page' | 'lesson' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'found' | 'trial' | 'pins' | 'exercise'>} LinkedRun What defines a run. */
+/** What a link opens: a run, and of each part what the link says of it. @typedef {LinkedRun & { parts: Readonly<Record<string, object>> }} Opened */
+
+/** @param {Basis} basis */
+export const createOpenPage =
+  ({ store, places, shown, refitBox }) =>
+  (/** @type {string} */ page) => {
+    const { page: before, trial, tried } = store.get();
+    if (page === before) return;
+    if (places.triesDisturbance(page))
+      store.update({ page, trial: { start: null, disturbance: tried }, robot: shown() });
+    else store.update({ page, trial: noTrial });
+    // Phases that nobody sees need not be played.
+    if (page !== places.phases && playsPhases(store.get())) store.update({ evolving: false });
+    if (trial !== noTrial) refitBox();
+  };
+
+/** @param {Basis} basis @param {(page: string) => void} openPage @param {(newest: number, generation: number) => void} catchUp */
+export function createPage(basis, openPage, catchUp) {
+  const { store, places, attempt, tryToBegin, shown, inSight } = basis;
+  const nearEnd = createNearEnd(basis);
+
+  return {
+    /** @param {string} page */
+    openPage(page) {
+      store.update({ lesson: 0 });
+      openPage(page);
+    },
+
+    /**
+     * Begins what a link holds, and evolves to its generation or further.
+     * @param {Opened} opened @param {readonly string[]} problems @param {number} [newest]
+     */
+    openLinked({ parts, experiment, generation, ...run }, problems, newest = generation) {
+      attempt(() => {
+        const before = store.get();
+        const tried = run.trial.disturbance ?? before.tried;
+        tryToBegin(experiment, 'begin', {
+          ...run,
+          lastStep: run.lesson || before.lastStep,
+          trial: places.triesDisturbance(run.page) ? { ...run.trial, disturbance: tried } : run.trial,
+          tried,
+          slices: {
+            ...before.slices,
+            ...Object.fromEntries(
+              places.slices.map((slice) => [slice.name, slice.opened(before, parts[slice.name])]),
+            ),
+          },
+          evolving: false,
+          robot: shown(),
+          // Nothing leads back out of an exercise, and what is locked is not open.
+          ...(run.exercise !== noExercise && { versions: noVersions }),
+          settings: {
+            open: before.settings.open && wayOf(run.exercise, 'settings') === 'free',
+            error: null,
+          },
+        });
+        store.update({ box: boxAround([...inSight(), ...nearEnd()]) });
+        catchUp(newest, generation);
+        if (problems.length > 0) store.update({ message: problems.join(' ') });
+      });
+    },
+
+    /** @param {string} message */
+    say(message) {
+      store.update({ message });
+    },
+
+    /** @param {boolean} open */
+    openSettings(open) {
+      const { maker } = store.get();
+      // The two stand in the same place.
+      store.update({ settings: { open, error: null }, maker: { ...maker, open: maker.open && !open } });
+    },
+
+    /** @param {Partial<MakerState>} patch */
+    makeExercise(patch) {
+      const { settings, maker } = store.get();
+      store.update({ maker: { ...maker, ...patch }, settings: { ...settings, open: false } });
+    },
+
+    /** @param {State['size']} size */
+    setSize(size) {
+      store.update({ size });
+    },
+
+    /** Colours have changed. */
+    changeTheme() {
+      store.update({ theme: store.get().theme + 1 });
+    },
+  };
+}
+
+/** Where the robot in ink comes to rest, if that is not far away. @param {Basis} basis */
+const createNearEnd =
+  ({ store, drivenRun }) =>
+  () => {
+    const { experiment, trial } = store.get();
+    const run = drivenRun();
+    const last = run.time.length - 1;
+    const end = { x: run.x[last], y: run.y[last], theta: run.theta[last] };
+    const [start, goal] = [trial.start ?? experiment.starts[0], experiment.goal];
+    const away = Math.hypot(end.x - goal.x, end.y - goal.y);
+    return away < Math.hypot(start.x - goal.x, start.y - goal.y) ? [end] : [];
+  };
+
+/** @param {Basis} basis */
+export function createPins({ store }) {
+  return {
+    /** Pins a run, or takes away its pin. @param {import('../pins.js').Driven} driven @param {string} name */
+    togglePin(driven, name) {
+      const { pins } = store.get();
+      const pin = pinOf(pins, driven);
+      if (pin) store.update({ pins: withoutPin(pins, pin.slot), unpinned: null });
+      else if (isFull(pins)) store.update({ unpinned: driven });
+      else store.update({ pins: withPin(pins, driven, name), unpinned: null });
+    },
+
+    /** @param {number} slot @param {string} name */
+    renamePin(slot, name) {
+      store.update({ pins: renamed(store.get().pins, slot, name) });
+    },
+
+    /** @param {number} slot */
+    unpin(slot) {
+      store.update({ pins: withoutPin(store.get().pins, slot) });
+    },
+  };
+}

@@ -1,0 +1,52 @@
+// The state with which the page begins.
+/** @import { Engine, Preset } from '../core/engine.js' */
+/** @import { RobotClock, State } from './state.js' */
+import { boxAround } from '../kit/transform.js';
+import { firstMaker, noExercise } from './exercise.js';
+import { noPins } from './pins.js';
+import { noTrial } from './state.js';
+import { noVersions } from './undo.js';
+
+export const noErrors = /** @type {const} */ (['', '', '']);
+
+/** @param {Engine} engine @param {Preset} preset @param {RobotClock} robot @returns {State} */
+export function firstState(engine, preset, robot) {
+  const experiment = engine.experiment(preset);
+  const { statistics, population } = engine.begin(experiment);
+  return {
+    page: 'lab',
+    lesson: 0,
+    lastStep: 1,
+    preset,
+    experiment,
+    history: [statistics],
+    generation: 0,
+    population,
+    evolving: false,
+    catchingUp: null,
+    pace: 8,
+    until: { kind: 'every', value: 100 },
+    untilError: '',
+    restart: 'begin',
+    driver: 'evolved',
+    handGains: null,
+    found: 'hand',
+    gainErrors: noErrors,
+    trial: noTrial,
+    tried: { kind: 'slip', linear: 0.1, angular: 0.2, seed: 1 },
+    pins: noPins,
+    unpinned: null,
+    settings: { open: false, error: null },
+    exercise: noExercise,
+    maker: firstMaker,
+    versions: noVersions,
+    robot,
+    speed: 1,
+    dragging: false,
+    box: boxAround([experiment.starts[0], experiment.goal]),
+    size: { width: 0, height: 0 },
+    theme: 0,
+    message: '',
+    slices: {},
+  };
+}

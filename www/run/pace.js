@@ -1,0 +1,22 @@
+// How fast evolution goes on, and where it pauses.
+/** @import { Statistics } from '../core/engine.js' */
+/** @import { State } from './state.js' */
+
+/** Where evolution pauses by itself. By default at every so many generations, so that a forgotten page comes to rest. @typedef {{ kind: 'every' | 'generation' | 'cost', value: number }} Until */
+
+export const generationsPerRun = 100;
+/** The pace at which each phase of a generation is shown. */
+export const phaseByPhase = 0;
+export const paces = [phaseByPhase, 1, 8, 60, Number.POSITIVE_INFINITY];
+
+/** Whether evolution runs as a play of phases. @param {State} state */
+export const playsPhases = ({ evolving, catchingUp, pace }) =>
+  evolving && !catchingUp && pace === phaseByPhase;
+
+/** Whether evolution is to pause at this generation. @param {Until} until @param {Statistics} statistics */
+export const pausesAt = ({ kind, value }, { generation, best }) =>
+  kind === 'cost'
+    ? best.cost < value
+    : kind === 'generation'
+      ? generation === value
+      : generation % generationsPerRun === 0;

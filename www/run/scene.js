@@ -1,0 +1,126 @@
+// Everything that drives, as a function of the state.
+/** @import { Experiment, Individual, PaperResult, Run, Triple } from '../core/engine.js' */
+/** @import { Driven } from './pins.js' */
+/** @import { Driver, State, Trial } from './state.js' */
+import { remember } from '../kit/memo.js';
+import { gainsOf, rivalOf } from './drivers.js';
+import { noTrial } from './state.js';
+
+/** @typedef {{ gains: Triple, name: string }} Named */
+/**
+ * What drives in the place of the population, where a part of the page looks at one of it.
+ * @typedef {object} ChosenDrives
+ * @property {string} name
+ * @property {Individual[]} population The one in ink, then the others.
+ * @property {(others: number, arrived: number | null) => string} othersText
+ * @property {Named | null} partner Its parent, or its offspring.
+ */
+/** @typedef {(experiment: Experiment, gains: readonly Triple[]) => Run[]} Drive */
+
+/**
+ * @typedef {object} Scene
+ * @property {Experiment} experiment In which it drives: with what is tried.
+ * @property {Triple} gains With which it drives.
+ * @property {Run} driving
+ * @property {Run[]} others The rest of the population or the best of it, when the evolved best drives.
+ * @property {Run} comparison
+ * @property {Driver} comparisonDriver
+ * @property {Driven} compared What the comparison follows from.
+ * @property {boolean} withoutDisturbance The comparison is the driver itself, without the disturbance that is tried.
+ * @property {Run} paperEp The gains that evolution found in the paper.
+ * @property {Run[]} pins One for each pin.
+ * @property {ChosenDrives | null} chosen Whose drive it is, if it is an individual of the shown generation.
+ */
+
+/** Most samples of all others together: more would be slow to draw and fill the memory. */
+const mostSamples = 400_000;
+const mostOthers = 100;
+
+/**
+ * The drives of all but the best. Those who survived a generation are not driven again.
+ * @param {Drive} drive
+ */
+function createOthers(drive) {
+  /** @type {Map<string, Run>} */
+  let known = new Map();
+  /** @type {Experiment | null} */
+  let knownExperiment = null;
+  return remember((/** @type {Experiment} */ experiment, /** @type {Individual[]} */ population) => {
+    /** @type {Map<string, Run>} */
+    const before = experiment === knownExperiment ? known : new Map();
+    const drawn =
+      1 + Math.min(mostOthers, Math.floor((mostSamples * experiment.sampleTime) / experiment.horizon));
+    const gains = population.slice(0, drawn).map((individual) => individual.gains);
+    const newborn = gains.filter((triple) => !before.has(String(triple)));
+    const driven = drive(experiment, newborn);
+    for (const [i, triple] of newborn.entries()) before.set(String(triple), driven[i]);
+    const runs = gains.map((triple) => /** @type {Run} */ (before.get(String(triple))));
+    known = new Map(gains.map((triple, i) => [String(triple), runs[i]]));
+    knownExperiment = experiment;
+    return runs.slice(1);
+  });
+}
+
+/** @param {Experiment} experiment @param {Trial} trial @returns {Experiment} */
+const tried = (experiment, trial) =>
+  trial === noTrial
+    ? experiment
+    : {
+        ...experiment,
+        starts: trial.start ? [trial.start] : experiment.starts,
+        ...(trial.disturbance && withDisturbance(trial.disturbance)),
+      };
+
+/** A disturbed robot drives on at the goal, so that one sees how near it stays. @param {Experiment['disturbance']} disturbance */
+export const withDisturbance = (disturbance) => ({ disturbance, tolerance: { position: 0, heading: 0 } });
+
+/** @param {Experiment} experiment @returns {Experiment} */
+export const undisturbed = (experiment) => ({
+  ...experiment,
+  disturbance: { ...experiment.disturbance, kind: 'none' },
+});
+
+/**
+ * Everything that drives, as a pure function of the state.
+ * @param {Drive} drive @param {PaperResult[]} paper @param {(state: State) => Scene['chosen']} chosenDrives
+ * @returns {(state: State) => Scene}
+ */
+export function createScene(drive, paper, chosenDrives) {
+  const driveOne = () =>
+    remember((/** @type {Experiment} */ e, /** @type {Triple} */ gains) => drive(e, [gains])[0]);
+  const driving = driveOne();
+  const comparison = driveOne();
+  const paperEp = driveOne();
+  const others = createOthers(drive);
+  const pinned = remember((/** @type {State['pins']} */ pins) =>
+    pins.map(({ experiment, gains }) => drive(experiment, [gains])[0]),
+  );
+  const triedOf = remember(tried);
+  const undisturbedOf = remember(undisturbed);
+  /** @type {Run[]} */
+  const none = [];
+  return (state) => {
+    const { population, driver, trial } = state;
+    const experiment = triedOf(state.experiment, trial);
+    const withoutDisturbance = trial.disturbance !== null && trial.disturbance.kind !== 'none';
+    const comparisonDriver = withoutDisturbance ? driver : rivalOf(driver);
+    const comparisonExperiment = withoutDisturbance ? undisturbedOf(experiment) : experiment;
+    const chosen = chosenDrives(state);
+    const company = chosen?.population ?? (driver === 'evolved' && trial === noTrial ? population : null);
+    const gains = chosen?.population[0].gains ?? gainsOf(state, driver, paper);
+    const rival = chosen?.partner?.gains ?? gainsOf(state, comparisonDriver, paper);
+    return {
+      experiment,
+      gains,
+      driving: driving(experiment, gains),
+      others: company ? others(experiment, company) : none,
+      comparison: comparison(comparisonExperiment, rival),
+      comparisonDriver,
+      compared: { experiment: comparisonExperiment, gains: rival },
+      chosen,
+      withoutDisturbance,
+      paperEp: paperEp(experiment, gainsOf(state, 'paper-ep', paper)),
+      pins: pinned(state.pins),
+    };
+  };
+}

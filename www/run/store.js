@@ -1,0 +1,51 @@
+// Holds the state. Whoever draws may read it, and keep what is its own in a slice; the run itself only actions write.
+/** @import { State } from './state.js' */
+
+/**
+ * What the parts of the page get.
+ * @typedef {object} Store
+ * @property {() => State} get
+ * @property {(name: string, slice: unknown) => void} keep Replaces one slice.
+ * @property {() => void} redraw Asks for a frame, though nothing of the state has changed.
+ */
+/** What only actions get. @typedef {Store & { update: (patch: Partial<State>) => void }} RunStore */
+
+/** @param {State} initial @param {() => void} onChange @returns {RunStore} */
+export function createStore(initial, onChange) {
+  let state = initial;
+  /** @param {Partial<State>} patch */
+  const update = (patch) => {
+    state = { ...state, ...patch };
+    onChange();
+  };
+  return {
+    get: () => state,
+    keep: (name, slice) => update({ slices: { ...state.slices, [name]: slice } }),
+    redraw: onChange,
+    update,
+  };
+}
+
+/**
+ * What one part of the page keeps in the state, of which only it knows the type.
+ * @template {object} S
+ * @param {string} name @param {S} first @param {readonly (keyof S)[]} [passing] What does not outlast the link that is opened next.
+ */
+export function createSlice(name, first, passing = []) {
+  const of = (/** @type {Pick<State, 'slices'>} */ { slices }) => /** @type {S} */ (slices[name] ?? first);
+  return {
+    name,
+    first,
+    of,
+    /** @param {Store} store @param {Partial<S>} patch */
+    update: (store, patch) => store.keep(name, { ...of(store.get()), ...patch }),
+    /** As the next link finds it. @param {Pick<State, 'slices'>} state @param {object} [patch] @returns {object} */
+    opened: (state, patch) => ({
+      ...of(state),
+      ...Object.fromEntries(passing.map((field) => [field, first[field]])),
+      ...patch,
+    }),
+  };
+}
+
+/** @template {object} S @typedef {ReturnType<typeof createSlice<S>>} Slice */
