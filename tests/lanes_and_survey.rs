@@ -312,7 +312,7 @@ fn gains_evolved_on_many_starts_arrive_from_many_more_than_the_papers() {
         evolution.step();
     });
     let trained = evolution.newest().best.gains;
-    let (papers, ours) = (success(Gains::new(3.23673, 0.09678, 5.17891)), success(trained.into()));
+    let (papers, ours) = (success(Gains::new(3.23673, 0.09678, 5.17891)), success(trained));
     assert!((0.15..0.40).contains(&papers), "the paper's gains: {papers}");
     assert!(ours > papers + 0.25, "evolved on 32 starts, {trained:?}: {ours}, not {papers}");
     assert!(trained.y > 1.0, "ky matters now: {trained:?}");

@@ -95,6 +95,16 @@ fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>, S::Error> {
     (0..count).map(number).collect()
 }
 
+impl Plain for Gains {
+    fn typescript(_: &mut Types) -> String {
+        "[number, number, number]".into()
+    }
+
+    fn write<W: Writer>(&self, to: &W) -> W::Value {
+        self.to_array().write(to)
+    }
+}
+
 /// Gains as they are given: triples one after the other.
 #[derive(Clone, Debug)]
 pub(crate) struct Triples(pub(crate) Vec<f64>);
