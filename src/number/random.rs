@@ -36,3 +36,33 @@ const fn first_word(seed: u32, purpose: Purpose, index: u32) -> u64 {
     const { assert!((Purpose::Starts as u32) < 1 << PURPOSE_BITS) };
     (seed as u64) | (purpose as u64) << 32 | (index as u64) << (32 + PURPOSE_BITS)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_streams_begin_with_the_same_word() {
+        let purposes = [
+            Purpose::Initialisation,
+            Purpose::Mutation,
+            Purpose::Tournament,
+            Purpose::Disturbance,
+            Purpose::Starts,
+        ];
+        let mut words = Vec::new();
+        for purpose in purposes {
+            for seed in [0, 1, u32::MAX] {
+                for index in [0, 1, 7, 8, LARGEST_INDEX] {
+                    words.push(first_word(seed, purpose, index));
+                }
+            }
+        }
+        let count = words.len();
+        words.sort_unstable();
+        words.dedup();
+        assert_eq!(words.len(), count);
+        // Links made with these words must go on giving the same runs.
+        assert_eq!(first_word(7, Purpose::Tournament, 3), 7 | 2 << 32 | 3 << 35);
+    }
+}
