@@ -51,7 +51,7 @@ export function createDraw(views, engine, paper) {
 
   /** @param {State} state @param {Scene} scene */
   return (state, scene) => {
-    const { driver, experiment, history, generation, preset, robot, evolving } = state;
+    const { driver, experiment, history, generation, preset, robot } = state;
     const { driving } = scene;
     const { best } = history[generation];
     const time = Math.min(robot.time, driving.finalTime);
@@ -70,16 +70,7 @@ export function createDraw(views, engine, paper) {
     write(byId('generation'), String(generation));
     write(byId('seed'), String(experiment.evolution.seed));
     if (state.page === 'lab') drawCurve(state, scene);
-    views.evolutionBar.draw({
-      open: state.page,
-      evolving,
-      generation,
-      newest: history.length - 1,
-      pace: state.pace,
-      until: state.until,
-      untilError: state.untilError,
-      note: evolutionNote(state),
-    });
+    views.evolutionBar.draw(evolutionOf(state));
     views.gains.draw({
       gains: gainsOf(state, driver, paper),
       errors: state.gainErrors,
@@ -88,19 +79,42 @@ export function createDraw(views, engine, paper) {
     });
     views.notes.draw({
       ...endsOf(state),
+      ...notedOf(state),
       scene,
-      driver,
-      found: state.found,
-      history,
-      generation,
-      population: state.population.length,
       time,
-      pins: state.pins,
-      atRest: !robot.playing && !evolving && !state.dragging,
       moved: isMoved(experiment, preset),
-      tried: state.trial.start !== null,
     });
   };
+}
+
+/** What the notes say of the state alone. @param {State} state */
+const notedOf = ({
+  driver,
+  found,
+  history,
+  generation,
+  population,
+  pins,
+  robot,
+  evolving,
+  dragging,
+  trial,
+}) => ({
+  driver,
+  found,
+  history,
+  generation,
+  population: population.length,
+  pins,
+  atRest: !robot.playing && !evolving && !dragging,
+  tried: trial.start !== null,
+});
+
+/** @param {State} state */
+function evolutionOf(state) {
+  const { page: open, evolving, generation, history, pace, until, untilError } = state;
+  const note = evolutionNote(state);
+  return { open, evolving, generation, newest: history.length - 1, pace, until, untilError, note };
 }
 
 /** @param {Scene} scene @param {State['driver']} driver */

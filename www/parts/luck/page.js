@@ -1,9 +1,11 @@
 // The part of the page that runs evolution with many seeds: how much of a result is luck?
 import { luckSlice } from './state.js';
-import { byId, write } from '../../kit/elements.js';
+import { html, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
+import { byId, create } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
-import { luck as words } from '../../words/index.js';
+import { luck as words, texts } from '../../words/index.js';
 import { createSeedCurve } from './curve.js';
 import { createSeedRequests, drivesOf, isSameButSeed } from './request.js';
 import { createStrips } from './strips.js';
@@ -41,13 +43,10 @@ export function createLuckPage({ engine, store, actions, paper }) {
     if (pointed !== luck().pointed) luckSlice.update(store, { pointed });
   };
   const on = { onPoint: point, onChoose: choose };
-  const curve = createSeedCurve(byId('luck-curve'), on);
-  const strips = createStrips(byId('luck-gains'), on);
-  offerTable('luck-table', () => {
-    const { result } = luck();
-    return result && seedTable(result);
-  });
-  const controls = createControls(store, {
+  const canvases = { curve: create('div', 'luck-curve'), gains: create('canvas', 'luck-gains') };
+  const curve = createSeedCurve(canvases.curve, on);
+  const strips = createStrips(/** @type {HTMLCanvasElement} */ (canvases.gains), on);
+  const controls = createControls(byId('luck'), store, canvases, {
     onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
     onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
     onOpen: (seed) => {
@@ -55,6 +54,11 @@ export function createLuckPage({ engine, store, actions, paper }) {
       actions.chooseDriver('evolved');
       actions.openPage('lab');
     },
+  });
+  controls.draw(store.get(), -1, true);
+  offerTable('luck-table', () => {
+    const { result } = luck();
+    return result && seedTable(result);
   });
 
   const isFresh = remember(
@@ -108,34 +112,23 @@ function questionOf(state) {
   return pointed ?? chosen ?? (lab >= 0 && lab < result.runs.length ? lab : result.summary.ranking[0]);
 }
 
-/**
- * @param {Store} store
- * @param {{ onRun: () => void, onRank: (rank: number) => void, onOpen: (seed: number) => void }} on
- */
-function createControls(store, { onRun, onRank, onOpen }) {
-  const run = byId('luck-run');
-  /** @type {HTMLSelectElement} */
-  const count = byId('luck-count');
-  /** @type {HTMLSelectElement} */
-  const generations = byId('luck-generations');
-  /** @type {HTMLInputElement} */
-  const log = byId('luck-log');
-  /** @type {HTMLInputElement} */
-  const rank = byId('luck-rank');
-  /** @type {HTMLProgressElement} */
-  const progress = byId('luck-progress');
-  const open = byId('luck-open');
-  count.replaceChildren(...counts.map((one) => new Option(words.countChoice(one), String(one))));
-  generations.replaceChildren(...lengths.map((one) => new Option(words.generationsChoice(one), String(one))));
+/** @typedef {{ onRun: () => void, onRank: (rank: number) => void, onOpen: (seed: number) => void }} Events */
+/** @typedef {{ curve: HTMLElement, gains: HTMLElement }} Canvases */
 
-  run.addEventListener('click', onRun);
-  count.addEventListener('change', () => luckSlice.update(store, { count: Number(count.value) }));
-  generations.addEventListener('change', () =>
-    luckSlice.update(store, { generations: Number(generations.value) }),
-  );
-  log.addEventListener('change', () => luckSlice.update(store, { log: log.checked }));
-  rank.addEventListener('input', () => onRank(Number(rank.value)));
-  open.addEventListener('click', () => onOpen(Number(open.dataset.seed)));
+/** @param {HTMLElement} root @param {Store} store @param {Canvases} canvases @param {Events} events */
+function createControls(root, store, canvases, events) {
+  for (const [name, canvas] of Object.entries(canvases)) {
+    canvas.id = `luck-${name}`;
+    canvas.setAttribute('role', 'img');
+    canvas.dataset.picture = `luck-${name}`;
+  }
+  const on = {
+    ...events,
+    count: (/** @type {Event} */ event) => luckSlice.update(store, { count: chosenIn(event) }),
+    generations: (/** @type {Event} */ event) => luckSlice.update(store, { generations: chosenIn(event) }),
+    log: (/** @type {Event} */ { target }) =>
+      luckSlice.update(store, { log: /** @type {HTMLInputElement} */ (target).checked }),
+  };
   const changed = watch();
 
   return {
@@ -143,45 +136,73 @@ function createControls(store, { onRun, onRank, onOpen }) {
     draw(state, index, fresh) {
       const { experiment, history } = state;
       const luck = luckSlice.of(state);
-      const { result } = luck;
       if (!changed(luck, experiment, history, index, fresh)) return;
-      const runs = luck.progress !== null;
-      write(run, runs ? words.cancel : words.runText(luck.count));
-      progress.classList.toggle('visually-hidden', !runs);
-      progress.value = luck.progress ?? 0;
-      count.value = String(luck.count);
-      generations.value = String(luck.generations);
-      log.checked = luck.log;
-      write(byId('luck-note'), noteText(state));
-      write(byId('luck-status'), statusText(state, fresh));
+      const { result } = luck;
       const finding = result
         ? words.finding(result)
         : words.invitation(luck.count, luck.generations, drivesOf(experiment, luck.generations));
-      write(byId('luck-finding'), finding);
-      byId('luck').classList.toggle('stale', !fresh);
-      byId('luck-curve').setAttribute(
+      root.classList.toggle('stale', !fresh);
+      canvases.curve.setAttribute(
         'aria-label',
         result ? words.curveLabel(result, finding) : words.emptyCurveLabel,
       );
-      byId('luck-gains').setAttribute(
-        'aria-label',
-        result ? words.gainsLabel(result) : words.emptyGainsLabel,
+      canvases.gains.setAttribute('aria-label', result ? words.gainsLabel(result) : words.emptyGainsLabel);
+      render(
+        html`
+          ${surveyBar(luck, noteText(state), on)}
+          <p id="luck-status" class="luck-status" role="status">${statusText(state, fresh)}</p>
+          <p id="luck-finding" class="luck-finding">${finding}</p>
+          <div class="heading luck-legend">
+            <p class="muted" data-picture="luck-curve">${texts.luckCurve}</p>
+            <label class="check muted"><input id="luck-log" type="checkbox" .checked=${live(luck.log)} .disabled=${!result} @change=${on.log}> <span>${texts.luckLog}</span></label>
+          </div>
+          ${canvases.curve}
+          <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}</p><p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>
+          ${canvases.gains}
+          ${seedBar(result, index, fresh, on)}`,
+        root,
       );
-      for (const id of ['luck-seed', 'luck-table', 'luck-median']) byId(id).hidden = !result;
-      log.disabled = !result;
-      if (!result || index < 0) return;
-      const own = result.summary.ranking.indexOf(index) + 1;
-      const text = words.readout(result, index, own);
-      rank.max = String(result.runs.length);
-      rank.value = String(own);
-      rank.setAttribute('aria-valuetext', text);
-      write(byId('luck-readout'), text);
-      const seed = result.first + index;
-      open.dataset.seed = String(seed);
-      write(open, words.openSeed(seed));
-      open.hidden = !fresh;
     },
   };
+}
+
+/** @param {Event} event */
+const chosenIn = ({ target }) => Number(/** @type {HTMLSelectElement} */ (target).value);
+
+/** @param {readonly number[]} choices @param {number} chosen @param {(choice: number) => string} text */
+const options = (choices, chosen, text) =>
+  choices.map(
+    (one) => html`<option value=${String(one)} .selected=${live(one === chosen)}>${text(one)}</option>`,
+  );
+
+/** What to run. @param {LuckState} luck @param {string} note @param {Pick<Events, 'onRun'> & Record<'count' | 'generations', (event: Event) => void>} on */
+function surveyBar({ result, progress, count, generations }, note, on) {
+  const runs = progress !== null;
+  return html`
+    <div class="heading">
+      <h2 id="luck-title">${texts.luckTitle}</h2>
+      <p class="muted"><span id="luck-note">${note}</span> <button id="luck-table" type="button" class="link" .hidden=${!result}>${texts.luckTable}</button></p>
+    </div>
+    <div class="bar luck-bar">
+      <button id="luck-run" type="button" class="primary" @click=${on.onRun}>${runs ? words.cancel : words.runText(count)}</button>
+      <select id="luck-count" aria-label=${texts.luckCount} @change=${on.count}>${options(counts, count, words.countChoice)}</select>
+      <select id="luck-generations" aria-label=${texts.luckGenerations} @change=${on.generations}>${options(lengths, generations, words.generationsChoice)}</select>
+      <progress id="luck-progress" class=${runs ? '' : 'visually-hidden'} max="1" .value=${progress ?? 0} aria-label=${texts.luckProgress}></progress>
+    </div>`;
+}
+
+/** The seed in question. @param {SeedSurvey | null} result @param {number} index @param {boolean} fresh @param {Events} on */
+function seedBar(result, index, fresh, on) {
+  const own = result ? result.summary.ranking.indexOf(index) + 1 : 1;
+  const text = result && index >= 0 ? words.readout(result, index, own) : '';
+  const seed = (result?.first ?? 0) + index;
+  const onRank = (/** @type {Event} */ event) => on.onRank(chosenIn(event));
+  return html`
+    <div id="luck-seed" class="luck-seed" .hidden=${!result}>
+      <label class="bar"><span class="muted">${texts.luckLuckiest}</span> <input id="luck-rank" type="range" min="1" step="1" aria-label=${texts.luckRank} aria-valuetext=${text} .max=${String(result?.runs.length ?? 1)} .value=${live(String(own))} @input=${onRank}> <span class="muted">${texts.luckUnluckiest}</span></label>
+      <p id="luck-readout" class="luck-readout">${text}</p>
+      <button id="luck-open" type="button" .hidden=${!fresh} @click=${() => on.onOpen(seed)}>${words.openSeed(seed)}</button>
+    </div>`;
 }
 
 /** @param {State} state */
