@@ -1,6 +1,7 @@
 // Wires the page: experiment → engine → views. The views get numbers and draw them.
 /** @import { Engine } from './core/engine.js' */
 /** @import { Page } from './parts/part.js' */
+/** @import { State } from './run/state.js' */
 import { createEngine } from './core/engine.js';
 import { createEmbed } from './embed/page.js';
 import { clearInstead, showInstead, watchCore } from './instead.js';
@@ -39,7 +40,7 @@ function start(engine) {
   const paper = engine.paper();
   /** @type {Map<string, Page>} */
   const pages = new Map();
-  const sceneOf = createScene(engine.drive, paper, (state) => pages.get(state.page)?.drives?.(state) ?? null);
+  const sceneOf = createScene(engine.drive, paper, (state) => pageOf(state)?.drives?.(state) ?? null);
   const generations = createAccumulator();
   const loop = createFrameLoop(frame);
   const first = firstState(engine, 'velocity-limits', isStill() ? atEnd : fromStart);
@@ -53,7 +54,6 @@ function start(engine) {
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const draw = createDraw(createViews(store, controls, links.pages, onLesson), engine, paper);
   const lesson = createLesson({ ...tools, go });
-  for (const part of parts) pages.set(part.name, part.create(tools));
   const settings = createSettingsPanel(tools);
   const exercise = createExercise({ ...tools, places: parts.flatMap((part) => part.places ?? []) });
   const maker = isEmbedded ? null : createMaker(tools);
@@ -62,16 +62,28 @@ function start(engine) {
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;
 
+  /** The open part, which is made when it is opened for the first time. @param {State} state */
+  const pageOf = ({ page: name }) => {
+    const part = parts.find((one) => one.name === name);
+    if (part && !pages.has(name)) {
+      const page = part.create(tools);
+      pages.set(name, page);
+      if (page.element) byId('evolving').before(page.element);
+    }
+    return pages.get(name);
+  };
+
   /** Draws what the state says, and lets the open part ask the workers for what it still lacks. */
   const show = () => {
     const state = store.get();
+    const page = pageOf(state);
     const scene = sceneOf(state);
     draw(state, scene);
     lesson.draw(state, scene);
-    pages.get(state.page)?.draw(state, scene);
+    page?.draw(state, scene);
     address?.follow(state);
     settings.draw(state);
-    exercise.draw(state);
+    exercise.draw(state, pages.size);
     embed?.draw(state);
     maker?.draw(state);
     pinButton.draw(state, scene);
@@ -80,7 +92,7 @@ function start(engine) {
   /** @param {number} seconds */
   function frame(seconds) {
     const before = store.get();
-    pages.get(before.page)?.tick?.(before, seconds);
+    pageOf(before)?.tick?.(before, seconds);
     if (before.evolving && !before.dragging)
       actions.evolve(moreOf(before.catchingUp ? Number.POSITIVE_INFINITY : before.pace, seconds));
     actions.advance(seconds);

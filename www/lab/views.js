@@ -39,14 +39,7 @@ export function fillTexts() {
 /** @param {import('../run/store.js').Store} store @param {Actions} actions @param {readonly string[]} pages @param {() => void} onLesson */
 export function createViews(store, actions, pages, onLesson) {
   return {
-    pages: createPages(
-      pages,
-      byId('pages'),
-      byId('tagline'),
-      document.querySelectorAll('[data-page]'),
-      actions.openPage,
-      onLesson,
-    ),
+    pages: createPages(pages, byId('pages'), byId('tagline'), actions.openPage, onLesson),
     preset: createSegmented(byId('preset'), strings.presetLegend, strings.presets, actions.choosePreset),
     drivers: createSegmented(byId('drives'), strings.driverLegend, strings.drivers, actions.chooseDriver),
     plane: createPlane(byId('plane-paths'), byId('plane-robots')),

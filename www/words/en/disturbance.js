@@ -10,6 +10,7 @@ export * from '../common/disturbance.js';
 
 export const texts = {
   disturbanceTitle: 'Disturbance',
+  disturbanceControls: 'The disturbance',
   disturbanceSizes: 'Size of the disturbance',
   disturbanceDraw: 'New draw',
   remainsDrive: 'this drive',

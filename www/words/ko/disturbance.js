@@ -10,6 +10,7 @@ export * from '../common/disturbance.js';
 
 export const texts = {
   disturbanceTitle: '외란',
+  disturbanceControls: '외란',
   disturbanceSizes: '외란의 크기',
   disturbanceDraw: '새로 뽑기',
   remainsDrive: '이 주행',
