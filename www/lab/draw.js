@@ -36,19 +36,6 @@ export function createDraw(views, engine, paper) {
     views.handles.draw({ view, ...ends });
   };
 
-  /** What evolution has done: J, or σ. @param {State} state @param {Scene} scene */
-  const drawCurve = (state, scene) => {
-    const { history, generation, theme } = state;
-    const { curve } = labSlice.of(state);
-    const isCost = curve === 'cost';
-    byId('curve').hidden = !isCost;
-    byId('sigmas').hidden = isCost;
-    write(byId('curve-title'), isCost ? strings.texts.curveTitle : curveWords.sigmaTitle);
-    views.curveChoice.draw(curve);
-    if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
-    else views.sigmas.draw({ history, generation, theme });
-  };
-
   /** @param {State} state @param {Scene} scene */
   return (state, scene) => {
     const { driver, experiment, history, generation, preset, robot } = state;
@@ -69,7 +56,7 @@ export function createDraw(views, engine, paper) {
     });
     write(byId('generation'), String(generation));
     write(byId('seed'), String(experiment.evolution.seed));
-    if (state.page === 'lab') drawCurve(state, scene);
+    if (state.page === 'lab') drawCurve(views, state, scene);
     views.evolutionBar.draw(evolutionOf(state));
     views.gains.draw({
       gains: gainsOf(state, driver, paper),
@@ -85,6 +72,19 @@ export function createDraw(views, engine, paper) {
       moved: isMoved(experiment, preset),
     });
   };
+}
+
+/** What evolution has done: J, or σ. @param {Views} views @param {State} state @param {Scene} scene */
+function drawCurve(views, state, scene) {
+  const { history, generation, theme } = state;
+  const { curve } = labSlice.of(state);
+  const isCost = curve === 'cost';
+  byId('curve').hidden = !isCost;
+  byId('sigmas').hidden = isCost;
+  write(byId('curve-title'), isCost ? strings.texts.curveTitle : curveWords.sigmaTitle);
+  views.curveChoice.draw(curve);
+  if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
+  else views.sigmas.draw({ history, generation, theme });
 }
 
 /** What the notes say of the state alone. @param {State} state */

@@ -61,6 +61,19 @@ export function createLuckPage({ engine, store, actions, paper }) {
     return result && seedTable(result);
   });
 
+  const modelsOf = createModels(paper);
+  return {
+    draw(state) {
+      const models = modelsOf(state);
+      curve.draw(models.curve);
+      strips.draw(models.strips);
+      controls.draw(state, models.index, models.fresh);
+    },
+  };
+}
+
+/** What the pictures show. @param {PageParts['paper']} paper */
+function createModels(paper) {
   const isFresh = remember(
     (/** @type {Experiment} */ experiment, /** @type {SeedSurvey | null} */ result) =>
       !result || isSameButSeed(experiment, result.experiment),
@@ -74,32 +87,30 @@ export function createLuckPage({ engine, store, actions, paper }) {
     costs: runs[index].best,
   }));
 
-  return {
-    draw(state) {
-      const { result, generations, log } = luckSlice.of(state);
-      const fresh = isFresh(state.experiment, result);
-      const index = questionOf(state);
-      const seed = result && index >= 0 ? seedLine(result, index) : null;
-      const labSeed = state.experiment.evolution.seed;
-      const isLab = result && index >= 0 && fresh && result.first + index === labSeed;
-      curve.draw({
+  return (/** @type {State} */ state) => {
+    const { result, generations, log } = luckSlice.of(state);
+    const { theme } = state;
+    const fresh = isFresh(state.experiment, result);
+    const index = questionOf(state);
+    const seed = result && index >= 0 ? seedLine(result, index) : null;
+    const labSeed = state.experiment.evolution.seed;
+    const isLab = result && index >= 0 && fresh && result.first + index === labSeed;
+    const lab = fresh && !isLab ? labLine(state.history, labSeed) : null;
+    return {
+      index,
+      fresh,
+      curve: {
         survey: result,
         generations: result?.generations ?? generations,
-        lab: fresh && !isLab ? labLine(state.history, labSeed) : null,
-        seed,
-        index,
-        log,
-        theme: state.theme,
-      });
-      strips.draw({
+        ...{ lab, seed, index, log, theme },
+      },
+      strips: {
         survey: result,
         paper: result?.paper.gains ?? gainsOf(state, 'paper-ep', paper),
         range: state.experiment.evolution.initialRange,
-        index,
-        theme: state.theme,
-      });
-      controls.draw(state, index, fresh);
-    },
+        ...{ index, theme },
+      },
+    };
   };
 }
 
