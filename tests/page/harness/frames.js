@@ -10,7 +10,7 @@
   const asked = new Map();
   let isInFrame = false;
   /** How many times as fast the time of the frames runs. */
-  let haste = 1;
+  let pace = 1;
 
   let latest = 0;
 
@@ -22,7 +22,7 @@
       if (!asked.delete(id)) return;
       isInFrame = true;
       try {
-        callback(haste * now);
+        callback(pace * now);
       } finally {
         isInFrame = false;
       }
@@ -55,9 +55,9 @@
   const areNone = () => asked.size === 0;
 
   /** @param {number} times */
-  const hurry = (times) => {
-    haste = times;
+  const setPace = (times) => {
+    pace = times;
   };
 
-  Object.defineProperty(window, 'pageFrames', { value: { drawn, areNone, hurry } });
+  Object.defineProperty(window, 'pageFrames', { value: { drawn, areNone, setPace } });
 })();

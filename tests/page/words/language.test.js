@@ -138,8 +138,11 @@ async function english(page) {
         found.push(element.getAttribute(name) ?? '');
       // Read aloud although it may be out of sight.
       for (const name of ['aria-labelledby', 'aria-describedby'])
-        for (const id of element.getAttribute(name)?.split(' ') ?? [])
-          found.push(document.getElementById(id)?.textContent ?? '');
+        for (const id of element.getAttribute(name)?.split(' ') ?? []) {
+          const other = document.getElementById(id);
+          // A table is called what its caption says.
+          found.push((other instanceof HTMLTableElement ? other.caption : other)?.textContent ?? '');
+        }
     }
     return found;
   });
