@@ -22,9 +22,6 @@ export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** A formula, every second piece of which is a subscript. @param {readonly string[]} pieces */
-export const formula = (pieces) => pieces.map((piece, i) => (i % 2 ? create('sub', '', piece) : piece));
-
 /** The size of an element in pixels, kept up to date. @param {HTMLElement} element @param {(size: { width: number, height: number }) => void} onResize */
 export function followSize(element, onResize) {
   let size = { width: 0, height: 0 };

@@ -1,8 +1,8 @@
 // A choice of one among a few: native radio buttons that look like one control.
-import { html, nothing, render } from 'lit-html';
+import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 
-/** @template {string} V @typedef {{ value: V, text: string, hint?: string }} Choice */
+/** @template {string} V @typedef {{ value: V, text: string, hint?: string, disabled?: boolean }} Choice */
 
 /**
  * What a fieldset of this id holds.
@@ -12,9 +12,9 @@ import { live } from 'lit-html/directives/live.js';
  */
 export const choicesOf = (id, legend, choices, chosen, onChoose) => html`
   <legend class="visually-hidden">${legend}</legend>${choices.map(
-    ({ value, text, hint }) =>
+    ({ value, text, hint, disabled }) =>
       html`<label title=${hint ?? nothing}><input id="${id}-${value}" type="radio" name=${id} value=${value}
-        .checked=${live(value === chosen)} @change=${() => onChoose(value)}><span>${text}</span></label>`,
+        .checked=${live(value === chosen)} .disabled=${disabled ?? noChange} @change=${() => onChoose(value)}><span>${text}</span></label>`,
   )}`;
 
 /**

@@ -1,6 +1,7 @@
 // The table of what remains: a row for each part of the error, with its plot and its numbers.
 /** @import { PartName, Summary } from './summary.js' */
 import { html, nothing } from 'lit-html';
+import { formula } from '../../kit/formula.js';
 import { disturbance as words } from '../../words/index.js';
 import { parts } from './summary.js';
 
@@ -38,7 +39,7 @@ function rowOf(part, summary) {
   return html`
     <tr class="part-${part}">
       <th scope="row">
-        <span class="remains-formula">${formulaOf(part)}<span>${words.axisUnit(part)}</span></span>
+        <span class="remains-formula">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
         <div class="remains-plot" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>
       </th>
       <td class=${numbers && !numbers.isInside ? 'beyond' : ''}>${cellOf('drive')}</td>
@@ -48,10 +49,6 @@ function rowOf(part, summary) {
       <td>${summary && words.insideText(summary.rows[part].inside, summary.starts)}</td>
     </tr>`;
 }
-
-/** @param {PartName} part */
-const formulaOf = (part) =>
-  words.formulas[part].map((piece, i) => (i % 2 ? html`<sub>${piece}</sub>` : piece));
 
 /** @param {number | undefined} number @param {string} below */
 const cell = (number, below) =>

@@ -9,6 +9,7 @@ export * from '../common/generation.js';
 
 export const texts = {
   generationTable: 'Table',
+  generationStep: 'Steps of the generation',
   generationBack: 'Phase before',
   generationDetails: 'The chosen individual',
 };

@@ -9,7 +9,6 @@ export * from '../common/stability.js';
 export const texts = {
   stabilityTable: 'Table',
   stabilityLog: 'log',
-  stabilityLogHint: 'V on a logarithmic axis, and below it the slope that it then has, V̇/V',
 };
 
 export const terms = termsOf({ rate: ['V̇ robot'], promised: ['V̇ law ='] });

@@ -9,6 +9,7 @@ export * from '../common/generation.js';
 
 export const texts = {
   generationTable: '세대 표',
+  generationStep: '세대의 단계',
   generationBack: '이전 단계',
   generationDetails: '선택한 개체',
 };

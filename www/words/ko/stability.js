@@ -9,7 +9,6 @@ export * from '../common/stability.js';
 export const texts = {
   stabilityTable: '표',
   stabilityLog: '로그',
-  stabilityLogHint: 'V를 로그 축에 그리고, 아래에는 그때의 기울기인 V̇/V를 그립니다',
 };
 
 export const terms = termsOf({ rate: ['V̇ 로봇'], promised: ['V̇ 법칙 ='] });
