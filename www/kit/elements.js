@@ -1,6 +1,9 @@
 /** @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
 export const byId = (id) => /** @type {T} */ (document.getElementById(id));
 
+/** As byId(), of what stands in no page yet. @template {HTMLElement} [T=HTMLElement] @param {ParentNode} root @param {string} id @returns {T} */
+export const byIdIn = (root, id) => /** @type {T} */ (root.querySelector(`#${id}`));
+
 /** A new element with what it holds. @param {string} tag @param {string} className @param {(Node | string)[]} children */
 export function create(tag, className, ...children) {
   const element = document.createElement(tag);

@@ -1,15 +1,17 @@
 // The part of the page that runs evolution with many seeds: how much of a result is luck?
-import { luckSlice } from './state.js';
 import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { byId, create } from '../../kit/elements.js';
+import { luckSlice } from './state.js';
+import { byIdIn } from '../../kit/elements.js';
+import { options, valueIn } from '../../kit/templates.js';
+import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
-import { luck as words, texts } from '../../words/index.js';
+import { luck as words } from '../../words/index.js';
 import { createSeedCurve } from './curve.js';
 import { createSeedRequests, drivesOf, isSameButSeed } from './request.js';
 import { createStrips } from './strips.js';
-import { offerTable } from '../../kit/table.js';
+import { showTable } from '../../kit/table.js';
 import { seedTable } from './table.js';
 
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
@@ -21,11 +23,24 @@ import { seedTable } from './table.js';
 /** @typedef {import('./state.js').LuckState} LuckState */
 /** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
 
-const counts = [20, 100, 500];
-const lengths = [50, 100, 200];
+/**
+ * @typedef {object} Events
+ * @property {(patch: Partial<LuckState>) => void} update
+ * @property {() => void} onRun
+ * @property {(rank: number) => void} onRank
+ * @property {(seed: number) => void} onOpen
+ * @property {() => void} onTable
+ */
+
+const { texts } = words;
+const counts = [20, 100, 500].map((count) => /** @type {const} */ ([count, words.countChoice(count)]));
+const lengths = [50, 100, 200].map(
+  (length) => /** @type {const} */ ([length, words.generationsChoice(length)]),
+);
 
 /** @param {PageParts} parts @returns {Page} */
 export function createLuckPage({ engine, store, actions, paper }) {
+  const element = createSection('luck');
   const requests = createSeedRequests(engine, store, paper);
   const luck = () => luckSlice.of(store.get());
 
@@ -42,11 +57,9 @@ export function createLuckPage({ engine, store, actions, paper }) {
     const pointed = index < 0 ? null : index;
     if (pointed !== luck().pointed) luckSlice.update(store, { pointed });
   };
-  const on = { onPoint: point, onChoose: choose };
-  const canvases = { curve: create('div', 'luck-curve'), gains: create('canvas', 'luck-gains') };
-  const curve = createSeedCurve(canvases.curve, on);
-  const strips = createStrips(/** @type {HTMLCanvasElement} */ (canvases.gains), on);
-  const controls = createControls(byId('luck'), store, canvases, {
+  /** @type {Events} */
+  const on = {
+    update: (patch) => luckSlice.update(store, patch),
     onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
     onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
     onOpen: (seed) => {
@@ -54,30 +67,26 @@ export function createLuckPage({ engine, store, actions, paper }) {
       actions.chooseDriver('evolved');
       actions.openPage('lab');
     },
-  });
-  controls.draw(store.get(), -1, true);
-  offerTable('luck-table', () => {
-    const { result } = luck();
-    return result && seedTable(result);
-  });
-
-  const modelsOf = createModels(paper);
-  return {
-    draw(state) {
-      const models = modelsOf(state);
-      curve.draw(models.curve);
-      strips.draw(models.strips);
-      controls.draw(state, models.index, models.fresh);
+    onTable: () => {
+      const { result } = luck();
+      showTable(result && seedTable(result));
     },
   };
-}
-
-/** What the pictures show. @param {PageParts['paper']} paper */
-function createModels(paper) {
   const isFresh = remember(
     (/** @type {Experiment} */ experiment, /** @type {SeedSurvey | null} */ result) =>
       !result || isSameButSeed(experiment, result.experiment),
   );
+  const changed = watch();
+  /** @param {State} state @param {number} index @param {boolean} fresh */
+  const show = (state, index, fresh) => {
+    if (!changed(luckSlice.of(state), state.experiment, state.history, index, fresh)) return;
+    element.classList.toggle('stale', !fresh);
+    render(sight(state, index, fresh, on), element);
+  };
+  show(store.get(), -1, true);
+  const events = { onPoint: point, onChoose: choose };
+  const curve = createSeedCurve(byIdIn(element, 'luck-curve'), events);
+  const strips = createStrips(byIdIn(element, 'luck-gains'), events);
   const labLine = remember((/** @type {Statistics[]} */ history, /** @type {number} */ seed) => ({
     name: words.labLine(seed),
     costs: history.map(({ best }) => best.cost),
@@ -87,30 +96,32 @@ function createModels(paper) {
     costs: runs[index].best,
   }));
 
-  return (/** @type {State} */ state) => {
-    const { result, generations, log } = luckSlice.of(state);
-    const { theme } = state;
-    const fresh = isFresh(state.experiment, result);
-    const index = questionOf(state);
-    const seed = result && index >= 0 ? seedLine(result, index) : null;
-    const labSeed = state.experiment.evolution.seed;
-    const isLab = result && index >= 0 && fresh && result.first + index === labSeed;
-    const lab = fresh && !isLab ? labLine(state.history, labSeed) : null;
-    return {
-      index,
-      fresh,
-      curve: {
+  return {
+    element,
+    draw(state) {
+      const { result, generations, log } = luckSlice.of(state);
+      const fresh = isFresh(state.experiment, result);
+      const index = questionOf(state);
+      const labSeed = state.experiment.evolution.seed;
+      const isLab = result && index >= 0 && fresh && result.first + index === labSeed;
+      curve.draw({
         survey: result,
         generations: result?.generations ?? generations,
-        ...{ lab, seed, index, log, theme },
-      },
-      strips: {
+        lab: fresh && !isLab ? labLine(state.history, labSeed) : null,
+        seed: result && index >= 0 ? seedLine(result, index) : null,
+        index,
+        log,
+        theme: state.theme,
+      });
+      strips.draw({
         survey: result,
         paper: result?.paper.gains ?? gainsOf(state, 'paper-ep', paper),
         range: state.experiment.evolution.initialRange,
-        ...{ index, theme },
-      },
-    };
+        index,
+        theme: state.theme,
+      });
+      show(state, index, fresh);
+    },
   };
 }
 
@@ -123,96 +134,66 @@ function questionOf(state) {
   return pointed ?? chosen ?? (lab >= 0 && lab < result.runs.length ? lab : result.summary.ranking[0]);
 }
 
-/** @typedef {{ onRun: () => void, onRank: (rank: number) => void, onOpen: (seed: number) => void }} Events */
-/** @typedef {{ curve: HTMLElement, gains: HTMLElement }} Canvases */
-
-/** @param {HTMLElement} root @param {Store} store @param {Canvases} canvases @param {Events} events */
-function createControls(root, store, canvases, events) {
-  for (const [name, canvas] of Object.entries(canvases)) {
-    canvas.id = `luck-${name}`;
-    canvas.setAttribute('role', 'img');
-    canvas.dataset.picture = `luck-${name}`;
-  }
-  const on = {
-    ...events,
-    count: (/** @type {Event} */ event) => luckSlice.update(store, { count: chosenIn(event) }),
-    generations: (/** @type {Event} */ event) => luckSlice.update(store, { generations: chosenIn(event) }),
-    log: (/** @type {Event} */ { target }) =>
-      luckSlice.update(store, { log: /** @type {HTMLInputElement} */ (target).checked }),
-  };
-  const changed = watch();
-
-  return {
-    /** @param {State} state @param {number} index @param {boolean} fresh */
-    draw(state, index, fresh) {
-      const { experiment, history } = state;
-      const luck = luckSlice.of(state);
-      if (!changed(luck, experiment, history, index, fresh)) return;
-      const { result } = luck;
-      const finding = result
-        ? words.finding(result)
-        : words.invitation(luck.count, luck.generations, drivesOf(experiment, luck.generations));
-      root.classList.toggle('stale', !fresh);
-      canvases.curve.setAttribute(
-        'aria-label',
-        result ? words.curveLabel(result, finding) : words.emptyCurveLabel,
-      );
-      canvases.gains.setAttribute('aria-label', result ? words.gainsLabel(result) : words.emptyGainsLabel);
-      render(
-        html`
-          ${surveyBar(luck, noteText(state), on)}
-          <p id="luck-status" class="luck-status" role="status">${statusText(state, fresh)}</p>
-          <p id="luck-finding" class="luck-finding">${finding}</p>
-          <div class="heading luck-legend">
-            <p class="muted" data-picture="luck-curve">${texts.luckCurve}</p>
-            <label class="check muted"><input id="luck-log" type="checkbox" .checked=${live(luck.log)} .disabled=${!result} @change=${on.log}> <span>${texts.luckLog}</span></label>
-          </div>
-          ${canvases.curve}
-          <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}</p><p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>
-          ${canvases.gains}
-          ${seedBar(result, index, fresh, on)}`,
-        root,
-      );
-    },
-  };
-}
-
-/** @param {Event} event */
-const chosenIn = ({ target }) => Number(/** @type {HTMLSelectElement} */ (target).value);
-
-/** @param {readonly number[]} choices @param {number} chosen @param {(choice: number) => string} text */
-const options = (choices, chosen, text) =>
-  choices.map(
-    (one) => html`<option value=${String(one)} .selected=${live(one === chosen)}>${text(one)}</option>`,
-  );
-
-/** What to run. @param {LuckState} luck @param {string} note @param {Pick<Events, 'onRun'> & Record<'count' | 'generations', (event: Event) => void>} on */
-function surveyBar({ result, progress, count, generations }, note, on) {
-  const runs = progress !== null;
+/** @param {State} state @param {number} index @param {boolean} fresh @param {Events} on */
+function sight(state, index, fresh, on) {
+  const luck = luckSlice.of(state);
+  const { result, log } = luck;
+  const finding = result
+    ? words.finding(result)
+    : words.invitation(luck.count, luck.generations, drivesOf(state.experiment, luck.generations));
   return html`
     <div class="heading">
       <h2 id="luck-title">${texts.luckTitle}</h2>
-      <p class="muted"><span id="luck-note">${note}</span> <button id="luck-table" type="button" class="link" .hidden=${!result}>${texts.luckTable}</button></p>
+      <p class="muted"><span id="luck-note">${noteText(state)}</span>
+        <button id="luck-table" type="button" class="link" .hidden=${!result} @click=${on.onTable}>${texts.luckTable}</button></p>
     </div>
+    ${bar(luck, on)}
+    <p id="luck-status" class="luck-status" role="status">${statusText(state, fresh)}</p>
+    <p id="luck-finding" class="luck-finding">${finding}</p>
+    <div class="heading luck-legend">
+      <p class="muted" data-picture="luck-curve">${texts.luckCurve}</p>
+      <label class="check muted"><input id="luck-log" type="checkbox" .checked=${live(log)} .disabled=${!result}
+        @change=${() => on.update({ log: !log })}> <span>${texts.luckLog}</span></label>
+    </div>
+    <div id="luck-curve" class="luck-curve" data-picture="luck-curve" role="img"
+      aria-label=${result ? words.curveLabel(result, finding) : words.emptyCurveLabel}></div>
+    <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}</p>
+      <p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>
+    <canvas id="luck-gains" class="luck-gains" data-picture="luck-gains" role="img"
+      aria-label=${result ? words.gainsLabel(result) : words.emptyGainsLabel}></canvas>
+    ${seedInQuestion(result, index, fresh, on)}`;
+}
+
+/** @param {LuckState} luck @param {Events} on */
+function bar({ progress, count, generations }, { onRun, update }) {
+  const runs = progress !== null;
+  return html`
     <div class="bar luck-bar">
-      <button id="luck-run" type="button" class="primary" @click=${on.onRun}>${runs ? words.cancel : words.runText(count)}</button>
-      <select id="luck-count" aria-label=${texts.luckCount} @change=${on.count}>${options(counts, count, words.countChoice)}</select>
-      <select id="luck-generations" aria-label=${texts.luckGenerations} @change=${on.generations}>${options(lengths, generations, words.generationsChoice)}</select>
-      <progress id="luck-progress" class=${runs ? '' : 'visually-hidden'} max="1" .value=${progress ?? 0} aria-label=${texts.luckProgress}></progress>
+      <button id="luck-run" type="button" class="primary" @click=${onRun}>${runs ? words.cancel : words.runText(count)}</button>
+      <select id="luck-count" aria-label=${texts.luckCount}
+        @change=${(/** @type {Event} */ event) => update({ count: Number(valueIn(event)) })}>${options(counts, count)}</select>
+      <select id="luck-generations" aria-label=${texts.luckGenerations}
+        @change=${(/** @type {Event} */ event) => update({ generations: Number(valueIn(event)) })}>${options(lengths, generations)}</select>
+      <progress id="luck-progress" max="1" class=${runs ? '' : 'visually-hidden'} aria-label=${texts.luckProgress}
+        .value=${progress ?? 0}></progress>
     </div>`;
 }
 
-/** The seed in question. @param {SeedSurvey | null} result @param {number} index @param {boolean} fresh @param {Events} on */
-function seedBar(result, index, fresh, on) {
-  const own = result ? result.summary.ranking.indexOf(index) + 1 : 1;
-  const text = result && index >= 0 ? words.readout(result, index, own) : '';
-  const seed = (result?.first ?? 0) + index;
-  const onRank = (/** @type {Event} */ event) => on.onRank(chosenIn(event));
+/** @param {SeedSurvey | null} result @param {number} index @param {boolean} fresh @param {Events} on */
+function seedInQuestion(result, index, fresh, { onRank, onOpen }) {
+  const isThere = result !== null && index >= 0;
+  const rank = isThere ? result.summary.ranking.indexOf(index) + 1 : 1;
+  const readout = isThere ? words.readout(result, index, rank) : '';
+  const seed = isThere ? result.first + index : 1;
   return html`
     <div id="luck-seed" class="luck-seed" .hidden=${!result}>
-      <label class="bar"><span class="muted">${texts.luckLuckiest}</span> <input id="luck-rank" type="range" min="1" step="1" aria-label=${texts.luckRank} aria-valuetext=${text} .max=${String(result?.runs.length ?? 1)} .value=${live(String(own))} @input=${onRank}> <span class="muted">${texts.luckUnluckiest}</span></label>
-      <p id="luck-readout" class="luck-readout">${text}</p>
-      <button id="luck-open" type="button" .hidden=${!fresh} @click=${() => on.onOpen(seed)}>${words.openSeed(seed)}</button>
+      <label class="bar"><span class="muted">${texts.luckLuckiest}</span>
+        <input id="luck-rank" type="range" min="1" step="1" aria-label=${texts.luckRank} aria-valuetext=${readout}
+          .max=${String(result?.runs.length ?? 1)} .value=${live(String(rank))}
+          @input=${(/** @type {Event} */ event) => onRank(Number(valueIn(event)))}>
+        <span class="muted">${texts.luckUnluckiest}</span></label>
+      <p id="luck-readout" class="luck-readout">${readout}</p>
+      <button id="luck-open" type="button" .hidden=${!fresh} @click=${() => onOpen(seed)}>${words.openSeed(seed)}</button>
     </div>`;
 }
 

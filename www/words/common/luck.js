@@ -10,8 +10,7 @@ export const costSymbol = 'J';
 export const powerOfTen = (power) =>
   power >= -3 && power <= 3 ? fixed(10 ** power, Math.max(0, Math.round(-power))) : `10${superscript(power)}`;
 
-export const gainIndices = /** @type {const} */ (['x', 'y', 'θ']);
-export const gainNames = gainIndices.map((index) => `k${index}`);
+export const gainNames = ['x', 'y', 'θ'].map((index) => `k${index}`);
 
 /** @param {number} value */
 export const tick = (value) => String(value).replace('-', '−');
