@@ -1,11 +1,8 @@
 //! What is measured, the same natively and as WebAssembly. `episode.js` does the first two in plain JavaScript.
 
-use ep_locomotion::control::Gains;
-use ep_locomotion::cost::Cost;
-use ep_locomotion::episode::Setting;
-use ep_locomotion::evolution::Evolution;
-use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::survey::{Axis, Gain, Landscape, seed_runs};
+use ep_locomotion::robot::Gains;
+use ep_locomotion::run::{Cost, Experiment, Preset, Setting};
+use ep_locomotion::study::{Axis, Evolution, Gain, Landscape, seed_runs};
 
 /// The case of this number: 0 with runs of 200 samples each, 1 with a landscape whose runs end at different times.
 fn experiment(case: u32) -> Experiment {
@@ -50,7 +47,7 @@ pub fn samples(case: u32, robots: u32) -> f64 {
 pub fn evolution(population: u32, generations: u32, horizon: f64) -> f64 {
     let mut experiment = Experiment { horizon, ..Preset::VelocityLimits.experiment() };
     experiment.evolution.population = population;
-    let mut evolution = Evolution::new(experiment).expect("valid");
+    let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
     for _ in 0..generations {
         evolution.step();
     }
@@ -67,8 +64,8 @@ pub fn landscape(count: u32) -> f64 {
 
 /// The best J of a hundred seeds, each evolved for 200 generations beside random search, in four parts.
 pub fn seeds() -> f64 {
-    let experiment = Preset::VelocityLimits.experiment();
-    let part = |first| seed_runs(&experiment, [first, first + 25], 200).expect("valid");
+    let setting = setting(1);
+    let part = |first| seed_runs(&setting, [first, first + 25], 200).expect("valid");
     let runs = [0, 25, 50, 75].into_iter().flat_map(part);
     runs.map(|run| run.champion.cost).fold(f64::INFINITY, f64::min)
 }

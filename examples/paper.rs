@@ -1,10 +1,9 @@
 //! The paper's table beside ours: `cargo run --release --example paper`
 
-use ep_locomotion::control::Gains;
-use ep_locomotion::episode::{Outcome, Setting};
-use ep_locomotion::evolution::Evolution;
-use ep_locomotion::experiment::{Experiment, PAPER_RESULTS, PaperMethod, Preset};
-use ep_locomotion::fields::InvalidInput;
+use ep_locomotion::robot::Gains;
+use ep_locomotion::run::{Experiment, Outcome, PAPER_RESULTS, PaperMethod, Preset, Setting};
+use ep_locomotion::schema::InvalidInput;
+use ep_locomotion::study::Evolution;
 
 const SEEDS: u32 = 10;
 const GENERATIONS: u32 = 200;
@@ -36,7 +35,7 @@ fn main() -> Result<(), InvalidInput> {
                 PaperMethod::Arbitrary => "the paper's arbitrary gains",
             };
             let label = format!("{name}, Fig. {}", row.figure);
-            print_run(&label, &setting, row.gains(), &format!("{:.4}", row.cost));
+            print_run(&label, &setting, row.gains, &format!("{:.4}", row.cost));
         }
         let (seed, best) = best_of_seeds(preset)?;
         let label = format!("our EP, best of {SEEDS} seeds ({seed})");
@@ -48,7 +47,7 @@ fn main() -> Result<(), InvalidInput> {
          With acceleration limits the gains (30, 30, 30) swing the robot to {:.0}° here, while the paper's Figure 7\n\
          ends at 60°. We know no reading of the limits that gives the paper's picture. That run is also chaotic: a\n\
          change in the last bit changes its J in the first decimal.",
-        largest_heading(Preset::AccelerationLimits, PAPER_RESULTS[3].gains())?.to_degrees()
+        largest_heading(Preset::AccelerationLimits, PAPER_RESULTS[3].gains)?.to_degrees()
     );
     Ok(())
 }
@@ -58,7 +57,7 @@ fn best_of_seeds(preset: Preset) -> Result<(u32, Gains), InvalidInput> {
     for seed in 1..=SEEDS {
         let mut experiment: Experiment = preset.experiment();
         experiment.evolution.seed = seed;
-        let mut evolution = Evolution::new(experiment)?;
+        let mut evolution = Evolution::new(Setting::new(experiment)?);
         for _ in 0..GENERATIONS {
             evolution.step();
         }
@@ -67,7 +66,7 @@ fn best_of_seeds(preset: Preset) -> Result<(u32, Gains), InvalidInput> {
     let costs: Vec<String> = found.iter().map(|(_, best)| format!("{:.3}", best.cost)).collect();
     println!("  our EP, J of each seed: {}", costs.join("  "));
     found.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
-    Ok((found[0].0, found[0].1.gains.into()))
+    Ok((found[0].0, found[0].1.gains))
 }
 
 /// The largest |θ| of a run, in radians.
@@ -99,7 +98,7 @@ fn print_run(label: &str, setting: &Setting, k: Gains, paper: &str) {
 
 fn print_ordering(preset: Preset, setting: &Setting) {
     let rows: Vec<_> = PAPER_RESULTS.iter().filter(|row| row.preset == preset).collect();
-    let ours: Vec<f64> = rows.iter().map(|row| setting.cost(&row.gains()).total()).collect();
+    let ours: Vec<f64> = rows.iter().map(|row| setting.cost(&row.gains).total()).collect();
     let same = (rows[0].cost < rows[1].cost) == (ours[0] < ours[1]);
     let verdict = if same { "the same order as in the paper" } else { "NOT the paper's order" };
     println!("  EP gains against arbitrary gains: {verdict}\n");

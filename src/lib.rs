@@ -4,80 +4,63 @@
 //! Autonomous Mobile Robots" (1995); numbers in parentheses are the equations of that paper. Where the paper leaves
 //! something open, the documentation says that the choice is ours.
 //!
-//! Modules in reading order:
+//! Rooms in reading order. Each knows only those before it, and so does each file of a room (`tests/architecture.rs`):
 //!
-//! - [`posture`]: postures, velocities, the motion along an arc (2), the error posture (3) and its rate (4)
-//! - [`control`]: gains, the control law (5), the rule it improves on, Lyapunov functions, Theorem 2 (6)–(8)
-//! - [`limits`], [`disturbance`]: what becomes of a command on its way to the wheels
-//! - [`cost`]: the cost J (9) in its parts
-//! - [`experiment`], [`fields`]: everything that defines a run, the presets; the allowed range of every number
-//! - [`episode`]: one run of one robot
-//! - [`stability`]: the Lyapunov function along a run, as promised and as it is
-//! - [`remaining`]: the error that remains under a disturbance, and the sets of Theorem 2
-//! - `lanes`, [`convoy`]: the numbers of two robots in one SIMD register; many runs at once, with the same law and bits
-//! - [`evolution`]: mutation, tournament, one generation, the whole run
-//! - [`starts`]: start postures on a circle and on a grid
-//! - [`survey`]: many gains, many starts, many seeds in one call
-//! - `wasm`: the same for JavaScript
+//! | room | what it holds | what is always so there |
+//! |---|---|---|
+//! | [`schema`] | what is known outside of Rust: names, units, ranges, words, descriptions | each stands once; nothing here knows a robot or JavaScript |
+//! | [`number`] | the scalar, small arcs, two robots in one SIMD register, streams of random numbers | the same bits on every machine |
+//! | [`robot`] | posture, arc, error posture (1)–(4), gains, law (5), limits, disturbance | written once, for one robot or several side by side |
+//! | [`theory`] | Lyapunov functions (Theorem 1), Theorem 2 (6)–(8) | formulas of the paper; nothing drives |
+//! | [`search`] | evolutionary programming, random search | knows gains and costs, no robot; a generation depends on its parents, its number and the seed alone |
+//! | [`run`] | experiment, presets, cost (9), one run, many runs at once | an experiment is checked once, in [`run::Setting::new`]; `run/work.rs` says what a call may cost |
+//! | [`study`] | history, landscape, robustness, seeds, starts, stability, remaining error | every job can be split by index without changing a bit |
+//! | `wasm` | the same for JavaScript | the only room that knows it |
 //!
 //! ```
-//! use ep_locomotion::control::Gains;
-//! use ep_locomotion::episode::Setting;
-//! use ep_locomotion::evolution::Evolution;
-//! use ep_locomotion::experiment::Preset;
+//! use ep_locomotion::robot::Gains;
+//! use ep_locomotion::run::{Preset, Setting};
+//! use ep_locomotion::study::Evolution;
 //!
-//! let experiment = Preset::VelocityLimits.experiment();
-//! let setting = Setting::new(experiment.clone())?;
+//! let setting = Setting::new(Preset::VelocityLimits.experiment())?;
 //! let by_hand = setting.cost(&Gains::new(10.0, 10.0, 10.0)).total();
 //!
-//! let mut evolution = Evolution::new(experiment)?;
+//! let mut evolution = Evolution::new(setting);
 //! for _ in 0..30 {
 //!     evolution.step();
 //! }
 //! assert!(evolution.newest().best.cost < by_hand);
-//! # Ok::<(), ep_locomotion::fields::InvalidInput>(())
+//! # Ok::<(), ep_locomotion::schema::InvalidInput>(())
 //! ```
 //!
 //! What holds everywhere:
 //!
-//! - The science knows no clock, no global state and no chance but its seeds; only `wasm` knows JavaScript.
+//! - The science knows no clock, no global state and no chance but its seeds.
 //! - The same experiment gives the same bits natively, on x86-64 and aarch64, and in every WebAssembly engine: sums are in a
 //!   fixed order, and every function beyond + − × ÷ √ comes from `libm`.
-//! - There is one control law in the source, generic over [`real::Real`].
-//! - Input is checked once, in [`episode::Setting::new`]; an error names the field, what it must be and what it was.
+//! - There is one control law in the source, generic over [`number::Real`].
+//! - An error names the field, what it must be and what it was.
 
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
-pub mod real;
+pub mod schema;
 
-pub mod posture;
+pub mod number;
 
-pub mod control;
+pub mod robot;
 
-pub mod disturbance;
-pub mod limits;
+pub mod theory;
 
-pub mod cost;
+pub mod search;
 
-pub mod experiment;
-pub mod fields;
+pub mod run;
 
-pub mod episode;
+pub mod study;
 
-pub mod remaining;
-pub mod stability;
+mod declarations;
 
-pub mod convoy;
-mod lanes;
-
-pub mod evolution;
-
-pub mod starts;
-pub mod survey;
-
-mod random;
-mod words;
+pub use declarations::declarations;
 
 #[cfg(target_arch = "wasm32")]
 #[allow(unsafe_code)] // wasm-bindgen writes some

@@ -1,6 +1,6 @@
 //! What the same bits on every machine rest on, where the known evolutions would not notice.
 
-use ep_locomotion::evolution::Mutation;
+use ep_locomotion::search::Mutation;
 use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -10,7 +10,7 @@ fn normals() -> impl Iterator<Item = f64> {
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(1);
     core::iter::repeat_with(move || Mutation::draw(&mut rng)).flat_map(|draws| {
         let Mutation { gains: k, common, sigmas: s } = draws;
-        [k.x, k.y, k.z, common, s.x, s.y, s.z]
+        [k[0], k[1], k[2], common, s[0], s[1], s[2]]
     })
 }
 

@@ -3,12 +3,9 @@
 mod common;
 
 use common::{Random, assert_close};
-use ep_locomotion::control::{Gains, Law};
-use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
-use ep_locomotion::episode::{Outcome, Sample, Setting};
-use ep_locomotion::experiment::{Experiment, PAPER_RESULTS, Preset};
-use ep_locomotion::limits::Limits;
-use ep_locomotion::posture::{Posture, Velocity, wrap};
+use ep_locomotion::number::wrap;
+use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law, Limits, Posture, Velocity};
+use ep_locomotion::run::{Experiment, Outcome, PAPER_RESULTS, Preset, Sample, Setting};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const EP_GAINS: Gains = Gains::new(3.23673, 0.09678, 5.17891);
@@ -22,7 +19,7 @@ fn run(experiment: &Experiment, gains: Gains) -> Vec<Sample> {
     setting.episode(gains, 0).samples().collect()
 }
 
-fn cost(experiment: &Experiment, gains: Gains) -> ep_locomotion::cost::Cost {
+fn cost(experiment: &Experiment, gains: Gains) -> ep_locomotion::run::Cost {
     Setting::new(experiment.clone()).expect("valid").cost(&gains)
 }
 
@@ -320,7 +317,7 @@ fn the_papers_ordering_holds_here() {
         let costs: Vec<f64> = PAPER_RESULTS
             .iter()
             .filter(|row| row.preset == preset)
-            .map(|row| cost(&preset.experiment(), row.gains()).total())
+            .map(|row| cost(&preset.experiment(), row.gains).total())
             .collect();
         assert!(costs[0] < costs[1], "{costs:?}");
     }
@@ -331,13 +328,13 @@ fn a_start_that_is_not_there_is_refused() {
     let mut experiment = velocity_limits();
     experiment.starts = vec![experiment.goal; 3];
     let setting = Setting::new(experiment).expect("valid");
-    assert_eq!([0.0, 2.0].map(|start| setting.validate_start(start)), [Ok(0), Ok(2)]);
-    for (start, found) in [(3.0, "3"), (-1.0, "-1"), (0.5, "0.5"), (f64::NAN, "NaN")] {
-        assert_eq!(
-            setting.validate_start(start).expect_err("refused").to_string(),
-            format!("start must be a whole number from 0 to 2, but was {found}")
-        );
+    for start in [0.0, 2.0] {
+        assert!(setting.starts().allows(start));
     }
+    for start in [3.0, -1.0, 0.5, f64::NAN] {
+        assert!(!setting.starts().allows(start), "{start}");
+    }
+    assert_eq!(setting.starts().expected(), "a whole number from 0 to 2");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -3,12 +3,12 @@
 mod common;
 
 use common::{Random, assert_close};
-use ep_locomotion::evolution::{
-    COMMON_LEARNING_RATE, Evolution, GenerationRecord, Individual, LAST_GENERATION, LEARNING_RATE,
-    Mutation, Tournament, wins_bout,
+use ep_locomotion::robot::Gains;
+use ep_locomotion::run::{Experiment, MAX_WORK, Preset, Setting};
+use ep_locomotion::search::{
+    GenerationRecord, Individual, LAST_GENERATION, LearningRates, Mutation, Tournament, wins_bout,
 };
-use ep_locomotion::experiment::{Experiment, Preset};
-use nalgebra::Vector3;
+use ep_locomotion::study::Evolution;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn experiment(seed: u32) -> Experiment {
@@ -18,7 +18,7 @@ fn experiment(seed: u32) -> Experiment {
 }
 
 fn evolved(experiment: Experiment, generations: u32) -> Evolution {
-    let mut evolution = Evolution::new(experiment).expect("valid");
+    let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
     for _ in 0..generations {
         evolution.step();
     }
@@ -35,17 +35,14 @@ fn covariance(a: &[f64], b: &[f64]) -> f64 {
     mean(&products)
 }
 
-const PARENT: Individual = Individual {
-    gains: Vector3::new(3.0, 0.5, 5.0),
-    sigmas: Vector3::new(0.5, 2.0, 1e-3),
-    cost: 8.0,
-};
+const PARENT: Individual =
+    Individual { gains: Gains::new(3.0, 0.5, 5.0), sigmas: [0.5, 2.0, 1e-3], cost: 8.0 };
 
 #[wasm_bindgen_test(unsupported = test)]
 fn tau_and_tau_prime_are_the_papers_for_three_gains() {
     let n = 3f64;
-    assert_close(LEARNING_RATE, 1.0 / (2.0 * n.sqrt()).sqrt(), 1e-15);
-    assert_close(COMMON_LEARNING_RATE, 1.0 / (2.0 * n).sqrt(), 1e-15);
+    assert_close(LearningRates::PAPER.own, 1.0 / (2.0 * n.sqrt()).sqrt(), 1e-15);
+    assert_close(LearningRates::PAPER.common, 1.0 / (2.0 * n).sqrt(), 1e-15);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -57,7 +54,9 @@ fn gains_spread_by_the_old_sigma_and_sigmas_by_tau_and_tau_prime() {
     for _ in 0..count {
         let offspring = Mutation::draw(&mut random.0).offspring(&PARENT);
         for j in 0..3 {
-            steps[j].push((offspring.gains[j] - PARENT.gains[j]) / PARENT.sigmas[j]);
+            steps[j].push(
+                (offspring.gains.to_array()[j] - PARENT.gains.to_array()[j]) / PARENT.sigmas[j],
+            );
             logs[j].push((offspring.sigmas[j] / PARENT.sigmas[j]).ln());
         }
     }
@@ -67,7 +66,8 @@ fn gains_spread_by_the_old_sigma_and_sigmas_by_tau_and_tau_prime() {
         // With the new σ the variance would be exp(2 (τ² + τ'²)) = 2.5 times as large.
         assert!((covariance(&steps[j], &steps[j]) - 1.0).abs() < 2.0 * noise);
         assert!(mean(&logs[j]).abs() < noise);
-        let spread = LEARNING_RATE * LEARNING_RATE + COMMON_LEARNING_RATE * COMMON_LEARNING_RATE;
+        let spread = LearningRates::PAPER.own * LearningRates::PAPER.own
+            + LearningRates::PAPER.common * LearningRates::PAPER.common;
         assert!((covariance(&logs[j], &logs[j]) - spread).abs() < noise);
         for other in 0..3 {
             assert!(covariance(&steps[j], &logs[other]).abs() < noise, "separate draws");
@@ -75,7 +75,9 @@ fn gains_spread_by_the_old_sigma_and_sigmas_by_tau_and_tau_prime() {
                 assert!(covariance(&steps[j], &steps[other]).abs() < noise);
                 // Only the common draw ties two σ together.
                 let tie = covariance(&logs[j], &logs[other]);
-                assert!((tie - COMMON_LEARNING_RATE * COMMON_LEARNING_RATE).abs() < noise);
+                assert!(
+                    (tie - LearningRates::PAPER.common * LearningRates::PAPER.common).abs() < noise
+                );
             }
         }
     }
@@ -83,15 +85,12 @@ fn gains_spread_by_the_old_sigma_and_sigmas_by_tau_and_tau_prime() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn an_offspring_is_the_formula_of_its_draws() {
-    let draws = Mutation {
-        gains: Vector3::new(1.0, -2.0, 0.5),
-        common: 0.3,
-        sigmas: Vector3::new(-1.0, 0.0, 2.0),
-    };
+    let draws = Mutation { gains: [1.0, -2.0, 0.5], common: 0.3, sigmas: [-1.0, 0.0, 2.0] };
     let offspring = draws.offspring(&PARENT);
-    assert_eq!(offspring.gains, Vector3::new(3.5, -3.5, 5.0005));
+    assert_eq!(offspring.gains, Gains::new(3.5, -3.5, 5.0005));
     for j in 0..3 {
-        let exponent = COMMON_LEARNING_RATE * 0.3 + LEARNING_RATE * draws.sigmas[j];
+        let exponent =
+            LearningRates::PAPER.common * 0.3 + LearningRates::PAPER.own * draws.sigmas[j];
         assert_close(offspring.sigmas[j], PARENT.sigmas[j] * exponent.exp(), 1e-14);
     }
 }
@@ -155,27 +154,28 @@ fn the_first_population_is_uniform_in_the_initial_range() {
     let mut start = experiment(3);
     start.evolution.population = 2000;
     start.horizon = 0.01;
-    let population = Evolution::new(start).expect("valid").population(0.0).expect("generation 0");
+    let population =
+        Evolution::new(Setting::new(start).expect("valid")).population(0).expect("generation 0");
     for j in 0..3 {
-        let gains: Vec<f64> = population.iter().map(|i| i.gains[j]).collect();
+        let gains: Vec<f64> = population.iter().map(|i| i.gains.to_array()[j]).collect();
         assert!(gains.iter().all(|k| (0.01..10.0).contains(k)));
         assert!((mean(&gains) - 5.005).abs() < 0.26);
         assert!((covariance(&gains, &gains) - 9.99f64.powi(2) / 12.0).abs() < 0.6);
     }
-    assert!(population.iter().all(|i| i.sigmas == Vector3::repeat(1.0)));
+    assert!(population.iter().all(|i| i.sigmas == [1.0; 3]));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_best_cost_never_rises_and_the_first_of_the_population_has_it() {
     for seed in [1, 2, 3] {
         let mut evolution = evolved(experiment(seed), 0);
-        assert_eq!(evolution.population(0.0).expect("first")[0], evolution.newest().best);
+        assert_eq!(evolution.population(0).expect("first")[0], evolution.newest().best);
         let mut best = evolution.newest().best.cost;
         for generation in 1..=100 {
             let statistics = evolution.step();
             assert!(statistics.best.cost <= best);
             best = statistics.best.cost;
-            let population = evolution.population(f64::from(generation)).expect("newest");
+            let population = evolution.population(generation).expect("newest");
             assert_eq!(population[0], statistics.best);
             assert!(statistics.median >= best && statistics.worst >= statistics.median);
         }
@@ -185,9 +185,9 @@ fn the_best_cost_never_rises_and_the_first_of_the_population_has_it() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_record_adds_up() {
     let evolution = evolved(experiment(4), 30);
-    let mut population = evolution.population(0.0).expect("generation 0");
+    let mut population = evolution.population(0).expect("generation 0");
     for generation in 1..=30 {
-        let record = evolution.record(f64::from(generation)).expect("a generation");
+        let record = evolution.record(generation).expect("a generation");
         assert_eq!(record.parents, population);
         let costs: Vec<f64> = (0..40).map(|number| record.solution(number).cost).collect();
         for (parent, (draws, offspring)) in
@@ -195,7 +195,7 @@ fn a_record_adds_up() {
         {
             let child = draws.offspring(parent);
             assert_eq!((child.gains, child.sigmas), (offspring.gains, offspring.sigmas));
-            let cost = evolution.setting().cost(&offspring.gains.into()).total();
+            let cost = evolution.setting().cost(&offspring.gains).total();
             assert_eq!(cost, offspring.cost);
         }
         for (own, opponents) in record.tournament.opponents.iter().enumerate() {
@@ -213,7 +213,7 @@ fn a_record_adds_up() {
         assert_eq!(record.ranking[..20], record.survivors);
         population = record.population();
     }
-    assert_eq!(population, evolution.population(30.0).expect("newest"));
+    assert_eq!(population, evolution.population(30).expect("newest"));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -222,14 +222,14 @@ fn a_run_is_a_function_of_its_experiment_alone() {
     let mut watched = evolved(experiment(5), 0);
     let mut other = evolved(experiment(6), 0);
     for generation in 0..40 {
-        watched.record(f64::from(generation / 2)).expect("a generation");
+        watched.record(generation / 2).expect("a generation");
         other.step();
         watched.step();
     }
     assert_eq!(straight.hash(), watched.hash());
     assert_ne!(straight.hash(), other.hash());
     let records = |e: &Evolution| -> Vec<GenerationRecord> {
-        (0..=40).rev().map(|g| e.record(f64::from(g)).expect("a generation")).collect()
+        (0..=40).rev().map(|g| e.record(g).expect("a generation")).collect()
     };
     assert_eq!(records(&straight), records(&watched));
 }
@@ -239,23 +239,38 @@ fn dropped_snapshots_are_computed_again_to_the_bit() {
     let mut large = experiment(7);
     large.evolution.population = 2000;
     large.evolution.opponents = 1;
-    large.horizon = 0.02;
-    // 75 populations of this size fill the snapshots; later every fourth is kept.
+    large.horizon = 0.01;
+    // 299 populations of this size fill the snapshots; later every fourth is kept.
     let mut evolution = evolved(large.clone(), 0);
-    let mut kept = vec![evolution.population(0.0).expect("generation 0")];
-    for generation in 1..=160 {
+    let mut kept = vec![evolution.population(0).expect("generation 0")];
+    for generation in 1..=620 {
         evolution.step();
-        kept.push(evolution.population(f64::from(generation)).expect("newest"));
+        kept.push(evolution.population(generation).expect("newest"));
     }
-    for (generation, population) in kept.iter().enumerate() {
-        assert_eq!(&evolution.population(generation as f64).expect("kept or not"), population);
+    assert_eq!(evolution.most_driven_again(), 4);
+    for (generation, population) in kept.iter().enumerate().step_by(31) {
+        assert_eq!(&evolution.population(generation as u32).expect("kept or not"), population);
     }
+}
+
+/// Snapshots are dropped only while what is between two can be driven again in one call.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_record_drives_no_more_than_a_call_may() {
+    let mut long = experiment(7);
+    long.evolution.population = 2000;
+    long.evolution.opponents = 1;
+    long.horizon = 1000.0;
+    long.starts = vec![long.goal]; // where nothing is left to drive
+    let evolution = evolved(long.clone(), 650);
+    let one = 2000.0 * f64::from(long.samples());
+    assert_eq!(one, 0.5 * MAX_WORK);
+    assert_eq!(evolution.most_driven_again(), 2);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_generation_that_is_not_there_is_refused() {
     let evolution = evolved(experiment(1), 2);
-    for generation in [3.0, -1.0, 0.5, f64::NAN, f64::INFINITY] {
+    for generation in [3, u32::MAX] {
         let message = evolution.record(generation).expect_err("refused").to_string();
         assert!(message.starts_with("generation must be a whole number from 0 to 2"), "{message}");
         assert!(evolution.population(generation).is_err());

@@ -4,12 +4,11 @@
 mod common;
 
 use common::assert_close;
-use ep_locomotion::control::{Gains, Law};
-use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
-use ep_locomotion::episode::Setting;
-use ep_locomotion::evolution::{Evolution, GenerationRecord};
-use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::posture::{ErrorPosture, Velocity};
+use common::json::Given;
+use ep_locomotion::robot::{Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Velocity};
+use ep_locomotion::run::{Experiment, Preset, Setting};
+use ep_locomotion::search::GenerationRecord;
+use ep_locomotion::study::Evolution;
 use serde::Deserialize;
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -46,7 +45,7 @@ struct KnownCommand {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct KnownRun {
-    preset: Preset,
+    preset: String,
     gains: [f64; 3],
     final_time: f64,
     cost: f64,
@@ -73,7 +72,7 @@ struct KnownDraws {
 struct KnownEvolution {
     /// What is special about it.
     task: String,
-    preset: Preset,
+    preset: String,
     changes: Value,
     generations: u32,
     hash: String,
@@ -94,22 +93,9 @@ fn golden() -> Golden {
 
 impl KnownEvolution {
     fn experiment(&self) -> Experiment {
-        let mut experiment =
-            serde_json::to_value(self.preset.experiment()).expect("a plain object");
-        change(&mut experiment, &self.changes);
-        serde_json::from_value(experiment).expect("an experiment")
-    }
-}
-
-/// Puts the given fields in the place of those that are there, as the JavaScript interface does.
-fn change(value: &mut Value, changes: &Value) {
-    match (value, changes) {
-        (Value::Object(fields), Value::Object(changes)) => {
-            for (name, new) in changes {
-                change(fields.get_mut(name).expect("a field of an experiment"), new);
-            }
-        }
-        (value, new) => *value = new.clone(),
+        let mut experiment = Preset::find(&self.preset).expect("a preset").experiment();
+        experiment.read(&Given(Some(&self.changes))).expect("an experiment");
+        experiment
     }
 }
 
@@ -138,7 +124,8 @@ fn three_runs_of_the_papers_gains() {
     let Rows { tolerance, rows } = golden().runs;
     assert_eq!(rows.len(), 3);
     for KnownRun { preset, gains: k, final_time, cost, end } in rows {
-        let setting = Setting::new(preset.experiment()).expect("valid");
+        let setting =
+            Setting::new(Preset::find(&preset).expect("a preset").experiment()).expect("valid");
         let mut episode = setting.episode(Gains::new(k[0], k[1], k[2]), 0);
         let last = episode.samples().last().expect("a sample").posture;
         assert_relative(episode.cost().total(), cost, tolerance);
@@ -157,7 +144,7 @@ fn seeded(preset: Preset, seed: u32) -> Experiment {
 }
 
 fn evolved(experiment: Experiment, generations: u32) -> Evolution {
-    let mut evolution = Evolution::new(experiment).expect("valid");
+    let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
     for _ in 0..generations {
         evolution.step();
     }
@@ -183,10 +170,10 @@ fn value_stability_of_the_random_streams() {
     let first = GenerationRecord::initial(&setting);
     let second = GenerationRecord::next(&setting, first.population(), 1);
     let draws = second.mutations[0];
-    assert_eq!(first.parents[0].gains.as_slice(), known.parent);
-    assert_eq!(draws.gains.as_slice(), known.gains);
+    assert_eq!(first.parents[0].gains.to_array(), known.parent);
+    assert_eq!(draws.gains, known.gains);
     assert_eq!(draws.common, known.common);
-    assert_eq!(draws.sigmas.as_slice(), known.sigmas);
+    assert_eq!(draws.sigmas, known.sigmas);
     assert_eq!(second.tournament.opponents[0], known.opponents);
 
     let mut noisy = Preset::VelocityLimits.experiment();

@@ -3,16 +3,12 @@
 mod common;
 
 use common::{Random, assert_close, wild};
-use ep_locomotion::control::Gains;
-use ep_locomotion::cost::Cost;
-use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
-use ep_locomotion::episode::{Outcome, Setting};
-use ep_locomotion::evolution::Evolution;
-use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::posture::Posture;
-use ep_locomotion::real::SMALL_TURN;
-use ep_locomotion::starts::{Range, StartGrid, on_circle};
-use ep_locomotion::survey::{Axis, Gain, Landscape, evaluate, fares, robustness, seed_runs};
+use ep_locomotion::number::SMALL_TURN;
+use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Posture};
+use ep_locomotion::run::{Cost, Experiment, Outcome, Preset, Setting};
+use ep_locomotion::study::{
+    Axis, Evolution, Gain, Landscape, Range, StartGrid, fares, on_circle, robustness, seed_runs,
+};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn bits(cost: &Cost) -> [u64; 6] {
@@ -154,7 +150,7 @@ fn a_wrong_landscape_is_refused_by_name() {
     (long.horizon, long.starts) = (1000.0, vec![long.goal; 10]);
     let long = Setting::new(long).expect("valid");
     assert_eq!(
-        evaluate(&long, &[Gains::new(1.0, 1.0, 1.0); 401]).expect_err("refused").to_string(),
+        long.evaluate(&[Gains::new(1.0, 1.0, 1.0); 401]).expect_err("refused").to_string(),
         "the number of gain triples must be at most 400 with 10 starts and 100000 samples a run, \
          but was 401"
     );
@@ -185,7 +181,7 @@ fn a_grid_of_starts_goes_through_headings_then_x_then_y() {
         (20, -1.0, 2.0, 0.0),
         (59, 3.0, 4.0, -quarter),
     ] {
-        assert_eq!(GRID.posture(index), Posture { x, y, theta }, "{index}");
+        assert_eq!(GRID.posture(index as u32), Posture { x, y, theta }, "{index}");
     }
 }
 
@@ -216,7 +212,7 @@ fn robustness_is_each_run_by_itself_in_any_parts() {
     assert_eq!([part([0, 7]), part([7, 60])].concat(), whole);
     for (index, end) in whole.iter().enumerate() {
         let alone =
-            Experiment { starts: vec![GRID.posture(index)], ..setting.experiment().clone() };
+            Experiment { starts: vec![GRID.posture(index as u32)], ..setting.experiment().clone() };
         let alone = Setting::new(alone).expect("valid");
         let episode = alone.episode(gains, 0).finished();
         assert_eq!(bits(&episode.cost()), bits(&end.cost));
@@ -245,7 +241,7 @@ fn a_robot_fares_from_each_start_as_in_a_run_of_its_own() {
         assert!(ends.iter().any(|end| end.outcome == Outcome::Arrived));
         assert!(ends.iter().any(|end| end.outcome == Outcome::Horizon));
         let mean = Cost::mean(ends.iter().map(|end| end.cost)).total();
-        assert_eq!(evaluate(&setting, &[gains]).expect("valid"), [mean]);
+        assert_eq!(setting.evaluate(&[gains]).expect("valid"), [mean]);
     }
 }
 
@@ -273,21 +269,25 @@ fn starts_on_a_circle_are_as_far_from_its_centre_and_head_anywhere() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_run_of_a_seed_is_that_of_its_evolution_beside_random_search() {
     let experiment = Preset::VelocityLimits.experiment();
-    let runs = seed_runs(&experiment, [3, 6], 12).expect("valid");
+    let runs =
+        seed_runs(&Setting::new(experiment.clone()).expect("valid"), [3, 6], 12).expect("valid");
     assert_eq!(runs.len(), 3);
     for (seed, run) in (3..).zip(&runs) {
         let mut own = experiment.clone();
         own.evolution.seed = seed;
-        let mut evolution = Evolution::new(own).expect("valid");
+        let mut evolution = Evolution::new(Setting::new(own).expect("valid"));
         let mut best = vec![evolution.newest().best.cost];
         (0..12).for_each(|_| best.push(evolution.step().best.cost));
-        assert_eq!(run.best, best);
+        assert_eq!(run.best.0, best);
         assert_eq!(run.champion, evolution.newest().best);
         assert_eq!((run.random.len(), run.random[0]), (13, best[0]));
         assert!(run.random.is_sorted_by(|a, b| a >= b), "random search keeps its best");
     }
     assert_ne!(runs[0].random, runs[1].random);
-    assert_eq!(seed_runs(&experiment, [4, 5], 12).expect("valid")[0], runs[1]);
+    assert_eq!(
+        seed_runs(&Setting::new(experiment.clone()).expect("valid"), [4, 5], 12).expect("valid")[0],
+        runs[1]
+    );
 }
 
 /// The share of a thousand starts that were never trained on from which these gains arrive.
@@ -307,12 +307,12 @@ fn success(gains: Gains) -> f64 {
 fn gains_evolved_on_many_starts_arrive_from_many_more_than_the_papers() {
     let mut training = Preset::VelocityLimits.experiment();
     training.starts = on_circle(training.goal, 2.83, 32, 1).expect("valid");
-    let mut evolution = Evolution::new(training).expect("valid");
+    let mut evolution = Evolution::new(Setting::new(training).expect("valid"));
     (0..40).for_each(|_| {
         evolution.step();
     });
     let trained = evolution.newest().best.gains;
-    let (papers, ours) = (success(Gains::new(3.23673, 0.09678, 5.17891)), success(trained.into()));
+    let (papers, ours) = (success(Gains::new(3.23673, 0.09678, 5.17891)), success(trained));
     assert!((0.15..0.40).contains(&papers), "the paper's gains: {papers}");
     assert!(ours > papers + 0.25, "evolved on 32 starts, {trained:?}: {ours}, not {papers}");
     assert!(trained.y > 1.0, "ky matters now: {trained:?}");
@@ -355,7 +355,7 @@ fn wrong_surveys_are_refused_by_name() {
          but was 400001"
     );
     assert_eq!(
-        seed_runs(setting.experiment(), [0, 1000], 200).expect_err("refused").to_string(),
+        seed_runs(&setting, [0, 1000], 200).expect_err("refused").to_string(),
         "the number of drives must be at most 400000 with 1 starts and 1000 samples a run, \
          but was 8040000"
     );
@@ -380,11 +380,16 @@ fn the_largest_surveys_are_allowed_and_no_larger() {
     resting.starts = vec![resting.goal];
     let setting = Setting::new(resting.clone()).expect("valid");
     let gains = vec![Gains::new(1.0, 1.0, 1.0); 400_001];
-    assert_eq!(evaluate(&setting, &gains[1..]).expect("valid").len(), 400_000);
-    assert!(evaluate(&setting, &gains).is_err());
+    assert_eq!(setting.evaluate(&gains[1..]).expect("valid").len(), 400_000);
+    assert!(setting.evaluate(&gains).is_err());
     resting.evolution.population = 2;
-    assert_eq!(seed_runs(&resting, [1, 1001], 99).expect("valid").len(), 1000);
-    assert!(seed_runs(&resting, [1, 1001], 100).is_err());
+    assert_eq!(
+        seed_runs(&Setting::new(resting.clone()).expect("valid"), [1, 1001], 99)
+            .expect("valid")
+            .len(),
+        1000
+    );
+    assert!(seed_runs(&Setting::new(resting.clone()).expect("valid"), [1, 1001], 100).is_err());
 
     let range = Range { from: -1000.0, to: 1000.0, count: 1024 };
     let grid = |count, headings| StartGrid { x: Range { count, ..range }, y: range, headings };
@@ -400,10 +405,10 @@ fn a_start_beyond_the_streams_meets_the_disturbances_of_another() {
         Disturbance { kind: DisturbanceKind::Random, linear: 0.2, angular: 0.3, seed: 4 };
     let range = Range { from: -1.0, to: 3.0, count: 1024 };
     let grid = StartGrid { x: range, y: range, headings: 1024 };
-    let (streams, k) = (1 << 29, Gains::new(3.0, 2.0, 5.0));
+    let (streams, k) = (1_u32 << 29, Gains::new(3.0, 2.0, 5.0));
     let setting = Setting::new(experiment.clone()).expect("valid");
     let beyond = robustness(&setting, k, &grid, [streams - 1, streams + 2]).expect("valid");
     // The starts of the experiment have the first streams.
-    experiment.starts = (0..2).map(|i| grid.posture(streams as usize + i)).collect();
+    experiment.starts = (0..2).map(|i| grid.posture(streams + i)).collect();
     assert_eq!(beyond[1..], fares(&Setting::new(experiment).expect("valid"), k));
 }

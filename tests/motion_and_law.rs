@@ -3,13 +3,9 @@
 mod common;
 
 use common::{Random, assert_close};
-use ep_locomotion::control::{
-    CommandTerms, Gains, Law, lyapunov, lyapunov_rate, lyapunov_rate_bound, lyapunov_rate_parts,
-    robust_gains,
-};
-use ep_locomotion::limits::Limits;
-use ep_locomotion::posture::{ErrorPosture, Posture, Velocity, wrap};
-use ep_locomotion::real::{Real, SMALL_TURN};
+use ep_locomotion::number::{Real, SMALL_TURN, wrap};
+use ep_locomotion::robot::{CommandTerms, ErrorPosture, Gains, Law, Limits, Posture, Velocity};
+use ep_locomotion::theory::{Lyapunov, lyapunov_rate_bound, lyapunov_rate_parts, robust_gains};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -51,11 +47,10 @@ fn what_is_within_a_bound_stays_as_it_is() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn gains_are_a_vector_and_back() {
+fn gains_are_a_triple_and_back() {
     let gains = Gains::new(1.0, 2.0, 3.0);
-    let vector = nalgebra::Vector3::from(gains);
-    assert_eq!(vector, nalgebra::Vector3::new(1.0, 2.0, 3.0));
-    assert_eq!(Gains::from(vector), gains);
+    assert_eq!(gains.to_array(), [1.0, 2.0, 3.0]);
+    assert_eq!(Gains::from([1.0, 2.0, 3.0]), gains);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -151,8 +146,12 @@ fn under_the_law_the_lyapunov_rate_is_the_sum_of_three_squares() {
         let q = Law::ShimKim.command(&e, &k, r);
         let parts = lyapunov_rate_parts(&e, &k);
         // The terms that cancel are as large as the velocity times the error.
-        let scale = 1.0 + (q.linear.abs() + q.angular.abs()) * lyapunov(&e);
-        assert_close(lyapunov_rate(&e, q, r) / scale, parts.iter().sum::<f64>() / scale, 1e-14);
+        let scale = 1.0 + (q.linear.abs() + q.angular.abs()) * Lyapunov::PAPER.value(&e);
+        assert_close(
+            Lyapunov::PAPER.rate(&e, q, r) / scale,
+            parts.iter().sum::<f64>() / scale,
+            1e-14,
+        );
         let square = [e.x * e.cos, e.y * e.y, e.sin].map(|x| x * x);
         for (part, expected) in
             parts.into_iter().zip([-k.x * square[0], -k.y * square[1], -k.theta * square[2]])
@@ -207,9 +206,9 @@ fn the_lyapunov_rate_is_the_slope_of_the_lyapunov_function() {
     for _ in 0..1_000 {
         let (robot, goal) = (random.posture(2.0), random.posture(2.0));
         let (q, r) = (random.velocity(2.0), random.velocity(2.0));
-        let v_at = |t| lyapunov(&robot.advance(q, t).error_to(goal.advance(r, t)));
+        let v_at = |t| Lyapunov::PAPER.value(&robot.advance(q, t).error_to(goal.advance(r, t)));
         let slope = (v_at(h) - v_at(-h)) / (2.0 * h);
-        assert_close(slope, lyapunov_rate(&robot.error_to(goal), q, r), 1e-8);
+        assert_close(slope, Lyapunov::PAPER.rate(&robot.error_to(goal), q, r), 1e-8);
     }
 }
 
@@ -230,8 +229,9 @@ fn theorem_2_where_its_inequalities_hold_no_bounded_disturbance_lets_v_rise() {
         };
         let r = random.velocity(1.0);
         let command = Law::ShimKim.command(&e, &k, r);
-        let rate = lyapunov_rate(&e, command + delta, r);
-        let scale = 1.0 + (command.linear.abs() + command.angular.abs()) * lyapunov(&e);
+        let rate = Lyapunov::PAPER.rate(&e, command + delta, r);
+        let scale =
+            1.0 + (command.linear.abs() + command.angular.abs()) * Lyapunov::PAPER.value(&e);
         assert!(rate <= worst + 1e-13 * scale, "{rate} over the bound {worst}");
     }
 }

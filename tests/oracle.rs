@@ -5,13 +5,9 @@ mod common;
 
 use common::Random;
 use core::f64::consts::{PI, TAU};
-use ep_locomotion::control::{Gains, Law};
-use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
-use ep_locomotion::episode::{Outcome, Setting};
-use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::limits::Limits;
-use ep_locomotion::posture::Velocity;
-use ep_locomotion::survey::fares;
+use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law, Limits, Velocity};
+use ep_locomotion::run::{Experiment, Outcome, Preset, Setting};
+use ep_locomotion::study::fares;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// How a run ended, and the parts of J: time, final error, path, energy, penalty.

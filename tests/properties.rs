@@ -4,14 +4,11 @@ mod common;
 
 use common::Random;
 use core::f64::consts::PI;
-use ep_locomotion::control::{Gains, Law};
-use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
-use ep_locomotion::episode::Setting;
-use ep_locomotion::evolution::Evolution;
-use ep_locomotion::experiment::{EvolutionSettings, Experiment, Preset};
-use ep_locomotion::posture::{Posture, Velocity};
-use ep_locomotion::real::SMALL_TURN;
-use ep_locomotion::survey::{SeedRun, evaluate, fares, seed_runs};
+use ep_locomotion::number::SMALL_TURN;
+use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law, Posture, Velocity};
+use ep_locomotion::run::{Experiment, Preset, Setting};
+use ep_locomotion::search::EvolutionSettings;
+use ep_locomotion::study::{Evolution, SeedRun, fares, seed_runs};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -30,7 +27,7 @@ fn small(population: u32, seed: u32) -> Experiment {
 /// Evolution and random search with the experiment's own seed.
 fn searched(experiment: &Experiment, generations: u32) -> SeedRun {
     let seed = experiment.evolution.seed;
-    seed_runs(experiment, [seed, seed + 1], generations).expect("valid").remove(0)
+    seed_runs(&setting(experiment), [seed, seed + 1], generations).expect("valid").remove(0)
 }
 
 /// What random search tries in a generation: gains uniform in the initial range, from the stream of that generation.
@@ -49,12 +46,12 @@ fn random_search_tries_new_gains_in_every_generation_and_keeps_its_best() {
     let expected: Vec<f64> = (0..=40)
         .map(|generation| {
             let gains = tried(&experiment.evolution, generation);
-            let costs = evaluate(&setting(&experiment), &gains).expect("valid");
+            let costs = setting(&experiment).evaluate(&gains).expect("valid");
             lowest = costs.into_iter().fold(lowest, f64::min);
             lowest
         })
         .collect();
-    assert_eq!(searched(&experiment, 40).random, expected);
+    assert_eq!(searched(&experiment, 40).random.0, expected);
     let mut distinct = expected;
     distinct.dedup();
     assert!(distinct.len() > 3, "{distinct:?}");
@@ -116,7 +113,7 @@ fn an_evaluation_is_one_run_of_one_solution_from_one_start() {
         let mut experiment = small(population, 1);
         experiment.starts = vec![Posture::default(); starts];
         experiment.horizon = 0.1;
-        let mut evolution = Evolution::new(experiment).expect("valid");
+        let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
         let each = f64::from(population) * starts as f64;
         assert_eq!(evolution.newest().evaluations, each);
         assert_eq!(evolution.step().evaluations, 2.0 * each);

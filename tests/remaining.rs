@@ -3,15 +3,12 @@
 mod common;
 
 use common::{Random, assert_close};
-use ep_locomotion::control::{Gains, lyapunov_rate_bound, robust_gains};
-use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
-use ep_locomotion::episode::Setting;
-use ep_locomotion::experiment::{Experiment, Preset, Tolerance};
-use ep_locomotion::limits::Limits;
-use ep_locomotion::posture::{ErrorPosture, Posture, Velocity};
-use ep_locomotion::remaining::{
-    ErrorParts, RemainingError, error_parts, remaining_errors, theorem_2_sets,
+use ep_locomotion::robot::{
+    Disturbance, DisturbanceKind, ErrorPosture, Gains, Limits, Posture, Velocity,
 };
+use ep_locomotion::run::{Experiment, Preset, Setting, Tolerance};
+use ep_locomotion::study::{RemainingError, error_parts, remaining_errors};
+use ep_locomotion::theory::{ErrorParts, lyapunov_rate_bound, robust_gains, theorem_2_sets};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The preset, in which nobody arrives.
@@ -109,7 +106,7 @@ fn the_bound_is_that_of_the_kind() {
 #[wasm_bindgen_test(unsupported = test)]
 fn without_a_disturbance_the_parts_go_to_zero() {
     for gains in [Gains::new(10.0, 10.0, 10.0), Gains::new(3.0, 5.0, 8.0)] {
-        let [one] = remaining(unending(Disturbance::default()), &gains, 1.0)[..] else {
+        let [one] = remaining(unending(Disturbance::NONE), &gains, 1.0)[..] else {
             panic!("one start")
         };
         assert_eq!(one.sets, ErrorParts { x: 0.0, y: 0.0, theta: 0.0 });
@@ -162,7 +159,7 @@ fn what_remains_is_the_largest_of_the_last_samples_from_each_start() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_robot_that_leaves_the_finite_numbers_has_an_infinite_error() {
-    let experiment = Experiment { limits: Limits::NONE, ..unending(Disturbance::default()) };
+    let experiment = Experiment { limits: Limits::NONE, ..unending(Disturbance::NONE) };
     let [one] = remaining(experiment, &Gains::new(-1e300, 1e300, 1e300), 1.0)[..] else {
         panic!("one start")
     };

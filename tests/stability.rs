@@ -3,13 +3,12 @@
 mod common;
 
 use common::{Random, assert_close, wild};
-use ep_locomotion::control::{Gains, Law, Lyapunov};
-use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
-use ep_locomotion::episode::Setting;
-use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::limits::Limits;
-use ep_locomotion::posture::{ErrorPosture, Posture, Velocity};
-use ep_locomotion::stability::{StabilitySample, stability};
+use ep_locomotion::robot::{
+    Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Limits, Posture, Velocity,
+};
+use ep_locomotion::run::{Experiment, Preset, Setting};
+use ep_locomotion::study::{StabilitySample, stability};
+use ep_locomotion::theory::Lyapunov;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const LAWS: [Law; 2] = [Law::ShimKim, Law::Kanayama];
@@ -170,10 +169,10 @@ fn the_rate_is_the_slope_of_v_at_the_sample() {
     let slip = Disturbance { kind: DisturbanceKind::Slip, linear: 0.2, angular: -0.3, seed: 0 };
     let tracking = Velocity { linear: 0.5, angular: 0.3 };
     for (law, disturbance, reference_velocity) in [
-        (Law::ShimKim, Disturbance::default(), Velocity::ZERO),
+        (Law::ShimKim, Disturbance::NONE, Velocity::ZERO),
         (Law::ShimKim, slip, Velocity::ZERO),
         (Law::ShimKim, slip, tracking),
-        (Law::Kanayama, Disturbance::default(), tracking),
+        (Law::Kanayama, Disturbance::NONE, tracking),
         (Law::Kanayama, slip, tracking),
     ] {
         let given = Experiment {
@@ -206,7 +205,7 @@ fn a_disturbance_adds_to_the_rate_what_theorem_2_says() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_last_sample_is_taken_as_if_the_robot_drove_on() {
     let whole = run(preset(), &EP);
-    let tolerance = ep_locomotion::experiment::Tolerance { position: 0.0, heading: 0.0 };
+    let tolerance = ep_locomotion::run::Tolerance { position: 0.0, heading: 0.0 };
     let longer = run(Experiment { tolerance, ..preset() }, &EP);
     assert!(longer.len() > whole.len());
     assert_eq!(whole.last(), longer.get(whole.len() - 1));

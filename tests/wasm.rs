@@ -5,6 +5,8 @@
 pub mod bits;
 #[path = "boundary.rs"]
 pub mod boundary;
+#[path = "bounds.rs"]
+pub mod bounds;
 #[path = "episodes.rs"]
 pub mod episodes;
 #[path = "evolution.rs"]

@@ -1,11 +1,12 @@
 //! Seeded random material for the tests of laws.
 #![allow(dead_code)] // each test file uses its own part
 
-use ep_locomotion::control::{Gains, Law};
-use ep_locomotion::disturbance::{Disturbance, DisturbanceKind};
-use ep_locomotion::experiment::{Experiment, Preset};
-use ep_locomotion::limits::Limits;
-use ep_locomotion::posture::{ErrorPosture, Posture, Velocity};
+pub mod json;
+
+use ep_locomotion::robot::{
+    Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Limits, Posture, Velocity,
+};
+use ep_locomotion::run::{Experiment, Preset};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 

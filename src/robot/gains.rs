@@ -1,0 +1,141 @@
+//! The gains that are looked for.
+
+use crate::number::Real;
+use crate::schema::{
+    Allowed, Fields, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, shown,
+    too_many,
+};
+
+/// The three gains k = (kx, ky, kθ) that evolution looks for. Theorem 1 holds for positive ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gains<S = f64> {
+    /// kx in 1/s, on x_e.
+    pub x: S,
+    /// ky in 1/(m² s), on y_e³.
+    pub y: S,
+    /// kθ in rad/s, on sin θ_e.
+    pub theta: S,
+}
+
+impl Gains {
+    /// Gains from kx, ky and kθ.
+    pub const fn new(x: f64, y: f64, theta: f64) -> Self {
+        Self { x, y, theta }
+    }
+
+    /// kx, ky and kθ.
+    pub const fn to_array(self) -> [f64; 3] {
+        [self.x, self.y, self.theta]
+    }
+
+    /// The same gains in every lane.
+    pub(crate) fn splat<S: Real>(&self) -> Gains<S> {
+        Gains { x: S::splat(self.x), y: S::splat(self.y), theta: S::splat(self.theta) }
+    }
+
+    /// Triples (kx, ky, kθ) one after the other, as many as are given.
+    pub fn read_all<S: Source>(given: &S) -> Result<Vec<Self>, S::Error> {
+        let numbers = read_numbers(given)?;
+        let refused = |name, expected: &str, found| InvalidInput::new(name, expected, found).into();
+        if !numbers.len().is_multiple_of(3) {
+            let found = format!("{} numbers", numbers.len());
+            return Err(refused("gains".into(), "three numbers for each robot", found));
+        }
+        if let Some(index) = numbers.iter().position(|k| !k.is_finite()) {
+            return Err(refused(gain_name(index), "a finite number", shown(numbers[index])));
+        }
+        Ok(numbers.chunks_exact(3).map(|k| Self::new(k[0], k[1], k[2])).collect())
+    }
+
+    /// One triple.
+    pub fn read_one<S: Source>(given: &S) -> Result<Self, S::Error> {
+        match Self::read_all(given)?[..] {
+            [gains] => Ok(gains),
+            ref several => {
+                let found = format!("{} numbers", 3 * several.len());
+                Err(InvalidInput::new("gains", "three numbers (kx, ky, kθ)", found).into())
+            }
+        }
+    }
+}
+
+impl From<[f64; 3]> for Gains {
+    fn from([x, y, theta]: [f64; 3]) -> Self {
+        Self::new(x, y, theta)
+    }
+}
+
+/// Most gain triples in one call: what they take of the memory stays taken.
+const MAX_TRIPLES: usize = 1_000_000;
+
+/// kx, ky or kθ, and of which robot if it is not the first.
+fn gain_name(index: usize) -> String {
+    let name = ["kx", "ky", "kθ"][index % 3];
+    if index < 3 { name.into() } else { format!("{name} (gains[{index}])") }
+}
+
+fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>, S::Error> {
+    const MOST: usize = 3 * MAX_TRIPLES;
+    let place = Place::Named("gains");
+    if let Some(numbers) = given.column(place, MOST)? {
+        return Ok(numbers);
+    }
+    let Some(count) = given.length(true)? else {
+        return Err(refused(given, place, "a Float64Array or an array of numbers"));
+    };
+    if count > MOST {
+        return Err(too_many(place, MOST, count).into());
+    }
+    let number = |i| {
+        let mut number = 0.0;
+        let name = gain_name(i);
+        f64::read(&mut number, &given.element(i)?, Place::Named(&name), &Allowed::ANY)?;
+        Ok(number)
+    };
+    (0..count).map(number).collect()
+}
+
+impl Plain for Gains {
+    fn typescript(_: &mut Types) -> String {
+        "[number, number, number]".into()
+    }
+
+    fn write<W: Writer>(&self, to: &W) -> W::Value {
+        self.to_array().write(to)
+    }
+}
+
+/// Gains as they are given: triples one after the other.
+#[derive(Clone, Debug)]
+pub(crate) struct Triples(pub(crate) Vec<f64>);
+
+impl From<Gains> for Triples {
+    fn from(gains: Gains) -> Self {
+        Self(gains.to_array().into())
+    }
+}
+
+impl Plain for Triples {
+    fn typescript(types: &mut Types) -> String {
+        let about = "Three gains (kx, ky, kθ), or such triples one after the other: at most a million in one call.";
+        types.alias("Gains", &[about], "Float64Array | readonly number[]")
+    }
+
+    fn write<W: Writer>(&self, to: &W) -> W::Value {
+        to.column(&self.0)
+    }
+}
+
+/// Wherever they stand, they are spoken of as the gains.
+impl Input for Gains {
+    fn fields(_: &str, _: &Allowed, _: &mut Fields) {}
+
+    fn check(&self, _: Place<'_>, _: &Allowed) -> Result<(), InvalidInput> {
+        Ok(())
+    }
+
+    fn read<S: Source>(&mut self, given: &S, _: Place<'_>, _: &Allowed) -> Result<(), S::Error> {
+        *self = Self::read_one(given)?;
+        Ok(())
+    }
+}

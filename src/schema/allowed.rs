@@ -1,0 +1,106 @@
+//! Which numbers a field may be, and the error that says so.
+
+use core::fmt;
+
+/// An input that was refused: which field, what it must be, and what it was.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InvalidInput {
+    /// The field, by the name that it has outside.
+    pub field: String,
+    /// What it must be.
+    pub expected: String,
+    /// What it was.
+    pub found: String,
+}
+
+impl InvalidInput {
+    pub(crate) fn new(
+        field: impl Into<String>,
+        expected: impl Into<String>,
+        found: impl Into<String>,
+    ) -> Self {
+        Self { field: field.into(), expected: expected.into(), found: found.into() }
+    }
+}
+
+impl fmt::Display for InvalidInput {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} must be {}, but was {}", self.field, self.expected, self.found)
+    }
+}
+
+impl core::error::Error for InvalidInput {}
+
+/// A number as a message shows it: very large and very small ones with an exponent.
+pub(crate) fn shown(number: f64) -> String {
+    let magnitude = number.abs();
+    if number.is_infinite() {
+        return if number > 0.0 { "Infinity" } else { "-Infinity" }.into();
+    }
+    if magnitude >= 1e21 || (magnitude < 1e-6 && magnitude > 0.0) {
+        return format!("{number:e}");
+    }
+    number.to_string()
+}
+
+/// Which numbers a field may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Allowed {
+    /// Their unit; empty for a pure number.
+    pub unit: &'static str,
+    /// Smallest allowed value.
+    pub min: f64,
+    /// Largest allowed value.
+    pub max: f64,
+    /// Whether it must be a whole number.
+    pub integer: bool,
+    /// Whether it may be null, for "not limited".
+    pub nullable: bool,
+}
+
+impl Allowed {
+    /// Any number, also one that is not finite: whoever computes with it says what it must be.
+    pub const ANY: Self = Self::within("", f64::NEG_INFINITY, f64::INFINITY);
+    /// Any seed of a stream of random numbers.
+    pub const SEED: Self = Self::whole(0, u32::MAX);
+
+    /// Numbers from `min` to `max`.
+    pub const fn within(unit: &'static str, min: f64, max: f64) -> Self {
+        Self { unit, min, max, integer: false, nullable: false }
+    }
+
+    /// Whole numbers from `min` to `max`.
+    pub const fn whole(min: u32, max: u32) -> Self {
+        Self { integer: true, ..Self::within("", min as f64, max as f64) }
+    }
+
+    /// These, or null for "not limited".
+    pub const fn or_null(self) -> Self {
+        Self { nullable: true, ..self }
+    }
+
+    /// Whether a value is among them, and whole where it must be; NaN is in no range.
+    pub fn allows(&self, value: f64) -> bool {
+        let within = value >= self.min && value <= self.max;
+        *self == Self::ANY || (within && (!self.integer || value.fract() == 0.0))
+    }
+
+    /// What such a number must be, in words.
+    pub fn expected(&self) -> String {
+        if *self == Self::ANY {
+            return "a number".into();
+        }
+        let kind = if self.integer { "a whole number" } else { "a number" };
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
+        let null = if self.nullable { ", or null for no limit" } else { "" };
+        format!("{kind} from {} to {}{unit}{null}", shown(self.min), shown(self.max))
+    }
+
+    /// Refuses a number that is not among them.
+    pub(crate) fn check(&self, name: impl fmt::Display, value: f64) -> Result<(), InvalidInput> {
+        if self.allows(value) {
+            return Ok(());
+        }
+        Err(InvalidInput::new(name.to_string(), self.expected(), shown(value)))
+    }
+}

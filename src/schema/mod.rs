@@ -1,0 +1,33 @@
+//! What is known outside of Rust: names, units, ranges, words and descriptions, each of which stands once.
+//!
+//! A record is a table of its fields. From that one table a plain object is read, completed, checked and written, and its
+//! TypeScript is told. This room knows neither robots nor JavaScript: [`Source`] is whatever is read, [`Writer`] whatever
+//! is written.
+
+mod allowed;
+
+mod place;
+
+mod types;
+
+mod plain;
+
+mod record;
+
+mod words;
+
+mod field;
+
+mod input;
+
+pub use allowed::{Allowed, InvalidInput};
+pub use field::{Field, Fields, WordField};
+pub use input::{Input, Keys, Source};
+pub use place::Place;
+pub use plain::{Column, Columns, Flags, Plain, Writer};
+pub use types::{Declared, Types};
+
+pub(crate) use allowed::shown;
+pub(crate) use input::{read_object, refused, too_many};
+pub(crate) use record::{record, told};
+pub(crate) use words::words;

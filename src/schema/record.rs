@@ -1,0 +1,152 @@
+//! Tables of fields.
+
+/// A struct that is a plain object outside: its fields with their names there, and after `in` which numbers each may be.
+///
+/// `input` makes it one that is read: of an experiment, where what is left out keeps its value. `required` makes it one of
+/// which nothing may be left out.
+macro_rules! record {
+    (input $($rest:tt)+) => { crate::schema::record! { @both false $($rest)+ } };
+    (required $($rest:tt)+) => { crate::schema::record! { @both true $($rest)+ } };
+    (@both $required:literal $(($($derive:ident),*))?
+        $(#[doc = $about:literal])+
+        pub struct $name:ident $(<$scalar:ident = f64>)? {
+            $(
+                $(#[doc = $doc:literal])+
+                pub $field:ident: $type:ty => $key:literal $(in $allowed:expr)?,
+            )+
+        }
+    ) => {
+        crate::schema::record! {
+            $(($($derive),*))?
+            $(#[doc = $about])+
+            pub struct $name $(<$scalar = f64>)? {
+                $($(#[doc = $doc])+ pub $field: $type => $key,)+
+            }
+        }
+
+        impl crate::schema::Input for $name {
+            fn fields(
+                path: &str,
+                _: &crate::schema::Allowed,
+                rows: &mut crate::schema::Fields,
+            ) {
+                fn of<T: crate::schema::Input>(
+                    _: fn(&$name) -> &T,
+                    path: &str,
+                    allowed: &crate::schema::Allowed,
+                    rows: &mut crate::schema::Fields,
+                ) {
+                    T::fields(path, allowed, rows);
+                }
+                let dot = if path.is_empty() { "" } else { "." };
+                $(of(
+                    |record| &record.$field,
+                    &format!("{path}{dot}{}", $key),
+                    &crate::schema::record!(@allowed $($allowed)?),
+                    rows,
+                );)+
+            }
+
+            fn check(
+                &self,
+                place: crate::schema::Place<'_>,
+                _: &crate::schema::Allowed,
+            ) -> Result<(), crate::schema::InvalidInput> {
+                $(crate::schema::Input::check(
+                    &self.$field,
+                    crate::schema::Place::Field(&place, $key),
+                    &crate::schema::record!(@allowed $($allowed)?),
+                )?;)+
+                Ok(())
+            }
+
+            fn read<S: crate::schema::Source>(
+                &mut self,
+                given: &S,
+                place: crate::schema::Place<'_>,
+                _: &crate::schema::Allowed,
+            ) -> Result<(), S::Error> {
+                crate::schema::read_object(given, place, &[$($key),+])?;
+                $(
+                    let field = given.field($key)?;
+                    if $required || field.is_given() {
+                        crate::schema::Input::read(
+                            &mut self.$field,
+                            &field,
+                            crate::schema::Place::Field(&place, $key),
+                            &crate::schema::record!(@allowed $($allowed)?),
+                        )?;
+                    }
+                )+
+                Ok(())
+            }
+        }
+    };
+    (@allowed) => { crate::schema::Allowed::ANY };
+    (@allowed $allowed:expr) => { $allowed };
+    ($(($($derive:ident),*))?
+        $(#[doc = $about:literal])+
+        pub struct $name:ident $(<$scalar:ident = f64>)? {
+            $(
+                $(#[doc = $doc:literal])+
+                pub $field:ident: $type:ty => $key:literal,
+            )+
+        }
+    ) => {
+        $(#[doc = $about])+
+        #[derive(Clone, Debug, PartialEq $($(, $derive)*)?)]
+        pub struct $name $(<$scalar = f64>)? {
+            $($(#[doc = $doc])+ pub $field: $type,)+
+        }
+
+        crate::schema::told! {
+            $(#[doc = $about])+
+            $name: $name {
+                $($(#[doc = $doc])+ $key => |record| &record.$field,)+
+            }
+        }
+    };
+}
+
+/// What is told of a type outside: a plain object by this name, whose fields are computed. Whoever gives one may leave out
+/// those that are `optional`.
+macro_rules! told {
+    (@optional) => { "?" };
+    (
+        $(#[doc = $about:literal])+
+        $name:ident: $type:ty {
+            $($(#[doc = $doc:literal])+ $key:literal $($optional:ident)? => |$it:ident| $value:expr,)+
+        }
+    ) => {
+        impl crate::schema::Plain for $type {
+            fn typescript(types: &mut crate::schema::Types) -> String {
+                fn of<'a, T: crate::schema::Plain>(
+                    types: &mut crate::schema::Types,
+                    _: impl Fn(&'a $type) -> T,
+                ) -> String {
+                    T::typescript(types)
+                }
+                types.interface(stringify!($name), &[$($about),+], |types| {
+                    vec![$((
+                        concat!($key $(, crate::schema::told!(@$optional))?),
+                        &[$($doc),+] as &[&str],
+                        of(types, |$it| $value),
+                    )),+]
+                })
+            }
+
+            fn write<W: crate::schema::Writer>(&self, to: &W) -> W::Value {
+                to.object([$((
+                    $key,
+                    {
+                        let $it = self;
+                        crate::schema::Plain::write(&$value, to)
+                    },
+                )),+])
+            }
+        }
+    };
+}
+
+pub(crate) use record;
+pub(crate) use told;

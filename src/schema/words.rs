@@ -1,0 +1,87 @@
+//! Enumerations whose values are words outside of Rust.
+
+/// One of a few words, each of which stands here once. `input` makes it one that is read.
+macro_rules! words {
+    (input $(#[doc = $about:literal])+ pub enum $name:ident { $($rest:tt)+ }) => {
+        crate::schema::words! { $(#[doc = $about])+ pub enum $name { $($rest)+ } }
+
+        impl crate::schema::Input for $name {
+            fn fields(
+                path: &str,
+                _: &crate::schema::Allowed,
+                rows: &mut crate::schema::Fields,
+            ) {
+                let words = Self::WORDS;
+                rows.words.push(crate::schema::WordField { path: path.into(), words });
+            }
+
+            fn check(
+                &self,
+                _: crate::schema::Place<'_>,
+                _: &crate::schema::Allowed,
+            ) -> Result<(), crate::schema::InvalidInput> {
+                Ok(())
+            }
+
+            fn read<S: crate::schema::Source>(
+                &mut self,
+                given: &S,
+                place: crate::schema::Place<'_>,
+                _: &crate::schema::Allowed,
+            ) -> Result<(), S::Error> {
+                let word = given.text().and_then(|word| Self::named(&word));
+                *self = word
+                    .ok_or_else(|| crate::schema::refused(given, place, Self::expected()))?;
+                Ok(())
+            }
+        }
+    };
+    (
+        $(#[doc = $about:literal])+
+        pub enum $name:ident {
+            $($(#[doc = $doc:literal])+ $variant:ident = $word:literal,)+
+        }
+    ) => {
+        $(#[doc = $about])+
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $name {
+            $($(#[doc = $doc])+ $variant,)+
+        }
+
+        impl $name {
+            /// All of them, in their order.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+            /// Their words, in the same order.
+            pub const WORDS: &'static [&'static str] = &[$($word),+];
+
+            /// The word for this.
+            pub const fn word(self) -> &'static str {
+                Self::WORDS[self as usize]
+            }
+
+            /// The one with this word.
+            pub fn named(word: &str) -> Option<Self> {
+                Self::ALL.iter().copied().find(|one| one.word() == word)
+            }
+
+            /// The words in a message.
+            pub fn expected() -> String {
+                let quoted: Vec<_> = Self::WORDS.iter().map(|word| format!("'{word}'")).collect();
+                quoted.join(" or ")
+            }
+        }
+
+        impl crate::schema::Plain for $name {
+            fn typescript(types: &mut crate::schema::Types) -> String {
+                let words = Self::expected().replace(" or ", " | ");
+                types.alias(stringify!($name), &[$($about),+], &words)
+            }
+
+            fn write<W: crate::schema::Writer>(&self, to: &W) -> W::Value {
+                to.text(self.word())
+            }
+        }
+    };
+}
+
+pub(crate) use words;

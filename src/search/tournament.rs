@@ -1,0 +1,61 @@
+//! The stochastic tournament (steps 5 and 6 of the paper's procedure).
+
+use core::cmp::Ordering;
+
+use rand::{Rng, RngExt};
+
+/// Whom each solution met, and how many bouts it won.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tournament {
+    /// For each solution the numbers of its q opponents.
+    pub opponents: Vec<Vec<u32>>,
+    /// For each solution the number of bouts won.
+    pub wins: Vec<u32>,
+}
+
+/// Whether a solution wins its bout: its J is at most the opponent's. A J that is not finite never wins.
+pub fn wins_bout(cost: f64, opponent: f64) -> bool {
+    cost.is_finite() && cost <= opponent
+}
+
+impl Tournament {
+    /// Each solution meets `q` opponents, drawn uniformly and with replacement from all the others.
+    ///
+    /// That a solution may meet another twice, and never itself, is our choice.
+    ///
+    /// # Panics
+    /// If there are fewer than two solutions.
+    pub fn hold(costs: &[f64], q: u32, rng: &mut impl Rng) -> Self {
+        let count = costs.len() as u32;
+        let opponents: Vec<Vec<u32>> = (0..count)
+            .map(|own| {
+                let other = |drawn| if drawn < own { drawn } else { drawn + 1 };
+                (0..q).map(|_| other(rng.random_range(0..count - 1))).collect()
+            })
+            .collect();
+        let wins = costs
+            .iter()
+            .zip(&opponents)
+            .map(|(cost, met)| {
+                let won = met.iter().filter(|other| wins_bout(*cost, costs[**other as usize]));
+                won.count() as u32
+            })
+            .collect();
+        Self { opponents, wins }
+    }
+
+    /// All solutions in the order of their rank: most wins first, then lower J, then lower number. How ties are
+    /// broken is our choice.
+    pub fn ranking(&self, costs: &[f64]) -> Vec<u32> {
+        in_order(costs.len(), &|i, j| {
+            self.wins[j].cmp(&self.wins[i]).then(costs[i].total_cmp(&costs[j]))
+        })
+    }
+}
+
+/// The numbers of so many solutions in this order; those that are equal by their number.
+pub(super) fn in_order(count: usize, order: &dyn Fn(usize, usize) -> Ordering) -> Vec<u32> {
+    let mut numbers: Vec<u32> = (0..count as u32).collect();
+    numbers.sort_unstable_by(|a, b| order(*a as usize, *b as usize).then(a.cmp(b)));
+    numbers
+}

@@ -1,0 +1,132 @@
+//! The error that remains under a disturbance, beside the sets that Theorem 2 describes.
+
+use crate::robot::Gains;
+use crate::run::{Outcome, Sample, Setting, Work};
+use crate::schema::{Column, Columns, InvalidInput, shown, told};
+use crate::theory::{ErrorParts, theorem_2_sets};
+
+/// The parts of the error at one sample of a run, and how far the sets reach there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PartsSample {
+    /// t in seconds.
+    pub time: f64,
+    /// The parts of the error.
+    pub error: ErrorParts,
+    /// The sets of [`theorem_2_sets`], for the disturbance of the experiment.
+    pub sets: ErrorParts,
+}
+
+told! {
+    /// The sizes of the error of one run over time that Theorem 2 bounds one by one: one value a sample.
+    ErrorParts: Columns<'_, PartsSample> {
+        /// Seconds.
+        "time" => |run| Column::of(run.0, |sample: &PartsSample| sample.time),
+        /// |x_e cos θ_e| in metres.
+        "x" => |run| Column::of(run.0, |sample: &PartsSample| sample.error.x),
+        /// |y_e| in metres.
+        "y" => |run| Column::of(run.0, |sample: &PartsSample| sample.error.y),
+        /// |sin θ_e|.
+        "theta" => |run| Column::of(run.0, |sample: &PartsSample| sample.error.theta),
+        /// How far the set of |y_e| reaches at this heading, (ε1 |sin θ_e| / ky)^⅓ in metres (7).
+        "ySet" => |run| Column::of(run.0, |sample: &PartsSample| sample.sets.y),
+    }
+}
+
+/// The columns of that table.
+const COLUMNS: usize = 5;
+
+/// Refuses to tell the parts of the error of more runs than fit in the memory.
+pub fn check_error_parts(setting: &Setting) -> Result<(), InvalidInput> {
+    let bytes = (COLUMNS * size_of::<f64>()) as f64 * (f64::from(setting.samples()) + 1.0);
+    check_starts(setting, bytes)
+}
+
+fn check_starts(setting: &Setting, bytes: f64) -> Result<(), InvalidInput> {
+    let count = setting.experiment().starts.len() as f64;
+    Work { field: "the number of starts", count, starts: 1, bytes }.check(setting.experiment())
+}
+
+/// The parts of the error of a run from the start posture with this index, sample by sample.
+///
+/// # Panics
+/// If there is no such start posture.
+pub fn error_parts(setting: &Setting, gains: &Gains, start: u32) -> Vec<PartsSample> {
+    let bound = setting.experiment().disturbance.bound();
+    let parts = |sample: Sample| PartsSample {
+        time: sample.time,
+        error: match sample.outcome {
+            Some(Outcome::Diverged) => ErrorParts::INFINITE,
+            _ => ErrorParts::new(&sample.error),
+        },
+        sets: theorem_2_sets(gains, bound, sample.error.sin),
+    };
+    setting.episode(*gains, start).samples().map(parts).collect()
+}
+
+/// The largest parts of the error in the last seconds of a run, and how far the sets reached then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RemainingError {
+    /// The largest of each part.
+    pub error: ErrorParts,
+    /// The farthest reach of each set.
+    pub sets: ErrorParts,
+}
+
+/// The parts of one error for each start.
+struct PartsOfStarts(Vec<ErrorParts>);
+
+impl PartsOfStarts {
+    fn of(all: &[RemainingError], parts: fn(&RemainingError) -> ErrorParts) -> Self {
+        Self(all.iter().map(parts).collect())
+    }
+}
+
+told! {
+    /// |x_e cos θ_e| and |y_e| in metres, |sin θ_e|: one value for each start.
+    PartsOfStarts: PartsOfStarts {
+        /// |x_e cos θ_e| in metres.
+        "x" => |parts| Column::of(&parts.0, |part| part.x),
+        /// |y_e| in metres.
+        "y" => |parts| Column::of(&parts.0, |part| part.y),
+        /// |sin θ_e|.
+        "theta" => |parts| Column::of(&parts.0, |part| part.theta),
+    }
+}
+
+told! {
+    /// What remains of the error at the end of each run, beside the sets of Theorem 2.
+    RemainingErrors: Columns<'_, RemainingError> {
+        /// The largest in the last seconds; Infinity for a robot that left the finite numbers.
+        "error" => |all| PartsOfStarts::of(all.0, |one| one.error),
+        /// How far the sets reach, ε1/kx (6), (ε1 |sin θ_e| / ky)^⅓ (7) and ε2/kθ (8); of (7) the farthest in the last seconds.
+        "sets" => |all| PartsOfStarts::of(all.0, |one| one.sets),
+    }
+}
+
+/// What remains of the error of a robot in the last `seconds` of its run, for each start posture of the experiment.
+///
+/// A robot that arrives stops there; in an experiment whose tolerances are 0 it goes on to the horizon. The error names
+/// the range of `seconds`, or says that the work is too much for one call.
+pub fn remaining_errors(
+    setting: &Setting,
+    gains: &Gains,
+    seconds: f64,
+) -> Result<Vec<RemainingError>, InvalidInput> {
+    let experiment = setting.experiment();
+    if !(0.0..=experiment.horizon).contains(&seconds) {
+        let expected = format!("a number from 0 to the horizon of {} s", experiment.horizon);
+        return Err(InvalidInput::new("seconds", expected, shown(seconds)));
+    }
+    check_starts(setting, size_of::<[RemainingError; 2]>() as f64)?;
+    let starts = 0..experiment.starts.len() as u32;
+    Ok(starts.map(|start| remaining(&error_parts(setting, gains, start), seconds)).collect())
+}
+
+fn remaining(run: &[PartsSample], seconds: f64) -> RemainingError {
+    let first = run.last().map_or(0.0, |last| last.time - seconds);
+    let none = RemainingError { error: ErrorParts::ZERO, sets: ErrorParts::ZERO };
+    run.iter().filter(|sample| sample.time >= first).fold(none, |largest, sample| RemainingError {
+        error: largest.error.max(sample.error),
+        sets: largest.sets.max(sample.sets),
+    })
+}

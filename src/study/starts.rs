@@ -1,0 +1,241 @@
+//! Sets of start postures: to train on, to test on, to map.
+
+use core::f64::consts::TAU;
+
+use rand::RngExt;
+
+use super::part::{read_part, validate_part};
+use crate::number::{Purpose, stream, wrap};
+use crate::robot::{Gains, METRES, Posture, Triples};
+use crate::run::MAX_STARTS;
+use crate::schema::{
+    Allowed, Input, InvalidInput, Place, Source, read_object, record, shown, told,
+};
+
+record! { required (Copy)
+    /// Where start postures stand on a circle: its centre and radius in metres.
+    pub struct Circle {
+        /// x of the centre.
+        pub x: f64 => "x",
+        /// y of the centre.
+        pub y: f64 => "y",
+        /// How far they are from it.
+        pub radius: f64 => "radius",
+        /// How many.
+        pub count: u32 => "count" in Allowed::whole(0, MAX_STARTS),
+        /// The seed of their headings.
+        pub seed: u32 => "seed" in Allowed::SEED,
+    }
+}
+
+impl Circle {
+    /// A circle.
+    pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+        let mut circle = Self { x: 0.0, y: 0.0, radius: 0.0, count: 0, seed: 0 };
+        let place = Place::Named("circle");
+        Input::read(&mut circle, given, place, &Allowed::ANY)?;
+        circle.check(place, &Allowed::ANY)?;
+        Ok(circle)
+    }
+
+    /// Postures evenly on the circle, each with a random heading. The error names the field that is wrong.
+    pub fn starts(&self) -> Result<Vec<Posture>, InvalidInput> {
+        let Self { x, y, radius, count, seed } = *self;
+        on_circle(Posture { x, y, theta: 0.0 }, radius, count, seed)
+    }
+}
+
+/// `count` postures evenly on a circle around `centre`, each with a random heading.
+///
+/// The radius is in metres. The error names the number that is wrong.
+pub fn on_circle(
+    centre: Posture,
+    radius: f64,
+    count: u32,
+    seed: u32,
+) -> Result<Vec<Posture>, InvalidInput> {
+    let Posture { x, y, .. } = centre;
+    for (name, value) in [("x", x), ("y", y), ("radius", radius)] {
+        METRES.check(name, value)?;
+    }
+    Allowed::whole(1, MAX_STARTS).check("count", count.into())?;
+    let mut rng = stream(seed, Purpose::Starts, 0);
+    let posture = |i| {
+        let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(count));
+        let theta = wrap(TAU * rng.random::<f64>());
+        Posture { x: x + radius * cos, y: y + radius * sin, theta }
+    };
+    Ok((0..count).map(posture).collect())
+}
+
+record! { required (Copy)
+    /// `count` values from `from` to `to`, evenly spaced.
+    pub struct Range {
+        /// The first value.
+        pub from: f64 => "from",
+        /// The last value.
+        pub to: f64 => "to",
+        /// How many.
+        pub count: u32 => "count" in Allowed::whole(0, MAX_AXIS_COUNT),
+    }
+}
+
+impl Range {
+    /// The value with this index; with a count of 1 it is `from`.
+    pub fn value(&self, index: u32) -> f64 {
+        let t = f64::from(index) / f64::from(self.count.saturating_sub(1).max(1));
+        self.from * (1.0 - t) + self.to * t
+    }
+
+    pub(crate) fn validate(&self, name: &str) -> Result<(), InvalidInput> {
+        for (end, value) in [("from", self.from), ("to", self.to)] {
+            if !value.is_finite() {
+                let found = shown(value);
+                return Err(InvalidInput::new(format!("{name}.{end}"), "a finite number", found));
+            }
+        }
+        AXIS_COUNT.check(format!("{name}.count"), self.count.into())
+    }
+}
+
+/// Most values on one axis of a grid or a landscape.
+pub const MAX_AXIS_COUNT: u32 = 1024;
+
+const AXIS_COUNT: Allowed = Allowed::whole(1, MAX_AXIS_COUNT);
+
+/// Positions on a grid, each with several headings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StartGrid {
+    /// x in metres.
+    pub x: Range,
+    /// y in metres.
+    pub y: Range,
+    /// How many headings, evenly around the circle from 0.
+    pub headings: u32,
+}
+
+impl StartGrid {
+    /// How many postures there are.
+    pub fn count(&self) -> u64 {
+        u64::from(self.x.count) * u64::from(self.y.count) * u64::from(self.headings)
+    }
+
+    /// The same where it is small enough to be numbered.
+    pub(crate) fn most(&self) -> u32 {
+        u32::try_from(self.count()).unwrap_or(u32::MAX)
+    }
+
+    /// The posture with this index: all headings of the first position, then the next position in x, then the next in y.
+    pub fn posture(&self, index: u32) -> Posture {
+        // A grid without columns or headings has no postures; whoever asks all the same is told where they would begin.
+        let [headings, columns] = [self.headings.max(1), self.x.count.max(1)];
+        let (heading, position) = (index % headings, index / headings);
+        Posture {
+            x: self.x.value(position % columns),
+            y: self.y.value(position / columns),
+            theta: wrap(TAU * f64::from(heading) / f64::from(headings)),
+        }
+    }
+
+    /// The postures with index in [first, end); the error says how many are allowed.
+    pub fn postures(&self, part: [u32; 2]) -> Result<Vec<Posture>, InvalidInput> {
+        self.validate()?;
+        let [first, end] = validate_part("part", part, self.most())?;
+        if end - first > MAX_STARTS {
+            let expected = format!("at most {MAX_STARTS} starts in one call");
+            return Err(InvalidInput::new("part", expected, (end - first).to_string()));
+        }
+        Ok((first..end).map(|index| self.posture(index)).collect())
+    }
+
+    pub(crate) fn validate(&self) -> Result<(), InvalidInput> {
+        for (name, range) in [("x", self.x), ("y", self.y)] {
+            range.validate(name)?;
+            for (end, value) in [("from", range.from), ("to", range.to)] {
+                METRES.check(format!("{name}.{end}"), value)?;
+            }
+        }
+        AXIS_COUNT.check("headings", self.headings.into())
+    }
+}
+
+/// A grid, and which of its starts are asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PartOfGrid {
+    /// The grid.
+    pub grid: StartGrid,
+    /// Which of its starts [first, end).
+    pub part: [u32; 2],
+}
+
+told! {
+    /// Start postures at every position of a grid, with `headings` headings each, evenly around the circle from 0.
+    Grid: PartOfGrid {
+        /// Metres.
+        "x" => |given| given.grid.x,
+        /// Metres.
+        "y" => |given| given.grid.y,
+        /// How many headings at each position.
+        "headings" => |given| given.grid.headings,
+        /// The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y.
+        "part" optional => |given| given.part,
+    }
+}
+
+/// A robot, and the grid from which it is to start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridOfRobot {
+    /// Its gains.
+    pub gains: Gains,
+    /// Where it starts.
+    pub starts: PartOfGrid,
+}
+
+told! {
+    /// The starts of a grid, and the gains of the robot that drives from them.
+    StartGrid: GridOfRobot {
+        /// Metres.
+        "x" => |given| given.starts.grid.x,
+        /// Metres.
+        "y" => |given| given.starts.grid.y,
+        /// How many headings at each position.
+        "headings" => |given| given.starts.grid.headings,
+        /// The starts [first, end) to drive from; all when left out, in the order of `Grid`.
+        "part" optional => |given| given.starts.part,
+        /// The gains of the robot.
+        "gains" => |given| Triples::from(given.gains),
+    }
+}
+
+impl PartOfGrid {
+    /// A grid, and which of its starts are asked for.
+    pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+        read_object(given, Place::Named("grid"), &["x", "y", "headings", "part"])?;
+        Self::read_fields(given)
+    }
+
+    fn read_fields<S: Source>(given: &S) -> Result<Self, S::Error> {
+        let place = Place::Named("grid");
+        let at = |name| Place::Field(&place, name);
+        let none = Range { from: 0.0, to: 0.0, count: 0 };
+        let mut grid = StartGrid { x: none, y: none, headings: 0 };
+        for (name, range) in [("x", &mut grid.x), ("y", &mut grid.y)] {
+            range.read(&given.field(name)?, at(name), &Allowed::ANY)?;
+            range.check(at(name), &Allowed::ANY)?;
+        }
+        let headings = Allowed::whole(0, MAX_AXIS_COUNT);
+        grid.headings.read(&given.field("headings")?, at("headings"), &headings)?;
+        grid.headings.check(at("headings"), &headings)?;
+        let part = read_part(&given.field("part")?, at("part"), grid.most())?;
+        Ok(Self { grid, part })
+    }
+}
+
+impl GridOfRobot {
+    /// A robot, a grid, and which of its starts are asked for.
+    pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+        read_object(given, Place::Named("grid"), &["gains", "x", "y", "headings", "part"])?;
+        let gains = Gains::read_one(&given.field("gains")?)?;
+        Ok(Self { gains, starts: PartOfGrid::read_fields(given)? })
+    }
+}

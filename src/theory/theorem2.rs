@@ -1,0 +1,73 @@
+//! Theorem 2: the gains that a bounded disturbance asks for, and the errors that it can leave.
+
+use super::lyapunov::lyapunov_rate_parts;
+use crate::robot::{ErrorPosture, Gains, Velocity};
+
+/// The gains that Theorem 2 asks for at an error posture when the disturbance is bounded by |δ1| ≤ ε1, |δ2| ≤ ε2:
+/// kx > ε1 / |x_e cos θ_e| (6), ky > ε1 |sin θ_e| / |y_e|³ (7), kθ > ε2 / |sin θ_e| (8).
+///
+/// A bound is infinite where its divisor is 0: there no gain is large enough.
+pub fn robust_gains(e: &ErrorPosture, bound: Velocity) -> Gains {
+    let ratio = |dividend: f64, divisor: f64| {
+        if dividend == 0.0 { 0.0 } else { dividend / divisor }
+    };
+    let [e1, e2] = [bound.linear.abs(), bound.angular.abs()];
+    let y = e.y.abs();
+    Gains::new(
+        ratio(e1, (e.x * e.cos).abs()),
+        ratio(e1 * e.sin.abs(), y * y * y),
+        ratio(e2, e.sin.abs()),
+    )
+}
+
+/// The largest V̇ that a disturbance within ±(ε1, ε2) can cause under the law (5):
+/// V̇ + (|y_e sin θ_e| + |x_e cos θ_e|) ε1 + |sin θ_e| ε2, bounded term by term as in the proof of Theorem 2.
+pub fn lyapunov_rate_bound(e: &ErrorPosture, k: &Gains, bound: Velocity) -> f64 {
+    let [e1, e2] = [bound.linear.abs(), bound.angular.abs()];
+    lyapunov_rate_parts(e, k).iter().sum::<f64>()
+        + ((e.y * e.sin).abs() + (e.x * e.cos).abs()) * e1
+        + e.sin.abs() * e2
+}
+
+/// The three sizes of an error posture that Theorem 2 bounds one by one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorParts {
+    /// |x_e cos θ_e| in metres.
+    pub x: f64,
+    /// |y_e| in metres.
+    pub y: f64,
+    /// |sin θ_e|, without a unit.
+    pub theta: f64,
+}
+
+impl ErrorParts {
+    /// The parts of an error posture.
+    pub fn new(e: &ErrorPosture) -> Self {
+        Self { x: (e.x * e.cos).abs(), y: e.y.abs(), theta: e.sin.abs() }
+    }
+
+    /// The larger of each part.
+    pub(crate) fn max(self, other: Self) -> Self {
+        Self { x: self.x.max(other.x), y: self.y.max(other.y), theta: self.theta.max(other.theta) }
+    }
+
+    pub(crate) const ZERO: Self = Self { x: 0.0, y: 0.0, theta: 0.0 };
+    pub(crate) const INFINITE: Self =
+        Self { x: f64::INFINITY, y: f64::INFINITY, theta: f64::INFINITY };
+}
+
+/// How far the sets reach in which a part of V̇ can be 0 or more although |δ1| ≤ ε1 and |δ2| ≤ ε2.
+///
+/// They are Theorem 2's inequalities solved for the error: |x_e cos θ_e| ≤ ε1 / kx (6),
+/// |y_e|³ ≤ ε1 |sin θ_e| / ky (7), |sin θ_e| ≤ ε2 / kθ (8). The one of y_e depends on the heading, so it is that for
+/// `sin` = sin θ_e. Outside all three, V̇ < 0 for the law (5) without limits and in continuous time; outside one of them
+/// only its own part is negative. A gain that is not over 0 makes no part negative: its set has no end.
+pub fn theorem_2_sets(k: &Gains, bound: Velocity, sin: f64) -> ErrorParts {
+    let quotient = |push: f64, gain: f64| if gain > 0.0 { push / gain } else { f64::INFINITY };
+    let [e1, e2] = [bound.linear.abs(), bound.angular.abs()];
+    ErrorParts {
+        x: quotient(e1, k.x),
+        y: libm::cbrt(quotient(e1 * sin.abs(), k.y)),
+        theta: quotient(e2, k.theta),
+    }
+}

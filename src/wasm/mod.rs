@@ -1,0 +1,266 @@
+//! The boundary to JavaScript: the only room that knows it. Types are in `interface.d.ts`, which is written from the tables
+//! of the other rooms.
+
+mod write;
+
+mod read;
+
+mod task;
+
+use wasm_bindgen::prelude::*;
+
+pub use task::Task;
+
+use self::read::{Given, number, setting, start};
+use self::write::plain;
+use crate::robot::Gains;
+use crate::run::{EpisodeState, Experiment, PAPER_RESULTS, Preset, Setting};
+use crate::schema::shown;
+use crate::search::{self, LearningRates};
+use crate::study::{self, Circle, PartOfGrid};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("interface.d.ts");
+
+type Result<T, E = JsValue> = core::result::Result<T, E>;
+
+/// Makes a panic an Error with its message instead of a bare trap.
+///
+/// After a panic this instance of the module must not be used again.
+#[wasm_bindgen(start)]
+pub fn throw_panics() {
+    std::panic::set_hook(Box::new(|panic| {
+        let message = format!("ep-locomotion: internal error, please reload ({panic})");
+        web_sys::console::error_1(&message.as_str().into());
+        wasm_bindgen::throw_str(&message);
+    }));
+}
+
+/// The experiment with a preset's name, or the given one with every field that it leaves out filled in.
+///
+/// Throws an Error that names the field when one is unknown, of a wrong type, or out of its range.
+#[wasm_bindgen(unchecked_return_type = "Experiment")]
+pub fn experiment(
+    #[wasm_bindgen(
+        js_name = "presetOrPartial",
+        unchecked_param_type = "Preset | PartialExperiment"
+    )]
+    given: JsValue,
+) -> Result<JsValue> {
+    match given.as_string() {
+        Some(name) => Ok(plain(&Preset::find(&name)?.experiment())),
+        None => Ok(plain(setting(given)?.experiment())),
+    }
+}
+
+/// Functions of an experiment: each does what the method of a task does.
+macro_rules! of_experiment {
+    ($(
+        $(#[doc = $doc:literal])+
+        $name:ident as $js:literal($($given:ident: $type:literal),+ $(; $last:ident)?) -> $returned:literal;
+    )+) => {$(
+        $(#[doc = $doc])+
+        #[wasm_bindgen(js_name = $js, unchecked_return_type = $returned)]
+        pub fn $name(
+            #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+            $(#[wasm_bindgen(unchecked_param_type = $type)] $given: JsValue,)+
+            $(#[wasm_bindgen(unchecked_optional_param_type = "number")] $last: JsValue,)?
+        ) -> Result<JsValue> {
+            Task::new(experiment)?.$name($($given,)+ $($last)?)
+        }
+    )+};
+}
+
+of_experiment! {
+    /// J of each gain triple, the mean over the start postures: n triples in, n costs out.
+    evaluate as "evaluate"(gains: "Gains") -> "Float64Array";
+    /// Drives one robot from `starts[start]` (0 if left out) to the end of its run.
+    simulate as "simulate"(gains: "Gains"; start) -> "Run";
+    /// Drives a robot with each gain triple from `starts[start]` (0 if left out): what `simulate` does, for many at once.
+    simulate_all as "simulateAll"(gains: "Gains"; start) -> "Run[]";
+    /// J over two gains, row by row: `x.count` values for each row of `rows`.
+    landscape as "landscape"(landscape: "Landscape") -> "Float64Array";
+    /// How a robot with these gains fares from many starts: positions on a grid, each with several headings.
+    robustness as "robustness"(grid: "StartGrid") -> "Robustness";
+    /// What the control law of the experiment makes of an error posture (3): the terms of its command, and the rate of V that it
+    /// promises.
+    law_terms as "lawTerms"(gains: "Gains", error: "Posture") -> "LawTerms";
+    /// How one robot fares from each of the experiment's starts: J, t_f and whether it arrives.
+    fares as "fares"(gains: "Gains") -> "Robustness";
+    /// The Lyapunov function of one run from `starts[start]` (0 if left out): what the law promises of it, and what becomes of that.
+    stability as "stability"(gains: "Gains"; start) -> "Stability";
+    /// The parts of the error over time that Theorem 2 bounds, of one run from each start posture.
+    ///
+    /// A robot that arrives stops there; with tolerances of 0 it goes on to the horizon.
+    error_parts as "errorParts"(gains: "Gains") -> "ErrorParts[]";
+    /// What remains of the error in the last `seconds` of a run from each start posture, beside the sets of Theorem 2.
+    ///
+    /// A robot that arrives stops there; with tolerances of 0 it goes on to the horizon.
+    remaining_errors as "remainingErrors"(gains: "Gains", seconds: "number") -> "RemainingErrors";
+    /// Evolution with many seeds, beside random search with the same number of drives.
+    seed_runs as "seedRuns"(seeds: "SeedRuns") -> "SeedRun[]";
+}
+
+/// Start postures evenly on a circle, each with a random heading.
+#[wasm_bindgen(js_name = "startsOnCircle", unchecked_return_type = "Posture[]")]
+pub fn starts_on_circle(
+    #[wasm_bindgen(unchecked_param_type = "Circle")] circle: JsValue,
+) -> Result<JsValue> {
+    Ok(plain(&Circle::read(&Given(circle))?.starts()?))
+}
+
+/// The starts of `robustness` on the same grid, in their order: at most 10 000 in one call.
+#[wasm_bindgen(js_name = "startsOnGrid", unchecked_return_type = "Posture[]")]
+pub fn starts_on_grid(
+    #[wasm_bindgen(unchecked_param_type = "Grid")] grid: JsValue,
+) -> Result<JsValue> {
+    let PartOfGrid { grid, part } = PartOfGrid::read(&Given(grid))?;
+    Ok(plain(&grid.postures(part)?))
+}
+
+/// Whether the tournament gives a bout to the solution with this J over one with that: the lower or the same J wins, and
+/// one that is not finite never does.
+#[wasm_bindgen(js_name = "winsBout")]
+pub fn wins_bout(
+    #[wasm_bindgen(unchecked_param_type = "number")] cost: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "number")] opponent: JsValue,
+) -> Result<bool> {
+    Ok(search::wins_bout(number(cost, "cost")?, number(opponent, "opponent")?))
+}
+
+/// Every number of an experiment with its unit and range.
+#[wasm_bindgen(unchecked_return_type = "Field[]")]
+pub fn fields() -> JsValue {
+    plain(&Experiment::fields().numbers)
+}
+
+/// Every field of an experiment that is one of a few words, with the words.
+#[wasm_bindgen(js_name = "wordFields", unchecked_return_type = "WordField[]")]
+pub fn word_fields() -> JsValue {
+    plain(&Experiment::fields().words)
+}
+
+/// The results that the paper prints.
+#[wasm_bindgen(unchecked_return_type = "PaperResult[]")]
+pub fn paper() -> JsValue {
+    plain(&PAPER_RESULTS)
+}
+
+/// τ and τ' of the mutation, and with them how much the σ change.
+#[wasm_bindgen(js_name = "learningRates", unchecked_return_type = "LearningRates")]
+pub fn learning_rates() -> JsValue {
+    plain(&LearningRates::PAPER)
+}
+
+/// The version of this program.
+#[wasm_bindgen]
+pub fn version() -> String {
+    env!("CARGO_PKG_VERSION").into()
+}
+
+/// A seed from the machine's own source of chance.
+#[wasm_bindgen(js_name = "randomSeed")]
+pub fn random_seed() -> Result<u32> {
+    let unavailable = |e| js_sys::Error::new(&format!("no source of random numbers: {e}")).into();
+    getrandom::u32().map_err(unavailable)
+}
+
+/// One robot, sample by sample.
+#[wasm_bindgen]
+pub struct Simulation {
+    setting: Setting,
+    state: EpisodeState,
+}
+
+#[wasm_bindgen]
+impl Simulation {
+    /// A robot at rest at `starts[start]` (0 if left out).
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
+        #[wasm_bindgen(js_name = "start", unchecked_optional_param_type = "number")] from: JsValue,
+    ) -> Result<Simulation> {
+        let setting = setting(experiment)?;
+        let from = start(&setting, from)?;
+        let state = EpisodeState::new(&setting, Gains::read_one(&Given(gains))?, from);
+        Ok(Self { setting, state })
+    }
+
+    /// The robot now; then it moves on by one sample, unless its run has ended.
+    #[wasm_bindgen(unchecked_return_type = "Sample")]
+    pub fn step(&mut self) -> JsValue {
+        plain(&self.state.step(&self.setting))
+    }
+}
+
+/// A run of evolutionary programming that remembers every generation.
+#[wasm_bindgen]
+pub struct Evolution(study::Evolution);
+
+#[wasm_bindgen]
+impl Evolution {
+    /// Generation 0: the random initial population, driven.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+    ) -> Result<Evolution> {
+        Ok(Self(study::Evolution::new(setting(experiment)?)))
+    }
+
+    /// The newest generation.
+    #[wasm_bindgen(getter)]
+    pub fn generation(&self) -> u32 {
+        self.0.generation()
+    }
+
+    /// Evolves one generation.
+    #[wasm_bindgen(unchecked_return_type = "Statistics")]
+    pub fn step(&mut self) -> JsValue {
+        plain(&self.0.step())
+    }
+
+    /// One generation in short; the newest if left out.
+    #[wasm_bindgen(unchecked_return_type = "Statistics")]
+    pub fn statistics(
+        &self,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] generation: JsValue,
+    ) -> Result<JsValue> {
+        Ok(plain(&self.0.statistics(self.numbered(generation)?)?))
+    }
+
+    /// One generation in full.
+    #[wasm_bindgen(unchecked_return_type = "GenerationRecord")]
+    pub fn record(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] generation: JsValue,
+    ) -> Result<JsValue> {
+        let generation = number(generation, "generation")?.into();
+        Ok(plain(&self.0.record(self.numbered(generation)?)?))
+    }
+
+    /// The population that a generation left, best ranked first; the newest if left out.
+    #[wasm_bindgen(unchecked_return_type = "Individual[]")]
+    pub fn population(
+        &self,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] generation: JsValue,
+    ) -> Result<JsValue> {
+        Ok(plain(&self.0.population(self.numbered(generation)?)?))
+    }
+
+    /// 16 hexadecimal digits over every number of the history. The same everywhere for the same experiment and generation.
+    pub fn hash(&self) -> String {
+        self.0.hash()
+    }
+
+    /// The number of a generation; the newest if it is left out.
+    fn numbered(&self, given: JsValue) -> Result<u32> {
+        let newest = self.0.generation();
+        let number =
+            if given.is_undefined() { newest.into() } else { number(given, "generation")? };
+        if number.fract() == 0.0 && (0.0..=f64::from(newest)).contains(&number) {
+            return Ok(number as u32);
+        }
+        Err(self.0.refused(shown(number)).into())
+    }
+}

@@ -1,0 +1,113 @@
+//! What one call may cost, in samples and in bytes: each of these once took all memory, or never ended.
+
+use ep_locomotion::robot::{Gains, Posture};
+use ep_locomotion::run::{Experiment, MAX_BYTES, Preset, Setting};
+use ep_locomotion::schema::InvalidInput;
+use ep_locomotion::search::LAST_GENERATION;
+use ep_locomotion::study::{
+    Range, StartGrid, check_error_parts, remaining_errors, robustness, seed_runs,
+};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const GAINS: Gains = Gains::new(3.0, 0.1, 5.0);
+
+/// The paper's first experiment with another horizon.
+fn lasting(horizon: f64, change: impl FnOnce(&mut Experiment)) -> Setting {
+    let mut experiment = Experiment { horizon, ..Preset::VelocityLimits.experiment() };
+    change(&mut experiment);
+    Setting::new(experiment).expect("valid")
+}
+
+#[track_caller]
+fn assert_refused<T>(result: Result<T, InvalidInput>, message: &str) {
+    assert_eq!(result.err().expect("refused").to_string(), message);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_map_of_more_starts_than_fit_in_the_memory_is_refused() {
+    let setting = lasting(0.01, |_| ());
+    let range = Range { from: 0.0, to: 1.0, count: 1024 };
+    let grid = StartGrid { x: range, y: range, headings: 1024 };
+    assert_refused(
+        robustness(&setting, GAINS, &grid, [0, 300_000_000]),
+        "the number of starts must be at most 4129776, for each takes 65 bytes, but was 300000000",
+    );
+    assert_eq!(robustness(&setting, GAINS, &grid, [5, 9]).map(|ends| ends.len()), Ok(4));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn whole_runs_are_counted_by_their_columns() {
+    let setting = lasting(10.0, |_| ());
+    // 13 numbers of 8 bytes at 1001 samples.
+    let most = (MAX_BYTES / (13.0 * 8.0 * 1001.0)) as usize;
+    assert_eq!(most, 2578);
+    assert_eq!(setting.check_runs(most), Ok(()));
+    assert_refused(
+        setting.check_runs(most + 1),
+        "the number of gain triples must be at most 2578, for each takes 104104 bytes, but was 2579",
+    );
+    assert!(lasting(1000.0, |_| ()).check_runs(26).is_err());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_parts_of_errors_are_counted_by_their_columns() {
+    let from = |starts| {
+        move |e: &mut Experiment| {
+            (e.starts, e.evolution.population) = (vec![Posture::default(); starts], 1);
+        }
+    };
+    assert_eq!(check_error_parts(&lasting(1000.0, from(67))), Ok(()));
+    let many = lasting(1000.0, from(68));
+    assert_refused(
+        check_error_parts(&many),
+        "the number of starts must be at most 67, for each takes 4000040 bytes, but was 68",
+    );
+    // What remains of them are six numbers a start.
+    assert!(remaining_errors(&lasting(1.0, from(200)), &GAINS, 0.5).is_ok());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn seeds_are_counted_by_what_each_keeps() {
+    let setting = lasting(0.01, |e| e.evolution.population = 1);
+    assert_refused(
+        seed_runs(&setting, [0, 150_000_000], 0),
+        "the number of seeds must be at most 508400, for each takes 528 bytes, but was 150000000",
+    );
+    assert_refused(
+        seed_runs(&setting, [0, 1], LAST_GENERATION),
+        "the number of drives must be at most 400000000 with 1 starts and 1 samples a run, but was 1073741824",
+    );
+    assert_eq!(seed_runs(&setting, [7, 9], 3).map(|runs| runs.len()), Ok(2));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_horizon_is_counted_without_a_sample_time() {
+    for (horizon, sample_time, samples) in
+        [(10.0, 0.0, u32::MAX), (0.0, 0.0, 0), (10.0, f64::NAN, 0), (f64::INFINITY, 1.0, u32::MAX)]
+    {
+        let experiment = Experiment { horizon, sample_time, ..Preset::VelocityLimits.experiment() };
+        assert_eq!(experiment.samples(), samples, "{horizon} / {sample_time}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_grid_without_headings_or_columns_has_no_starts() {
+    let range = |count| Range { from: 1.0, to: 2.0, count };
+    for (columns, headings) in [(2, 0), (0, 2), (0, 0)] {
+        let grid = StartGrid { x: range(columns), y: range(2), headings };
+        assert_eq!(grid.count(), 0);
+        assert_eq!(grid.posture(0), Posture { x: 1.0, y: 1.0, theta: 0.0 });
+        assert!(robustness(&lasting(1.0, |_| ()), GAINS, &grid, [0, 0]).is_err());
+    }
+}
+
+/// Beyond the last generation there is no stream of random numbers that is not another's.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+#[should_panic(expected = "there is no stream 536870912")]
+fn a_generation_beyond_the_last_has_no_draws() {
+    use ep_locomotion::search::GenerationRecord;
+    let setting = lasting(0.01, |_| ());
+    let parents = GenerationRecord::initial(&setting).population();
+    GenerationRecord::next(&setting, parents, LAST_GENERATION + 1);
+}

@@ -1,0 +1,100 @@
+//! Plain values as JSON: what the boundary does with JavaScript's.
+
+use ep_locomotion::schema::{InvalidInput, Keys, Place, Plain, Source, Writer};
+use serde_json::{Map, Value};
+
+/// The plain form of a value.
+pub fn written(value: &impl Plain) -> Value {
+    value.write(&Json)
+}
+
+struct Json;
+
+impl Writer for Json {
+    type Value = Value;
+
+    fn null(&self) -> Value {
+        Value::Null
+    }
+
+    fn number(&self, number: f64) -> Value {
+        number.into()
+    }
+
+    fn truth(&self, truth: bool) -> Value {
+        truth.into()
+    }
+
+    fn text(&self, text: &str) -> Value {
+        text.into()
+    }
+
+    fn column(&self, numbers: &[f64]) -> Value {
+        numbers.into()
+    }
+
+    fn flags(&self, flags: &[u8]) -> Value {
+        flags.into()
+    }
+
+    fn list(&self, elements: impl Iterator<Item = Value>) -> Value {
+        elements.collect()
+    }
+
+    fn object<const N: usize>(&self, fields: [(&'static str, Value); N]) -> Value {
+        Value::Object(Map::from_iter(fields.map(|(name, value)| (name.into(), value))))
+    }
+}
+
+/// A value that was given, or none.
+pub struct Given<'a>(pub Option<&'a Value>);
+
+impl Source for Given<'_> {
+    type Error = InvalidInput;
+
+    fn is_given(&self) -> bool {
+        self.0.is_some()
+    }
+
+    fn is_null(&self) -> bool {
+        self.0.is_some_and(Value::is_null)
+    }
+
+    fn number(&self) -> Option<f64> {
+        self.0?.as_f64()
+    }
+
+    fn truth(&self) -> Option<bool> {
+        self.0?.as_bool()
+    }
+
+    fn text(&self) -> Option<String> {
+        self.0?.as_str().map(Into::into)
+    }
+
+    fn column(&self, _: Place<'_>, _: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
+        Ok(None)
+    }
+
+    fn length(&self, _: bool) -> Result<Option<usize>, InvalidInput> {
+        Ok(self.0.and_then(Value::as_array).map(Vec::len))
+    }
+
+    fn element(&self, index: usize) -> Result<Self, InvalidInput> {
+        Ok(Given(self.0.and_then(|list| list.get(index))))
+    }
+
+    fn keys(&self, known: &[&'static str]) -> Result<Keys, InvalidInput> {
+        let Some(object) = self.0.and_then(Value::as_object) else { return Ok(Keys::NoObject) };
+        let unknown = object.keys().find(|key| !known.contains(&key.as_str()));
+        Ok(unknown.map_or(Keys::Known, |key| Keys::Unknown(format!("'{key}'"))))
+    }
+
+    fn field(&self, name: &'static str) -> Result<Self, InvalidInput> {
+        Ok(Given(self.0.and_then(|object| object.get(name))))
+    }
+
+    fn description(&self) -> String {
+        self.0.map_or_else(|| "undefined".into(), Value::to_string)
+    }
+}
