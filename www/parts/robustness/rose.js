@@ -3,7 +3,7 @@ import { html, render, svg } from 'lit-html';
 import { followHeld, followKeys, pointIn } from '../../kit/map.js';
 import { shadeAt } from '../../kit/shades.js';
 import { styled } from '../../kit/templates.js';
-import { watch } from '../../kit/memo.js';
+import { once, watch } from '../../kit/memo.js';
 import { robustness as words } from '../../words/index.js';
 import { angleOf, headingNear, headings } from './grid.js';
 
@@ -48,7 +48,7 @@ function sight(heading, parts) {
       <circle class="ring" r=${radius.reach} cx="0" cy="0"></circle>
       ${parts.map(
         (part, i) =>
-          svg`<path d=${petals[i]} class=${i === heading ? 'chosen' : ''} ${styled('fill', part === null ? 'none' : shadeAt(part))}></path>`,
+          svg`<path d=${petalsOf()[i]} class=${i === heading ? 'chosen' : ''} ${styled('fill', part === null ? 'none' : shadeAt(part))}></path>`,
       )}
       ${heading === null ? all : hand}
     </svg>`;
@@ -65,4 +65,5 @@ function petal(heading) {
   return `M${at(inner, from)}L${at(outer, from)}A${outer} ${outer} 0 0 0 ${at(outer, to)}L${at(inner, to)}Z`;
 }
 
-const petals = Array.from({ length: headings }, (_, heading) => petal(heading));
+/** The core says which way they point, once it is there. */
+const petalsOf = once(() => Array.from({ length: headings }, (_, heading) => petal(heading)));
