@@ -2,7 +2,8 @@
 import { fillTextWithHalo } from './canvas.js';
 import { strongFont } from './fonts.js';
 import { arrowOf, isChord } from './keyboard.js';
-import { palette as shadesOf, shades } from './shades.js';
+import { palette, shades } from './shades.js';
+import { once } from './memo.js';
 import { colour } from './palette.js';
 
 /** @typedef {import('./chart.js').Frame} Frame */
@@ -10,7 +11,7 @@ import { colour } from './palette.js';
 /** What is drawn on shades: the same in both themes, as they are. */
 export const [dark, light] = ['#14161a', '#ffffff'];
 
-const cells = document.createElement('canvas');
+const cellsOf = once(() => document.createElement('canvas'));
 
 /**
  * A square of shades, the first row at the bottom; nothing where a part is NaN.
@@ -23,9 +24,10 @@ export function drawShades(context, parts, { left, right, top, bottom }, smooth)
     if (Number.isNaN(parts[cell])) continue;
     const at = 4 * ((count - 1 - Math.floor(cell / count)) * count + (cell % count));
     const shade = Math.round(parts[cell] * (shades - 1));
-    image.data.set(shadesOf.subarray(3 * shade, 3 * shade + 3), at);
+    image.data.set(palette.subarray(3 * shade, 3 * shade + 3), at);
     image.data[at + 3] = 255;
   }
+  const cells = cellsOf();
   [cells.width, cells.height] = [count, count];
   cells.getContext('2d')?.putImageData(image, 0, 0);
   context.imageSmoothingEnabled = smooth;

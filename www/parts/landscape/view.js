@@ -179,8 +179,8 @@ function drawAxes(context, { frame, x, y }, spec) {
     if (y.at(tick) > frame.top + 26) context.fillText(String(tick), frame.left - 8, y.at(tick));
   const symbol = (/** @type {Spec['x']} */ { gain }, /** @type {number} */ px, /** @type {number} */ py) =>
     drawSymbol(context, lab.gains[gainNames.indexOf(gain)], gain.replace('k', '--'), px, py);
-  symbol(spec.x, frame.right - 8, frame.bottom + 20);
-  symbol(spec.y, frame.left - 24, frame.top + 14);
+  symbol(spec.x, frame.right - 8, frame.bottom + 19);
+  symbol(spec.y, frame.left - 24, frame.top + 13);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {MapModel} model */
