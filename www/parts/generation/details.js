@@ -116,7 +116,7 @@ const contents = {
     const { cost } = all[chosen];
     const write = words.costWriter(anatomy);
     const opponents = record.opponents[chosen];
-    const bouts = opponents.slice(0, mostBouts).map((opponent) => {
+    const bouts = Array.from(opponents.slice(0, mostBouts), (opponent) => {
       const won = winsBout(cost, all[opponent].cost);
       const sign = create('span', 'sign', won ? words.won : words.lost);
       sign.setAttribute('aria-label', won ? words.wonText : words.lostText);
