@@ -77,7 +77,7 @@ const contents = {
     const { cost } = all[chosen];
     const write = words.costWriter(anatomy);
     const opponents = record.opponents[chosen];
-    const bouts = opponents.slice(0, mostBouts).map((opponent) => {
+    const bouts = Array.from(opponents.slice(0, mostBouts), (opponent) => {
       const won = winsBout(cost, all[opponent].cost);
       return html`<li class=${won ? 'won' : 'lost'}><span class="sign" role="img"
         aria-label=${won ? words.wonText : words.lostText}>${won ? words.won : words.lost}</span>${link(anatomy, opponent, choose)}<span
