@@ -63,10 +63,14 @@ async function testNamed(names, late) {
 /** @typedef {import('../tests/page/harness/engines.js').Engine} Engine */
 
 /** @param {readonly Engine[]} engines */
-const namesOf = (engines) => engines.map(({ name }) => name);
+function namesOf(engines) {
+  return engines.map(({ name }) => name);
+}
 
 /** Whether the engine has no WebDriver, which no package ships. @param {Engine} engine */
-const isUndriven = ({ name, driver }) => name === 'firefox' && driver === null;
+function isUndriven({ name, driver }) {
+  return name === 'firefox' && driver === null;
+}
 
 /** @param {{ pageOnly: boolean, isStrict: boolean, late: number }} what */
 async function testAll({ pageOnly, isStrict, late }) {
@@ -147,10 +151,9 @@ function testTypes() {
   return step('types of the JavaScript', () => runPackage('typescript/bin/tsc', ['-p', 'www']));
 }
 
-const every = join('tests', 'page', 'harness', 'every.js');
-
 /** @param {Parameters<typeof lanesOf>} lanes */
 function testPage(...lanes) {
+  const every = join('tests', 'page', 'harness', 'every.js');
   return step('tests of the built page in real browsers', () =>
     together(
       lanesOf(...lanes).map(({ files, env }) =>

@@ -1,25 +1,28 @@
 // Wires the page: experiment → engine → views. The views get numbers and draw them.
 /** @import { Engine } from './core/engine.js' */
-/** @import { Page } from './parts/part.js' */
+/** @import { State } from './run/state.js' */
 import { createEngine } from './core/engine.js';
+import { tryNow } from './core/pending.js';
 import { createEmbed } from './embed/page.js';
 import { clearInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
 import { isEmbedded, standsStill } from './kit/host.js';
 import { createAccumulator, createFrameLoop } from './kit/loop.js';
+import { createComputing } from './lab/computing.js';
 import { createDraw } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
 import { followSurroundings } from './lab/surroundings.js';
-import { createViews, fillTexts } from './lab/views.js';
+import { createViews, sayTexts } from './lab/views.js';
 import { links } from './lesson/links.js';
 import { createLesson } from './lesson/page.js';
 import { createAddress } from './link/address.js';
+import { askFor, createParts } from './parts/load.js';
 import { parts, places } from './parts/parts.js';
 import { createActions } from './run/actions/actions.js';
 import { atEnd, fromStart } from './run/clock.js';
 import { firstState } from './run/first.js';
 import { guarded } from './run/guard.js';
-import { createScene } from './run/scene.js';
+import { createScene, createSight } from './run/scene.js';
 import { createStore } from './run/store.js';
 import { createSettingsPanel } from './settings/panel.js';
 import { createChecks } from './share/checks/dialog.js';
@@ -34,17 +37,20 @@ import { offerTable } from './kit/table.js';
 const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
 const isStill = () => stillPlease.matches || standsStill();
 
-/** @param {Engine} engine */
-function start(engine) {
+/** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
+async function start(engine) {
   const paper = engine.paper();
-  /** @type {Map<string, Page>} */
-  const pages = new Map();
-  const sceneOf = createScene(engine.drive, paper, (state) => pages.get(state.page)?.drives?.(state) ?? null);
+  /** @type {ReturnType<typeof createParts> | null} */
+  let pages = null;
+  const sceneOf = createScene(engine.drive, paper, (state) => pages?.of(state.page)?.drives?.(state) ?? null);
   const generations = createAccumulator();
   const loop = createFrameLoop(frame);
   const first = firstState(engine, 'velocity-limits', isStill() ? atEnd : fromStart);
   const store = createStore(first, loop.request);
-  const drivingOf = () => sceneOf(store.get()).driving;
+  const sight = createSight(sceneOf, first, loop.request);
+  /** Of the state that is seen. @param {State} state */
+  const seenScene = (state) => sight(state).scene;
+  const drivingOf = () => seenScene(store.get()).driving;
   const finalTime = () => drivingOf().finalTime;
   const actions = createActions({ engine, store, paper, finalTime, isStill, places });
   const controls = guarded(actions, store);
@@ -53,25 +59,32 @@ function start(engine) {
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const draw = createDraw(createViews(store, controls, links.pages, onLesson), engine, paper);
   const lesson = createLesson({ ...tools, go });
-  for (const part of parts) pages.set(part.name, part.create(tools));
+  const made = createParts(parts, tools, loop.request);
+  pages = made;
   const settings = createSettingsPanel(tools);
   const exercise = createExercise({ ...tools, places: parts.flatMap((part) => part.places ?? []) });
   const maker = isEmbedded ? null : createMaker(tools);
-  const pinButton = createPinButton(tools, sceneOf);
+  const computingLine = createComputing(controls);
+  const pinButton = createPinButton(tools, seenScene);
   const embed = isEmbedded ? createEmbed({ ...tools, actions, drivingOf, shapes: parts }) : null;
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;
 
   /** Draws what the state says, and lets the open part ask the workers for what it still lacks. */
   const show = () => {
-    const state = store.get();
-    const scene = sceneOf(state);
+    const now = store.get();
+    const { state: driven, scene, isComputing } = sight(now);
+    const { robot, size, theme, message, evolving } = now;
+    const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
+    made.open(now.page);
+    computingLine.draw(now);
     draw(state, scene);
-    lesson.draw(state, scene);
-    pages.get(state.page)?.draw(state, scene);
-    address?.follow(state);
+    // What they ask for of their own may still be under way.
+    tryNow(() => lesson.draw(state, scene), loop.request);
+    tryNow(() => made.of(state.page)?.draw(state, scene), loop.request);
+    if (!isComputing) address?.follow(state);
     settings.draw(state);
-    exercise.draw(state);
+    exercise.draw(state, made.size);
     embed?.draw(state);
     maker?.draw(state);
     pinButton.draw(state, scene);
@@ -80,12 +93,13 @@ function start(engine) {
   /** @param {number} seconds */
   function frame(seconds) {
     const before = store.get();
-    pages.get(before.page)?.tick?.(before, seconds);
+    tryNow(() => made.of(before.page)?.tick?.(before, seconds), loop.request);
     if (before.evolving && !before.dragging)
       actions.evolve(moreOf(before.catchingUp ? Number.POSITIVE_INFINITY : before.pace, seconds));
     actions.advance(seconds);
     show();
-    return store.get().evolving || store.get().robot.playing;
+    const { evolving, computing, robot } = store.get();
+    return evolving || computing !== null || robot.playing;
   }
 
   /** As many generations as are due, or as fit into half a frame. @param {number} pace @param {number} seconds */
@@ -104,8 +118,10 @@ function start(engine) {
   createKeys();
   createChecks(engine);
   offerTable('fitness-table', () => fitnessTable(store.get().history));
-  if (!isEmbedded) createKeep({ ...tools, actions, sceneOf });
+  if (!isEmbedded) createKeep({ ...tools, actions, sceneOf: seenScene });
   address = createAddress({ ...tools, actions });
+  loop.request();
+  await made.open(store.get().page);
   embed?.begin();
   loop.request();
   // After the first picture, which was asked for before this.
@@ -115,12 +131,19 @@ function start(engine) {
 }
 
 document.body.toggleAttribute('data-embed', isEmbedded);
-fillTexts();
+sayTexts();
 watchCore();
-try {
-  start(await createEngine());
-  clearInstead();
-} catch (error) {
-  showInstead(error);
-  throw error;
+/** Not awaited where it is called: what is loaded on demand needs this file, and would wait for it in turn. */
+async function begin() {
+  try {
+    // Side by side with the core.
+    askFor(parts, location.hash);
+    const opened = start(await createEngine());
+    clearInstead();
+    await opened;
+  } catch (error) {
+    showInstead(error);
+    throw error;
+  }
 }
+begin();

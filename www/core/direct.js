@@ -1,4 +1,5 @@
-// What the core does at once, on this thread, for everything but the workers.
+// What the core is asked for. What takes little is done at once, on this thread; what takes long a worker does, and as long as
+// that is under way, whoever asks gets a Pending thrown. Both ways come to the same bits.
 import {
   Evolution,
   experiment,
@@ -13,33 +14,40 @@ import {
   startsOnCircle,
   version,
 } from '../../pkg/ep_locomotion.js';
+import { createAnswers } from './answers.js';
+import { isLongDrive, isLongEvolution, isLongRecord, isLongReplay } from './bounds.js';
+import { unpacked } from './history.js';
+import { driveOn, samplesOf } from './samples.js';
 
 /** @typedef {import('./engine.js').Experiment} Experiment */
 /** @typedef {import('./engine.js').Generation} Generation */
+/** @typedef {import('./engine.js').GenerationRecord} GenerationRecord */
+/** @typedef {import('./engine.js').Individual} Individual */
 /** @typedef {import('./engine.js').PartialExperiment} PartialExperiment */
 /** @typedef {import('./engine.js').Preset} Preset */
 /** @typedef {import('./engine.js').Sample} Sample */
 /** @typedef {import('./engine.js').Triple} Triple */
+/** @typedef {import('./pool.js').Pool} Pool */
+/** @typedef {import('./samples.js').Samples} Samples */
 /** @typedef {import('./surveys.js').Surveys} Surveys */
+/**
+ * An evolution here, or, where there is no such object, in a worker.
+ * @typedef {{ experiment: Experiment, here: Evolution | null, newest: number, hash: () => string, population: Individual[] }} Run
+ */
 
-/** The core is there. @param {() => Surveys} createSurveys Asked once, at the first long job. */
-export function engineOf(createSurveys) {
-  /** @type {Evolution | null} */
-  let evolution = null;
+/** What the core does in workers, which are started when they are needed. @typedef {{ surveys: () => Surveys, pool: () => Pool, lone: () => Pool }} Helpers `lone` has one worker, which keeps an evolution. */
 
-  /** @type {Surveys | null} */
-  let surveys = null;
-
-  const current = () => {
-    if (!evolution) throw new Error('engine: begin an evolution first');
-    return evolution;
-  };
-
-  /** @param {Evolution} from @returns {Generation} */
-  const newest = (from) => ({
-    statistics: from.statistics(),
-    population: from.population(),
+/** The core is there. @param {Helpers} helpers */
+export function engineOf({ surveys: createSurveys, pool, lone }) {
+  const ask = createAnswers();
+  const surveys = once(createSurveys);
+  const drives = once(pool);
+  /** Of each, only the newest question is worth an answer. */
+  const evolving = once(() => {
+    const own = lone();
+    return { steps: own.channel(), replays: own.channel(), records: own.channel() };
   });
+  const evolution = createEvolution(ask, evolving);
 
   return {
     fields,
@@ -53,25 +61,7 @@ export function engineOf(createSurveys) {
     /** @param {Preset | PartialExperiment} from */
     experiment: (from) => experiment(from),
 
-    /** Starts evolution over; when the core refuses the experiment, the old evolution stays. @param {Experiment} from */
-    begin(from) {
-      const next = new Evolution(from);
-      evolution?.free();
-      evolution = next;
-      return newest(next);
-    },
-
-    /** One generation more. */
-    step: () => current().step(),
-
-    /** The population that a generation left, best first. @param {number} generation */
-    population: (generation) => current().population(generation),
-
-    /** All that happened in a generation. @param {number} generation */
-    record: (generation) => current().record(generation),
-
-    /** Digits over every number of the history, the same wherever it ran. */
-    hash: () => current().hash(),
+    ...evolution,
 
     /** The hash of an evolution of its own, on this thread. @param {Experiment} from @param {number} generations */
     hashOf(from, generations) {
@@ -82,26 +72,112 @@ export function engineOf(createSurveys) {
       return hash;
     },
 
-    /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
-    drive: (from, gains) => simulateAll(from, gains.flat()),
+    /** Throws if the core does not drive with these gains. @param {Experiment} from @param {Triple} gains */
+    check(from, gains) {
+      new Simulation(from, gains).free();
+    },
 
-    /** All that a robot sees, is told and does, sample by sample. @param {Experiment} from @param {Triple} gains @returns {Sample[]} */
+    /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
+    drive: (from, gains) =>
+      isLongDrive(from, gains.length)
+        ? ask(drives().run, 'simulateAll', from, gains.flat())
+        : simulateAll(from, gains.flat()),
+
+    /** All that a robot sees, is told and does, sample by sample. @param {Experiment} from @param {Triple} gains @returns {Samples} */
     samples(from, gains) {
-      const robot = new Simulation(from, Float64Array.from(gains));
+      if (isLongDrive(from)) return samplesOf(ask(drives().run, 'samples', from, gains));
+      /** @type {Sample[]} */
       const samples = [];
-      do samples.push(robot.step());
-      while (samples[samples.length - 1].outcome === null);
-      robot.free();
-      return samples;
+      driveOn(new Simulation(from, gains), (sample) => samples.push(sample));
+      return /** @type {Samples} */ (samples);
     },
 
     /** The Lyapunov function of a run. @param {Experiment} from @param {Triple} gains */
-    stability: (from, gains) => stability(from, gains),
+    stability: (from, gains) =>
+      isLongDrive(from) ? ask(drives().run, 'stability', from, gains) : stability(from, gains),
 
     /** Long jobs, which workers do; they are started at the first one. */
     get surveys() {
-      surveys ??= createSurveys();
-      return surveys;
+      return surveys();
     },
+  };
+}
+
+/** @param {ReturnType<typeof createAnswers>} ask @param {() => Record<'steps' | 'replays' | 'records', import('./pool.js').Channel>} evolving */
+function createEvolution(ask, evolving) {
+  /** @type {Run | null} */
+  let run = null;
+
+  const current = () => {
+    if (!run) throw new Error('engine: begin an evolution first');
+    return run;
+  };
+
+  /** @param {Run} next @returns {Generation} */
+  const take = (next, /** @type {Generation['statistics']} */ statistics) => {
+    run?.here?.free();
+    run = next;
+    return { statistics, population: next.population };
+  };
+
+  return {
+    /** Starts evolution over; when the core refuses the experiment, the old evolution stays. @param {Experiment} from */
+    begin(from) {
+      if (isLongEvolution(from)) {
+        const { statistics, population, hash } = ask(evolving().steps.run, 'newestGeneration', from, 0);
+        return take({ experiment: from, here: null, newest: 0, hash: () => hash, population }, statistics);
+      }
+      const here = new Evolution(from);
+      const population = here.population();
+      return take(
+        { experiment: from, here, newest: 0, hash: () => here.hash(), population },
+        here.statistics(),
+      );
+    },
+
+    /** One generation more. */
+    step() {
+      const own = current();
+      if (own.here) {
+        const statistics = own.here.step();
+        own.newest += 1;
+        return statistics;
+      }
+      const next = ask(evolving().steps.run, 'newestGeneration', own.experiment, own.newest + 1);
+      Object.assign(own, { newest: own.newest + 1, hash: () => next.hash, population: next.population });
+      return next.statistics;
+    },
+
+    /** The population that a generation left, best first. @param {number} generation */
+    population(generation) {
+      const { experiment, here, newest, population } = current();
+      if (here && !isLongReplay(experiment, newest, generation)) return here.population(generation);
+      if (!here && generation === newest) return population;
+      return ask(evolving().replays.run, 'population', experiment, generation);
+    },
+
+    /** All that happened in a generation. @param {number} generation @returns {GenerationRecord} */
+    record(generation) {
+      const { experiment, here, newest } = current();
+      if (here && !isLongRecord(experiment, newest, generation)) return here.record(generation);
+      return unpacked(ask(evolving().records.run, 'record', experiment, generation));
+    },
+
+    /** Digits over every number of the history, the same wherever it ran. */
+    hash: () => current().hash(),
+  };
+}
+
+/**
+ * Made when it is asked for first.
+ * @template T
+ * @param {() => T} make
+ */
+function once(make) {
+  /** @type {T | undefined} */
+  let made;
+  return () => {
+    made ??= make();
+    return made;
   };
 }

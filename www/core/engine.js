@@ -27,6 +27,7 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {readonly [number, number, number]} Triple kx, ky, kθ */
 
 /** @typedef {{ statistics: Statistics, population: Individual[] }} Generation The newest one; its population is best first. */
+/** @typedef {import('./samples.js').Samples} Samples */
 /** @typedef {ReturnType<typeof engineOf>} Engine */
 
 /** Loads the core. */
@@ -41,7 +42,17 @@ export async function createEngine() {
     return worker;
   }
 
-  return engineOf(() => createSurveys(createPool({ spawn })));
+  /** @type {import('./pool.js').Pool | null} */
+  let pool = null;
+  const shared = () => {
+    pool ??= createPool({ spawn });
+    return pool;
+  };
+  return engineOf({
+    surveys: () => createSurveys(shared()),
+    pool: shared,
+    lone: () => createPool({ spawn, size: 1 }),
+  });
 }
 
 /** Compiled once, for the page and its workers. */

@@ -23,7 +23,10 @@ const run = async ({ call, parts }) => {
 const jobs = createJobs(() => {});
 
 /** The page's engine, with an evolution of its own. */
-export const createEngine = () => engineOf(() => createSurveys({ size: 1, run, channel: () => ({ run }) }));
+export function createEngine() {
+  const pool = { size: 1, run, channel: () => ({ run }) };
+  return engineOf({ surveys: () => createSurveys(pool), pool: () => pool, lone: () => pool });
+}
 
 /** @param {Preset} preset @param {'ep' | 'arbitrary'} method */
 export function paperGains(preset, method) {

@@ -14,9 +14,12 @@ import {
   seedRuns,
   simulate,
   simulateAll,
+  stability,
 } from '../../pkg/ep_locomotion.js';
 import { groupNames } from './checks/check.js';
 import { resultsOf } from './checks/checks.js';
+import { createHistory } from './history.js';
+import { columnsOf } from './samples.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 /** @typedef {ReturnType<typeof createJobs>} Jobs */
@@ -33,6 +36,13 @@ export const createJobs = (tell) => ({
   remainingErrors,
   robustness,
   seedRuns,
+  simulateAll,
+  stability,
+  ...createHistory(tell),
+
+  /** All samples of a run. @param {import('../../pkg/ep_locomotion.js').Experiment} experiment @param {import('../../pkg/ep_locomotion.js').Gains} gains */
+  samples: (experiment, gains) =>
+    columnsOf(new Simulation(experiment, gains), Math.ceil(experiment.horizon / experiment.sampleTime) + 2),
 
   /** A whole evolution: its champion, and best and median J of each generation from 0. @param {PartialExperiment} experiment @param {number} generations */
   evolve(experiment, generations) {

@@ -1,4 +1,5 @@
 // The long jobs: each is split by index into parts for the pool, and the parts' results are joined in order.
+import { samplesOfDrive, samplesOfRobot } from './bounds.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').Gains} Gains */
@@ -127,12 +128,6 @@ export function createSurveys(pool) {
     },
   };
 }
-
-/** At most, for a robot that never arrives. @param {Experiment} experiment */
-const samplesOfDrive = ({ horizon, sampleTime }) => horizon / sampleTime;
-
-/** A robot drives from every start. @param {Experiment} experiment */
-const samplesOfRobot = (experiment) => experiment.starts.length * samplesOfDrive(experiment);
 
 /**
  * @template R

@@ -84,10 +84,11 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
   };
 
   /** @param {Parameters<Actions['openLinked']>[0]} opened */
-  const open = (opened) => {
+  const open = async (opened) => {
     // What stood in the way before is no answer to this.
     actions.say('');
     actions.openLinked(opened, []);
+    await actions.whenIdle();
     if (store.get().experiment !== opened.experiment) throw new Error(store.get().message);
     actions.standAt(Number.POSITIVE_INFINITY);
     announce();
@@ -95,10 +96,10 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
 
   /** @type {Readonly<Record<string, (message: Record<string, unknown>) => readonly string[] | Promise<readonly string[]>>>} */
   const answers = {
-    set({ link, experiment, gains, generation = 0 }) {
+    async set({ link, experiment, gains, generation = 0 }) {
       if (typeof link === 'string') {
         const { opened, problems } = links.openLink(link.slice(link.indexOf('#') + 1), engine);
-        open(opened);
+        await open(opened);
         return problems;
       }
       if (experiment === null || typeof experiment !== 'object') throw new Error(words.linkOrExperiment);
@@ -106,8 +107,8 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
       const whole = engine.experiment(/** @type {Experiment} */ (experiment));
       const handGains = gains === undefined ? null : gainsIn(gains);
       // The core knows which gains cannot be driven.
-      if (handGains) engine.drive(whole, [handGains]);
-      open({
+      if (handGains) engine.check(whole, handGains);
+      await open({
         page,
         lesson,
         preset,
@@ -131,6 +132,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
       let end = performance.now() + sliceMilliseconds;
       for (let i = 0; i < count; i += 1) {
         actions.forward();
+        await actions.whenIdle();
         if (performance.now() < end) continue;
         announce();
         await pause();

@@ -1,6 +1,9 @@
 /** @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
 export const byId = (id) => /** @type {T} */ (document.getElementById(id));
 
+/** As byId(), of what stands in no page yet. @template {HTMLElement} [T=HTMLElement] @param {ParentNode} root @param {string} id @returns {T} */
+export const byIdIn = (root, id) => /** @type {T} */ (root.querySelector(`#${id}`));
+
 /** A new element with what it holds. @param {string} tag @param {string} className @param {(Node | string)[]} children */
 export function create(tag, className, ...children) {
   const element = document.createElement(tag);
@@ -21,9 +24,6 @@ export function svg(tag, attributes, ...children) {
 export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
-
-/** A formula, every second piece of which is a subscript. @param {readonly string[]} pieces */
-export const formula = (pieces) => pieces.map((piece, i) => (i % 2 ? create('sub', '', piece) : piece));
 
 /** The size of an element in pixels, kept up to date. @param {HTMLElement} element @param {(size: { width: number, height: number }) => void} onResize */
 export function followSize(element, onResize) {

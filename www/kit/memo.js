@@ -28,3 +28,6 @@ export function watch() {
     return changed;
   };
 }
+
+/** Made when it is asked for first. @template R @param {() => R} make @returns {() => R} */
+export const once = (make) => remember(make);

@@ -52,6 +52,20 @@ export function drawName(context, { text, x, y, align = 'left', token = '--muted
   }
 }
 
+const italic = (/** @type {number} */ size) =>
+  `italic ${size}px "STIX Two Text", "Cambria Math", Georgia, serif`;
+
+/** A letter with its index, as in formulas. @param {CanvasRenderingContext2D} context @param {{ letter: string, index: string }} symbol @param {string} token @param {number} x @param {number} y Of the line it stands on. */
+export function drawSymbol(context, { letter, index }, token, x, y) {
+  context.fillStyle = colour(token);
+  context.textAlign = 'left';
+  context.textBaseline = 'alphabetic';
+  context.font = italic(18);
+  context.fillText(letter, x, y);
+  context.font = italic(13);
+  context.fillText(index, x + 9, y + 4);
+}
+
 /**
  * Names at the ends of their lines; in a narrow chart above them, at its edge.
  * @param {CanvasRenderingContext2D} context @param {Size} size @param {Frame} frame @param {readonly Name[]} names

@@ -1,6 +1,21 @@
 // A choice of one among a few: native radio buttons that look like one control.
+import { html, noChange, nothing, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 
-/** @template {string} V @typedef {{ value: V, text: string, hint?: string }} Choice */
+/** @template {string} V @typedef {{ value: V, text: string, hint?: string, disabled?: boolean }} Choice */
+
+/**
+ * What a fieldset of this id holds.
+ * @template {string} V
+ * @param {string} id @param {string} legend @param {readonly Choice<V>[]} choices
+ * @param {V | null} chosen @param {(value: V) => void} onChoose
+ */
+export const choicesOf = (id, legend, choices, chosen, onChoose) => html`
+  <legend class="visually-hidden">${legend}</legend>${choices.map(
+    ({ value, text, hint, disabled }) =>
+      html`<label title=${hint ?? nothing}><input id="${id}-${value}" type="radio" name=${id} value=${value}
+        .checked=${live(value === chosen)} .disabled=${disabled ?? noChange} @change=${() => onChoose(value)}><span>${text}</span></label>`,
+  )}`;
 
 /**
  * @template {string} V
@@ -8,25 +23,8 @@
  * @param {readonly Choice<V>[]} choices @param {(value: V) => void} onChoose
  */
 export function createSegmented(fieldset, legend, choices, onChoose) {
-  const title = document.createElement('legend');
-  title.textContent = legend;
-  title.className = 'visually-hidden';
-  const inputs = choices.map(({ value, text, hint }) => {
-    const label = document.createElement('label');
-    const input = document.createElement('input');
-    const face = document.createElement('span');
-    Object.assign(input, { type: 'radio', name: fieldset.id, value, id: `${fieldset.id}-${value}` });
-    input.addEventListener('change', () => onChoose(value));
-    face.textContent = text;
-    if (hint) label.title = hint;
-    label.append(input, face);
-    return { value, label, input };
-  });
-  fieldset.replaceChildren(title, ...inputs.map(({ label }) => label));
-  return {
-    /** @param {V} chosen */
-    draw(chosen) {
-      for (const { value, input } of inputs) input.checked = value === chosen;
-    },
-  };
+  /** @param {V | null} chosen */
+  const draw = (chosen) => render(choicesOf(fieldset.id, legend, choices, chosen, onChoose), fieldset);
+  draw(null);
+  return { draw };
 }

@@ -45,20 +45,20 @@ export function fillTable(root, { caption, columns, rows, summary, classOf }) {
   );
 }
 
-/** A button that shows a table, if there is one. @param {string} id @param {() => Table | null} tableOf */
-export function offerTable(id, tableOf) {
-  byId(id).addEventListener('click', () => {
-    const table = tableOf();
-    if (!table) return;
-    /** @type {HTMLDialogElement} */
-    const dialog = byId('table');
-    fillTable(byId('table-rows'), table);
-    byId('table-close').onclick = () => dialog.close();
-    byId('table-csv').hidden = !table.save;
-    byId('table-csv').onclick = table.save ?? null;
-    dialog.showModal();
-  });
+/** In the dialog of the page, if there is one. @param {Table | null} table */
+export function showTable(table) {
+  if (!table) return;
+  /** @type {HTMLDialogElement} */
+  const dialog = byId('table');
+  fillTable(byId('table-rows'), table);
+  byId('table-close').onclick = () => dialog.close();
+  byId('table-csv').hidden = !table.save;
+  byId('table-csv').onclick = table.save ?? null;
+  dialog.showModal();
 }
+
+/** A button that shows a table. @param {string} id @param {() => Table | null} tableOf */
+export const offerTable = (id, tableOf) => byId(id).addEventListener('click', () => showTable(tableOf()));
 
 /** A map has too many cells to read. */
 const mostOfMap = 13;

@@ -2,8 +2,8 @@
 /** @import { Actions } from '../run/actions/actions.js' */
 import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { ref } from 'lit-html/directives/ref.js';
 import { watch } from '../kit/memo.js';
+import { options, styled, valueIn } from '../kit/templates.js';
 import { paces } from '../run/pace.js';
 import { lab as strings, texts } from '../words/index.js';
 
@@ -12,18 +12,7 @@ import { lab as strings, texts } from '../words/index.js';
 /** @typedef {{ open: string, evolving: boolean, generation: number, newest: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
 
 /** How far a slider is filled. @param {number} part */
-const filled = (part) =>
-  ref((slider) => /** @type {HTMLElement} */ (slider)?.style.setProperty('--to', `${100 * part}%`));
-
-/** @template V @param {readonly (readonly [V, string])[]} choices @param {V} chosen */
-const options = (choices, chosen) =>
-  choices.map(
-    ([value, text]) =>
-      html`<option value=${String(value)} .selected=${live(value === chosen)}>${text}</option>`,
-  );
-
-/** @param {Event} event */
-const chosenIn = ({ target }) => /** @type {HTMLSelectElement | HTMLInputElement} */ (target).value;
+const filled = (part) => styled('--to', `${100 * part}%`);
 
 /** @param {HTMLElement} root @param {Actions} actions */
 export function createRobotBar(root, actions) {
@@ -45,13 +34,13 @@ function robotBar({ time, finalTime, playing, speed }, actions) {
       <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="when-paused" d="M4 2l10 6-10 6z"/><path class="when-playing" d="M3 2h4v12H3zM9 2h4v12H9z"/></svg>
     </button>
     <select id="speed" aria-label=${texts.speed}
-      @change=${(/** @type {Event} */ event) => actions.setSpeed(Number(chosenIn(event)))}>
+      @change=${(/** @type {Event} */ event) => actions.setSpeed(Number(valueIn(event)))}>
       ${options(strings.speeds, speed)}
     </select>
     <span id="clock" class="clock">${text}</span>
     <input id="scrub" type="range" min="0" step="0.01" aria-label=${texts.scrub} aria-valuetext=${text}
       .max=${String(finalTime)} .value=${live(String(time))} ${filled(time / finalTime)}
-      @input=${(/** @type {Event} */ event) => actions.scrub(Number(chosenIn(event)))}>`;
+      @input=${(/** @type {Event} */ event) => actions.scrub(Number(valueIn(event)))}>`;
 }
 
 /** @param {HTMLElement} root @param {Actions} actions */
@@ -63,7 +52,7 @@ export function createEvolutionBar(root, actions) {
   const on = {
     /** @param {Event} event */
     onKind(event) {
-      kind = /** @type {Until['kind']} */ (chosenIn(event));
+      kind = /** @type {Until['kind']} */ (valueIn(event));
       // A start that fits the kind, to be changed.
       if (kind === 'generation') untilValue().value = '100';
       if (kind === 'cost') untilValue().value = '8';
@@ -97,13 +86,13 @@ function evolutionBar(model, actions, { onKind, onValue }) {
       <input id="timeline" type="range" min="0" step="1" aria-label=${texts.timeline}
         aria-valuetext=${strings.generationText(generation, newest)}
         .max=${String(end)} .value=${live(String(generation))} ${filled(generation / end)}
-        @input=${(/** @type {Event} */ event) => actions.showGeneration(Number(chosenIn(event)))}>
+        @input=${(/** @type {Event} */ event) => actions.showGeneration(Number(valueIn(event)))}>
     </fieldset>
     <fieldset id="evolution-pace" class="bar" aria-label=${texts.evolutionSection}>
       <button id="reset" type="button" .hidden=${isElsewhere} @click=${() => actions.reset()}>${texts.reset}</button>
       <button id="new-seed" type="button" .hidden=${isElsewhere} @click=${() => actions.newSeed()}>${texts.newSeed}</button>
       <select id="pace" aria-label=${texts.pace}
-        @change=${(/** @type {Event} */ event) => actions.setPace(Number(chosenIn(event)))}>
+        @change=${(/** @type {Event} */ event) => actions.setPace(Number(valueIn(event)))}>
         ${options(
           paces.map((one) => /** @type {const} */ ([one, strings.paceText(one)])),
           pace,

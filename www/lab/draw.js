@@ -9,7 +9,7 @@ import { createView } from '../kit/transform.js';
 import { gainsOf } from '../run/drivers.js';
 import { pausesAt } from '../run/pace.js';
 import { endsOf } from '../run/state.js';
-import { curves as curveWords, lab as strings } from '../words/index.js';
+import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
 
@@ -36,22 +36,9 @@ export function createDraw(views, engine, paper) {
     views.handles.draw({ view, ...ends });
   };
 
-  /** What evolution has done: J, or σ. @param {State} state @param {Scene} scene */
-  const drawCurve = (state, scene) => {
-    const { history, generation, theme } = state;
-    const { curve } = labSlice.of(state);
-    const isCost = curve === 'cost';
-    byId('curve').hidden = !isCost;
-    byId('sigmas').hidden = isCost;
-    write(byId('curve-title'), isCost ? strings.texts.curveTitle : curveWords.sigmaTitle);
-    views.curveChoice.draw(curve);
-    if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
-    else views.sigmas.draw({ history, generation, theme });
-  };
-
   /** @param {State} state @param {Scene} scene */
   return (state, scene) => {
-    const { driver, experiment, history, generation, preset, robot, evolving } = state;
+    const { driver, experiment, history, generation, preset, robot } = state;
     const { driving } = scene;
     const { best } = history[generation];
     const time = Math.min(robot.time, driving.finalTime);
@@ -69,17 +56,8 @@ export function createDraw(views, engine, paper) {
     });
     write(byId('generation'), String(generation));
     write(byId('seed'), String(experiment.evolution.seed));
-    if (state.page === 'lab') drawCurve(state, scene);
-    views.evolutionBar.draw({
-      open: state.page,
-      evolving,
-      generation,
-      newest: history.length - 1,
-      pace: state.pace,
-      until: state.until,
-      untilError: state.untilError,
-      note: evolutionNote(state),
-    });
+    if (state.page === 'lab') drawCurve(views, state, scene);
+    views.evolutionBar.draw(evolutionOf(state));
     views.gains.draw({
       gains: gainsOf(state, driver, paper),
       errors: state.gainErrors,
@@ -88,19 +66,55 @@ export function createDraw(views, engine, paper) {
     });
     views.notes.draw({
       ...endsOf(state),
+      ...notedOf(state),
       scene,
-      driver,
-      found: state.found,
-      history,
-      generation,
-      population: state.population.length,
       time,
-      pins: state.pins,
-      atRest: !robot.playing && !evolving && !state.dragging,
       moved: isMoved(experiment, preset),
-      tried: state.trial.start !== null,
     });
   };
+}
+
+/** What evolution has done: J, or σ. @param {Views} views @param {State} state @param {Scene} scene */
+function drawCurve(views, state, scene) {
+  const { history, generation, theme } = state;
+  const { curve } = labSlice.of(state);
+  const isCost = curve === 'cost';
+  byId('curve').hidden = !isCost;
+  byId('sigmas').hidden = isCost;
+  write(byId('curve-title'), isCost ? strings.texts.curveTitle : sigmaWords.sigmaTitle);
+  views.curveChoice.draw(curve);
+  if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
+  else views.sigmas.draw({ history, generation, theme });
+}
+
+/** What the notes say of the state alone. @param {State} state */
+const notedOf = ({
+  driver,
+  found,
+  history,
+  generation,
+  population,
+  pins,
+  robot,
+  evolving,
+  dragging,
+  trial,
+}) => ({
+  driver,
+  found,
+  history,
+  generation,
+  population: population.length,
+  pins,
+  atRest: !robot.playing && !evolving && !dragging,
+  tried: trial.start !== null,
+});
+
+/** @param {State} state */
+function evolutionOf(state) {
+  const { page: open, evolving, generation, history, pace, until, untilError } = state;
+  const note = evolutionNote(state);
+  return { open, evolving, generation, newest: history.length - 1, pace, until, untilError, note };
 }
 
 /** @param {Scene} scene @param {State['driver']} driver */

@@ -4,10 +4,10 @@ import { watch } from '../kit/memo.js';
 import { lesson as lessonWords, lab as strings } from '../words/index.js';
 
 /**
- * @param {readonly string[]} pages @param {HTMLElement} nav @param {HTMLElement} tagline @param {NodeListOf<HTMLElement>} parts Each names the pages it belongs to.
+ * @param {readonly string[]} pages @param {HTMLElement} nav @param {HTMLElement} tagline
  * @param {(page: string) => void} onOpen @param {() => void} onLesson
  */
-export function createPages(pages, nav, tagline, parts, onOpen, onLesson) {
+export function createPages(pages, nav, tagline, onOpen, onLesson) {
   /** @param {string} name @param {boolean} isOpen */
   const linkTo = (name, isOpen) => {
     const onClick = (/** @type {MouseEvent} */ event) => {
@@ -32,7 +32,9 @@ export function createPages(pages, nav, tagline, parts, onOpen, onLesson) {
         ['lesson', ...pages].map((name) => linkTo(name, name === current)),
         nav,
       );
-      for (const part of parts) part.hidden = !part.dataset.page?.split(' ').includes(open);
+      // Each names the pages it belongs to. Parts are made while the page is open.
+      for (const part of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-page]')))
+        part.hidden = !part.dataset.page?.split(' ').includes(open);
     },
   };
 }

@@ -83,9 +83,12 @@ function legendOf({ scene, driver, found, generation, population, pins }) {
 /** @param {NotesModel} model @param {() => void} onRestore */
 function posturesOf({ start, goal, moved, tried }, onRestore) {
   const isTheirs = !moved && !tried;
+  // One text, so that it is one in a saved picture too.
+  const named = (/** @type {string} */ name, /** @type {Posture} */ posture) =>
+    `${name} ${strings.postureText(posture)}`;
   return html`
-    <li id="start-text" class="value">${strings.startName} ${strings.postureText(start)}</li>
-    <li id="goal-text" class="value">${strings.goalName} ${strings.postureText(goal)}</li>
+    <li id="start-text" class="value">${named(strings.startName, start)}</li>
+    <li id="goal-text" class="value">${named(strings.goalName, goal)}</li>
     <li class="hint" .hidden=${!isTheirs}>${strings.dragHint}</li>
     <li class="hint"><button id="restore-postures" type="button" class="link" .hidden=${isTheirs} @click=${onRestore}>${tried ? strings.endTrial : strings.restorePostures}</button></li>`;
 }

@@ -34,7 +34,7 @@ export function liveOf(link) {
   const paper = engine.paper();
   const chosenDrives = createChosenDrives(createAnatomy(engine.record));
   const scene = createScene(engine.drive, paper, chosenDrives)(state);
-  const [sample] = engine.samples(scene.experiment, scene.gains);
+  const sample = engine.samples(scene.experiment, scene.gains).at(0);
   const gains = gainsOf(state, state.driver, paper);
   return { engine, state, scene, paper, gains, sample, decided: sample };
 }

@@ -19,7 +19,7 @@ import { progressSlice } from './state.js';
 import { createTally } from './tally.js';
 
 /** @import { TemplateResult } from 'lit-html' */
-/** @import { Engine, PaperResult, Sample, Triple } from '../core/engine.js' */
+/** @import { Engine, PaperResult, Sample, Samples, Triple } from '../core/engine.js' */
 /** @import { Actions } from '../run/actions/actions.js' */
 /** @import { Scene } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
@@ -95,7 +95,7 @@ export function createLesson({ engine, store, actions, paper, go }) {
 
 /** What the law sees and commands at the robots' clock, from the core. @param {Engine} engine */
 function createSamples(engine) {
-  /** @type {{ run: Scene['driving'], samples: Sample[] } | null} */
+  /** @type {{ run: Scene['driving'], samples: Samples } | null} */
   let known = null;
   return (/** @type {State} */ state, /** @type {Scene} */ { driving, experiment, chosen }) => {
     if (known?.run !== driving) {
@@ -106,7 +106,10 @@ function createSamples(engine) {
     const { time } = driving;
     const at = Math.round(Math.min(state.robot.time, driving.finalTime) / (time[1] - time[0] || 1));
     const last = samples.length - 1;
-    return { sample: samples[Math.min(at, last)], decided: samples[Math.min(at, Math.max(last - 1, 0))] };
+    return {
+      sample: samples.at(Math.min(at, last)),
+      decided: samples.at(Math.min(at, Math.max(last - 1, 0))),
+    };
   };
 }
 
@@ -119,8 +122,10 @@ function settle(live, step, store) {
     const answer = progressSlice.of(live.state).answers[key];
     if (!answer || answer.outcome || pending.has(answer)) continue;
     if (block.quiz.ready && !block.quiz.ready(live)) continue;
+    // What it needs may still be under way: then it is asked again.
+    const found = block.quiz.answer(live);
     pending.add(answer);
-    Promise.resolve(block.quiz.answer(live)).then((outcome) => {
+    Promise.resolve(found).then((outcome) => {
       const { answers } = progressSlice.of(store.get());
       if (answers[key] === answer)
         progressSlice.update(store, { answers: { ...answers, [key]: { ...answer, outcome } } });

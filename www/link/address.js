@@ -40,7 +40,7 @@ export function createAddress({ engine, store, actions, links }) {
   const isElsewhere = (/** @type {State} */ state) =>
     state.page !== place().page || state.lesson !== place().lesson;
   /** Another part is not to wait until evolution rests: one goes back from there too. */
-  const isDue = (/** @type {State} */ state) => rests(state) || isElsewhere(state);
+  const isDue = (/** @type {State} */ state) => !state.computing && (rests(state) || isElsewhere(state));
   const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
 
   const write = () => {

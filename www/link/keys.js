@@ -68,7 +68,7 @@ export const driveKeys = (triesDisturbance) => [
     read(opened, text, engine) {
       const handGains = triple(text);
       // The core knows which gains cannot be driven.
-      engine.drive(opened.experiment, [handGains]);
+      engine.check(opened.experiment, handGains);
       return { ...opened, handGains };
     },
   },
@@ -167,6 +167,6 @@ function pinOf(text, slot, usual, engine) {
     usual,
   );
   const experiment = engine.experiment(changed);
-  engine.drive(experiment, [gains]);
+  engine.check(experiment, gains);
   return { slot, name: wellFormed(name.slice(0, 80)), experiment, gains };
 }

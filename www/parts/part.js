@@ -11,8 +11,9 @@
 
 /** What an open part gets. @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links }} Tools */
 /**
- * An open part.
+ * A part that has been opened.
  * @typedef {object} Page
+ * @property {HTMLElement} [element] What it shows, which stands in the page since then.
  * @property {(state: State, scene: Scene) => void} draw At every change of the state, while it is open.
  * @property {(state: State, seconds: number) => void} [tick] At every frame, while it is open.
  * @property {(state: State) => ChosenDrives | null} [drives] What drives on the plane in the place of the population.
@@ -28,7 +29,7 @@
  * @property {readonly ('start' | 'disturbance')[]} [tries] What a drive there meets that evolution does not.
  * @property {true} [phases] Where a generation is seen phase by phase.
  * @property {readonly [share: number, most: number]} figure How high a figure of it looks best for its width, and the most that helps it, in pixels.
- * @property {(tools: Tools) => Page} create
+ * @property {() => Promise<(tools: Tools) => Page>} load What makes its page, which is not loaded before it is opened.
  */
 
 export {};

@@ -24,6 +24,7 @@ export function firstState(engine, preset, robot) {
     population,
     evolving: false,
     catchingUp: null,
+    computing: null,
     pace: 8,
     until: { kind: 'every', value: 100 },
     untilError: '',

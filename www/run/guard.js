@@ -47,6 +47,8 @@ export const groupOf = {
   postureOf: 'free',
   releasePosture: 'free',
   releaseSetting: 'free',
+  stopComputing: 'free',
+  whenIdle: 'free',
   openLinked: 'free',
   makeExercise: 'free',
   say: 'free',

@@ -2,6 +2,7 @@
 /** @import { Experiment, Individual, PaperResult, Run, Triple } from '../core/engine.js' */
 /** @import { Driven } from './pins.js' */
 /** @import { Driver, State, Trial } from './state.js' */
+import { Pending, together } from '../core/pending.js';
 import { remember } from '../kit/memo.js';
 import { gainsOf, rivalOf } from './drivers.js';
 import { noTrial } from './state.js';
@@ -93,7 +94,13 @@ export function createScene(drive, paper, chosenDrives) {
   const paperEp = driveOne();
   const others = createOthers(drive);
   const pinned = remember((/** @type {State['pins']} */ pins) =>
-    pins.map(({ experiment, gains }) => drive(experiment, [gains])[0]),
+    together(
+      pins.map(
+        ({ experiment, gains }) =>
+          () =>
+            drive(experiment, [gains])[0],
+      ),
+    ),
   );
   const triedOf = remember(tried);
   const undisturbedOf = remember(undisturbed);
@@ -109,18 +116,54 @@ export function createScene(drive, paper, chosenDrives) {
     const company = chosen?.population ?? (driver === 'evolved' && trial === noTrial ? population : null);
     const gains = chosen?.population[0].gains ?? gainsOf(state, driver, paper);
     const rival = chosen?.partner?.gains ?? gainsOf(state, comparisonDriver, paper);
+    const [drivingRun, otherRuns, comparisonRun, paperRun, pins] = together([
+      () => driving(experiment, gains),
+      () => (company ? others(experiment, company) : none),
+      () => comparison(comparisonExperiment, rival),
+      () => paperEp(experiment, gainsOf(state, 'paper-ep', paper)),
+      () => pinned(state.pins),
+    ]);
     return {
       experiment,
       gains,
-      driving: driving(experiment, gains),
-      others: company ? others(experiment, company) : none,
-      comparison: comparison(comparisonExperiment, rival),
+      driving: drivingRun,
+      others: otherRuns,
+      comparison: comparisonRun,
       comparisonDriver,
       compared: { experiment: comparisonExperiment, gains: rival },
       chosen,
       withoutDisturbance,
-      paperEp: paperEp(experiment, gainsOf(state, 'paper-ep', paper)),
-      pins: pinned(state.pins),
+      paperEp: paperRun,
+      pins,
     };
+  };
+}
+
+/** @typedef {{ state: State, scene: Scene, isComputing: boolean }} Seen */
+
+/**
+ * The newest state whose drives are all there, with its scene: what takes long to drive is seen once it has been driven, and of
+ * what is asked for meanwhile only the newest.
+ * @param {(state: State) => Scene} sceneOf @param {State} first A state of which everything is driven at once. @param {() => void} onArrival
+ */
+export function createSight(sceneOf, first, onArrival) {
+  let shown = { state: first, scene: sceneOf(first) };
+  let isComputing = false;
+  const ask = (/** @type {State} */ state) => {
+    isComputing = true;
+    try {
+      shown = { state, scene: sceneOf(state) };
+      isComputing = false;
+    } catch (error) {
+      if (!(error instanceof Pending)) {
+        isComputing = false;
+        throw error;
+      }
+      error.arrival.then(() => ask(state)).finally(onArrival);
+    }
+  };
+  return (/** @type {State} */ state) => {
+    if (!isComputing && state !== shown.state) ask(state);
+    return { ...shown, isComputing };
   };
 }

@@ -11,6 +11,7 @@
 /** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'setting' | 'undone' | 'redone' | 'reset'} Restart Why evolution is at generation 0. */
 /** @typedef {Experiment['disturbance']} Disturbance */
 /** @typedef {{ start: Posture | null, disturbance: Disturbance | null }} Trial What a drive meets that evolution did not. */
+/** What a worker computes: an experiment that begins, the next generation, or a recorded one. Since when, in milliseconds, and how much of it is done, if that is known. @typedef {{ what: 'begin' | 'generation' | 'recorded', since: number, share: () => number | null }} Computing */
 /** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */
 
 /**
@@ -25,6 +26,7 @@
  * @property {Individual[]} population What that generation left, best first.
  * @property {boolean} evolving
  * @property {{ newest: number, generation: number } | null} catchingUp A run that was kept is made again up to its newest generation; then the other one is shown.
+ * @property {Computing | null} computing What the run waits for.
  * @property {number} pace Generations a second; Infinity: as fast as the machine goes; or one phase at a time.
  * @property {Until} until
  * @property {string} untilError

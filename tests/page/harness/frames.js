@@ -1,34 +1,39 @@
 // Runs in the page before its own scripts: knows when the page has drawn what happened, and can let every frame come late.
 (() => {
-  const { requestAnimationFrame: ask, cancelAnimationFrame: cancel } = window;
+  const ask = window.requestAnimationFrame.bind(window);
   /** By how many milliseconds every frame comes late. */
   const late = Number(document.currentScript?.dataset.late);
   /** While a frame that changes something is waited for, how long at most: what nobody sees gets no frames. */
-  const patience = 1000;
+  const patience = 10_000;
 
   /** The frames that are asked for, each with whether another frame did, as motion does. @type {Map<number, boolean>} */
   const asked = new Map();
   let isInFrame = false;
   /** How many times as fast the time of the frames runs. */
-  let haste = 1;
+  let pace = 1;
+
+  let latest = 0;
 
   window.requestAnimationFrame = (callback) => {
+    latest += 1;
+    const id = latest;
+    asked.set(id, isInFrame);
     const run = (/** @type {number} */ now) => {
       if (!asked.delete(id)) return;
       isInFrame = true;
       try {
-        callback(haste * now);
+        callback(pace * now);
       } finally {
         isInFrame = false;
       }
     };
-    const id = ask(late > 0 ? () => setTimeout(() => run(performance.now()), late) : run);
-    asked.set(id, isInFrame);
+    // Out of sight there is no late frame either.
+    if (late > 0) setTimeout(() => ask(run), late);
+    else ask(run);
     return id;
   };
   window.cancelAnimationFrame = (id) => {
     asked.delete(id);
-    cancel(id);
   };
 
   /** The next frame, with what the page hears of its new sizes after it. */
@@ -50,9 +55,9 @@
   const areNone = () => asked.size === 0;
 
   /** @param {number} times */
-  const hurry = (times) => {
-    haste = times;
+  const setPace = (times) => {
+    pace = times;
   };
 
-  Object.defineProperty(window, 'pageFrames', { value: { drawn, areNone, hurry } });
+  Object.defineProperty(window, 'pageFrames', { value: { drawn, areNone, setPace } });
 })();

@@ -272,13 +272,13 @@ export class Page {
     }
   }
 
-  /** Lets what moves on the page move faster, as long as it is open. @param {number} times */
-  async hurry(times) {
+  /** Lets what moves on the page move so many times as fast, as long as it is open. @param {number} times */
+  async setPace(times) {
     await this.evaluate(
-      (haste) =>
-        /** @type {{ pageFrames: { hurry: (times: number) => void } }} */ (
+      (pace) =>
+        /** @type {{ pageFrames: { setPace: (times: number) => void } }} */ (
           /** @type {unknown} */ (window)
-        ).pageFrames.hurry(haste),
+        ).pageFrames.setPace(pace),
       times,
     );
   }

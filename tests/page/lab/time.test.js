@@ -148,7 +148,7 @@ async function fingerprint(page) {
 }
 
 pageTest('one phase at a time Run plays the generations, and comes to the same', async (page) => {
-  await page.hurry(6);
+  await page.setPace(6);
   await choose(page, 'until', 'until generation');
   await typeUntil(page, '1', Key.ENTER);
   await choose(page, 'pace', 'one phase at a time');

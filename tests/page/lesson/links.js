@@ -6,7 +6,8 @@ import { createEngine, Evolution, paperGains, simulate } from '../harness/core.j
 
 /** The page's engine. */
 export const engine = createEngine();
-export const { samples } = engine;
+/** @param {Parameters<typeof engine.samples>} given */
+export const samples = (...given) => engine.samples(...given).map((one) => one);
 
 /** The link of a try or a question. @param {Step} step @param {string} name */
 export function linkOf({ blocks }, name) {

@@ -77,6 +77,8 @@ engineTest('each single key does what the sheet says, and no key is missing ther
   await page.press('b');
   assert.deepEqual(await readEvolution(page), expected(2));
   await page.press('n');
+  // No drive ends by itself meanwhile.
+  await page.setPace(0.001);
   if ((await stateOf(page)).driving) await page.press('p');
   await page.press('p');
   assert.equal((await stateOf(page)).driving, true);
@@ -85,6 +87,7 @@ engineTest('each single key does what the sheet says, and no key is missing ther
   assert.deepEqual(await stateOf(page), still);
   assert.equal((await read(page)).time, time);
 
+  await page.setPace(1);
   await page.press('r');
   assert.equal((await stateOf(page)).evolving, true);
   await page.until('evolution goes on', () => Number(document.getElementById('generation')?.innerText) > 3);

@@ -21,7 +21,7 @@ export const error = {
       quiz: {
         shows: 'lab&drives=hand&gains=3,5,5&start=0,2,90deg',
         answer({ engine, scene }) {
-          const { x, y, theta } = engine.samples(scene.experiment, [3, 5, 5])[0].error;
+          const { x, y, theta } = engine.samples(scene.experiment, [3, 5, 5]).at(0).error;
           const difference = Math.abs(x) - Math.abs(y);
           return { right: Math.abs(difference) < 0.005 ? 2 : difference > 0 ? 0 : 1, x, y, theta };
         },

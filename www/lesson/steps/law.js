@@ -26,10 +26,10 @@ const byHand = (gains, rest) => `lab&drives=hand&gains=${gains.join(',')}&${rest
 /** Where the step's own drives end, and what they ask for on the way. */
 const numbersOf = remember((/** @type {Engine} */ engine) => {
   const experiment = engine.experiment({ starts: [start] });
-  const alone = engine.samples(experiment, kxAlone);
-  const { error } = alone[alone.length - 1];
+  const { error } = engine.samples(experiment, kxAlone).at(-1);
   const most = engine
     .samples(experiment, allThree)
+    .map((one) => one)
     .reduce((a, b) => (Math.abs(b.command.angular) > Math.abs(a.command.angular) ? b : a));
   return {
     side: fixed(Math.abs(error.y), 2),
@@ -42,10 +42,16 @@ const numbersOf = remember((/** @type {Engine} */ engine) => {
 /** How a drive without ky ends. @param {Live} live */
 function withoutKyFrom({ engine, scene }) {
   const samples = engine.samples(scene.experiment, withoutKy);
-  const { error, outcome, time } = samples[samples.length - 1];
+  const { error, outcome, time } = samples.at(-1);
   const arrived = outcome === 'arrived';
   const right = arrived ? 0 : Math.abs(error.theta) < 0.05 ? 1 : 2;
-  return { right, arrived, error, time, farthest: Math.max(...samples.map((one) => Math.abs(one.error.y))) };
+  return {
+    right,
+    arrived,
+    error,
+    time,
+    farthest: samples.map(({ error }) => Math.abs(error.y)).reduce((a, b) => Math.max(a, b)),
+  };
 }
 
 /** @type {Step} */

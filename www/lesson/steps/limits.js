@@ -2,15 +2,17 @@
 import { remember } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 
-/** @import { Sample, Triple } from '../../core/engine.js' */
+/** @import { Samples, Triple } from '../../core/engine.js' */
 /** @import { Live } from '../page.js' */
 /** @import { Step } from '../steps.js' */
 
 const unlimited = 'limits.speed=off&limits.turnRate=off';
 
-/** At how many samples V is higher than at the one before. @param {readonly Sample[]} samples */
-const risesOf = (samples) =>
-  samples.filter(({ lyapunov }, i) => i > 0 && lyapunov > samples[i - 1].lyapunov).length;
+/** At how many samples V is higher than at the one before. @param {Samples} samples */
+function risesOf(samples) {
+  const values = samples.map(({ lyapunov }) => lyapunov);
+  return values.filter((value, i) => i > 0 && value > values[i - 1]).length;
+}
 
 /** The same gains without limits, with those of the paper's first drives, and with those of its last. */
 const runsWith = remember(

@@ -91,7 +91,7 @@ export const task = {
       headings: String(headings),
       starts: lab.grouped(places * headings),
       ky: fixed(gains[1], 4),
-      ye: fixed(engine.samples(experiment, gains)[0].error.y, 2),
+      ye: fixed(engine.samples(experiment, gains).at(0).error.y, 2),
     };
   },
 };

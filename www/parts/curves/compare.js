@@ -1,122 +1,103 @@
 // The pinned runs: their names, and a table of what differs between them and the run on screen.
-import { curvesSlice } from './state.js';
-import { byId, create } from '../../kit/elements.js';
-import { headCell } from '../../kit/table.js';
-import { styles } from '../../run/pins.js';
-import { createSwatch } from '../../kit/swatch.js';
-import { createQuantity } from '../../settings/quantity.js';
-import { fieldPath, valueAt } from '../../run/paths.js';
-import { rows as settingRows } from '../../settings/table.js';
+/** @import { Experiment, Field, Run, Triple } from '../../core/engine.js' */
+/** @import { Pin } from '../../run/pins.js' */
+/** @import { Tools } from '../part.js' */
+/** @import { View } from './page.js' */
+import { html, nothing, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
+import { byId } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
-import { curves as words, lab, settings as settingWords } from '../../words/index.js';
+import { createSwatch } from '../../kit/swatch.js';
+import { gainsOf } from '../../run/drivers.js';
+import { fieldPath, valueAt } from '../../run/paths.js';
+import { styles } from '../../run/pins.js';
+import { createQuantity } from '../../settings/quantity.js';
+import { rows as settingRows } from '../../settings/table.js';
+import { lab, settings as settingWords } from '../../words/index.js';
+import words from './words/index.js';
+import { curvesSlice } from './state.js';
 
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').Field} Field */
-/** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('../part.js').Tools} PageParts */
-/** @typedef {import('../../run/pins.js').Pin} Pin */
-/** @typedef {import('../../run/scene.js').Scene} Scene */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {{ name: string, gains: Triple, experiment: Experiment, run: Run, slot: number | null }} Column */
 /** @typedef {{ id: string, head: string, className?: string, texts: readonly string[] }} Row */
+/** @typedef {{ onName: (slot: number, text: string) => void, onUnpin: (slot: number) => void }} PinEvents */
 
-/** @param {PageParts} parts */
-export function createComparison({ engine, store, actions }) {
-  const list = byId('pins-list');
-  const message = byId('pins-message');
-  const table = byId('pins-table');
+/** @param {HTMLElement} root @param {Tools} tools @returns {View} */
+export function createComparison(root, { engine, store, actions, paper }) {
   const settingTexts = createSettingTexts(engine.fields());
-  const say = (/** @type {string} */ text) => curvesSlice.update(store, { message: text });
+  const say = (/** @type {string} */ message) => curvesSlice.update(store, { message });
+  /** @type {PinEvents} */
   const on = {
-    /** @param {number} slot @param {string} text */
     onName(slot, text) {
       const name = text.trim();
       if (name === '') return say(words.nameNeeded);
       actions.renamePin(slot, name);
       say('');
     },
-    /** @param {number} slot */
     onUnpin(slot) {
       actions.unpin(slot);
       say('');
       // The button that was pressed is gone.
-      (list.querySelector('input') ?? byId('pin')).focus();
+      const isLast = store.get().pins.length === 0;
+      (isLast ? byId('pin') : /** @type {HTMLElement} */ (root.querySelector('input'))).focus();
     },
   };
+  const changed = watch();
 
-  const pinsChanged = watch();
-  const tableChanged = watch();
   return {
-    /** @param {State} state @param {{ name: string, gains: Triple, scene: Scene }} driving */
-    draw(state, { name, gains, scene }) {
+    draw(state, { driving, experiment, pins: pinned }, { name }) {
       const { pins } = state;
-      const said = curvesSlice.of(state).message;
-      if (pinsChanged(pins, said)) {
-        byId('pins-text').textContent = pins.length === 0 ? words.noPinsText : words.pinsText(pins.length);
-        list.replaceChildren(...pins.map((pin) => createItem(pin, on)));
-        message.textContent = said;
-        message.hidden = said === '';
-      }
-      if (!tableChanged(pins, scene.driving, name)) return;
+      const { message } = curvesSlice.of(state);
+      if (!changed(pins, message, driving, name)) return;
+      const gains = gainsOf(state, state.driver, paper);
       const columns = [
-        { name, gains, experiment: scene.experiment, run: scene.driving, slot: null },
-        ...pins.map((pin, i) => ({ ...pin, run: scene.pins[i] })),
+        { name, gains, experiment, run: driving, slot: null },
+        ...pins.map((pin, i) => ({ ...pin, run: pinned[i] })),
       ];
-      table.replaceChildren(createHead(columns), createBody(columns, settingTexts));
+      render(
+        html`
+          <p id="pins-text" class="muted">${pins.length === 0 ? words.noPinsText : words.pinsText(pins.length)}</p>
+          <ul id="pins-list" class="pins-list">${pins.map((pin) => itemOf(pin, on))}</ul>
+          <p id="pins-message" class="field-error" role="alert" .hidden=${message === ''}>${message}</p>
+          <div class="curves-scroll" tabindex="0" role="group" aria-label=${words.texts.comparisonTable}>
+            ${tableOf(columns, settingTexts)}
+          </div>`,
+        root,
+      );
     },
   };
 }
 
-/** @param {Pin} pin @param {{ onName: (slot: number, text: string) => void, onUnpin: (slot: number) => void }} on */
-function createItem({ slot, name }, { onName, onUnpin }) {
-  const item = document.createElement('li');
-  const input = document.createElement('input');
-  const button = document.createElement('button');
-  Object.assign(input, { type: 'text', id: `pin-name-${slot + 1}`, value: name, maxLength: 60 });
-  Object.assign(input, { autocomplete: 'off', spellcheck: false });
-  input.setAttribute('aria-label', words.nameLabel(slot));
-  input.addEventListener('change', () => onName(slot, input.value));
-  Object.assign(button, { type: 'button', id: `unpin-${slot + 1}`, textContent: words.unpinShort });
-  button.setAttribute('aria-label', words.unpin(name));
-  button.addEventListener('click', () => onUnpin(slot));
-  item.append(createSwatch(styles[slot]), input, button);
-  return item;
-}
-
-/** @param {readonly Column[]} columns */
-function createHead(columns) {
-  const head = document.createElement('thead');
-  const row = head.insertRow();
-  row.append(document.createElement('td'));
-  for (const { name, slot } of columns) {
-    const swatch = slot === null ? [] : [createSwatch(styles[slot]), create('br', '')];
-    const text = words.breakable(slot === null ? words.drivingColumn(name) : name);
-    row.append(headCell('col', slot === null ? 'driving' : '', ...swatch, text));
-  }
-  return head;
-}
+/** @param {Pin} pin @param {PinEvents} on */
+const itemOf = ({ slot, name }, { onName, onUnpin }) => html`
+  <li>
+    ${createSwatch(styles[slot])}
+    <input id="pin-name-${slot + 1}" type="text" maxlength="60" autocomplete="off" spellcheck="false"
+      aria-label=${words.nameLabel(slot)} .value=${live(name)}
+      @change=${(/** @type {Event} */ { target }) => onName(slot, /** @type {HTMLInputElement} */ (target).value)}>
+    <button id="unpin-${slot + 1}" type="button" aria-label=${words.unpin(name)} @click=${() => onUnpin(slot)}>${words.unpinShort}</button>
+  </li>`;
 
 /** @param {readonly Column[]} columns @param {(experiments: readonly Experiment[]) => Row[]} settingTexts */
-function createBody(columns, settingTexts) {
+function tableOf(columns, settingTexts) {
   const differing = settingTexts(columns.map(({ experiment }) => experiment));
-  const body = document.createElement('tbody');
-  for (const row of resultRows(columns)) body.append(createRow(row));
-  const title = document.createElement('th');
-  Object.assign(title, { colSpan: columns.length + 1, scope: 'rowgroup', className: 'group' });
-  title.textContent = differing.length > 0 ? words.settingsThatDiffer : words.sameSettings;
-  body.insertRow().append(title);
-  for (const row of differing) body.append(createRow(row));
-  return body;
+  return html`
+    <table id="pins-table" class="curves-table">
+      <thead><tr><td></td>${columns.map(headOf)}</tr></thead>
+      <tbody>
+        ${resultRows(columns).map(rowOf)}
+        <tr><th class="group" colspan=${columns.length + 1} scope="rowgroup">${differing.length > 0 ? words.settingsThatDiffer : words.sameSettings}</th></tr>
+        ${differing.map(rowOf)}
+      </tbody>
+    </table>`;
 }
 
+/** @param {Column} column */
+const headOf = ({ name, slot }) =>
+  html`<th class=${slot === null ? 'driving' : ''} scope="col">${slot === null ? nothing : html`${createSwatch(styles[slot])}<br>`}${words.breakable(slot === null ? words.drivingColumn(name) : name)}</th>`;
+
 /** @param {Row} row */
-function createRow({ id, head, className = '', texts }) {
-  const cells = texts.map((text) => create('td', '', text));
-  const row = create('tr', '', headCell('row', className, head), ...cells);
-  row.dataset.row = id;
-  return row;
-}
+const rowOf = ({ id, head, className = '', texts }) =>
+  html`<tr data-row=${id}><th class=${className} scope="row">${head}</th>${texts.map((text) => html`<td>${text}</td>`)}</tr>`;
 
 /** @param {readonly Column[]} columns @returns {Row[]} */
 function resultRows(columns) {

@@ -1,43 +1,53 @@
 // The run in numbers, for who wants to read or to hear them; the row of the robots' clock is marked.
-import { sampleBefore } from '../../lab/track.js';
-import { create } from '../../kit/elements.js';
-import { headRow } from '../../kit/table.js';
-import { watch } from '../../kit/memo.js';
-import { curves as words } from '../../words/index.js';
+/** @import { Run } from '../../core/engine.js' */
+/** @import { View } from './page.js' */
+import { html, nothing, render } from 'lit-html';
 import { paidUntil } from '../../core/paid.js';
-
-/** @typedef {import('../../core/engine.js').Run} Run */
+import { remember, watch } from '../../kit/memo.js';
+import { sampleBefore } from '../../lab/track.js';
+import words from './words/index.js';
 
 /** More rows than this nobody reads. */
 const mostRows = 60;
 
-/** @param {HTMLTableElement} table */
-export function createNumbers(table) {
+/** @param {HTMLElement} root @returns {View} */
+export function createNumbers(root) {
+  const textsOf = remember(numbersOf);
   const changed = watch();
-  /** @type {{ sample: number, row: HTMLTableRowElement }[]} */
-  let rows = [];
-  /** @type {HTMLTableRowElement | undefined} */
-  let marked;
   return {
-    /** @param {{ name: string, run: Run, time: number }} model */
-    draw({ name, run, time }) {
-      if (changed(name, run)) {
-        const { every, samples } = readableSamples(run.time.length);
-        const body = document.createElement('tbody');
-        rows = samples.map((sample) => ({ sample, row: rowOf(body, run, sample) }));
-        const caption = create('caption', '', words.numbersCaption(name, every * (run.time[1] ?? 0)));
-        table.replaceChildren(caption, headRow(words.numberColumns.map(({ head }) => head)), body);
-        marked = undefined;
-      }
-      const now = sampleBefore(run, time);
-      const row = rows.findLast(({ sample }) => sample <= now)?.row;
-      if (row === marked) return;
-      marked?.removeAttribute('aria-current');
-      row?.setAttribute('aria-current', 'true');
-      marked = row;
+    draw(_, { driving }, { name, time }) {
+      const numbers = textsOf(driving);
+      const now = sampleBefore(driving, time);
+      const marked = numbers.rows.findLast(({ sample }) => sample <= now);
+      if (changed(name, numbers, marked)) render(tableOf(name, numbers, marked), root);
     },
   };
 }
+
+/** @typedef {ReturnType<typeof numbersOf>} Numbers */
+
+/** @param {Run} run */
+function numbersOf(run) {
+  const { every, samples } = readableSamples(run.time.length);
+  return {
+    step: every * (run.time[1] ?? 0),
+    rows: samples.map((sample) => ({
+      sample,
+      texts: words.numberColumns.map(({ text }) => text(run, sample, paidUntil(run, sample))),
+    })),
+  };
+}
+
+/** @param {string} name @param {Numbers} numbers @param {Numbers['rows'][number] | undefined} marked */
+const tableOf = (name, { step, rows }, marked) => html`
+  <table id="numbers-table" class="curves-table numbers">
+    <caption>${words.numbersCaption(name, step)}</caption>
+    <thead><tr>${words.numberColumns.map(({ head }) => html`<th scope="col">${head}</th>`)}</tr></thead>
+    <tbody>${rows.map(
+      (row) =>
+        html`<tr aria-current=${row === marked ? 'true' : nothing}>${row.texts.map((text) => html`<td>${text}</td>`)}</tr>`,
+    )}</tbody>
+  </table>`;
 
 /** Of so many samples some that can be read, 1, 2 or 5 times a power of ten apart, and the last. @param {number} count */
 export function readableSamples(count) {
@@ -50,12 +60,4 @@ export function readableSamples(count) {
 function stepOf(samples) {
   for (let power = 1; ; power *= 10)
     for (const factor of [1, 2, 5]) if (samples / (factor * power) <= mostRows) return factor * power;
-}
-
-/** @param {HTMLTableSectionElement} body @param {Run} run @param {number} sample */
-function rowOf(body, run, sample) {
-  const row = body.insertRow();
-  for (const { text } of words.numberColumns)
-    row.insertCell().textContent = text(run, sample, paidUntil(run, sample));
-  return row;
 }

@@ -1,11 +1,11 @@
 // The controls of the disturbance: its kind, its two sizes, and another draw.
 import { disturbanceSlice } from './state.js';
-import { byId } from '../../kit/elements.js';
+import { html } from 'lit-html';
 import { createRow } from '../../lab/gains.js';
 import { messageOf } from '../../words/errors.js';
-import { createSegmented } from '../../kit/segmented.js';
-import { watch } from '../../kit/memo.js';
-import { disturbance as words, lab } from '../../words/index.js';
+import { choicesOf } from '../../kit/segmented.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 
 /** @typedef {import('../part.js').Tools} PageParts */
 /** @typedef {import('../../core/engine.js').Experiment['disturbance']} Disturbance */
@@ -54,41 +54,38 @@ export function createControls({ engine, store, actions }) {
       return createRow(size, index, events, words.units[index]);
     });
 
-  const kind = createSegmented(byId('disturbance-kind'), words.kindLegend, words.kinds, (chosen) => {
+  const rows = { random: createRows('random'), slip: createRows('slip') };
+  const chooseKind = (/** @type {Disturbance['kind']} */ chosen) => {
     const { linear, angular } = tried();
     // A bound has no sign.
     const bounds = { linear: Math.abs(linear), angular: Math.abs(angular) };
     tryOut({ ...(chosen === 'random' && bounds), kind: chosen });
     actions.driveAgain();
-  });
-  const rows = { random: createRows('random'), slip: createRows('slip') };
-  /** @type {HTMLFieldSetElement} */
-  const fieldset = byId('disturbance-sizes');
-  fieldset.append(...[...rows.random, ...rows.slip].map(({ row }) => row));
-  const draw = byId('disturbance-draw');
-  draw.addEventListener('click', () => {
+  };
+  const onDraw = () => {
     tryOut({ seed: engine.randomSeed() });
     actions.driveAgain();
-  });
-
-  const changed = watch();
-  return {
-    /** @param {Disturbance} now @param {DisturbanceState['error']} error */
-    draw(now, error) {
-      if (!changed(now, error)) return;
-      kind.draw(now.kind);
-      draw.hidden = now.kind !== 'random';
-      fieldset.disabled = now.kind === 'none';
-      const isSlip = now.kind === 'slip' || (now.kind === 'none' && Math.min(now.linear, now.angular) < 0);
-      for (const [name, pair] of Object.entries(rows)) {
-        const isShown = (name === 'slip') === isSlip;
-        for (const [index, { row, draw: drawRow }] of pair.entries()) {
-          row.hidden = !isShown;
-          const low = isSlip ? -reach[index] : 0;
-          if (isShown)
-            drawRow(now[sizes[index]], error?.index === index ? error.text : '', [low, reach[index]]);
-        }
-      }
-    },
   };
+
+  /** The rows of the sizes in question, as they are now. @param {Disturbance} now @param {DisturbanceState['error']} error */
+  const rowsOf = (now, error) => {
+    const isSlip = now.kind === 'slip' || (now.kind === 'none' && Math.min(now.linear, now.angular) < 0);
+    return rows[isSlip ? 'slip' : 'random'].map(({ row, draw }, index) => {
+      const low = isSlip ? -reach[index] : 0;
+      draw(now[sizes[index]], error?.index === index ? error.text : '', [low, reach[index]]);
+      return row;
+    });
+  };
+
+  return (/** @type {Disturbance} */ now, /** @type {DisturbanceState['error']} */ error) => html`
+    <fieldset id="disturbance-controls" class="around" aria-label=${words.texts.disturbanceControls}>
+      <div class="bar">
+        <fieldset id="disturbance-kind" class="segmented">
+          ${choicesOf('disturbance-kind', words.kindLegend, words.kinds, now.kind, chooseKind)}
+        </fieldset>
+        <button id="disturbance-draw" type="button" .hidden=${now.kind !== 'random'} @click=${onDraw}>${words.texts.disturbanceDraw}</button>
+      </div>
+      <fieldset id="disturbance-sizes" class="sizes" aria-label=${words.texts.disturbanceSizes}
+        .disabled=${now.kind === 'none'}>${rowsOf(now, error)}</fieldset>
+    </fieldset>`;
 }

@@ -1,45 +1,54 @@
 // The part of the page that shows what error remains under a disturbance, against the sets of Theorem 2.
-import { disturbanceSlice } from './state.js';
-import { byId } from '../../kit/elements.js';
+/** @import { Scene } from '../../run/scene.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Page, Tools } from '../part.js' */
+import { html, render } from 'lit-html';
 import { remember, watch } from '../../kit/memo.js';
-import { disturbance as words } from '../../words/index.js';
+import words from './words/index.js';
+import { createSection } from '../section.js';
 import { createControls } from './controls.js';
 import { createPlots } from './plots.js';
 import { createRequests, createSpec } from './request.js';
+import { disturbanceSlice } from './state.js';
 import { summarize } from './summary.js';
-import { createTable } from './table.js';
+import { tableOf } from './table.js';
 
-/** @typedef {import('../../run/scene.js').Scene} Scene */
-/** @typedef {import('../../run/state.js').State} State */
-
-/** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
-export function createDisturbancePage(parts) {
-  const { engine, store, paper } = parts;
+/** @param {Tools} tools @returns {Page} */
+export function createDisturbancePage(tools) {
+  const { engine, store, paper } = tools;
+  const element = createSection('disturbance');
   const specOf = createSpec(engine, paper);
   const requests = createRequests(engine, store);
-  const controls = createControls(parts);
-  const table = createTable();
-  const plots = createPlots(table.plots, () => store.redraw());
+  const controlsOf = createControls(tools);
   const summaryOf = remember(summarize);
-  const noteChanged = watch();
+  const changed = watch();
+  /** @type {ReturnType<typeof createPlots> | null} */
+  let plots = null;
 
   return {
+    element,
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
-      const { tried } = state;
+      const { tried, theme } = state;
       const { error, measured, message } = disturbanceSlice.of(state);
       const spec = specOf(state);
       requests.follow(spec);
-      controls.draw(tried, error);
-      if (noteChanged(tried, message, measured?.spec === spec)) {
-        byId('disturbance-note').textContent = message ? words.failed(message) : words.kindText(tried);
-        byId('disturbance').setAttribute('aria-busy', String(measured?.spec !== spec && !message));
+      const isStale = measured?.spec !== spec && !message;
+      if (changed(tried, error, message, measured, isStale)) {
+        element.setAttribute('aria-busy', String(isStale));
+        render(
+          html`
+            <div class="heading">
+              <h2 id="disturbance-title">${words.texts.disturbanceTitle}</h2>
+              <p id="disturbance-note" class="muted">${message ? words.failed(message) : words.kindText(tried)}</p>
+            </div>
+            ${controlsOf(tried, error)} ${tableOf(measured && summaryOf(measured))}`,
+          element,
+        );
       }
-      byId('remains').classList.toggle('unmeasured', !measured);
-      if (!measured) return;
-      table.draw(summaryOf(measured));
+      plots ??= createPlots(element, store.redraw);
       const time = Math.min(state.robot.time, scene.driving.finalTime);
-      plots.draw({ measured, time, theme: state.theme });
+      if (measured) plots.draw({ measured, time, theme });
     },
   };
 }

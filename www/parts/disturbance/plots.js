@@ -7,7 +7,8 @@ import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
-import { disturbance as words } from '../../words/index.js';
+import words from './words/index.js';
+import { parts } from './summary.js';
 
 /** @typedef {import('./request.js').Measured} Measured */
 /** @typedef {import('./request.js').ErrorParts} ErrorParts */
@@ -22,9 +23,10 @@ const evenUpTo = 0.01;
 const decades = [0, 0.01, 0.1, 1, 10, 100, 1000];
 const labelHeight = 15;
 
-/** @param {{ part: PartName, root: HTMLElement }[]} places @param {() => void} onResize */
-export function createPlots(places, onResize) {
-  const plots = places.map(({ part, root }) => createPlot(part, root, onResize));
+/** @param {HTMLElement} element @param {() => void} onResize */
+export function createPlots(element, onResize) {
+  const roots = /** @type {NodeListOf<HTMLElement>} */ (element.querySelectorAll('.remains-plot'));
+  const plots = parts.map((part, i) => createPlot(part, roots[i], onResize));
   return {
     /** @param {PlotsModel} model */
     draw(model) {
@@ -37,8 +39,7 @@ export function createPlots(places, onResize) {
 
 /** @param {PartName} part @param {HTMLElement} root @param {() => void} onResize */
 function createPlot(part, root, onResize) {
-  const lines = createLayer(root.appendChild(document.createElement('canvas')));
-  const clock = createLayer(root.appendChild(document.createElement('canvas')));
+  const [lines, clock] = Array.from(root.querySelectorAll('canvas'), createLayer);
   const isLast = part === 'theta';
   const sizeOf = followSize(root, onResize);
   const linesChanged = watch();

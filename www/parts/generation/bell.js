@@ -1,5 +1,5 @@
 // The density of N(0, 1) as a small picture, with the draw on it.
-import { svg } from '../../kit/elements.js';
+import { html, nothing, svg } from 'lit-html';
 
 const width = 84;
 const height = 40;
@@ -16,16 +16,13 @@ const outline = Array.from({ length: 45 }, (_, i) => {
 }).join('L');
 
 /** @param {number | null} draw Null: nothing has been drawn yet. */
-export function createBell(draw) {
-  const picture = svg('svg', { viewBox: `0 0 ${width} ${height}`, class: 'bell', 'aria-hidden': 'true' });
-  picture.append(
-    svg('path', { d: `M${outline}`, class: 'density' }),
-    svg('path', { d: `M0 ${base}H${width}M${width / 2} ${base}v4`, class: 'base' }),
-  );
-  if (draw !== null)
-    picture.append(
-      svg('path', { d: `M${x(draw)} ${base}V${Math.min(y(draw), base - 8)}`, class: 'draw' }),
-      svg('circle', { cx: String(x(draw)), cy: String(base), r: '3.5', class: 'drawn' }),
-    );
-  return picture;
-}
+export const bell = (draw) => html`
+  <svg class="bell" viewBox="0 0 ${width} ${height}" aria-hidden="true">
+    <path class="density" d="M${outline}" /><path class="base" d="M0 ${base}H${width}M${width / 2} ${base}v4" />
+    ${draw === null ? nothing : drawn(draw)}
+  </svg>`;
+
+/** @param {number} draw */
+const drawn = (draw) => svg`
+  <path class="draw" d="M${x(draw)} ${base}V${Math.min(y(draw), base - 8)}" />
+  <circle class="drawn" cx=${x(draw)} cy=${base} r="3.5" />`;

@@ -1,44 +1,71 @@
 // The part of the page that shows one generation phase by phase, and what its controls do.
-import { generationSlice } from './state.js';
-import { byId, create } from '../../kit/elements.js';
-import { createSegmented } from '../../kit/segmented.js';
+/** @import { Scene } from '../../run/scene.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Page, Tools } from '../part.js' */
+/** @import { DetailsModel } from './details.js' */
+/** @import { Anatomy, Phase } from './record.js' */
+import { html, render } from 'lit-html';
+import { choicesOf } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';
+import { showTable } from '../../kit/table.js';
 import { playsPhases } from '../../run/pace.js';
-import { generation as words } from '../../words/index.js';
-import { createDetails } from './details.js';
+import words from './words/index.js';
+import { createSection } from '../section.js';
+import { detailsOf } from './details.js';
 import { createPicture } from './picture.js';
 import { chosenOf, createAnatomy, createChosenDrives, isInitial, phaseAfter, phaseOf } from './record.js';
+import { generationSlice } from './state.js';
 import { createSteps } from './steps.js';
-import { offerTable } from '../../kit/table.js';
 import { generationTable } from './table.js';
 
-/** @typedef {import('../part.js').Tools} PageParts */
-/** @typedef {import('../../run/scene.js').Scene} Scene */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('./record.js').Anatomy} Anatomy */
-/** @typedef {import('./record.js').Phase} Phase */
-
-/** @param {PageParts} parts @returns {import('../part.js').Page} */
+/** @param {Tools} tools @returns {Page} */
 export function createGenerationPage({ engine, store, actions }) {
+  const element = createSection('generation', 'generation-section');
   const anatomyOf = createAnatomy(engine.record);
   const steps = createSteps({ store, actions, anatomyOf });
-  const drives = createChosenDrives(anatomyOf);
   const choose = (/** @type {number} */ chosen) => {
     generationSlice.update(store, { chosen });
     actions.driveAgain();
   };
-  const segmented = createSegmented(byId('generation-phases'), words.phaseLegend, words.phases, steps.show);
-  const picture = createPicture(byId('generation-picture'), { onChoose: choose });
-  const details = createDetails(byId('generation-details'), engine.learningRates(), choose);
-  offerTable('generation-table', () => generationTable(anatomyOf(store.get())));
-  byId('generation-back').addEventListener('click', steps.back);
-  byId('generation-next').addEventListener('click', steps.next);
-  drawKey(byId('generation-key'));
+  const context = { rates: engine.learningRates(), choose };
+  const onTable = () => showTable(generationTable(anatomyOf(store.get())));
   const changed = watch();
+  /** @type {ReturnType<typeof createPicture> | null} */
+  let picture = null;
+
+  /** @param {DetailsModel} model @param {boolean} hurries Evolution runs, and not phase by phase: then there is too much to say. */
+  const contentOf = (model, hurries) => {
+    const { anatomy, phase } = model;
+    const initial = isInitial(anatomy.record);
+    return html`
+      <div class="heading">
+        <h2 id="generation-title">${words.title(anatomy.record.generation)}</h2>
+        <p id="generation-key" class="generation-key muted" data-picture="generation" .hidden=${initial}><span
+          class="key parent">${words.parentKey}</span><span class="key offspring">${words.offspringKey}</span></p>
+        <button id="generation-table" type="button" class="link muted" @click=${onTable}>${words.texts.generationTable}</button>
+      </div>
+      <fieldset id="generation-phases" class="segmented">
+        ${choicesOf('generation-phases', words.phaseLegend, phasesOf(initial), phase, steps.show)}
+      </fieldset>
+      <fieldset id="generation-step" class="bar generation-step" aria-label=${words.texts.generationStep}>
+        <p id="generation-sentence" aria-live=${hurries ? 'off' : 'polite'}>${words.sentence(anatomy, phase)}</p>
+        <button id="generation-back" type="button" class="icon" aria-label=${words.texts.generationBack}
+          .disabled=${initial && phase === 'parents'} @click=${steps.back}>
+          <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>
+        </button>
+        <button id="generation-next" type="button" @click=${steps.next}>${words.next}<span>${whereNext(anatomy, phase)}</span></button>
+      </fieldset>
+      <div id="generation-picture" class="generation-picture" data-picture="generation" role="slider" tabindex="0"
+        aria-label=${words.pictureLabel}></div>
+      <div id="generation-details" class="generation-details" role="group" aria-label=${words.texts.generationDetails}>
+        ${detailsOf(model, context)}
+      </div>`;
+  };
 
   return {
+    element,
     tick: steps.tick,
-    drives,
+    drives: createChosenDrives(anatomyOf),
 
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
@@ -46,41 +73,25 @@ export function createGenerationPage({ engine, store, actions }) {
       const phase = phaseOf(anatomy, generationSlice.of(state).phase);
       const chosen = chosenOf(anatomy, generationSlice.of(state));
       const hurries = state.evolving && !playsPhases(state);
+      const starts = state.experiment.starts.length;
+      // Only in one phase the drive itself is told.
+      if (changed(anatomy, phase, chosen, hurries, starts, phase === 'drive' ? scene.driving : null))
+        render(contentOf({ anatomy, phase, chosen, run: scene.driving, starts }, hurries), element);
+      picture ??= createPicture(element, { onChoose: choose });
       picture.draw({ anatomy, phase, chosen, still: hurries });
-      details.draw({ anatomy, phase, chosen, run: scene.driving, starts: state.experiment.starts.length });
-      segmented.draw(phase);
-      if (changed(anatomy, phase, hurries)) drawTexts(anatomy, phase, hurries);
     },
   };
 }
 
-/** @param {Anatomy} anatomy @param {Phase} phase @param {boolean} hurries Evolution runs, and not phase by phase. */
-function drawTexts(anatomy, phase, hurries) {
-  const { generation } = anatomy.record;
-  const initial = isInitial(anatomy.record);
-  const sentence = byId('generation-sentence');
-  // Then there is too much to say.
-  sentence.setAttribute('aria-live', hurries ? 'off' : 'polite');
-  sentence.textContent = words.sentence(anatomy, phase);
-  byId('generation-title').textContent = words.title(generation);
-  byId('generation-key').hidden = initial;
-  for (const { value } of words.phases) {
-    /** @type {HTMLInputElement} */
-    const input = byId(`generation-phases-${value}`);
-    input.disabled = initial && value !== 'parents' && value !== 'survivors';
-  }
-  /** @type {HTMLButtonElement} */
-  const back = byId('generation-back');
-  back.disabled = initial && phase === 'parents';
-  const following = phaseAfter(anatomy, phase, 1);
-  const where = following ? words.nextPhase(following) : words.nextGeneration(generation + 1);
-  byId('generation-next').replaceChildren(words.next, create('span', '', where));
-}
+/** The first generation has only two. @param {boolean} initial */
+const phasesOf = (initial) =>
+  words.phases.map((choice) => ({
+    ...choice,
+    disabled: initial && choice.value !== 'parents' && choice.value !== 'survivors',
+  }));
 
-/** How parents and offspring are drawn. @param {HTMLElement} key */
-function drawKey(key) {
-  key.replaceChildren(
-    create('span', 'key parent', words.parentKey),
-    create('span', 'key offspring', words.offspringKey),
-  );
+/** @param {Anatomy} anatomy @param {Phase} phase */
+function whereNext(anatomy, phase) {
+  const following = phaseAfter(anatomy, phase, 1);
+  return following ? words.nextPhase(following) : words.nextGeneration(anatomy.record.generation + 1);
 }

@@ -5,7 +5,7 @@ import { followSize, svg } from '../../kit/elements.js';
 import { isChord } from '../../kit/keyboard.js';
 import { sameDigits } from '../../kit/chart.js';
 import { watch } from '../../kit/memo.js';
-import { generation as words } from '../../words/index.js';
+import words from './words/index.js';
 import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
 import { isInitial } from './record.js';
 
@@ -21,15 +21,15 @@ const mostMoving = 400;
 /** More lines than that hide what they lead to. */
 const mostBouts = 60;
 
-/** @param {HTMLElement} root @param {{ onChoose: (number: number) => void }} on */
-export function createPicture(root, { onChoose }) {
+/** @param {HTMLElement} element The part. @param {{ onChoose: (number: number) => void }} on */
+export function createPicture(element, { onChoose }) {
+  const root = /** @type {HTMLElement} */ (element.querySelector('#generation-picture'));
   const picture = svg('svg', { 'aria-hidden': 'true' });
   const layers = ['axis', 'pairs', 'bouts', 'marks', 'notes'].map((name) => svg('g', { class: name }));
   const [axis, pairs, bouts, marks, notes] = layers;
   const ring = svg('circle', { class: 'ring' });
   picture.append(...layers, ring);
-  root.replaceChildren(picture);
-  root.setAttribute('aria-label', words.pictureLabel);
+  root.append(picture);
   const changed = watch();
   let size = { width: 0, height: 0 };
   /** @type {Drawn | null} */

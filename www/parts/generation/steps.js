@@ -1,5 +1,6 @@
 // From phase to phase of a generation, and over its last one into the next: by hand, or by a clock.
 import { generationSlice } from './state.js';
+import { whenThere } from '../../core/pending.js';
 import { watch } from '../../kit/memo.js';
 import { pausesAt, playsPhases } from '../../run/pace.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
@@ -24,6 +25,12 @@ export function createSteps({ store, actions, anatomyOf }) {
     return { state, anatomy, phase: phaseOf(anatomy, generationSlice.of(state).phase) };
   };
 
+  /** Now, or once the generation that was asked for is there. @param {() => void} act */
+  const afterwards = (act) => {
+    if (store.get().computing) actions.whenIdle().then(act);
+    else act();
+  };
+
   /** The next phase, or the next generation with whoever is chosen, if it stays. */
   const goOn = () => {
     const { state, anatomy, phase } = shown();
@@ -31,12 +38,16 @@ export function createSteps({ store, actions, anatomyOf }) {
     if (following) update({ phase: following });
     else {
       actions.forward();
-      if (store.get().generation === state.generation) return;
-      const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, generationSlice.of(state)));
-      update({
-        phase: 'parents',
-        chosen: generationSlice.of(state).chosen === null || place < 0 ? null : place,
+      afterwards(() => {
+        if (store.get().generation === state.generation) return;
+        const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, generationSlice.of(state)));
+        update({
+          phase: 'parents',
+          chosen: generationSlice.of(state).chosen === null || place < 0 ? null : place,
+        });
+        actions.driveAgain();
       });
+      return;
     }
     actions.driveAgain();
   };
@@ -46,6 +57,26 @@ export function createSteps({ store, actions, anatomyOf }) {
     pause();
     update({ phase });
     actions.driveAgain();
+  };
+
+  const goBack = () => {
+    const { state, anatomy, phase } = shown();
+    const before = phaseAfter(anatomy, phase, -1);
+    if (before) return show(before);
+    const chosen = chosenOf(anatomy, generationSlice.of(state));
+    const isBack = () => store.get().generation === state.generation - 1;
+    const atLastPhase = () => {
+      const { survivors } = shown().anatomy.record;
+      update({
+        phase: 'survivors',
+        chosen: generationSlice.of(state).chosen === null ? null : survivors[chosen],
+      });
+      actions.driveAgain();
+    };
+    actions.oneBack();
+    afterwards(() => {
+      if (isBack()) whenThere(atLastPhase, isBack);
+    });
   };
 
   /** The generation that was played from its first phase on. @type {State['history'][number] | null} */
@@ -64,24 +95,10 @@ export function createSteps({ store, actions, anatomyOf }) {
 
     next() {
       pause();
-      goOn();
+      whenThere(goOn, () => true);
     },
 
-    back() {
-      const { state, anatomy, phase } = shown();
-      const before = phaseAfter(anatomy, phase, -1);
-      if (before) return show(before);
-      const chosen = chosenOf(anatomy, generationSlice.of(state));
-      actions.oneBack();
-      const after = shown();
-      if (after.state.generation === state.generation) return;
-      const { survivors } = after.anatomy.record;
-      update({
-        phase: 'survivors',
-        chosen: generationSlice.of(state).chosen === null ? null : survivors[chosen],
-      });
-      actions.driveAgain();
-    },
+    back: () => whenThere(goBack, () => true),
 
     /** To be called at every frame: goes on when a phase has had its time. */
     tick: createPhaseClock(play),
@@ -95,6 +112,6 @@ function createPhaseClock(goOn) {
   return (/** @type {State} */ state, /** @type {number} */ seconds) => {
     const plays = playsPhases(state) && !state.dragging;
     waited = changed(plays, state.generation, generationSlice.of(state)) ? 0 : waited + seconds;
-    if (plays && waited >= secondsOfPhase) goOn();
+    if (plays && !state.computing && waited >= secondsOfPhase) goOn();
   };
 }

@@ -1,12 +1,17 @@
 // The part of the page that shows J over two gains, and what its controls do.
+import { html, noChange, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { gainNames, landscapeSlice } from './state.js';
-import { offerTable } from '../../kit/table.js';
+import { showTable } from '../../kit/table.js';
 import { landscapeTable } from './table.js';
-import { arrowOf, isChord } from '../../kit/keyboard.js';
+import { followHeld, followKeys, followPointing, pointIn } from '../../kit/map.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
-import { byId, followSize } from '../../kit/elements.js';
-import { lab, landscape as words } from '../../words/index.js';
+import { byIdIn, followSize } from '../../kit/elements.js';
+import { options, valueIn } from '../../kit/templates.js';
+import { createSection } from '../section.js';
+import { lab, tables } from '../../words/index.js';
+import words from './words/index.js';
 import { createLandscapeRequests, createSpec, gainsAt, thirdOf } from './request.js';
 import { axesOf, countOutside, createMap } from './view.js';
 
@@ -18,79 +23,83 @@ import { axesOf, countOutside, createMap } from './view.js';
 /** @typedef {import('../../run/state.js').State} State */
 /** @typedef {import('../../run/store.js').Store} Store */
 /** @typedef {import('../../core/engine.js').Triple} Triple */
+/** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('./request.js').AxisChoice} AxisChoice */
+/** @typedef {import('./request.js').Spec} Spec */
 /** @typedef {import('./state.js').LandscapeState} LandscapeState */
 /** @typedef {import('./view.js').Point} Point */
 /** @typedef {import('./view.js').MapModel} MapModel */
 
+const { texts } = words;
+/** What an axis can show. */
+const choices = [false, true].flatMap((log) =>
+  lab.gains.map(({ id, name }) => ({ gain: id, log, text: log ? words.onLogAxis(name) : name })),
+);
+
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createLandscapePage({ engine, store, actions, paper }) {
+  const element = createSection('landscape', 'landscape-section');
   const specOf = createSpec(paper);
   const requests = createLandscapeRequests(engine, store);
   const { redraw } = store;
-  const map = createMap(
-    {
-      picture: byId('landscape-picture'),
-      marks: byId('landscape-marks'),
-      legend: byId('landscape-legend'),
-    },
-    redraw,
-  );
-  const controls = createControls(store);
-  offerTable('landscape-table', () => {
-    const { result } = landscapeSlice.of(store.get());
-    return result && landscapeTable(result);
-  });
+  const on = createEvents(store);
   const pathOf = remember((/** @type {Statistics[]} */ history) => history.map(({ best }) => best.gains));
   const read = remember(
     (/** @type {State['experiment']} */ experiment, /** @type {Triple} */ gains) =>
       engine.drive(experiment, [gains])[0],
   );
   const gainsUnder = remember(gainsAt);
-  const textsChanged = watch();
-  const size = followSize(byId('landscape-map'), redraw);
+  const changed = watch();
+
+  /** @param {State} state @param {Spec} spec @param {Run | null} run @param {Triple} gains */
+  const show = (state, spec, run, gains) => {
+    const own = landscapeSlice.of(state);
+    const isTyping = document.activeElement?.id === 'landscape-third';
+    if (changed(own, spec, run, state.population, isTyping))
+      render(
+        sight(own, { spec, isTyping, readout: run ? readoutOf(state, spec, run, gains) : '' }, on),
+        element,
+      );
+  };
+  const first = store.get();
+  show(first, specOf(first), null, first.population[0].gains);
+  const map = createMap(
+    {
+      picture: byIdIn(element, 'landscape-picture'),
+      marks: byIdIn(element, 'landscape-marks'),
+      legend: byIdIn(element, 'landscape-legend'),
+    },
+    redraw,
+  );
+  const size = followSize(byIdIn(element, 'landscape-map'), redraw);
 
   /** @returns {MapModel} */
   const modelOf = () => {
     const state = store.get();
+    const { result, cursor } = landscapeSlice.of(state);
     return {
       spec: specOf(state),
-      result: landscapeSlice.of(state).result,
+      result,
       population: state.population,
       path: pathOf(state.history),
       points: pointsOf(state, paper),
-      cursor: landscapeSlice.of(state).cursor,
+      cursor,
       size: size(),
       theme: state.theme,
     };
   };
-  followPointer(store, actions, modelOf);
-  followKeys(store, actions, modelOf);
+  followCursor(byIdIn(element, 'landscape-map'), store, actions, modelOf);
 
   return {
+    element,
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const model = modelOf();
-      const { spec } = model;
+      const { spec, cursor } = model;
       requests.follow(spec, state.dragging);
-      controls.draw(landscapeSlice.of(state), spec.third);
       map.draw(model);
-      const { result, message, cursor } = landscapeSlice.of(state);
-      const fresh = result?.spec === spec;
       const gains = cursor ? gainsUnder(spec, cursor) : gainsOf(state, state.driver, paper);
-      const run = cursor ? read(state.experiment, gains) : scene.driving;
-      if (!textsChanged(run, message, fresh, result, model.population, spec.x, spec.y)) return;
-      byId('landscape-note').textContent = message
-        ? words.failed(message)
-        : result && fresh
-          ? words.drivesText(result.costs.length, result.milliseconds)
-          : words.computing;
-      const names = lab.gains.map(({ name }, i) => words.gainText(name, gains[i]));
-      const outside = model.size.width > 0 ? countOutside(axesOf(model), spec, model.population) : 0;
-      byId('landscape-readout').textContent = [
-        words.readout(names.join(', '), run, lab.outcomeText(run)),
-        ...(outside > 0 ? [words.outside(outside)] : []),
-      ].join('. ');
+      show(state, spec, cursor ? read(state.experiment, gains) : scene.driving, gains);
     },
   };
 }
@@ -106,152 +115,143 @@ function pointsOf(state, paper) {
   ];
 }
 
-const { update } = landscapeSlice;
+/** @param {LandscapeState} landscape @param {Spec} spec */
+function noteText({ result, message }, spec) {
+  if (message) return words.failed(message);
+  return result?.spec === spec ? words.drivesText(result.costs.length, result.milliseconds) : words.computing;
+}
+
+/** @param {State} state @param {Spec} spec @param {Run} run @param {Triple} gains */
+function readoutOf({ population }, spec, run, gains) {
+  const names = lab.gains.map(({ name }, i) => words.gainText(name, gains[i]));
+  const outside = countOutside(spec, population);
+  return [
+    words.readout(names.join(', '), run, lab.outcomeText(run)),
+    ...(outside > 0 ? [words.outside(outside)] : []),
+  ].join('. ');
+}
+
+/** @typedef {ReturnType<typeof createEvents>} Events */
+
+/** @param {Store} store */
+function createEvents(store) {
+  const update = (/** @type {Partial<LandscapeState>} */ patch) => landscapeSlice.update(store, patch);
+  const own = () => landscapeSlice.of(store.get());
+  return {
+    onTable() {
+      const { result } = own();
+      showTable(result && landscapeTable(result));
+    },
+    /** @param {'x' | 'y'} axis @param {AxisChoice} choice */
+    onAxis(axis, { gain, log }) {
+      const { [axis]: before, [axis === 'x' ? 'y' : 'x']: other } = own();
+      const chosen = { gain, log };
+      // The gain of the other axis: the two change places.
+      const left = gain === other.gain ? { ...other, gain: before.gain } : other;
+      const axes = axis === 'x' ? { x: chosen, y: left } : { x: left, y: chosen };
+      update({ third: null, thirdError: '', cursor: null, ...axes });
+    },
+    /** @param {string} text */
+    onThird(text) {
+      const value = lab.numberOf(text);
+      const { name } = lab.gains[thirdOf(own())];
+      if (Number.isFinite(value)) update({ third: value, thirdError: '' });
+      else update({ thirdError: lab.notANumber(name, text) });
+    },
+    /** @param {boolean} follows @param {number} value */
+    onFollows: (follows, value) => update({ third: follows ? null : value, thirdError: '' }),
+  };
+}
+
+/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string }} shown @param {Events} on */
+function sight(landscape, { spec, isTyping, readout }, on) {
+  return html`
+    <div class="heading">
+      <h2 id="landscape-title">${texts.landscapeTitle}</h2>
+      <p id="landscape-note" class="muted">${noteText(landscape, spec)}</p>
+      <button id="landscape-table" type="button" class="link" @click=${on.onTable}>${tables.texts.tableButton}</button>
+    </div>
+    <div class="bar axes">
+      <label>→ ${axisChoice('x', landscape, texts.landscapeAcross, on)}</label>
+      <label>↑ ${axisChoice('y', landscape, texts.landscapeUp, on)}</label>
+      ${thirdGain(landscape, spec.third, isTyping, on)}
+    </div>
+    <div id="landscape-map" class="map" data-picture="landscape" tabindex="0" role="application"
+      aria-label=${words.mapLabel} aria-describedby="landscape-readout">
+      <canvas id="landscape-picture" aria-hidden="true"></canvas>
+      <canvas id="landscape-marks" aria-hidden="true"></canvas>
+    </div>
+    <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
+    <p id="landscape-readout" class="readout" aria-live="polite">${readout}</p>`;
+}
+
+/** @param {'x' | 'y'} axis @param {LandscapeState} landscape @param {string} label @param {Events} on */
+function axisChoice(axis, { [axis]: shown }, label, { onAxis }) {
+  const chosen = choices.findIndex(({ gain, log }) => shown.gain === gain && shown.log === log);
+  return html`<select id="landscape-${axis}" aria-label=${label}
+    @change=${(/** @type {Event} */ event) => onAxis(axis, choices[Number(valueIn(event))])}>${options(
+      choices.map(({ text }, i) => /** @type {const} */ ([i, text])),
+      chosen,
+    )}</select>`;
+}
+
+/** The gain that is on no axis. @param {LandscapeState} landscape @param {number} value @param {boolean} isTyping What is typed stays. @param {Events} on */
+function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
+  const { third, thirdError } = landscape;
+  const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
+  const follows = third === null;
+  return html`
+    <label><span id="landscape-third-name" class="symbol ${id}">${letter}<sub>${index}</sub></span>
+      <input id="landscape-third" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
+        aria-label=${words.thirdLabel(name)} aria-describedby="landscape-third-error"
+        aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}
+        @focus=${(/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).select()}
+        @change=${(/** @type {Event} */ event) => onThird(valueIn(event))}></label>
+    <label class="check"><input id="landscape-follows" type="checkbox" .checked=${live(follows)}
+      @change=${() => onFollows(!follows, value)}> <span>${texts.landscapeFollows}</span></label>
+    <p id="landscape-third-error" class="field-error" role="alert" .hidden=${!thirdError}>${thirdError}</p>`;
+}
 
 /** As many digits as are shown, so that the gains in the text are the gains that drive. @param {number} value */
 const tidy = (value) => Number(value.toPrecision(3));
 
-/** @param {Store} store @param {Actions} actions @param {() => MapModel} modelOf */
-function followPointer(store, actions, modelOf) {
-  const element = byId('landscape-map');
-  let held = false;
+/** @param {HTMLElement} element @param {Store} store @param {Actions} actions @param {() => MapModel} modelOf */
+function followCursor(element, store, actions, modelOf) {
+  const put = (/** @type {readonly [number, number] | null} */ cursor) =>
+    landscapeSlice.update(store, { cursor });
   /** @param {PointerEvent} event @returns {[number, number]} */
-  const pointAt = (event) => {
-    const { left, top } = element.getBoundingClientRect();
+  const at = (event) => {
     const { x, y } = axesOf(modelOf());
-    return [tidy(x.value(event.clientX - left)), tidy(y.value(event.clientY - top))];
+    const [px, py] = pointIn(element, event);
+    return [tidy(x.value(px)), tidy(y.value(py))];
   };
-  const drive = (/** @type {PointerEvent} */ event) => {
-    const cursor = pointAt(event);
-    update(store, { cursor });
+  /** @param {MapModel} model */
+  const current = ({ spec, cursor, population: [{ gains }] }) =>
+    cursor ?? [gains[gainNames.indexOf(spec.x.gain)], gains[gainNames.indexOf(spec.y.gain)]];
+  const drive = (/** @type {readonly [number, number]} */ cursor) =>
     actions.driveGains(gainsAt(modelOf().spec, cursor), 'map');
-  };
-  element.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0) return;
-    held = true;
-    element.setPointerCapture(event.pointerId);
-    drive(event);
-  });
-  element.addEventListener('pointermove', (event) => {
-    if (held) drive(event);
-    else if (event.pointerType !== 'touch') update(store, { cursor: pointAt(event) });
-  });
-  const release = () => {
-    if (held) actions.driveAgain();
-    held = false;
-  };
-  element.addEventListener('pointerup', release);
-  element.addEventListener('pointercancel', release);
-  element.addEventListener('pointerleave', () => {
-    if (!held) update(store, { cursor: null });
-  });
-}
-
-/** @param {Store} store @param {Actions} actions @param {() => MapModel} modelOf */
-function followKeys(store, actions, modelOf) {
-  const element = byId('landscape-map');
-  element.setAttribute('aria-label', words.mapLabel);
-  element.addEventListener('keydown', (event) => {
-    const model = modelOf();
-    const { spec } = model;
-    const axes = axesOf(model);
-    const gains = model.population[0].gains;
-    const from = model.cursor ?? [
-      gains[gainNames.indexOf(spec.x.gain)],
-      gains[gainNames.indexOf(spec.y.gain)],
-    ];
-    if (event.key === 'Enter' || event.key === ' ') {
-      event.preventDefault();
-      actions.driveGains(gainsAt(spec, /** @type {[number, number]} */ (from)), 'map');
-      actions.driveAgain();
-    } else if (event.key === 'Escape') update(store, { cursor: null });
-    const step = arrowOf(event.key);
-    if (!step || isChord(event)) return;
-    event.preventDefault();
-    const pixels = event.shiftKey ? 40 : 4;
-    update(store, {
-      cursor: [
-        tidy(axes.x.value(axes.x.at(from[0]) + step[0] * pixels)),
-        tidy(axes.y.value(axes.y.at(from[1]) - step[1] * pixels)),
-      ],
-    });
-  });
-  element.addEventListener('blur', () => update(store, { cursor: null }));
-}
-
-/** Which gains the axes show. @param {Store} store */
-function createControls(store) {
-  const axes = /** @type {const} */ (['x', 'y']).map((axis) => {
-    /** @type {HTMLSelectElement} */
-    const select = byId(`landscape-${axis}`);
-    const options = [false, true].flatMap((log) =>
-      lab.gains.map(({ id, name }) => ({
-        choice: { gain: id, log },
-        text: log ? words.onLogAxis(name) : name,
-      })),
-    );
-    select.replaceChildren(...options.map(({ text }, i) => new Option(text, String(i))));
-    select.addEventListener('change', () => {
-      const { [axis]: own, [axis === 'x' ? 'y' : 'x']: other } = landscapeSlice.of(store.get());
-      const chosen = options[Number(select.value)].choice;
-      // The gain of the other axis: the two change places.
-      const left = chosen.gain === other.gain ? { ...other, gain: own.gain } : other;
-      update(store, {
-        third: null,
-        thirdError: '',
-        cursor: null,
-        ...(axis === 'x' ? { x: chosen, y: left } : { x: left, y: chosen }),
-      });
-    });
-    /** @param {AxisChoice} shown */
-    const draw = (shown) => {
-      select.value = String(
-        options.findIndex(({ choice }) => choice.gain === shown.gain && choice.log === shown.log),
-      );
-    };
-    return { axis, draw };
-  });
-
-  /** @type {HTMLInputElement} */
-  const third = byId('landscape-third');
-  /** @type {HTMLInputElement} */
-  const follows = byId('landscape-follows');
-  const error = byId('landscape-third-error');
-  const thirdName = byId('landscape-third-name');
-  third.addEventListener('focus', () => third.select());
-  third.addEventListener('change', () => {
-    const value = lab.numberOf(third.value);
-    const { name } = lab.gains[thirdOf(landscapeSlice.of(store.get()))];
-    if (Number.isFinite(value)) update(store, { third: value, thirdError: '' });
-    else update(store, { thirdError: lab.notANumber(name, third.value) });
-  });
-  follows.addEventListener('change', () => {
-    const value = lab.numberOf(third.value);
-    update(store, { third: follows.checked || !Number.isFinite(value) ? null : value, thirdError: '' });
-  });
-
-  return {
-    /** @param {LandscapeState} landscape @param {number} value Of the gain that is on no axis. */
-    draw(landscape, value) {
-      for (const { axis, draw } of axes) draw(landscape[axis]);
-      const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
-      if (thirdName.textContent !== name) thirdName.replaceChildren(letter, subscript(index));
-      thirdName.className = `symbol ${id}`;
-      third.setAttribute('aria-label', words.thirdLabel(name));
-      const text = lab.typed(value, 3);
-      if (document.activeElement !== third && !landscape.thirdError && third.value !== text)
-        third.value = text;
-      third.setAttribute('aria-invalid', String(landscape.thirdError !== ''));
-      follows.checked = landscape.third === null;
-      error.textContent = landscape.thirdError;
-      error.hidden = landscape.thirdError === '';
+  const isHeld = followHeld(
+    element,
+    (event) => {
+      const cursor = at(event);
+      put(cursor);
+      drive(cursor);
     },
-  };
-}
-
-/** @param {string} text */
-function subscript(text) {
-  const element = document.createElement('sub');
-  element.textContent = text;
-  return element;
+    actions.driveAgain,
+  );
+  followPointing(element, (event) => put(event && at(event)), isHeld);
+  followKeys(element, {
+    onEnter() {
+      drive(/** @type {[number, number]} */ (current(modelOf())));
+      actions.driveAgain();
+    },
+    onEscape: () => put(null),
+    onStep([right, up], isWide) {
+      const model = modelOf();
+      const { x, y } = axesOf(model);
+      const [across, above] = current(model);
+      const pixels = isWide ? 40 : 4;
+      put([tidy(x.value(x.at(across) + right * pixels)), tidy(y.value(y.at(above) - up * pixels))]);
+    },
+  });
 }

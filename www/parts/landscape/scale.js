@@ -1,6 +1,5 @@
 // From J to a colour, and from gains to pixels.
 import { scaleLinear, scaleLog } from 'd3-scale';
-import { palette, shades } from '../../kit/shades.js';
 
 /** @typedef {import('./request.js').AxisChoice} AxisChoice */
 /** @typedef {ReturnType<typeof createCostScale>} CostScale */
@@ -37,20 +36,6 @@ function levelsBetween(low, high, part) {
     if ([0, 1, ...levels.map(part)].every((other) => Math.abs(own - other) >= apart)) levels.push(cost);
   }
   return levels.sort((a, b) => a - b);
-}
-
-/** The picture of a landscape, one pixel a cell, the first row at the bottom. @param {Float64Array} costs @param {number} count @param {CostScale} scale */
-export function paint(costs, count, scale) {
-  const image = new ImageData(count, count);
-  for (let row = 0; row < count; row += 1) {
-    for (let column = 0; column < count; column += 1) {
-      const shade = Math.round(scale.part(costs[row * count + column]) * (shades - 1));
-      const at = 4 * ((count - 1 - row) * count + column);
-      image.data.set(palette.subarray(3 * shade, 3 * shade + 3), at);
-      image.data[at + 3] = 255;
-    }
-  }
-  return image;
 }
 
 /**

@@ -1,19 +1,22 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
 import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
-import { createLayer, fillTextWithHalo, pathOf, strokeTwice } from '../../kit/canvas.js';
-import { through } from '../../kit/chart.js';
+import { createLayer, pathOf, strokeTwice } from '../../kit/canvas.js';
+import { through, within } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
-import { strongFont, textFont } from '../../kit/fonts.js';
+import { textFont } from '../../kit/fonts.js';
+import { dark, drawFrame, drawShades, light, nameBeside } from '../../kit/map.js';
 import { colour } from '../../kit/palette.js';
 import { styles } from '../../run/pins.js';
 import { drawMark } from '../../kit/swatch.js';
 import { shadeAt } from '../../kit/shades.js';
 import { watch } from '../../kit/memo.js';
+import { drawSymbol } from '../../kit/names.js';
 import { fixed } from '../../words/numbers.js';
-import { landscape as words } from '../../words/index.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 import { endsOfAxis } from './request.js';
-import { createAxis, createCostScale, paint } from './scale.js';
+import { createAxis, createCostScale } from './scale.js';
 
 /** @typedef {import('../../core/engine.js').Individual} Individual */
 /** @typedef {import('../../core/engine.js').Triple} Triple */
@@ -37,8 +40,6 @@ import { createAxis, createCostScale, paint } from './scale.js';
 /** Contours of fewer points are single cells: a speckle, where a robot arrives or not by a hair. */
 const smallestRing = 12;
 const margin = { left: 44, right: 14, top: 10, bottom: 30 };
-// The same in both themes, as the shades are.
-const [dark, light] = ['#14161a', '#ffffff'];
 
 /** The marks of points, around (0, 0). */
 const outlines = {
@@ -74,7 +75,6 @@ export function createMap({ picture, marks, legend }, onResize) {
     barWidth = width;
     onResize();
   });
-  const cells = document.createElement('canvas');
   const pictureChanged = watch();
   const marksChanged = watch();
 
@@ -89,7 +89,7 @@ export function createMap({ picture, marks, legend }, onResize) {
           result && result.spec.x === spec.x && result.spec.y === spec.y && result.spec.range === spec.range;
         const scale = fits ? createCostScale(result.costs) : null;
         under.draw(size, (context) => {
-          if (fits && scale) drawLandscape(context, cells, result, axes, scale);
+          if (fits && scale) drawLandscape(context, result, axes, scale);
           drawAxes(context, axes, spec);
         });
         if (scale)
@@ -114,35 +114,34 @@ export function createMap({ picture, marks, legend }, onResize) {
   };
 }
 
-/** @param {CanvasRenderingContext2D} context @param {HTMLCanvasElement} cells @param {Landscape} landscape @param {Axes} axes @param {CostScale} scale */
-function drawLandscape(context, cells, { costs, count }, { frame }, scale) {
-  cells.width = count;
-  cells.height = count;
-  cells.getContext('2d')?.putImageData(paint(costs, count, scale), 0, 0);
+/** @param {CanvasRenderingContext2D} context @param {Landscape} landscape @param {Axes} axes @param {CostScale} scale */
+function drawLandscape(context, { costs, count }, { frame }, scale) {
   // The outer cells have their middles on the frame.
   const [wide, high] = [(frame.right - frame.left) / (count - 1), (frame.bottom - frame.top) / (count - 1)];
-  context.save();
-  context.beginPath();
-  context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top);
-  context.clip();
-  context.imageSmoothingEnabled = true;
-  context.drawImage(cells, frame.left - wide / 2, frame.top - high / 2, count * wide, count * high);
-  const flat = Array.from(costs, (cost) => Math.min(cost, scale.high));
-  context.strokeStyle = light;
-  context.lineWidth = 1;
-  for (const line of contours().size([count, count]).thresholds(scale.levels)(flat)) {
-    context.globalAlpha = 0.55;
-    context.beginPath();
-    for (const ring of line.coordinates.flat().filter(({ length }) => length >= smallestRing)) {
-      const points = ring.map(
-        ([column, row]) =>
-          /** @type {const} */ ([frame.left + (column - 0.5) * wide, frame.bottom - (row - 0.5) * high]),
-      );
-      through(context, points);
+  const edges = {
+    left: frame.left - wide / 2,
+    right: frame.right + wide / 2,
+    top: frame.top - high / 2,
+    bottom: frame.bottom + high / 2,
+  };
+  within(context, frame, () => {
+    drawShades(context, Float64Array.from(costs, scale.part), edges, true);
+    const flat = Array.from(costs, (cost) => Math.min(cost, scale.high));
+    context.strokeStyle = light;
+    context.lineWidth = 1;
+    for (const line of contours().size([count, count]).thresholds(scale.levels)(flat)) {
+      context.globalAlpha = 0.55;
+      context.beginPath();
+      for (const ring of line.coordinates.flat().filter(({ length }) => length >= smallestRing)) {
+        const points = ring.map(
+          ([column, row]) =>
+            /** @type {const} */ ([frame.left + (column - 0.5) * wide, frame.bottom - (row - 0.5) * high]),
+        );
+        through(context, points);
+      }
+      context.stroke();
     }
-    context.stroke();
-  }
-  context.restore();
+  });
 }
 
 /** @param {CanvasRenderingContext2D} context @param {CostScale} scale @param {number} width */
@@ -168,14 +167,7 @@ function drawLegend(context, scale, width) {
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Spec} spec */
 function drawAxes(context, { frame, x, y }, spec) {
-  context.strokeStyle = colour('--hairline');
-  context.lineWidth = 1;
-  context.strokeRect(
-    frame.left - 0.5,
-    frame.top - 0.5,
-    frame.right - frame.left + 1,
-    frame.bottom - frame.top + 1,
-  );
+  drawFrame(context, frame);
   context.font = textFont;
   context.fillStyle = colour('--muted');
   context.textBaseline = 'top';
@@ -186,21 +178,10 @@ function drawAxes(context, { frame, x, y }, spec) {
   context.textAlign = 'right';
   for (const tick of y.ticks)
     if (y.at(tick) > frame.top + 26) context.fillText(String(tick), frame.left - 8, y.at(tick));
-  drawSymbol(context, spec.x.gain, frame.right - 8, frame.bottom + 14);
-  drawSymbol(context, spec.y.gain, frame.left - 24, frame.top + 8);
-}
-
-/** kx, ky or kθ as in the formulas. @param {CanvasRenderingContext2D} context @param {Spec['x']['gain']} gain @param {number} px @param {number} py */
-function drawSymbol(context, gain, px, py) {
-  context.save();
-  context.fillStyle = colour(gain.replace('k', '--'));
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
-  context.font = 'italic 18px "STIX Two Text", "Cambria Math", Georgia, serif';
-  context.fillText('k', px, py);
-  context.font = 'italic 13px "STIX Two Text", "Cambria Math", Georgia, serif';
-  context.fillText(gain === 'ktheta' ? 'θ' : gain.slice(1), px + 9, py + 5);
-  context.restore();
+  const symbol = (/** @type {Spec['x']} */ { gain }, /** @type {number} */ px, /** @type {number} */ py) =>
+    drawSymbol(context, lab.gains[gainNames.indexOf(gain)], gain.replace('k', '--'), px, py);
+  symbol(spec.x, frame.right - 8, frame.bottom + 19);
+  symbol(spec.y, frame.left - 24, frame.top + 13);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {MapModel} model */
@@ -278,17 +259,15 @@ function drawPoint(context, [px, py], name, mark, frame) {
   context.translate(px, py);
   strokeTwice(context, [dark, 5], [light, 2.5], pathOf(outlines[mark]));
   context.restore();
-  context.font = strongFont;
-  const onLeft = px + 14 + context.measureText(name).width > frame.right;
-  const nameX = px + (onLeft ? -12 : 12);
-  const nameY = Math.min(Math.max(py, frame.top + 10), frame.bottom - 10);
-  context.textAlign = onLeft ? 'right' : 'left';
-  context.textBaseline = 'middle';
-  fillTextWithHalo(context, name, nameX, nameY, { fill: light, halo: dark, width: 4 });
+  nameBeside(context, frame, name, px, Math.min(Math.max(py, frame.top + 10), frame.bottom - 10), 12);
 }
 
-/** How many lie outside. @param {Axes} axes @param {Spec} spec @param {Individual[]} population */
-export function countOutside({ x, y }, spec, population) {
-  const [across, up] = [gainNames.indexOf(spec.x.gain), gainNames.indexOf(spec.y.gain)];
-  return population.filter(({ gains }) => !x.holds(gains[across]) || !y.holds(gains[up])).length;
+/** How many lie outside. @param {Spec} spec @param {Individual[]} population */
+export function countOutside({ x, y, range }, population) {
+  const isOutside = (/** @type {Spec['x']} */ axis, /** @type {Triple} */ gains) => {
+    const [low, high] = endsOfAxis(axis, range);
+    const gain = gains[gainNames.indexOf(axis.gain)];
+    return gain < low || gain > high;
+  };
+  return population.filter(({ gains }) => isOutside(x, gains) || isOutside(y, gains)).length;
 }

@@ -1,13 +1,17 @@
 // The part of the page that runs evolution with many seeds: how much of a result is luck?
+import { html, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { luckSlice } from './state.js';
-import { byId, write } from '../../kit/elements.js';
+import { byIdIn } from '../../kit/elements.js';
+import { options, valueIn } from '../../kit/templates.js';
+import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
-import { luck as words } from '../../words/index.js';
+import words from './words/index.js';
 import { createSeedCurve } from './curve.js';
 import { createSeedRequests, drivesOf, isSameButSeed } from './request.js';
 import { createStrips } from './strips.js';
-import { offerTable } from '../../kit/table.js';
+import { showTable } from '../../kit/table.js';
 import { seedTable } from './table.js';
 
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */
@@ -19,11 +23,24 @@ import { seedTable } from './table.js';
 /** @typedef {import('./state.js').LuckState} LuckState */
 /** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
 
-const counts = [20, 100, 500];
-const lengths = [50, 100, 200];
+/**
+ * @typedef {object} Events
+ * @property {(patch: Partial<LuckState>) => void} update
+ * @property {() => void} onRun
+ * @property {(rank: number) => void} onRank
+ * @property {(seed: number) => void} onOpen
+ * @property {() => void} onTable
+ */
+
+const { texts } = words;
+const counts = [20, 100, 500].map((count) => /** @type {const} */ ([count, words.countChoice(count)]));
+const lengths = [50, 100, 200].map(
+  (length) => /** @type {const} */ ([length, words.generationsChoice(length)]),
+);
 
 /** @param {PageParts} parts @returns {Page} */
 export function createLuckPage({ engine, store, actions, paper }) {
+  const element = createSection('luck');
   const requests = createSeedRequests(engine, store, paper);
   const luck = () => luckSlice.of(store.get());
 
@@ -40,14 +57,9 @@ export function createLuckPage({ engine, store, actions, paper }) {
     const pointed = index < 0 ? null : index;
     if (pointed !== luck().pointed) luckSlice.update(store, { pointed });
   };
-  const on = { onPoint: point, onChoose: choose };
-  const curve = createSeedCurve(byId('luck-curve'), on);
-  const strips = createStrips(byId('luck-gains'), on);
-  offerTable('luck-table', () => {
-    const { result } = luck();
-    return result && seedTable(result);
-  });
-  const controls = createControls(store, {
+  /** @type {Events} */
+  const on = {
+    update: (patch) => luckSlice.update(store, patch),
     onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
     onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
     onOpen: (seed) => {
@@ -55,12 +67,26 @@ export function createLuckPage({ engine, store, actions, paper }) {
       actions.chooseDriver('evolved');
       actions.openPage('lab');
     },
-  });
-
+    onTable: () => {
+      const { result } = luck();
+      showTable(result && seedTable(result));
+    },
+  };
   const isFresh = remember(
     (/** @type {Experiment} */ experiment, /** @type {SeedSurvey | null} */ result) =>
       !result || isSameButSeed(experiment, result.experiment),
   );
+  const changed = watch();
+  /** @param {State} state @param {number} index @param {boolean} fresh */
+  const show = (state, index, fresh) => {
+    if (!changed(luckSlice.of(state), state.experiment, state.history, index, fresh)) return;
+    element.classList.toggle('stale', !fresh);
+    render(sight(state, index, fresh, on), element);
+  };
+  show(store.get(), -1, true);
+  const events = { onPoint: point, onChoose: choose };
+  const curve = createSeedCurve(byIdIn(element, 'luck-curve'), events);
+  const strips = createStrips(byIdIn(element, 'luck-gains'), events);
   const labLine = remember((/** @type {Statistics[]} */ history, /** @type {number} */ seed) => ({
     name: words.labLine(seed),
     costs: history.map(({ best }) => best.cost),
@@ -71,18 +97,18 @@ export function createLuckPage({ engine, store, actions, paper }) {
   }));
 
   return {
+    element,
     draw(state) {
       const { result, generations, log } = luckSlice.of(state);
       const fresh = isFresh(state.experiment, result);
       const index = questionOf(state);
-      const seed = result && index >= 0 ? seedLine(result, index) : null;
       const labSeed = state.experiment.evolution.seed;
       const isLab = result && index >= 0 && fresh && result.first + index === labSeed;
       curve.draw({
         survey: result,
         generations: result?.generations ?? generations,
         lab: fresh && !isLab ? labLine(state.history, labSeed) : null,
-        seed,
+        seed: result && index >= 0 ? seedLine(result, index) : null,
         index,
         log,
         theme: state.theme,
@@ -94,7 +120,7 @@ export function createLuckPage({ engine, store, actions, paper }) {
         index,
         theme: state.theme,
       });
-      controls.draw(state, index, fresh);
+      show(state, index, fresh);
     },
   };
 }
@@ -108,80 +134,67 @@ function questionOf(state) {
   return pointed ?? chosen ?? (lab >= 0 && lab < result.runs.length ? lab : result.summary.ranking[0]);
 }
 
-/**
- * @param {Store} store
- * @param {{ onRun: () => void, onRank: (rank: number) => void, onOpen: (seed: number) => void }} on
- */
-function createControls(store, { onRun, onRank, onOpen }) {
-  const run = byId('luck-run');
-  /** @type {HTMLSelectElement} */
-  const count = byId('luck-count');
-  /** @type {HTMLSelectElement} */
-  const generations = byId('luck-generations');
-  /** @type {HTMLInputElement} */
-  const log = byId('luck-log');
-  /** @type {HTMLInputElement} */
-  const rank = byId('luck-rank');
-  /** @type {HTMLProgressElement} */
-  const progress = byId('luck-progress');
-  const open = byId('luck-open');
-  count.replaceChildren(...counts.map((one) => new Option(words.countChoice(one), String(one))));
-  generations.replaceChildren(...lengths.map((one) => new Option(words.generationsChoice(one), String(one))));
+/** @param {State} state @param {number} index @param {boolean} fresh @param {Events} on */
+function sight(state, index, fresh, on) {
+  const luck = luckSlice.of(state);
+  const { result, log } = luck;
+  const finding = result
+    ? words.finding(result)
+    : words.invitation(luck.count, luck.generations, drivesOf(state.experiment, luck.generations));
+  return html`
+    <div class="heading">
+      <h2 id="luck-title">${texts.luckTitle}</h2>
+      <p class="muted"><span id="luck-note">${noteText(state)}</span>
+        <button id="luck-table" type="button" class="link" .hidden=${!result} @click=${on.onTable}>${texts.luckTable}</button></p>
+    </div>
+    ${bar(luck, on)}
+    <p id="luck-status" class="luck-status" role="status">${statusText(state, fresh)}</p>
+    <p id="luck-finding" class="luck-finding">${finding}</p>
+    <div class="heading luck-legend">
+      <p class="muted" data-picture="luck-curve">${texts.luckCurve}</p>
+      <label class="check muted"><input id="luck-log" type="checkbox" .checked=${live(log)} .disabled=${!result}
+        @change=${() => on.update({ log: !log })}> <span>${texts.luckLog}</span></label>
+    </div>
+    <div id="luck-curve" class="luck-curve" data-picture="luck-curve" role="img"
+      aria-label=${result ? words.curveLabel(result, finding) : words.emptyCurveLabel}></div>
+    <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}</p>
+      <p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>
+    <canvas id="luck-gains" class="luck-gains" data-picture="luck-gains" role="img"
+      aria-label=${result ? words.gainsLabel(result) : words.emptyGainsLabel}></canvas>
+    ${seedInQuestion(result, index, fresh, on)}`;
+}
 
-  run.addEventListener('click', onRun);
-  count.addEventListener('change', () => luckSlice.update(store, { count: Number(count.value) }));
-  generations.addEventListener('change', () =>
-    luckSlice.update(store, { generations: Number(generations.value) }),
-  );
-  log.addEventListener('change', () => luckSlice.update(store, { log: log.checked }));
-  rank.addEventListener('input', () => onRank(Number(rank.value)));
-  open.addEventListener('click', () => onOpen(Number(open.dataset.seed)));
-  const changed = watch();
+/** @param {LuckState} luck @param {Events} on */
+function bar({ progress, count, generations }, { onRun, update }) {
+  const runs = progress !== null;
+  return html`
+    <div class="bar luck-bar">
+      <button id="luck-run" type="button" class="primary" @click=${onRun}>${runs ? words.cancel : words.runText(count)}</button>
+      <select id="luck-count" aria-label=${texts.luckCount}
+        @change=${(/** @type {Event} */ event) => update({ count: Number(valueIn(event)) })}>${options(counts, count)}</select>
+      <select id="luck-generations" aria-label=${texts.luckGenerations}
+        @change=${(/** @type {Event} */ event) => update({ generations: Number(valueIn(event)) })}>${options(lengths, generations)}</select>
+      <progress id="luck-progress" max="1" class=${runs ? '' : 'visually-hidden'} aria-label=${texts.luckProgress}
+        .value=${progress ?? 0}></progress>
+    </div>`;
+}
 
-  return {
-    /** @param {State} state @param {number} index @param {boolean} fresh */
-    draw(state, index, fresh) {
-      const { experiment, history } = state;
-      const luck = luckSlice.of(state);
-      const { result } = luck;
-      if (!changed(luck, experiment, history, index, fresh)) return;
-      const runs = luck.progress !== null;
-      write(run, runs ? words.cancel : words.runText(luck.count));
-      progress.classList.toggle('visually-hidden', !runs);
-      progress.value = luck.progress ?? 0;
-      count.value = String(luck.count);
-      generations.value = String(luck.generations);
-      log.checked = luck.log;
-      write(byId('luck-note'), noteText(state));
-      write(byId('luck-status'), statusText(state, fresh));
-      const finding = result
-        ? words.finding(result)
-        : words.invitation(luck.count, luck.generations, drivesOf(experiment, luck.generations));
-      write(byId('luck-finding'), finding);
-      byId('luck').classList.toggle('stale', !fresh);
-      byId('luck-curve').setAttribute(
-        'aria-label',
-        result ? words.curveLabel(result, finding) : words.emptyCurveLabel,
-      );
-      byId('luck-gains').setAttribute(
-        'aria-label',
-        result ? words.gainsLabel(result) : words.emptyGainsLabel,
-      );
-      for (const id of ['luck-seed', 'luck-table', 'luck-median']) byId(id).hidden = !result;
-      log.disabled = !result;
-      if (!result || index < 0) return;
-      const own = result.summary.ranking.indexOf(index) + 1;
-      const text = words.readout(result, index, own);
-      rank.max = String(result.runs.length);
-      rank.value = String(own);
-      rank.setAttribute('aria-valuetext', text);
-      write(byId('luck-readout'), text);
-      const seed = result.first + index;
-      open.dataset.seed = String(seed);
-      write(open, words.openSeed(seed));
-      open.hidden = !fresh;
-    },
-  };
+/** @param {SeedSurvey | null} result @param {number} index @param {boolean} fresh @param {Events} on */
+function seedInQuestion(result, index, fresh, { onRank, onOpen }) {
+  const isThere = result !== null && index >= 0;
+  const rank = isThere ? result.summary.ranking.indexOf(index) + 1 : 1;
+  const readout = isThere ? words.readout(result, index, rank) : '';
+  const seed = isThere ? result.first + index : 1;
+  return html`
+    <div id="luck-seed" class="luck-seed" .hidden=${!result}>
+      <label class="bar"><span class="muted">${texts.luckLuckiest}</span>
+        <input id="luck-rank" type="range" min="1" step="1" aria-label=${texts.luckRank} aria-valuetext=${readout}
+          .max=${String(result?.runs.length ?? 1)} .value=${live(String(rank))}
+          @input=${(/** @type {Event} */ event) => onRank(Number(valueIn(event)))}>
+        <span class="muted">${texts.luckUnluckiest}</span></label>
+      <p id="luck-readout" class="luck-readout">${readout}</p>
+      <button id="luck-open" type="button" .hidden=${!fresh} @click=${() => onOpen(seed)}>${words.openSeed(seed)}</button>
+    </div>`;
 }
 
 /** @param {State} state */
@@ -201,7 +214,7 @@ function statusText(state, fresh) {
   return [cancelled ? words.cancelled(result !== null) : '', stale].filter((text) => text !== '').join(' ');
 }
 
-/** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('../../words/common/luck.js').Change[]} */
+/** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('./words/common.js').Change[]} */
 function changesOf(then, now) {
   const named = /** @type {const} */ ([
     ['start', then.starts, now.starts],

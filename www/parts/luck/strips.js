@@ -5,7 +5,9 @@ import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
-import { luck as words } from '../../words/index.js';
+import { drawSymbol } from '../../kit/names.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
@@ -84,7 +86,7 @@ function drawStrips(context, size, { survey, paper, range, index }) {
   const strips = [];
   for (const [i, name] of colours.entries()) {
     const base = Math.round((i + 1) * strip) - 0.5;
-    drawSymbol(context, i, base);
+    drawSymbol(context, lab.gains[i], name, 0, base - 6);
     context.fillStyle = colour('--hairline');
     context.fillRect(margin.left, base, size.width - margin.left - margin.right, 1);
     if (survey) {
@@ -122,17 +124,6 @@ function drawAxis(context, scale, height) {
     context.fillStyle = colour('--muted');
     context.fillText(words.tick(tick), scale(tick), height - 3);
   }
-}
-
-/** @param {CanvasRenderingContext2D} context @param {number} gain @param {number} base */
-function drawSymbol(context, gain, base) {
-  context.fillStyle = colour(colours[gain]);
-  context.textAlign = 'left';
-  context.textBaseline = 'alphabetic';
-  context.font = 'italic 18px "STIX Two Text", "Cambria Math", Georgia, serif';
-  context.fillText('k', 0, base - 6);
-  context.font = 'italic 13px "STIX Two Text", "Cambria Math", Georgia, serif';
-  context.fillText(words.gainIndices[gain], 9, base - 2);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {number} median @param {number} right @param {number} base */

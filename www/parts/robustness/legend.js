@@ -1,8 +1,11 @@
 // What the colours of the map mean: a bar with its ticks, and the hatching where no robot arrives.
+import { html, render } from 'lit-html';
 import { createLayer } from '../../kit/canvas.js';
+import { byIdIn } from '../../kit/elements.js';
 import { shadeAt } from '../../kit/shades.js';
-import { watch } from '../../kit/memo.js';
-import { robustness as words } from '../../words/index.js';
+import { styled } from '../../kit/templates.js';
+import { once, watch } from '../../kit/memo.js';
+import words from './words/index.js';
 import { hatch } from './view.js';
 
 /** @typedef {import('./request.js').Quantity} Quantity */
@@ -11,27 +14,14 @@ import { hatch } from './view.js';
 
 /** @param {HTMLElement} root */
 export function createLegend(root) {
-  const [title, bar, ticks, never] = ['p', 'div', 'div', 'p'].map((name) => document.createElement(name));
-  const swatch = document.createElement('canvas');
-  const neverText = document.createElement('span');
-  bar.className = 'legend-bar';
-  ticks.className = 'legend-ticks';
-  never.className = 'legend-never';
-  never.append(swatch, neverText);
-  root.replaceChildren(title, bar, ticks, never);
-  const layer = createLayer(swatch);
+  const layer = once(() => createLayer(byIdIn(root, 'robustness-never')));
   const changed = watch();
   return {
     /** @param {LegendModel} model */
     draw({ shading, quantity, heading, theme }) {
       if (!changed(shading, theme)) return;
-      const all = heading === null;
-      title.textContent = words.legendTitle(quantity, all);
-      neverText.textContent = words.never(all);
-      drawBar(bar, shading, quantity === 'share' && !all);
-      ticks.hidden = quantity === 'share' && !all;
-      ticks.replaceChildren(...tickMarks(shading, quantity));
-      layer.draw({ width: 20, height: 14 }, (context) => {
+      render(sight(shading, quantity, heading === null), root);
+      layer().draw({ width: 20, height: 14 }, (context) => {
         context.fillStyle = hatch(context);
         context.fillRect(0, 0, 20, 14);
       });
@@ -39,20 +29,19 @@ export function createLegend(root) {
   };
 }
 
-/** @param {HTMLElement} bar @param {Shading} shading @param {boolean} plain */
-function drawBar(bar, { part, high }, plain) {
-  const stops = Array.from({ length: 17 }, (_, i) => shadeAt(plain ? 0 : part((high * i) / 16)));
-  bar.style.background = `linear-gradient(to right, ${stops.join(', ')})`;
-}
-
-/** @param {Shading} shading @param {Quantity} quantity */
-function tickMarks({ ticks, high, open }, quantity) {
+/** @param {Shading} shading @param {Quantity} quantity @param {boolean} all Of all headings together. */
+function sight({ part, ticks, high, open }, quantity, all) {
+  const isPlain = quantity === 'share' && !all;
+  const stops = Array.from({ length: 17 }, (_, i) => shadeAt(isPlain ? 0 : part((high * i) / 16)));
   const digits = ticks.some((tick) => tick % 1 !== 0) ? 1 : 0;
-  return ticks.map((tick, i) => {
-    const mark = document.createElement('span');
+  const marks = ticks.map((tick, i) => {
     const text = words.tickText(quantity, tick, digits);
-    mark.textContent = i === ticks.length - 1 ? words.lastTick(quantity, text, open) : text;
-    mark.style.left = `${(100 * tick) / high}%`;
-    return mark;
+    const last = i === ticks.length - 1;
+    return html`<span ${styled('left', `${(100 * tick) / high}%`)}>${last ? words.lastTick(quantity, text, open) : text}</span>`;
   });
+  return html`
+    <p>${words.legendTitle(quantity, all)}</p>
+    <div class="legend-bar" ${styled('background', `linear-gradient(to right, ${stops.join(', ')})`)}></div>
+    <div class="legend-ticks" .hidden=${isPlain}>${marks}</div>
+    <p class="legend-never"><canvas id="robustness-never"></canvas><span>${words.never(all)}</span></p>`;
 }

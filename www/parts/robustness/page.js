@@ -1,13 +1,17 @@
 // The part of the page that shows from where one set of gains arrives, and what its controls do.
+import { html, render } from 'lit-html';
 import { halves, robustnessSlice } from './state.js';
-import { byId, followSize, write } from '../../kit/elements.js';
-import { createSegmented } from '../../kit/segmented.js';
-import { offerTable } from '../../kit/table.js';
+import { byIdIn, followSize } from '../../kit/elements.js';
+import { choicesOf } from '../../kit/segmented.js';
+import { options, valueIn } from '../../kit/templates.js';
+import { showTable } from '../../kit/table.js';
+import { createSection } from '../section.js';
 import { robustnessTable } from './table.js';
-import { arrowOf, isChord } from '../../kit/keyboard.js';
-import { remember, watch } from '../../kit/memo.js';
+import { followKeys, followPointing, pointIn } from '../../kit/map.js';
+import { once, remember, watch } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
-import { lab, robustness as words } from '../../words/index.js';
+import { lab, tables } from '../../words/index.js';
+import words from './words/index.js';
 import {
   angleOf,
   cellNear,
@@ -38,40 +42,51 @@ import { axesOf, createMap } from './view.js';
 /** @typedef {import('./scale.js').Shading} Shading */
 /** @typedef {import('./view.js').MapModel} MapModel */
 
+const { texts } = words;
+
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createRobustnessPage({ engine, store, actions, paper }) {
+  const element = createSection('robustness');
   const specOf = createSpec(paper);
   const rivalSpecOf = createSpec(paper);
   const requests = createSurveyRequests(engine, store);
-  const map = createMap({ picture: byId('robustness-picture'), marks: byId('robustness-marks') });
-  const legend = createLegend(byId('robustness-legend'));
-  const controls = createControls(store);
-  const texts = createTexts();
-  const rose = createRose(byId('robustness-rose'), {
-    chosen: () => robustnessSlice.of(store.get()).heading,
-    onChoose: (heading) => robustnessSlice.update(store, { heading }),
-  });
+  const show = createSight(element, store);
   const shadingOf = remember(createShading);
   const emptyGrid = remember(gridAround);
   const partsOf = remember(partsOfRose);
   const angle = remember((/** @type {number | null} */ heading) =>
     heading === null ? null : angleOf(heading),
   );
-  const size = followSize(byId('robustness-map'), () => store.redraw());
-  offerTable('robustness-table', () => {
-    const { survey } = robustnessSlice.of(store.get());
-    return survey && robustnessTable(survey);
+  /** What is drawn by hand, where the templates have made room for it. */
+  const views = once(() => {
+    const root = byIdIn(element, 'robustness-map');
+    const size = followSize(root, store.redraw);
+    followCursor(root, store, actions, size);
+    return {
+      size,
+      map: createMap({
+        picture: byIdIn(element, 'robustness-picture'),
+        marks: byIdIn(element, 'robustness-marks'),
+      }),
+      legend: createLegend(byIdIn(element, 'robustness-legend')),
+      rose: createRose(byIdIn(element, 'robustness-rose'), {
+        chosen: () => robustnessSlice.of(store.get()).heading,
+        onChoose: (heading) => robustnessSlice.update(store, { heading }),
+      }),
+    };
   });
-  followMap(store, actions, size);
 
   return {
+    element,
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const { survey, heading, quantity, half, cursor } = robustnessSlice.of(state);
       const spec = specOf(state, state.driver);
       const rivalSpec = rivalSpecOf(state, scene.comparisonDriver);
       requests.follow(spec, rivalSpec, state.dragging);
+      show(state, scene, spec, rivalSpec);
 
+      const { map, legend, rose, size } = views();
       const watched = endsOf(state).start;
       const grid = survey?.grid ?? emptyGrid(state.experiment.goal, half, 2);
       const shading = survey && shadingOf(survey, quantity, heading);
@@ -87,11 +102,9 @@ export function createRobustnessPage({ engine, store, actions, paper }) {
         size: size(),
         theme: state.theme,
       });
-      controls.draw(robustnessSlice.of(state));
       if (shading) legend.draw({ shading, quantity, heading, theme: state.theme });
       const cell = cellNear(grid, cursor ?? watched);
       rose.draw({ heading, parts: survey && shading ? partsOf(survey, shading, quantity, cell) : noParts });
-      texts.draw(state, scene, { spec, rivalSpec });
     },
   };
 }
@@ -109,64 +122,43 @@ function partsOfRose({ runs }, shading, quantity, cell) {
   });
 }
 
-/** A cursor for pointer and keys, and the drives from where it is. @param {Store} store @param {Actions} actions @param {() => MapModel['size']} size */
-function followMap(store, actions, size) {
-  const element = byId('robustness-map');
-  element.setAttribute('aria-label', words.mapLabel);
-
+/** A cursor for pointer and keys, and the drives from where it is. @param {HTMLElement} element @param {Store} store @param {Actions} actions @param {() => MapModel['size']} size */
+function followCursor(element, store, actions, size) {
+  const own = () => robustnessSlice.of(store.get());
+  const put = (/** @type {RobustnessState['cursor']} */ cursor) => robustnessSlice.update(store, { cursor });
+  const watched = () => endsOf(store.get()).start;
   /** @param {MouseEvent} event */
-  const pointAt = (event) => {
-    const { survey } = robustnessSlice.of(store.get());
+  const at = (event) => {
+    const { survey } = own();
     if (!survey) return null;
-    const { left, top } = element.getBoundingClientRect();
     const { frame, x, y } = axesOf({ grid: survey.grid, size: size() });
-    const [px, py] = [event.clientX - left, event.clientY - top];
+    const [px, py] = pointIn(element, event);
     const inside = px >= frame.left && px <= frame.right && py >= frame.top && py <= frame.bottom;
     return inside ? { x: x.invert(px), y: y.invert(py) } : null;
   };
-  /** @param {{ x: number, y: number } | null} point */
+  /** @param {RobustnessState['cursor']} point */
   const driveFrom = (point) => {
-    const { survey, heading } = robustnessSlice.of(store.get());
+    const { survey, heading } = own();
+    put(point);
     if (!survey || !point) return;
     const cell = cellNear(survey.grid, point);
-    actions.tryStart(
-      startOf(survey.grid, cell, heading ?? nextHeading(survey, cell, endsOf(store.get()).start)),
-    );
+    actions.tryStart(startOf(survey.grid, cell, heading ?? nextHeading(survey, cell, watched())));
   };
-
-  element.addEventListener('click', (event) => {
-    const cursor = pointAt(event);
-    robustnessSlice.update(store, { cursor });
-    driveFrom(cursor);
-  });
-  element.addEventListener('pointermove', (event) => {
-    if (event.pointerType !== 'touch') robustnessSlice.update(store, { cursor: pointAt(event) });
-  });
-  element.addEventListener('pointerleave', (event) => {
-    if (event.pointerType !== 'touch') robustnessSlice.update(store, { cursor: null });
-  });
-  element.addEventListener('blur', () => robustnessSlice.update(store, { cursor: null }));
-
-  element.addEventListener('keydown', (event) => {
-    const state = store.get();
-    const { survey, cursor } = robustnessSlice.of(state);
-    if (!survey || isChord(event)) return;
-    const from = cursor ?? endsOf(state).start;
-    if (event.key === 'Enter' || event.key === ' ') {
-      event.preventDefault();
-      robustnessSlice.update(store, { cursor: from });
-      driveFrom(from);
-    } else if (event.key === 'Escape') robustnessSlice.update(store, { cursor: null });
-    const step = arrowOf(event.key);
-    if (!step) return;
-    event.preventDefault();
-    const cells = event.shiftKey ? 8 : 1;
-    const { grid } = survey;
-    const last = grid.x.count - 1;
-    const [column, row] = placeOf(grid, from).map((index, i) =>
-      Math.min(Math.max(index + cells * step[i], 0), last),
-    );
-    robustnessSlice.update(store, { cursor: startOf(grid, row * grid.x.count + column, 0) });
+  element.addEventListener('click', (event) => driveFrom(at(event)));
+  followPointing(element, (event) => put(event && at(event)));
+  followKeys(element, {
+    onEnter: () => driveFrom(own().cursor ?? watched()),
+    onEscape: () => put(null),
+    onStep(step, isWide) {
+      const { survey, cursor } = own();
+      if (!survey) return;
+      const { grid } = survey;
+      const last = grid.x.count - 1;
+      const [column, row] = placeOf(grid, cursor ?? watched()).map((index, i) =>
+        Math.min(Math.max(index + (isWide ? 8 : 1) * step[i], 0), last),
+      );
+      put(startOf(grid, row * grid.x.count + column, 0));
+    },
   });
 }
 
@@ -176,78 +168,98 @@ function nextHeading({ grid, runs }, cell, watched) {
   return current < 0 ? worstHeading(runs, cell) : (current + 1) % headings;
 }
 
-/** @param {Store} store */
-function createControls(store) {
-  const quantities = createSegmented(
-    byId('robustness-quantity'),
-    words.quantityLegend,
-    words.quantities,
-    (quantity) => robustnessSlice.update(store, { quantity }),
-  );
-  const choice = createSegmented(
-    byId('robustness-headings'),
-    words.headingLegend,
-    words.headingChoices,
-    (value) =>
-      robustnessSlice.update(store, { heading: value === 'all' ? null : watchedHeading(store.get()) }),
-  );
-  /** @type {HTMLSelectElement} */
-  const extent = byId('robustness-half');
-  extent.replaceChildren(...halves.map((half) => new Option(words.extent(half), String(half))));
-  extent.addEventListener('change', () =>
-    robustnessSlice.update(store, { half: Number(extent.value), cursor: null }),
-  );
-  return {
-    /** @param {RobustnessState} robustness */
-    draw({ quantity, heading, half }) {
-      quantities.draw(quantity);
-      choice.draw(heading === null ? 'all' : 'one');
-      extent.value = String(half);
+/** @typedef {{ note: string, share: string, summary: string, sides: string, rival: string, readout: string }} Texts */
+
+/** What stands around the map, drawn when it is another. @param {HTMLElement} element @param {Store} store */
+function createSight(element, store) {
+  const changed = watch();
+  /** Until there is a new survey, the old number stands with its own name. */
+  let ofSurvey = { share: '', summary: '', sides: '' };
+  const update = (/** @type {Partial<RobustnessState>} */ patch) => robustnessSlice.update(store, patch);
+  const on = {
+    update,
+    /** @param {string} choice */
+    onHeadings: (choice) =>
+      update({ heading: choice === 'all' ? null : headingNear(endsOf(store.get()).start.theta) }),
+    onTable() {
+      const { survey } = robustnessSlice.of(store.get());
+      showTable(survey && robustnessTable(survey));
     },
+  };
+
+  /** @param {State} state @param {Scene} scene @param {Spec} spec @param {Spec} rivalSpec */
+  return (state, scene, spec, rivalSpec) => {
+    const own = robustnessSlice.of(state);
+    const { survey, rival } = own;
+    const generation = state.history.length - 1;
+    const { comparisonDriver, driving } = scene;
+    const { start } = endsOf(state);
+    if (
+      !changed(own, spec, rivalSpec, state.driver, state.found, generation, comparisonDriver, driving, start)
+    )
+      return;
+    const nameOf = (/** @type {State['driver']} */ driver) => lab.driverName(driver, generation, state.found);
+    if (survey?.spec === spec)
+      ofSurvey = {
+        share: words.percent(survey.tally.share),
+        summary: words.summary(nameOf(state.driver)),
+        sides: words.sides(sharesBySide(survey.grid, spec.experiment.goal, survey.tally.count)),
+      };
+    const shown = {
+      ...ofSurvey,
+      note: noteText(own, spec),
+      rival: words.rivalText(nameOf(comparisonDriver), rival?.spec === rivalSpec ? rival.tally.share : null),
+      readout: readoutText(state, scene),
+    };
+    render(sight(own, shown, on), element);
   };
 }
 
-/** @param {State} state */
-const watchedHeading = (state) => headingNear(endsOf(state).start.theta);
-
-function createTexts() {
-  const [note, share, summary, rival, readout, sides] = [
-    'note',
-    'share',
-    'summary',
-    'rival',
-    'readout',
-    'sides',
-  ].map((name) => byId(`robustness-${name}`));
-  const surveyChanged = watch();
-  const readoutChanged = watch();
-
-  return {
-    /** @param {State} state @param {Scene} scene @param {{ spec: Spec, rivalSpec: Spec }} specs */
-    draw(state, scene, { spec, rivalSpec }) {
-      const { survey, rival: other, message, heading, cursor } = robustnessSlice.of(state);
-      const fresh = survey?.spec === spec;
-      const generation = state.history.length - 1;
-      if (surveyChanged(survey, fresh, other, rivalSpec, message, state.driver, state.found, generation)) {
-        write(note, noteText(robustnessSlice.of(state), spec));
-        note.classList.toggle('failed', message !== '');
-        // Until there is a new one, the old number stands with its own name.
-        if (survey && fresh) {
-          write(share, words.percent(survey.tally.share));
-          const name = lab.driverName(state.driver, generation, state.found);
-          write(summary, words.summary(name));
-          write(
-            sides,
-            words.sides(sharesBySide(survey.grid, survey.spec.experiment.goal, survey.tally.count)),
-          );
-        }
-        const compared = lab.driverName(scene.comparisonDriver, generation, state.found);
-        write(rival, words.rivalText(compared, other?.spec === rivalSpec ? other.tally.share : null));
-      }
-      if (readoutChanged(survey, heading, cursor, scene.driving, endsOf(state).start))
-        write(readout, readoutText(state, scene));
-    },
-  };
+/** @param {RobustnessState} robustness @param {Texts} shown @param {{ update: (patch: Partial<RobustnessState>) => void, onHeadings: (choice: string) => void, onTable: () => void }} on */
+function sight({ message, quantity, heading, half }, shown, { update, onHeadings, onTable }) {
+  const choice = heading === null ? 'all' : 'one';
+  const extents = halves.map((one) => /** @type {const} */ ([one, words.extent(one)]));
+  return html`
+    <div class="heading">
+      <h2 id="robustness-title">${texts.robustnessTitle}</h2>
+      <p id="robustness-note" class=${message ? 'muted failed' : 'muted'}>${shown.note}</p>
+      <button id="robustness-table" type="button" class="link" @click=${onTable}>${tables.texts.tableButton}</button>
+    </div>
+    <p class="cost-line"><span id="robustness-share" class="share">${shown.share}</span> <span class="muted"><span
+      id="robustness-summary">${shown.summary}</span><br><span id="robustness-rival">${shown.rival}</span></span></p>
+    <div class="bar survey-bar">
+      <fieldset id="robustness-quantity" class="segmented">${choicesOf(
+        'robustness-quantity',
+        words.quantityLegend,
+        words.quantities,
+        quantity,
+        (chosen) => update({ quantity: chosen }),
+      )}</fieldset>
+      <label class="survey-extent muted"><select id="robustness-half" aria-label=${texts.robustnessExtent}
+        @change=${(/** @type {Event} */ event) => update({ half: Number(valueIn(event)), cursor: null })}>
+        ${options(extents, half)}</select> <span>${texts.robustnessAround}</span></label>
+    </div>
+    <div class="survey">
+      <div id="robustness-map" class="survey-map" data-picture="robustness" tabindex="0" role="application"
+        aria-label=${words.mapLabel}
+        aria-describedby="robustness-share robustness-summary robustness-sides robustness-readout">
+        <canvas id="robustness-picture" aria-hidden="true"></canvas>
+        <canvas id="robustness-marks" aria-hidden="true"></canvas>
+      </div>
+      <div class="survey-side">
+        <fieldset id="robustness-headings" class="segmented">${choicesOf(
+          'robustness-headings',
+          words.headingLegend,
+          words.headingChoices,
+          choice,
+          onHeadings,
+        )}</fieldset>
+        <div id="robustness-rose" class="rose" data-picture="robustness" role="slider" tabindex="0"></div>
+        <div id="robustness-legend" class="survey-legend" data-picture="robustness"></div>
+      </div>
+    </div>
+    <p id="robustness-sides" class="visually-hidden">${shown.sides}</p>
+    <p id="robustness-readout" class="readout" aria-live="polite">${shown.readout}</p>`;
 }
 
 /** @param {RobustnessState} robustness @param {Spec} spec */

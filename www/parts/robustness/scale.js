@@ -1,6 +1,5 @@
 // From what is asked of each cell to a shade: dark where it is best, as in the landscape.
 import { scaleLinear } from 'd3-scale';
-import { palette, shades } from '../../kit/shades.js';
 import { headings } from './grid.js';
 
 /** @typedef {import('./request.js').Quantity} Quantity */
@@ -45,17 +44,4 @@ export function createShading(survey, quantity, heading) {
     /** Some are higher than the scale. */
     open: most > high,
   };
-}
-
-/** One pixel a cell, the first row at the bottom; nothing where no robot arrives. @param {Shading} shading @param {number} count */
-export function paintCells({ values, part }, count) {
-  const image = new ImageData(count, count);
-  for (const [cell, value] of values.entries()) {
-    if (Number.isNaN(value)) continue;
-    const at = 4 * ((count - 1 - Math.floor(cell / count)) * count + (cell % count));
-    const shade = Math.round(part(value) * (shades - 1));
-    image.data.set(palette.subarray(3 * shade, 3 * shade + 3), at);
-    image.data[at + 3] = 255;
-  }
-  return image;
 }

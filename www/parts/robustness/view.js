@@ -1,14 +1,15 @@
 // The map: cells and axes on one canvas, redrawn with the survey; goal, starts, the run and the cursor on another.
 import { scaleLinear } from 'd3-scale';
-import { createLayer, fillTextWithHalo, strokeTwice } from '../../kit/canvas.js';
-import { strongFont, textFont } from '../../kit/fonts.js';
+import { createLayer, strokeTwice } from '../../kit/canvas.js';
+import { textFont } from '../../kit/fonts.js';
+import { within } from '../../kit/chart.js';
+import { dark, drawFrame, drawShades, light, nameBeside } from '../../kit/map.js';
 import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
-import { robustness as words } from '../../words/index.js';
+import words from './words/index.js';
 import { cellNear, startOf } from './grid.js';
-import { paintCells } from './scale.js';
 
 /** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {import('../../core/engine.js').Run} Run */
@@ -29,8 +30,6 @@ import { paintCells } from './scale.js';
  */
 
 const margin = { left: 34, right: 8, top: 8, bottom: 26 };
-// The same in both themes, as the shades are.
-const [dark, light] = ['#14161a', '#ffffff'];
 
 /** Metres in pixels, the same on both axes; the middles of the outer cells are half a cell inside. @param {Pick<MapModel, 'grid' | 'size'>} model */
 export function axesOf({ grid, size }) {
@@ -61,7 +60,6 @@ export function axesOf({ grid, size }) {
 export function createMap({ picture, marks }) {
   const under = createLayer(picture);
   const over = createLayer(marks);
-  const cells = document.createElement('canvas');
   const pictureChanged = watch();
   const marksChanged = watch();
   return {
@@ -72,7 +70,7 @@ export function createMap({ picture, marks }) {
       const axes = axesOf(model);
       if (pictureChanged(grid, shading, size, theme)) {
         under.draw(size, (context) => {
-          if (shading) drawCells(context, cells, shading, axes, grid.x.count);
+          if (shading) drawCells(context, shading, axes);
           drawAxes(context, axes);
         });
       }
@@ -107,23 +105,22 @@ export function hatch(context) {
   return pattern;
 }
 
-/** @param {CanvasRenderingContext2D} context @param {HTMLCanvasElement} cells @param {Shading} shading @param {Axes} axes @param {number} count */
-function drawCells(context, cells, shading, { frame, side }, count) {
-  cells.width = count;
-  cells.height = count;
-  cells.getContext('2d')?.putImageData(paintCells(shading, count), 0, 0);
+/** @param {CanvasRenderingContext2D} context @param {Shading} shading @param {Axes} axes */
+function drawCells(context, { values, part }, { frame, side }) {
   context.fillStyle = hatch(context);
   context.fillRect(frame.left, frame.top, side, side);
   // Each cell is one place that was tried: between them nothing is known.
-  context.imageSmoothingEnabled = false;
-  context.drawImage(cells, frame.left, frame.top, side, side);
+  drawShades(
+    context,
+    values.map((value) => (Number.isNaN(value) ? value : part(value))),
+    frame,
+    false,
+  );
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes */
 function drawAxes(context, { frame, side, x, y }) {
-  context.strokeStyle = colour('--hairline');
-  context.lineWidth = 1;
-  context.strokeRect(frame.left - 0.5, frame.top - 0.5, side + 1, side + 1);
+  drawFrame(context, frame);
   context.font = textFont;
   context.fillStyle = colour('--muted');
   context.textBaseline = 'top';
@@ -143,31 +140,30 @@ function drawAxes(context, { frame, side, x, y }) {
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {MapModel} model */
 function drawMarks(context, axes, { grid, goal, starts, watched, run, cursor, heading }) {
-  const { frame, side, cell, x, y } = axes;
-  context.save();
-  context.beginPath();
-  context.rect(frame.left, frame.top, side, side);
-  context.clip();
-  context.lineJoin = 'round';
-  context.lineCap = 'round';
-  drawWay(context, axes, run);
-  for (const start of starts) {
-    if (start === watched) continue;
-    arrow(context, axes, start, { fill: light, line: dark, size: 9 });
-  }
-  arrow(context, axes, goal, { fill: light, line: dark, size: 12 });
-  arrow(context, axes, watched, { fill: dark, line: light, size: 11 });
-  label(context, axes, goal, words.goal);
-  for (const start of starts) label(context, axes, start, words.ownStart);
-  if (cursor) {
-    const at = startOf(grid, cellNear(grid, cursor), 0);
-    const size = Math.max(cell, 9);
-    context.beginPath();
-    context.rect(x(at.x) - size / 2, y(at.y) - size / 2, size, size);
-    strokeTwice(context, [dark, 4], [light, 2]);
-  }
-  if (heading !== null) drawHeading(context, frame, heading);
-  context.restore();
+  const { frame, cell, x, y } = axes;
+  within(context, frame, () => {
+    context.lineJoin = 'round';
+    context.lineCap = 'round';
+    drawWay(context, axes, run);
+    for (const start of starts) {
+      if (start === watched) continue;
+      arrow(context, axes, start, { fill: light, line: dark, size: 9 });
+    }
+    arrow(context, axes, goal, { fill: light, line: dark, size: 12 });
+    arrow(context, axes, watched, { fill: dark, line: light, size: 11 });
+    const label = (/** @type {Posture} */ posture, /** @type {string} */ name) =>
+      nameBeside(context, frame, name, Math.max(x(posture.x), frame.left), y(posture.y) + 14, 14);
+    label(goal, words.goal);
+    for (const start of starts) label(start, words.ownStart);
+    if (cursor) {
+      const at = startOf(grid, cellNear(grid, cursor), 0);
+      const size = Math.max(cell, 9);
+      context.beginPath();
+      context.rect(x(at.x) - size / 2, y(at.y) - size / 2, size, size);
+      strokeTwice(context, [dark, 4], [light, 2]);
+    }
+    if (heading !== null) drawHeading(context, frame, heading);
+  });
 }
 
 /** Where the run that is watched goes. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Run} run */
@@ -189,20 +185,6 @@ function arrow(context, { x, y }, posture, { fill, line, size }) {
   strokeTwice(context, [fill === dark ? line : fill, 4], [fill === dark ? fill : line, 2]);
   context.fillStyle = fill;
   context.fill();
-}
-
-/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Posture} posture @param {string} text */
-function label(context, { frame, x, y }, posture, text) {
-  context.font = strongFont;
-  const px = Math.max(x(posture.x), frame.left);
-  const onLeft = px + 18 + context.measureText(text).width > frame.right;
-  context.textAlign = onLeft ? 'right' : 'left';
-  context.textBaseline = 'middle';
-  fillTextWithHalo(context, text, px + (onLeft ? -14 : 14), y(posture.y) + 14, {
-    fill: light,
-    halo: dark,
-    width: 4,
-  });
 }
 
 /** The heading of all starts of the map, in its corner. @param {CanvasRenderingContext2D} context @param {Axes['frame']} frame @param {number} angle */

@@ -1,37 +1,43 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
+import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
-import { byId, write } from '../../kit/elements.js';
+import { byIdIn } from '../../kit/elements.js';
+import { options, valueIn } from '../../kit/templates.js';
+import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
-import { training as words } from '../../words/index.js';
+import words from './words/index.js';
 import { createPicture } from './picture.js';
 import { changesOf, createTraining, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
-import { createTable } from './table.js';
+import { tableOf } from './table.js';
 
 /** @typedef {import('../../run/actions/actions.js').Actions} Actions */
 /** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
 /** @typedef {import('./request.js').RowName} RowName */
 /** @typedef {import('./request.js').Result} Result */
 /** @typedef {import('./state.js').TrainingState} TrainingState */
 /** @typedef {import('./sets.js').SetName} SetName */
 /** @typedef {import('./table.js').Row} Row */
 
+const { texts } = words;
+
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createTrainingPage({ engine, store, actions, paper }) {
+  const element = createSection('training');
   const training = createTraining(engine, store, paper);
+  const update = (/** @type {Partial<TrainingState>} */ patch) => trainingSlice.update(store, patch);
   const rowsOf = createRows();
 
   /** Drives with the gains of a row, from the start that is tried now. @param {RowName} name */
   const choose = (name) => {
     const state = store.get();
     const row = rowsOf(state).find((one) => one.name === name);
-    trainingSlice.update(store, { chosen: name });
+    update({ chosen: name });
     if (!row?.result) return;
     if (name === 'paper-ep' || name === 'paper-arbitrary') actions.chooseDriver(name);
     else {
-      trainingSlice.update(store, { byHand: handOf(state) });
+      update({ byHand: handOf(state) });
       actions.driveGains(row.result.gains, isSet(name) ? 'training' : 'hand');
     }
     actions.tryStart(store.get().trial.start);
@@ -52,46 +58,43 @@ export function createTrainingPage({ engine, store, actions, paper }) {
     if (store.get().page === 'training' && isSet(next)) choose(next);
   };
 
-  const table = createTable(byId('training-table'), choose);
-  const pictures = ['seen', 'unseen'].map((part) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (byId(`training-${part}`));
-    const onSize = () => store.redraw();
-    return {
-      canvas,
-      title: byId(`training-${part}-title`),
-      picture: createPicture(canvas, { radius: unseenRadius, onTry: tryFrom, onSize }),
-    };
-  });
-  const controls = createControls(store, evolve);
+  const changed = watch();
+  /** @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles */
+  const show = (state, rows, titles) => {
+    if (changed(trainingSlice.of(state), state.experiment, rows, ...titles))
+      render(sight(state, rows, titles, { choose, evolve, update }), element);
+  };
+  show(store.get(), rowsOf(store.get()), ['', '']);
+  const pictures = ['seen', 'unseen'].map((name) =>
+    createPicture(byIdIn(element, `training-${name}`), {
+      radius: unseenRadius,
+      onTry: tryFrom,
+      onSize: store.redraw,
+    }),
+  );
 
   return {
+    element,
     /** @param {State} state */
     draw(state) {
-      const { goal } = state.experiment;
       const sets = training.setsOf(state.experiment);
       const rows = rowsOf(state);
       const chosen = chosenOf(state);
       const result = rows.find(({ name }) => name === chosen)?.result ?? null;
       training.follow(state);
-      table.draw(rows, chosen, unseenCount);
-      controls.draw(state, rows);
 
       const own = isSet(chosen) ? sets[chosen] : sets.one;
       const seen = result?.training ?? { starts: own, arrived: null };
       const unseen = result?.unseen ?? { starts: sets.unseen, arrived: null };
-      const titles = [
+      show(state, rows, [
         words.trainingTitle(chosen, result, own.length),
         words.unseenTitle(result, unseen.starts.length),
-      ];
+      ]);
       // What was evolved for another goal is shown around that goal.
       const { evolved } = trainingSlice.of(state);
-      const around = isSet(chosen) && evolved ? evolved.experiment.goal : goal;
-      for (const [i, { starts, arrived }] of [seen, unseen].entries()) {
-        const { canvas, title, picture } = pictures[i];
-        write(title, titles[i]);
-        canvas.setAttribute('aria-label', words.pictureLabel(titles[i]));
-        picture.draw({ starts, arrived, goal: around, tried: state.trial.start, theme: state.theme });
-      }
+      const { goal } = isSet(chosen) && evolved ? evolved.experiment : state.experiment;
+      for (const [i, { starts, arrived }] of [seen, unseen].entries())
+        pictures[i].draw({ starts, arrived, goal, tried: state.trial.start, theme: state.theme });
     },
   };
 }
@@ -143,48 +146,54 @@ function createRows() {
     );
 }
 
-/** @param {Store} store @param {() => void} onEvolve */
-function createControls(store, onEvolve) {
-  const button = byId('training-evolve');
-  /** @type {HTMLSelectElement} */
-  const generations = byId('training-generations');
-  /** @type {HTMLProgressElement} */
-  const progress = byId('training-progress');
-  generations.replaceChildren(...lengths.map((one) => new Option(words.generationsChoice(one), String(one))));
-  button.addEventListener('click', onEvolve);
-  generations.addEventListener('change', () =>
-    trainingSlice.update(store, { generations: Number(generations.value) }),
-  );
-  const changed = watch();
-
-  return {
-    /** @param {State} state @param {readonly Row[]} rows */
-    draw(state, rows) {
-      const { experiment } = state;
-      const training = trainingSlice.of(state);
-      if (!changed(training, experiment, rows)) return;
-      const { evolved } = training;
-      const runs = training.progress !== null;
-      const changes = evolved ? changesOf(evolved.experiment, experiment) : [];
-      const press = runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll;
-      write(button, press);
-      button.classList.toggle('primary', !runs);
-      generations.value = String(training.generations);
-      progress.classList.toggle('visually-hidden', !runs);
-      progress.value = training.progress ?? 0;
-      byId('training-note').textContent = evolved ? words.evolvedNote(evolved) : '';
-      const status = [
-        training.message ? words.failed(training.message, evolved !== null) : '',
-        training.cancelled ? words.cancelled(evolved !== null) : '',
-        changes.length > 0 ? words.outOfDate(changes) : '',
-      ].filter((text) => text !== '');
-      byId('training-status').textContent = status.join(' ');
-      byId('training-note').hidden = status.length > 0;
-      const ep = rows.find(({ name }) => name === 'paper-ep')?.result;
-      const finding = byId('training-finding');
-      finding.textContent = evolved ? words.lesson(evolved) : ep ? words.question(ep) : words.driving;
-      finding.classList.toggle('old', changes.length > 0);
-      byId('training-key').textContent = words.key(unseenCount, unseenRadius, experiment.horizon);
-    },
-  };
+/**
+ * @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles Of the pictures.
+ * @param {{ choose: (name: RowName) => void, evolve: () => void, update: (patch: Partial<TrainingState>) => void }} on
+ */
+function sight(state, rows, titles, { choose, evolve, update }) {
+  const { experiment } = state;
+  const { evolved, message, cancelled, progress, generations } = trainingSlice.of(state);
+  const runs = progress !== null;
+  const changes = evolved ? changesOf(evolved.experiment, experiment) : [];
+  const status = [
+    message ? words.failed(message, evolved !== null) : '',
+    cancelled ? words.cancelled(evolved !== null) : '',
+    changes.length > 0 ? words.outOfDate(changes) : '',
+  ].filter((text) => text !== '');
+  const ep = rows.find(({ name }) => name === 'paper-ep')?.result;
+  return html`
+    <div class="heading">
+      <h2 id="training-title">${texts.trainingTitle}</h2>
+      <p id="training-note" class="muted" .hidden=${status.length > 0}>${evolved ? words.evolvedNote(evolved) : ''}</p>
+      <p id="training-status" class="training-status" role="status">${status.join(' ')}</p>
+    </div>
+    <div class="bar training-controls">
+      <button id="training-evolve" type="button" class=${runs ? '' : 'primary'} @click=${evolve}>${
+        runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll
+      }</button>
+      <select id="training-generations" aria-label=${texts.trainingGenerations}
+        @change=${(/** @type {Event} */ event) => update({ generations: Number(valueIn(event)) })}>
+        ${options(
+          lengths.map((length) => /** @type {const} */ ([length, words.generationsChoice(length)])),
+          generations,
+        )}
+      </select>
+      <progress id="training-progress" max="1" class=${runs ? '' : 'visually-hidden'}
+        aria-label=${texts.trainingProgress} .value=${progress ?? 0}></progress>
+    </div>
+    <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'}>${
+      evolved ? words.lesson(evolved) : ep ? words.question(ep) : words.driving
+    }</p>
+    ${tableOf(rows, chosenOf(state), unseenCount, choose)}
+    <div class="training-pictures" data-picture="training">
+      <p id="training-seen-title">${titles[0]}</p>
+      <p id="training-unseen-title">${titles[1]}</p>
+      <canvas id="training-seen" role="application" tabindex="0" aria-label=${words.pictureLabel(titles[0])}></canvas>
+      <canvas id="training-unseen" role="application" tabindex="0" aria-label=${words.pictureLabel(titles[1])}></canvas>
+    </div>
+    <p id="training-key" class="muted training-key" data-picture="training">${words.key(
+      unseenCount,
+      unseenRadius,
+      experiment.horizon,
+    )}</p>`;
 }

@@ -1,102 +1,45 @@
 // The table: one row for each set of gains, with how they fare.
-import { write } from '../../kit/elements.js';
-import { watch } from '../../kit/memo.js';
-import { lab, training as words } from '../../words/index.js';
+import { html } from 'lit-html';
+import { styled } from '../../kit/templates.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 
 /** @typedef {import('./request.js').Result} Result */
 /** @typedef {import('./request.js').RowName} RowName */
 /** What a row shows; `result` is null before there is one. @typedef {{ name: RowName, text: string, result: Result | null, old: boolean }} Row */
 
-const rowNames = /** @type {const} */ (['one', 'circle', 'grid', 'paper-ep', 'paper-arbitrary', 'hand']);
-
-/** @param {HTMLElement} root @param {(name: RowName) => void} onChoose */
-export function createTable(root, onChoose) {
-  const heads = words.columns.map((text) => {
-    const head = document.createElement('th');
-    head.scope = 'col';
-    head.textContent = text;
-    return head;
-  });
-  const rows = new Map(rowNames.map((name) => [name, createRow(name, onChoose)]));
-  const head = document.createElement('thead');
-  const body = document.createElement('tbody');
-  const line = document.createElement('tr');
-  line.append(...heads);
-  head.append(line);
-  body.append(...[...rows.values()].map(({ row }) => row));
-  root.replaceChildren(head, body);
-
-  return {
-    /** @param {readonly Row[]} shown @param {RowName} chosen @param {number} unseen How many starts are never seen. */
-    draw(shown, chosen, unseen) {
-      heads[2].textContent = words.unseenColumn(unseen);
-      for (const [name, row] of rows) {
-        const model = shown.find((one) => one.name === name);
-        row.row.hidden = !model;
-        if (model) row.draw(model, name === chosen);
-      }
-    },
-  };
+/** @param {readonly Row[]} rows @param {RowName} chosen @param {number} unseen How many starts are never seen. @param {(name: RowName) => void} onChoose */
+export function tableOf(rows, chosen, unseen, onChoose) {
+  const heads = words.columns.map((text, i) => (i === 2 ? words.unseenColumn(unseen) : text));
+  return html`
+    <table id="training-table" class="training-table" aria-label=${words.texts.trainingTable}>
+      <thead><tr>${heads.map((text) => html`<th scope="col">${text}</th>`)}</tr></thead>
+      <tbody>${rows.map((row) => rowOf(row, row.name === chosen, onChoose))}</tbody>
+    </table>`;
 }
 
-/** @param {RowName} name @param {(name: RowName) => void} onChoose */
-function createRow(name, onChoose) {
-  const row = document.createElement('tr');
-  const head = document.createElement('th');
-  const button = document.createElement('button');
-  const gains = document.createElement('span');
-  const numbers = lab.gains.map(({ id, name: gain }) => {
-    const number = document.createElement('span');
-    number.className = id;
-    number.title = gain;
-    return number;
-  });
-  const cells = ['seen', 'unseen', 'cost', 'own'].map((part) => {
-    const cell = document.createElement('td');
-    cell.className = `training-${part}`;
-    return cell;
-  });
-  const [seen, unseen, cost, own] = cells;
-  const bar = document.createElement('span');
-  const fill = document.createElement('span');
-  const share = document.createElement('strong');
-  row.id = `training-${name}`;
-  head.scope = 'row';
-  Object.assign(button, { type: 'button', className: 'training-name' });
-  gains.className = 'training-gains';
-  gains.append(...numbers);
-  bar.className = 'training-bar';
-  bar.append(fill);
-  unseen.append(bar, share);
-  head.append(button, gains);
-  row.append(head, ...cells);
+/** @param {Row} row @param {boolean} chosen @param {(name: RowName) => void} onChoose */
+function rowOf({ name, text, result, old }, chosen, onChoose) {
+  const isTrained = name === 'one' || name === 'circle' || name === 'grid';
+  /** @param {(result: Result) => string} write */
+  const shown = (write) => (result ? write(result) : words.none);
+  const share = (/** @type {Result['unseen']} */ { count, starts }) => words.percent(count, starts.length);
+  const filled = result ? (100 * result.unseen.count) / result.unseen.starts.length : 0;
   // The button is for the keyboard; the whole row is as good for the pointer.
-  row.addEventListener('click', () => onChoose(name));
-  const changed = watch();
-
-  return {
-    row,
-    /** @param {Row} model @param {boolean} chosen */
-    draw({ text, result, old }, chosen) {
-      if (!changed(text, result, old, chosen)) return;
-      write(button, text);
-      button.title = words.chooseHint(text);
-      button.setAttribute('aria-pressed', String(chosen));
-      row.classList.toggle('chosen', chosen);
-      row.classList.toggle('old', old);
-      for (const [i, number] of numbers.entries())
-        number.textContent = result ? words.gain(result.gains[i]) : words.none;
-      fill.style.width = result ? `${(100 * result.unseen.count) / result.unseen.starts.length}%` : '0';
-      share.textContent = result
-        ? words.percent(result.unseen.count, result.unseen.starts.length)
-        : words.none;
-      const isTrained = name === 'one' || name === 'circle' || name === 'grid';
-      seen.textContent =
-        result && isTrained
-          ? words.percent(result.training.count, result.training.starts.length)
-          : words.none;
-      cost.textContent = result ? words.cost(result.unseen.cost) : words.none;
-      own.textContent = result ? words.cost(result.own) : words.none;
-    },
-  };
+  return html`
+    <tr id="training-${name}" class="${chosen ? 'chosen' : ''} ${old ? 'old' : ''}" @click=${() => onChoose(name)}>
+      <th scope="row">
+        <button type="button" class="training-name" title=${words.chooseHint(text)} aria-pressed=${String(chosen)}>${text}</button><span
+          class="training-gains">${lab.gains.map(
+            ({ id, name: gain }, i) =>
+              html`<span class=${id} title=${gain}>${shown(({ gains }) => words.gain(gains[i]))}</span>`,
+          )}</span>
+      </th>
+      <td class="training-seen">${isTrained ? shown(({ training }) => share(training)) : words.none}</td>
+      <td class="training-unseen"><span class="training-bar"><span ${styled('width', `${filled}%`)}></span></span><strong>${shown(
+        ({ unseen }) => share(unseen),
+      )}</strong></td>
+      <td class="training-cost">${shown(({ unseen }) => words.cost(unseen.cost))}</td>
+      <td class="training-own">${shown(({ own }) => words.cost(own))}</td>
+    </tr>`;
 }

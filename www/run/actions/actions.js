@@ -15,6 +15,7 @@ export function createActions(means) {
   const { catchUp, ...evolution } = createEvolution(basis, openPage);
   return {
     ...evolution,
+    whenIdle: basis.whenIdle,
     ...createExperiments(basis),
     ...createDrive(basis),
     ...createClock(basis),

@@ -2,6 +2,7 @@
 /** @import { Engine, Experiment, PaperResult } from '../../core/engine.js' */
 /** @import { Restart, State } from '../state.js' */
 /** @import { RunStore } from '../store.js' */
+import { Pending, whenThere } from '../../core/pending.js';
 import { isTracking, stationsOf } from '../../core/reference.js';
 import { refit } from '../../kit/transform.js';
 import { isLost, messageOf } from '../../words/errors.js';
@@ -28,23 +29,67 @@ import { afterChange } from '../undo.js';
  * @property {() => boolean} isStill Whether robots stand at their ends: for who wants no motion, or none yet.
  * @property {Places} places
  */
+/** @typedef {Omit<import('../state.js').Computing, 'since' | 'share'>} Waiting */
 /** @typedef {Means & ReturnType<typeof createBasis>} Basis */
 
 /** @param {Means} means */
 export function createBasis({ engine, store, paper, isStill }) {
-  /** Whatever is wrong is said, and the last good state stays. @param {() => void} act */
-  const attempt = (act) => {
+  /** What is to be done once a worker has computed what it takes; only the newest is. @type {(() => void) | null} */
+  let due = null;
+  /** Whether it is being done now. */
+  let isLate = false;
+  /** @type {(() => void)[]} */
+  const idlers = [];
+
+  /** Whatever is under way is no longer waited for. */
+  const forget = () => {
+    due = null;
+    if (store.get().computing) store.update({ computing: null });
+    for (const tell of idlers.splice(0)) tell();
+  };
+
+  /** @param {() => void} act @param {Pending} pending @param {Waiting} waiting */
+  const waitFor = (act, pending, waiting) => {
+    due = act;
+    const since = store.get().computing?.since ?? performance.now();
+    store.update({ computing: { ...waiting, since, share: pending.share } });
+    pending.arrival.then(() => {
+      if (due !== act) return;
+      isLate = true;
+      attempt(act, waiting);
+      isLate = false;
+      if (due === null) refitBox();
+    });
+  };
+
+  /**
+   * Whatever is wrong is said, and the last good state stays. What takes long is done as soon as it can be.
+   * @param {() => void} act It asks the core before it changes anything. @param {Waiting} [waiting]
+   */
+  const attempt = (act, waiting = { what: 'begin' }) => {
     try {
       act();
+      if (due === act) forget();
     } catch (error) {
       if (isLost(error)) throw error;
+      if (error instanceof Pending) return waitFor(act, error, waiting);
+      if (due === act) forget();
       store.update({ message: messageOf(error), evolving: false });
     }
   };
 
+  /** Resolves once nothing is waited for. @returns {Promise<void>} */
+  const whenIdle = () =>
+    due === null
+      ? Promise.resolve()
+      : new Promise((resolve) => {
+          idlers.push(() => resolve());
+        });
+
   /** Throws when the core refuses the experiment. @param {Experiment} experiment @param {Restart} restart @param {Partial<State>} patch */
   const tryToBegin = (experiment, restart, patch) => {
     const { statistics, population } = engine.begin(experiment);
+    forget();
     const before = store.get();
     store.update({
       experiment,
@@ -57,6 +102,8 @@ export function createBasis({ engine, store, paper, isStill }) {
       settings: { ...before.settings, error: null },
       versions: afterChange(before, { experiment, preset: patch.preset ?? before.preset }),
       ...patch,
+      // Meanwhile it may have been let go.
+      ...(isLate && { dragging: before.dragging }),
     });
   };
 
@@ -85,8 +132,12 @@ export function createBasis({ engine, store, paper, isStill }) {
   };
 
   const refitBox = () => {
-    const { box, size } = store.get();
-    store.update({ box: refit(box, size, inSight()) });
+    const { experiment } = store.get();
+    const isSame = () => store.get().experiment === experiment;
+    whenThere(() => {
+      const { box, size } = store.get();
+      store.update({ box: refit(box, size, inSight()) });
+    }, isSame);
   };
 
   const settle = () => {
@@ -94,5 +145,17 @@ export function createBasis({ engine, store, paper, isStill }) {
     driveAgain();
   };
 
-  return { attempt, tryToBegin, begin, shown, driveAgain, drivenRun, inSight, refitBox, settle };
+  return {
+    attempt,
+    forget,
+    whenIdle,
+    tryToBegin,
+    begin,
+    shown,
+    driveAgain,
+    drivenRun,
+    inSight,
+    refitBox,
+    settle,
+  };
 }

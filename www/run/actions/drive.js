@@ -13,7 +13,7 @@ export function createDrive({ engine, store, paper, attempt, shown, driveAgain }
   /** @param {readonly number[]} gains @param {Found} [found] */
   const driveByHand = (gains, found = 'hand') => {
     const handGains = /** @type {Triple} */ (gains);
-    engine.drive(store.get().experiment, [handGains]);
+    engine.check(store.get().experiment, handGains);
     store.update({ handGains, found, driver: 'hand', gainErrors: noErrors, message: '' });
   };
 

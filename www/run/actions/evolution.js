@@ -6,24 +6,35 @@ import { lab as words } from '../../words/index.js';
 import { atEnd, fromStart } from '../clock.js';
 import { pausesAt, playsPhases } from '../pace.js';
 
+/** Milliseconds of a frame in which a run catches up. */
+const atOnce = 30;
+
 /** @param {Basis} basis @param {(page: string) => void} openPage */
 export function createEvolution(
-  { engine, store, places, isStill, attempt, begin, shown, driveAgain },
+  { engine, store, places, isStill, attempt, forget, begin, shown, driveAgain },
   openPage,
 ) {
   /** One generation on: the next that is recorded, or a new one. @param {State['history']} [known] A copy of the history, which takes the new one: whoever goes on and on makes only one, for it may be long. */
   const forward = (known = [...store.get().history]) =>
-    attempt(() => {
-      const generation = store.get().generation + 1;
-      if (generation === known.length) known.push(engine.step());
-      store.update({ history: known, generation, population: engine.population(generation), message: '' });
-    });
+    attempt(
+      () => {
+        const generation = store.get().generation + 1;
+        if (generation === known.length) known.push(engine.step());
+        const population = engine.population(generation);
+        store.update({ history: known, generation, population, message: '' });
+        if (store.get().evolving) arrive();
+      },
+      { what: 'generation' },
+    );
 
   /** Another generation that is recorded. @param {number} generation */
-  const showGeneration = (generation) =>
-    attempt(() =>
-      store.update({ evolving: false, generation, population: engine.population(generation), message: '' }),
-    );
+  const showGeneration = (generation) => {
+    forget();
+    store.update({ evolving: false, catchingUp: null });
+    attempt(() => store.update({ generation, population: engine.population(generation), message: '' }), {
+      what: 'recorded',
+    });
+  };
 
   /** Where phases are played they are seen, from the first one on. */
   const seePhases = () => {
@@ -42,23 +53,27 @@ export function createEvolution(
       begin(next, 'seed', { evolving: false, robot: shown() });
     });
 
+  /** Pauses where the run has to. */
+  const arrive = () => {
+    const { until, history, generation, catchingUp } = store.get();
+    if (generation === catchingUp?.newest) showGeneration(catchingUp.generation);
+    else if (!catchingUp && pausesAt(until, history[generation])) store.update({ evolving: false });
+  };
+
   return {
     /** Goes on while `more` says so, or until the run has to pause. @param {() => boolean} more */
     evolve(more) {
+      if (store.get().computing) return;
       const known = [...store.get().history];
-      while (store.get().evolving && more()) {
-        forward(known);
-        const { until, history, generation, catchingUp } = store.get();
-        if (generation === catchingUp?.newest) showGeneration(catchingUp.generation);
-        else if (!catchingUp && pausesAt(until, history[generation])) store.update({ evolving: false });
-      }
+      while (store.get().evolving && !store.get().computing && more()) forward(known);
     },
 
     /** Evolves as far as a run has come: at once if that is soon done, else while the page looks on. @param {number} newest @param {number} generation The one that is shown then. */
     catchUp(newest, generation) {
-      const end = performance.now() + 300;
+      const end = performance.now() + atOnce;
       const known = [...store.get().history];
-      while (store.get().generation < newest && performance.now() < end) forward(known);
+      while (store.get().generation < newest && !store.get().computing && performance.now() < end)
+        forward(known);
       if (store.get().generation < newest)
         store.update({ evolving: true, catchingUp: { newest, generation } });
       else showGeneration(generation);
@@ -74,6 +89,7 @@ export function createEvolution(
     },
 
     pauseEvolution() {
+      forget();
       store.update({ evolving: false });
     },
 
@@ -92,11 +108,21 @@ export function createEvolution(
 
     toggleEvolution() {
       const evolving = !store.get().evolving;
+      forget();
       store.update({ evolving, catchingUp: null });
       seePhases();
       const { robot } = store.get();
       if (evolving && !isStill())
         store.update({ robot: robot.time === atEnd.time ? fromStart : { ...robot, playing: true } });
+    },
+
+    /** What is under way is given up, and what is done stays. */
+    stopComputing() {
+      const { computing, catchingUp, evolving, generation } = store.get();
+      if (!computing && !catchingUp) return;
+      forget();
+      const message = words.stoppedText(computing?.what === 'begin' ? null : generation);
+      store.update({ catchingUp: null, evolving: evolving && !computing && !catchingUp, message });
     },
 
     oneGeneration() {

@@ -3,6 +3,7 @@
 /** @import { Value } from '../paths.js' */
 /** @import { Restart } from '../state.js' */
 /** @import { Basis } from './basis.js' */
+import { Pending, whenThere } from '../../core/pending.js';
 import { boxAround } from '../../kit/transform.js';
 import { messageOf } from '../../words/errors.js';
 import { settings as words } from '../../words/index.js';
@@ -58,12 +59,15 @@ export function createExperiments(basis) {
         if (settings.error) store.update({ settings: { ...settings, error: null } });
         return;
       }
-      try {
-        tryToBegin(withValue(experiment, path, value), 'setting', { dragging });
+      attempt(() => {
+        try {
+          tryToBegin(withValue(experiment, path, value), 'setting', { dragging });
+        } catch (error) {
+          if (error instanceof Pending) throw error;
+          return refuseSetting(path, words.named(messageOf(error)));
+        }
         if (!dragging) settle();
-      } catch (error) {
-        refuseSetting(path, words.named(messageOf(error)));
-      }
+      });
     },
 
     releaseSetting: release,
@@ -116,7 +120,12 @@ function createPostures({ engine, store, places, begin, shown, inSight, refitBox
       if (trial.start) return tryStart(null);
       const { starts, goal } = engine.experiment(preset);
       begin({ ...experiment, starts, goal }, 'moved');
-      store.update({ box: boxAround(inSight()), robot: shown() });
+      store.update({ robot: shown() });
+      const begun = store.get().experiment;
+      whenThere(
+        () => store.update({ box: boxAround(inSight()) }),
+        () => store.get().experiment === begun,
+      );
     },
   };
 }

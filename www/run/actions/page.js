@@ -2,6 +2,7 @@
 /** @import { MakerState } from '../exercise.js' */
 /** @import { State } from '../state.js' */
 /** @import { Basis } from './basis.js' */
+import { whenThere } from '../../core/pending.js';
 import { boxAround } from '../../kit/transform.js';
 import { noExercise, wayOf } from '../exercise.js';
 import { playsPhases } from '../pace.js';
@@ -66,7 +67,10 @@ export function createPage(basis, openPage, catchUp) {
             error: null,
           },
         });
-        store.update({ box: boxAround([...inSight(), ...nearEnd()]) });
+        whenThere(
+          () => store.update({ box: boxAround([...inSight(), ...nearEnd()]) }),
+          () => store.get().experiment === experiment,
+        );
         catchUp(newest, generation);
         if (problems.length > 0) store.update({ message: problems.join(' ') });
       });

@@ -56,11 +56,12 @@ export function createExercise({ store, engine, links, places }) {
   const changed = watch();
   const placesChanged = watch();
   return {
-    /** @param {State} state */
-    draw(state) {
+    /** @param {State} state @param {number} made How many parts of the page have been opened. */
+    draw(state, made) {
       const exercise = shownExercise(state);
-      // Each step of the lesson has controls of its own.
-      if (placesChanged(exercise, state.lesson)) for (const group of groupNames) lay(all, exercise, group);
+      // Each step of the lesson has controls of its own, and so has each part.
+      if (placesChanged(exercise, state.lesson, made))
+        for (const group of groupNames) lay(all, exercise, group);
       if (!changed(exercise)) return;
       section.hidden = isEmpty(exercise);
       task.textContent = tidyTask(exercise.task);

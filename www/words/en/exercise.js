@@ -5,8 +5,6 @@ export const texts = {
   taskLabel: 'Task from this link',
   leaveExercise: 'Open the whole page',
   handles: 'Start and goal',
-  generationStep: 'Steps of the generation',
-  disturbanceControls: 'The disturbance',
   keepExerciseTitle: 'Exercise',
   keepExerciseHelp:
     'Gives students this run with a task of yours; what would distract or tell too much is locked or hidden.',

@@ -5,8 +5,6 @@ export const texts = {
   taskLabel: '이 링크를 만든 사람이 낸 과제',
   leaveExercise: '전체 페이지 열기',
   handles: '출발과 목표',
-  generationStep: '세대의 단계',
-  disturbanceControls: '외란',
   keepExerciseTitle: '과제',
   keepExerciseHelp:
     '이 실행에 과제를 붙여 학생에게 줍니다. 방해가 되거나 답을 미리 알려 주는 조작은 잠그거나 숨길 수 있습니다.',

@@ -1,37 +1,28 @@
 // The Lyapunov function of the run on screen: V, what the law promises of its rate, and what the robot makes of that.
-import { curvesSlice } from '../state.js';
+/** @import { Experiment, Stability, Triple } from '../../../core/engine.js' */
+/** @import { Pins } from '../../../run/pins.js' */
+/** @import { Tools } from '../../part.js' */
+/** @import { View } from '../page.js' */
+import { html, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { followPointer } from '../../../kit/chart.js';
-import { sampleTime } from '../axes.js';
-import { byId, create, followSize, formula, write } from '../../../kit/elements.js';
-import { sampleBefore } from '../../../lab/track.js';
+import { followSize } from '../../../kit/elements.js';
+import { formula } from '../../../kit/formula.js';
 import { remember, watch } from '../../../kit/memo.js';
-import { offerTable } from '../../../kit/table.js';
-import { stability as words } from '../../../words/index.js';
+import { showTable } from '../../../kit/table.js';
+import { sampleBefore } from '../../../lab/track.js';
+import words from './words/index.js';
+import { sampleTime } from '../axes.js';
+import { curvesSlice } from '../state.js';
 import { createPlots } from './plots.js';
 import { summaryOf } from './summary.js';
 import { stabilityTable } from './table.js';
 
-/** @typedef {import('../../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../../core/engine.js').Stability} Stability */
-/** @typedef {import('../../part.js').Tools} PageParts */
-/** @typedef {import('../../../run/pins.js').Pins} Pins */
-/** @typedef {import('../../../run/scene.js').Scene} Scene */
-/** @typedef {import('../../../run/state.js').State} State */
-/** @typedef {import('../../../core/engine.js').Triple} Triple */
+/** @typedef {{ onLog: (event: Event) => void, onTable: () => void }} Events */
+/** @typedef {{ driving: Stability, law: Experiment['law'], sample: number, label: string, note: string, isLog: boolean }} Model */
 
-/** @param {Pick<PageParts, 'engine' | 'store' | 'actions'>} parts */
-export function createStability({ engine, store, actions }) {
-  /** @type {HTMLCanvasElement} */
-  const lines = byId('stability-lines');
-  const plots = createPlots({ lines, cursor: byId('stability-cursor') });
-  const readout = createReadout(byId('stability-readout'));
-  const note = byId('stability-note');
-  const picture = byId('stability-picture');
-  /** @type {HTMLInputElement} */
-  const log = byId('stability-log');
-  const size = followSize(picture, () => store.redraw());
-  log.addEventListener('change', () => curvesSlice.update(store, { scale: log.checked ? 'log' : 'linear' }));
-
+/** @param {HTMLElement} root @param {Tools} tools @returns {View} */
+export function createStability(root, { engine, store, actions }) {
   const stabilityOne = () =>
     remember((/** @type {Experiment} */ experiment, /** @type {Triple} */ gains) =>
       engine.stability(experiment, gains),
@@ -40,43 +31,79 @@ export function createStability({ engine, store, actions }) {
   const pinnedOf = remember((/** @type {Pins} */ pins) =>
     pins.map(({ experiment, gains }) => engine.stability(experiment, gains)),
   );
-
+  const textsOf = remember(
+    (
+      /** @type {string} */ name,
+      /** @type {Stability} */ driving,
+      /** @type {Experiment} */ experiment,
+      /** @type {Triple} */ gains,
+    ) => {
+      const summary = summaryOf(driving, experiment, gains);
+      return { label: words.pictureLabel(name, summary), note: words.noteText(summary) };
+    },
+  );
   /** @type {{ name: string, driving: Stability } | null} */
   let shown = null;
-  followPointer(picture, (px) => {
-    if (shown) actions.scrub(sampleTime(shown.driving, plots.timeAt(px)));
-  });
-  offerTable('stability-table', () => shown && stabilityTable(shown.name, shown.driving));
+  /** @type {ReturnType<typeof createPicture> | null} */
+  let picture = null;
+  const createPicture = () => {
+    const [lines, cursor] = root.querySelectorAll('canvas');
+    const around = /** @type {HTMLElement} */ (lines.parentElement);
+    const plots = createPlots({ lines, cursor });
+    followPointer(around, (px) => {
+      if (shown) actions.scrub(sampleTime(shown.driving, plots.timeAt(px)));
+    });
+    return { plots, size: followSize(around, store.redraw) };
+  };
+  /** @type {Events} */
+  const on = {
+    onLog: ({ target }) =>
+      curvesSlice.update(store, {
+        scale: /** @type {HTMLInputElement} */ (target).checked ? 'log' : 'linear',
+      }),
+    onTable: () => showTable(shown && stabilityTable(shown.name, shown.driving)),
+  };
+  const changed = watch();
 
-  const textsChanged = watch();
   return {
-    /** @param {State} state @param {Scene} scene @param {{ name: string, time: number }} of */
     draw(state, { experiment, gains, compared }, { name, time }) {
       const { pins, theme } = state;
+      const { law } = experiment;
       const isLog = curvesSlice.of(state).scale === 'log';
       const driving = drivingOf(experiment, gains);
+      const texts = textsOf(name, driving, experiment, gains);
+      const sample = sampleBefore(driving, time);
       shown = { name, driving };
-      log.checked = isLog;
-      if (textsChanged(driving, name)) {
-        const summary = summaryOf(driving, experiment, gains);
-        write(note, words.noteText(summary));
-        lines.setAttribute('aria-label', words.pictureLabel(name, summary));
-      }
-      readout.draw(driving, experiment.law, time);
-      plots.draw({
+      if (changed(driving, law, sample, texts, isLog))
+        render(contentOf({ driving, law, sample, ...texts, isLog }, on), root);
+      picture ??= createPicture();
+      picture.plots.draw({
         driving,
-        law: experiment.law,
+        law,
         comparison: comparisonOf(compared.experiment, compared.gains),
         pins,
         pinned: pinnedOf(pins),
         isLog,
         time,
-        size: size(),
+        size: picture.size(),
         theme,
       });
     },
   };
 }
+
+/** @param {Model} model @param {Events} on */
+const contentOf = ({ driving, law, sample, label, note, isLog }, { onLog, onTable }) => html`
+  <dl id="stability-readout" class="stability-readout" data-picture="stability">${readingsOf(driving, law, sample)}</dl>
+  <div id="stability-picture" class="stability-picture" data-picture="stability">
+    <canvas id="stability-lines" role="img" aria-label=${label}></canvas>
+    <canvas id="stability-cursor" aria-hidden="true"></canvas>
+  </div>
+  <div class="stability-foot">
+    <p id="stability-note" class="muted" aria-live="polite">${note}</p>
+    <label class="check muted"><input id="stability-log" type="checkbox" .checked=${live(isLog)} @change=${onLog}> <span>${words.texts.stabilityLog}</span></label>
+    <button id="stability-table" type="button" class="link muted" @click=${onTable}>${words.texts.stabilityTable}</button>
+  </div>`;
 
 /** @type {readonly (readonly [id: keyof typeof words.terms.kanayama, read: (run: Stability, i: number) => number])[]} */
 const readings = [
@@ -88,27 +115,12 @@ const readings = [
   ['theta', (run, i) => run.promisedTheta[i]],
 ];
 
-/** The values at the cursor, those of the law as the equation that they are. @param {HTMLElement} list */
-function createReadout(list) {
-  const items = readings.map(([id, read]) => {
-    const term = create('dt', '');
-    const value = create('dd', '');
-    value.id = `stability-${id}`;
-    return { id, read, term, value, item: create('div', id, term, value) };
-  });
-  list.replaceChildren(...items.map(({ item }) => item));
-  const lawChanged = watch();
-  const changed = watch();
-  return {
-    /** @param {Stability} run @param {Experiment['law']} law @param {number} time */
-    draw(run, law, time) {
-      if (lawChanged(law))
-        for (const { id, term } of items) term.replaceChildren(...formula(words.terms[law][id]));
-      const i = sampleBefore(run, time);
-      if (!changed(run, i)) return;
-      const [lyapunov, ...rates] = items.map(({ read }) => read(run, i));
-      const texts = [words.amount(lyapunov), ...words.amounts(rates)];
-      for (const [n, { value }] of items.entries()) value.textContent = texts[n];
-    },
-  };
+/** The values at the cursor, those of the law as the equation that they are. @param {Stability} run @param {Experiment['law']} law @param {number} i */
+function readingsOf(run, law, i) {
+  const [lyapunov, ...rates] = readings.map(([, read]) => read(run, i));
+  const texts = [words.amount(lyapunov), ...words.amounts(rates)];
+  return readings.map(
+    ([id], n) =>
+      html`<div class=${id}><dt>${formula(words.terms[law][id])}</dt><dd id="stability-${id}">${texts[n]}</dd></div>`,
+  );
 }

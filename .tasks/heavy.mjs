@@ -1,0 +1,146 @@
+// npm run heavy: how long links and settings that ask for much hold the built page at once, in Chromium: the time that
+// the processor gave to the longest task of its thread.
+//
+//   npm run heavy -- [--site DIR] [--only TEXT]
+import { parseArgs } from 'node:util';
+import { Builder } from 'selenium-webdriver';
+import { findEngines } from '../tests/page/harness/engines.js';
+import { Failure, task } from './run.mjs';
+import { serveCompressed } from './serve.mjs';
+
+/** Milliseconds. */
+const aim = 50;
+const traceCategories = 'toplevel,disabled-by-default-devtools.timeline';
+/** How long the page is watched once it is ready, and after each press. */
+const watched = 4000;
+
+/** Starts around the goal. @param {number} count */
+const starts = (count) =>
+  `start=${Array.from({ length: count }, (_, i) => `${i % 9},${Math.floor(i / 9) % 9},0`).join(';')}`;
+
+const long = 'sampleTime=0.001&horizon=100';
+const many = Array.from({ length: 4600 }, (_, i) => `a${i}=`).join('&');
+const population = 'evolution.population=2000';
+const pin = (/** @type {number} */ i) =>
+  `pin${i}=p${i}~${i + 2},5,5~sampleTime:0.001~horizon:100~goal:90,${i * 9},0`;
+/** Goals that no robot reaches: all samples are driven. */
+const never = 'goal=900,900,0&limits.speed=0.01';
+
+/** A link, and what is pressed then. @type {readonly (readonly [name: string, link: string, ...press: string[]])[]} */
+const cases = [
+  ['nothing heavy', 'lab'],
+  ['population 2000, opponents 1000', `lab&v=1&${population}&evolution.opponents=1000`],
+  ['the same, one generation', `lab&v=1&${population}&evolution.opponents=1000`, '#one-generation'],
+  ['Generation, the same', `generation&v=1&generation=1&${population}&evolution.opponents=1000`],
+  [
+    'Generation, population 2000, table',
+    `generation&v=1&generation=1&${population}&evolution.opponents=274&phase=tournament`,
+    '#generation-table',
+  ],
+  ['3 000 starts', `lab&v=1&${starts(3000)}`],
+  ['3 000 starts, population 121', `lab&v=1&${starts(3000)}&evolution.population=121`],
+  ['200 starts, population 2000, 1000 samples a run', `lab&v=1&${starts(200)}&${population}&${never}`],
+  ['the same, one generation', `lab&v=1&${starts(200)}&${population}&${never}`, '#one-generation'],
+  ['the same at generation 3', `lab&v=1&generation=3&${starts(200)}&${population}&${never}`],
+  ...[
+    'lab',
+    'curves',
+    'curves&picture=stability',
+    'landscape',
+    'robustness',
+    'disturbance',
+    'training',
+    'luck',
+    'generation',
+  ].map(
+    (part) =>
+      /** @type {[string, string]} */ ([
+        `100 000 samples a run: ${part}`,
+        `${part.replace('&', '&v=1&')}${part.includes('&') ? '' : '&v=1'}&${never}&${long}`,
+      ]),
+  ),
+  ['the same with a step of the lesson', `lab&v=1&lesson=4&${never}&${long}`],
+  ['the same with population 2000', `lab&v=1&${population}&${never}&${long}`],
+  ['four pins of 100 000 samples', `curves&v=1&${[1, 2, 3, 4].map(pin).join('&')}`],
+  ['generation 100000', 'lab&v=1&generation=100000'],
+  ['generation 20000, then its table', 'generation&v=1&generation=20000', '#generation-table'],
+  ['4 600 unknown keys', `lab&v=1&${many}`],
+  ['one key of 19 000 characters', `lab&v=1&${'k'.repeat(19_000)}=1`],
+];
+
+/** @typedef {{ name: string, pid: number, tid: number, tdur?: number }} TraceEvent */
+
+/** The processor's time of the longest task on the page's thread since the last look, and of all of them, in milliseconds. @param {Driver} driver */
+async function tasksOf(driver) {
+  const entries = await driver.manage().logs().get('performance');
+  /** @type {TraceEvent[]} */
+  const events = entries
+    .map(({ message }) => JSON.parse(message).message)
+    .filter(({ method }) => method === 'Tracing.dataCollected')
+    .map(({ params }) => params);
+  // Only there things are laid out.
+  for (const { pid, tid, name } of events)
+    if (/^(UpdateLayoutTree|Layout|FireAnimationFrame)$/.test(name)) threads.add(`${pid} ${tid}`);
+  const tasks = events
+    .filter(({ name, pid, tid }) => name.endsWith('RunTask') && threads.has(`${pid} ${tid}`))
+    .map(({ tdur = 0 }) => tdur / 1000);
+  return { longest: Math.max(0, ...tasks), sum: tasks.reduce((a, b) => a + b, 0) };
+}
+
+/** The main threads of pages. @type {Set<string>} */
+const threads = new Set();
+
+/** @typedef {ReturnType<typeof import('selenium-webdriver/chrome.js').Driver.createSession>} Driver */
+
+async function openBrowser() {
+  const engine = findEngines().found.find(({ name }) => name === 'chromium');
+  if (!engine) throw new Failure('this is measured in Chromium, which this machine lacks');
+  if (engine.driver !== null) process.env.SE_CHROMEDRIVER = engine.driver;
+  const args = ['--headless=new', '--disable-gpu', '--window-size=1200,900', '--accept-lang=en'];
+  if (process.getuid?.() === 0) args.push('--no-sandbox');
+  const capabilities = {
+    browserName: 'chrome',
+    'goog:loggingPrefs': { performance: 'ALL' },
+    'goog:chromeOptions': {
+      binary: engine.browser,
+      args,
+      perfLoggingPrefs: { enableNetwork: false, enablePage: false, traceCategories },
+    },
+  };
+  return /** @type {Driver} */ (await new Builder().withCapabilities(capabilities).build());
+}
+
+/** @param {number} milliseconds */
+const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+await task(async () => {
+  const { values } = parseArgs({
+    options: { site: { type: 'string', default: 'dist' }, only: { type: 'string', default: '' } },
+  });
+  const served = await serveCompressed(values.site);
+  const driver = await openBrowser();
+  let over = 0;
+  try {
+    for (const [name, link, ...presses] of cases.filter(([name]) => name.includes(values.only))) {
+      await driver.get('about:blank');
+      await tasksOf(driver);
+      await driver.get(`${served.address}#${link}`);
+      await pause(watched);
+      for (const press of presses) {
+        // Only what the press brings.
+        await tasksOf(driver);
+        await driver.executeScript('document.querySelector(arguments[0]).click()', press);
+        await pause(watched);
+      }
+      const { longest, sum } = await tasksOf(driver);
+      if (longest > aim) over += 1;
+      console.log(
+        `${String(Math.round(longest)).padStart(6)} ms at once, ${String(Math.round(sum)).padStart(6)} in all  ${name}`,
+      );
+    }
+  } finally {
+    await driver.quit();
+    await served.close();
+  }
+  console.log(`\n${over} of them hold the page for more than ${aim} ms at once.`);
+});

@@ -1,0 +1,55 @@
+// The answers of workers to single questions, kept as long as they may be asked for again.
+import { Pending } from './pending.js';
+
+/** @typedef {import('./jobs.js').Jobs} Jobs */
+/** @typedef {import('./pool.js').Run} Run */
+/** @typedef {{ value: unknown } | { error: unknown } | { arrival: Promise<unknown>, share: () => number | null }} Answer */
+
+/** More than the page asks for at once. */
+const mostAnswers = 24;
+
+export function createAnswers() {
+  /** The one asked for last is the last. @type {Map<string, Answer>} */
+  const answers = new Map();
+
+  /** @param {string} key @param {Answer} answer */
+  function keep(key, answer) {
+    answers.delete(key);
+    answers.set(key, answer);
+    for (const [old, { value }] of /** @type {Map<string, { value?: unknown }>} */ (answers)) {
+      if (answers.size <= mostAnswers) break;
+      if (value !== undefined) answers.delete(old);
+    }
+  }
+
+  /**
+   * The answer, or the core's error; a Pending is thrown as long as there is none.
+   * @template {keyof Jobs} K
+   * @param {Run} run @param {K} call @param {Parameters<Jobs[K]>} args
+   * @returns {ReturnType<Jobs[K]>}
+   */
+  return function ask(run, call, ...args) {
+    const key = JSON.stringify([call, args]);
+    let answer = answers.get(key);
+    if (!answer) {
+      let done = /** @type {number | null} */ (null);
+      const arrival = run({ call, parts: [args] }, { onProgress: (part) => (done = part) }).then(
+        ([value]) => keep(key, { value }),
+        (error) => {
+          // What a newer question took the place of may be asked again.
+          if (error instanceof DOMException && error.name === 'AbortError') answers.delete(key);
+          else answers.set(key, { error });
+        },
+      );
+      answer = { arrival, share: () => done };
+      answers.set(key, answer);
+    }
+    if ('arrival' in answer) throw new Pending(answer.arrival, answer.share);
+    if ('error' in answer) {
+      answers.delete(key);
+      throw answer.error;
+    }
+    keep(key, answer);
+    return /** @type {ReturnType<Jobs[K]>} */ (answer.value);
+  };
+}

@@ -1,0 +1,36 @@
+// What a worker computes, how far it is, and the way to stop it.
+/** @import { State } from '../run/state.js' */
+import { html, render } from 'lit-html';
+import { byId, create } from '../kit/elements.js';
+import { lab as strings } from '../words/index.js';
+
+/** Milliseconds: what is there sooner need not be said. */
+const patience = 300;
+
+/** @param {{ stopComputing: () => void }} actions */
+export function createComputing({ stopComputing }) {
+  const place = create('div', 'computing');
+  place.id = 'computing';
+  place.hidden = true;
+  byId('message').after(place);
+  addEventListener('keydown', (event) => {
+    // A dialog is closed by it.
+    if (event.key === 'Escape' && !place.hidden && !document.querySelector('dialog[open]')) stopComputing();
+  });
+  return {
+    /** @param {State} state */
+    draw({ computing, catchingUp, generation }) {
+      place.hidden = !computing || performance.now() - computing.since < patience;
+      if (place.hidden || !computing) return;
+      const newest = catchingUp?.newest ?? null;
+      const share = newest ? generation / newest : (computing.share() ?? undefined);
+      const text = strings.computingText(computing.what, generation, newest);
+      const bar =
+        share === undefined
+          ? html`<progress aria-label=${text}></progress>`
+          : html`<progress aria-label=${text} .value=${share}></progress>`;
+      const stop = html`<button type="button" class="link" @click=${stopComputing}>${strings.stopComputing}</button>`;
+      render(html`<span role="status">${text}</span> ${stop}${bar}`, place);
+    },
+  };
+}
