@@ -1,5 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { chunks } from './chunks.mjs';
+import { hints } from './hints.mjs';
 import { instead } from './instead.mjs';
 import { oneFile } from './offline.mjs';
 
@@ -23,9 +25,10 @@ export default defineConfig(({ mode }) => ({
     // Nothing inline, so that the strictest content security policy lets the page run.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    rolldownOptions: { output: { codeSplitting: chunks } },
   },
   // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.
   worker: { format: 'iife' },
-  plugins: [instead({ isOneFile: mode === 'offline' }), ...(mode === 'offline' ? [oneFile()] : [])],
+  plugins: [instead({ isOneFile: mode === 'offline' }), mode === 'offline' ? oneFile() : hints()],
   ...(mode === 'element' && { build: element }),
 }));

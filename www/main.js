@@ -1,7 +1,5 @@
 // Wires the page: experiment → engine → views. The views get numbers and draw them.
 /** @import { Engine } from './core/engine.js' */
-/** @import { Page } from './parts/part.js' */
-/** @import { State } from './run/state.js' */
 import { createEngine } from './core/engine.js';
 import { createEmbed } from './embed/page.js';
 import { clearInstead, showInstead, watchCore } from './instead.js';
@@ -11,10 +9,11 @@ import { createAccumulator, createFrameLoop } from './kit/loop.js';
 import { createDraw } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
 import { followSurroundings } from './lab/surroundings.js';
-import { createViews, fillTexts } from './lab/views.js';
+import { createViews, sayTexts } from './lab/views.js';
 import { links } from './lesson/links.js';
 import { createLesson } from './lesson/page.js';
 import { createAddress } from './link/address.js';
+import { askFor, createParts } from './parts/load.js';
 import { parts, places } from './parts/parts.js';
 import { createActions } from './run/actions/actions.js';
 import { atEnd, fromStart } from './run/clock.js';
@@ -35,12 +34,10 @@ import { offerTable } from './kit/table.js';
 const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
 const isStill = () => stillPlease.matches || standsStill();
 
-/** @param {Engine} engine */
-function start(engine) {
+/** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
+async function start(engine) {
   const paper = engine.paper();
-  /** @type {Map<string, Page>} */
-  const pages = new Map();
-  const sceneOf = createScene(engine.drive, paper, (state) => pageOf(state)?.drives?.(state) ?? null);
+  const sceneOf = createScene(engine.drive, paper, (state) => pages.of(state.page)?.drives?.(state) ?? null);
   const generations = createAccumulator();
   const loop = createFrameLoop(frame);
   const first = firstState(engine, 'velocity-limits', isStill() ? atEnd : fromStart);
@@ -54,6 +51,7 @@ function start(engine) {
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const draw = createDraw(createViews(store, controls, links.pages, onLesson), engine, paper);
   const lesson = createLesson({ ...tools, go });
+  const pages = createParts(parts, tools, loop.request);
   const settings = createSettingsPanel(tools);
   const exercise = createExercise({ ...tools, places: parts.flatMap((part) => part.places ?? []) });
   const maker = isEmbedded ? null : createMaker(tools);
@@ -62,21 +60,11 @@ function start(engine) {
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;
 
-  /** The open part, which is made when it is opened for the first time. @param {State} state */
-  const pageOf = ({ page: name }) => {
-    const part = parts.find((one) => one.name === name);
-    if (part && !pages.has(name)) {
-      const page = part.create(tools);
-      pages.set(name, page);
-      if (page.element) byId('evolving').before(page.element);
-    }
-    return pages.get(name);
-  };
-
   /** Draws what the state says, and lets the open part ask the workers for what it still lacks. */
   const show = () => {
     const state = store.get();
-    const page = pageOf(state);
+    pages.open(state.page);
+    const page = pages.of(state.page);
     const scene = sceneOf(state);
     draw(state, scene);
     lesson.draw(state, scene);
@@ -92,7 +80,7 @@ function start(engine) {
   /** @param {number} seconds */
   function frame(seconds) {
     const before = store.get();
-    pageOf(before)?.tick?.(before, seconds);
+    pages.of(before.page)?.tick?.(before, seconds);
     if (before.evolving && !before.dragging)
       actions.evolve(moreOf(before.catchingUp ? Number.POSITIVE_INFINITY : before.pace, seconds));
     actions.advance(seconds);
@@ -118,6 +106,8 @@ function start(engine) {
   offerTable('fitness-table', () => fitnessTable(store.get().history));
   if (!isEmbedded) createKeep({ ...tools, actions, sceneOf });
   address = createAddress({ ...tools, actions });
+  loop.request();
+  await pages.open(store.get().page);
   embed?.begin();
   loop.request();
   // After the first picture, which was asked for before this.
@@ -127,12 +117,19 @@ function start(engine) {
 }
 
 document.body.toggleAttribute('data-embed', isEmbedded);
-fillTexts();
+sayTexts();
 watchCore();
-try {
-  start(await createEngine());
-  clearInstead();
-} catch (error) {
-  showInstead(error);
-  throw error;
+/** Not awaited where it is called: what is loaded on demand needs this file, and would wait for it in turn. */
+async function begin() {
+  try {
+    // Side by side with the core.
+    askFor(parts, location.hash);
+    const opened = start(await createEngine());
+    clearInstead();
+    await opened;
+  } catch (error) {
+    showInstead(error);
+    throw error;
+  }
 }
+begin();

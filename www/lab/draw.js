@@ -9,7 +9,7 @@ import { createView } from '../kit/transform.js';
 import { gainsOf } from '../run/drivers.js';
 import { pausesAt } from '../run/pace.js';
 import { endsOf } from '../run/state.js';
-import { curves as curveWords, lab as strings } from '../words/index.js';
+import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
 
@@ -81,7 +81,7 @@ function drawCurve(views, state, scene) {
   const isCost = curve === 'cost';
   byId('curve').hidden = !isCost;
   byId('sigmas').hidden = isCost;
-  write(byId('curve-title'), isCost ? strings.texts.curveTitle : curveWords.sigmaTitle);
+  write(byId('curve-title'), isCost ? strings.texts.curveTitle : sigmaWords.sigmaTitle);
   views.curveChoice.draw(curve);
   if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
   else views.sigmas.draw({ history, generation, theme });

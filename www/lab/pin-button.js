@@ -2,7 +2,7 @@
 import { byId, create, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';
-import { curves as words } from '../words/index.js';
+import { pins as words } from '../words/index.js';
 import { isFull, pinOf } from '../run/pins.js';
 
 /** @typedef {import('../run/pins.js').Driven} Driven */

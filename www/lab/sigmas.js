@@ -12,7 +12,7 @@ import {
   within,
 } from '../kit/chart.js';
 import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
-import { curves as words, lab } from '../words/index.js';
+import { sigmas as words, lab } from '../words/index.js';
 import { drawShown, generationScale } from './fitness.js';
 
 /** @typedef {import('../core/engine.js').Statistics} Statistics */

@@ -9,7 +9,8 @@ import { createNotes } from './notes.js';
 import { createPlane } from './plane.js';
 import { createSegmented } from '../kit/segmented.js';
 import { createSigmas } from './sigmas.js';
-import { curves as curveWords, lab as strings, texts } from '../words/index.js';
+import { sigmas as sigmaWords, lab as strings, texts } from '../words/index.js';
+import { fillTexts } from '../kit/texts.js';
 import { language } from '../words/language.js';
 import { createPages } from './navigation.js';
 import { labSlice } from './state.js';
@@ -25,15 +26,10 @@ export function showMessage(text) {
 }
 
 /** What index.html leaves to the language. */
-export function fillTexts() {
+export function sayTexts() {
   document.documentElement.lang = language;
   document.title = texts.pageTitle;
-  for (const element of document.querySelectorAll('[data-content]'))
-    element.setAttribute('content', texts[element.getAttribute('data-content') ?? '']);
-  for (const element of document.querySelectorAll('[data-text]'))
-    element.textContent = texts[element.getAttribute('data-text') ?? ''];
-  for (const element of document.querySelectorAll('[data-label]'))
-    element.setAttribute('aria-label', texts[element.getAttribute('data-label') ?? '']);
+  fillTexts(texts);
 }
 
 /** @param {import('../run/store.js').Store} store @param {Actions} actions @param {readonly string[]} pages @param {() => void} onLesson */
@@ -55,8 +51,8 @@ export function createViews(store, actions, pages, onLesson) {
     sigmas: createSigmas(byId('sigmas')),
     curveChoice: createSegmented(
       byId('curve-choice'),
-      curveWords.curveLegend,
-      curveWords.curveChoices,
+      sigmaWords.curveLegend,
+      sigmaWords.curveChoices,
       (curve) => labSlice.update(store, { curve }),
     ),
     evolutionBar: createEvolutionBar(byId('evolving'), actions),

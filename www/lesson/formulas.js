@@ -1,6 +1,7 @@
 // The formulas of the paper that more than one step shows.
 import { lawTerms } from '../core/rules.js';
-import { generation as words, lab } from '../words/index.js';
+import words from '../parts/generation/words/index.js';
+import { lab } from '../words/index.js';
 import { costText, degreesText, signed } from '../words/numbers.js';
 import { anatomyOf, birthOf, chosenIn } from './anatomy.js';
 import {

@@ -4,7 +4,7 @@ import { create } from '../kit/elements.js';
 import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { isInside, parts } from '../parts/disturbance/summary.js';
 import { watch } from '../kit/memo.js';
-import { disturbance as names } from '../words/index.js';
+import names from '../parts/disturbance/words/index.js';
 
 /** @import { Block, Tools } from './page.js' */
 /** @typedef {{ holds: { one: (holds: boolean, formula: string, size: string, set: string | null) => string, all: (time: number, count: number) => string } }} HoldsWords */

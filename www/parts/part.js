@@ -29,7 +29,7 @@
  * @property {readonly ('start' | 'disturbance')[]} [tries] What a drive there meets that evolution does not.
  * @property {true} [phases] Where a generation is seen phase by phase.
  * @property {readonly [share: number, most: number]} figure How high a figure of it looks best for its width, and the most that helps it, in pixels.
- * @property {(tools: Tools) => Page} create
+ * @property {() => Promise<(tools: Tools) => Page>} load What makes its page, which is not loaded before it is opened.
  */
 
 export {};

@@ -1,5 +1,5 @@
 // Runs that stay on screen to be compared with. Each has a hue, a dash and a mark of its own for as long as it is pinned.
-import { curves as words } from '../words/index.js';
+import { pins as words } from '../words/index.js';
 
 /** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {import('../core/engine.js').Triple} Triple */

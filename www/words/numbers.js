@@ -15,6 +15,18 @@ export const threeDigits = (value) => String(Number(value.toPrecision(3))).repla
 export const superscript = (whole) =>
   Array.from(String(whole), (letter) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(letter)]).join('');
 
+/** 10 to a power, in full where it is short. @param {number} power @param {number} [least] */
+export const powerOfTen = (power, least = -2) =>
+  power >= least && power <= 3
+    ? fixed(10 ** power, Math.max(0, Math.round(-power)))
+    : `10${superscript(power)}`;
+
+/** A number of any size, with a power of ten. @param {number} value @param {number} [digits] Those that count. */
+export function powerText(value, digits = 3) {
+  const [mantissa, power] = Number(value.toPrecision(digits)).toExponential().split('e');
+  return `${mantissa.replace('-', '−')}·10${superscript(power.replace('+', ''))}`;
+}
+
 /** @param {number} value */
 export function costText(value) {
   if (!Number.isFinite(value)) return '∞';

@@ -1,7 +1,7 @@
 // The Lyapunov function beside the robot: what is read and drawn is what the core computes, and what it means is said.
 import assert from 'node:assert/strict';
 import { layoutOf } from '../../../www/parts/curves/stability/layout.js';
-import { amount, amounts } from '../../../www/words/en/stability.js';
+import { amount, amounts } from '../../../www/parts/curves/stability/words/en.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { experiment, paperGains, simulate, stability } from '../harness/core.js';
 import { coloured, numberOf, pixelsOf, textOf } from '../harness/reading.js';

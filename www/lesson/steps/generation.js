@@ -1,5 +1,6 @@
 // One generation by hand.
-import { generation as words, lesson } from '../../words/index.js';
+import words from '../../parts/generation/words/index.js';
+import { lesson } from '../../words/index.js';
 import { anatomyOf, birthOf, chosenIn, placeByCost } from '../anatomy.js';
 import { gainFormula } from '../formulas.js';
 

@@ -1,5 +1,5 @@
 // The step size that adapts itself, and its collapse.
-import { generation as words } from '../../words/index.js';
+import words from '../../parts/generation/words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { sigmaFormula } from '../formulas.js';
 

@@ -1,6 +1,6 @@
 // What plots against time share: the end of their axis, its ticks, and the samples.
 import { drawNumbersBelow, sameDigits } from '../../kit/chart.js';
-import { curves as words } from '../../words/index.js';
+import words from './words/index.js';
 
 /** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('../../kit/chart.js').Scale} Scale */

@@ -13,7 +13,8 @@ import { fieldPath, valueAt } from '../../run/paths.js';
 import { styles } from '../../run/pins.js';
 import { createQuantity } from '../../settings/quantity.js';
 import { rows as settingRows } from '../../settings/table.js';
-import { curves as words, lab, settings as settingWords } from '../../words/index.js';
+import { lab, settings as settingWords } from '../../words/index.js';
+import words from './words/index.js';
 import { curvesSlice } from './state.js';
 
 /** @typedef {{ name: string, gains: Triple, experiment: Experiment, run: Run, slot: number | null }} Column */

@@ -5,7 +5,7 @@ import { html, nothing, render } from 'lit-html';
 import { paidUntil } from '../../core/paid.js';
 import { remember, watch } from '../../kit/memo.js';
 import { sampleBefore } from '../../lab/track.js';
-import { curves as words } from '../../words/index.js';
+import words from './words/index.js';
 
 /** More rows than this nobody reads. */
 const mostRows = 60;

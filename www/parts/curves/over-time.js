@@ -10,7 +10,8 @@ import { followPointer } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { sampleBefore } from '../../lab/track.js';
-import { curves as words, lab } from '../../words/index.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 import { sampleTime } from './axes.js';
 import { createPlots } from './plots.js';
 

@@ -6,7 +6,8 @@
 import { html, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';
 import { choicesOf } from '../../kit/segmented.js';
-import { curves as words, lab } from '../../words/index.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 import { createSection } from '../section.js';
 import { createComparison } from './compare.js';
 import { createNumbers } from './numbers.js';

@@ -1,10 +1,12 @@
 // The drive against time, its stability, and runs beside each other.
 /** @import { Part } from '../part.js' */
+import { partOf } from '../load.js';
 import { labCurves, labSlice } from '../../lab/state.js';
 import { partKey } from '../../link/keys.js';
 import { oneOf } from '../../link/values.js';
-import { createCurvesPage } from './page.js';
 import { curvesSlice as slice, scales, views } from './state.js';
+import { load as loadStability } from './stability/words/load.js';
+import { load as loadWords } from './words/load.js';
 
 /** @type {Part} */
 export const curves = {
@@ -17,5 +19,6 @@ export const curves = {
     partKey('scale', slice, 'scale', (text) => oneOf(scales, text)),
   ],
   figure: [0.72, 700],
-  create: createCurvesPage,
+  load: () =>
+    partOf([loadWords(), loadStability()], import('./page.js'), ({ createCurvesPage }) => createCurvesPage),
 };

@@ -17,7 +17,8 @@ import {
 import { spread } from '../../kit/names.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
-import { curves as words, lab } from '../../words/index.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 import { drawTimeAxis, timeTicks } from './axes.js';
 import { curvesOf, layoutOf } from './layout.js';
 

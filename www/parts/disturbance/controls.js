@@ -4,7 +4,8 @@ import { html } from 'lit-html';
 import { createRow } from '../../lab/gains.js';
 import { messageOf } from '../../words/errors.js';
 import { choicesOf } from '../../kit/segmented.js';
-import { disturbance as words, lab } from '../../words/index.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 
 /** @typedef {import('../part.js').Tools} PageParts */
 /** @typedef {import('../../core/engine.js').Experiment['disturbance']} Disturbance */

@@ -4,7 +4,7 @@
 /** @import { Page, Tools } from '../part.js' */
 import { html, render } from 'lit-html';
 import { remember, watch } from '../../kit/memo.js';
-import { disturbance as words } from '../../words/index.js';
+import words from './words/index.js';
 import { createSection } from '../section.js';
 import { createControls } from './controls.js';
 import { createPlots } from './plots.js';

@@ -1,7 +1,8 @@
 // The error that remains under a disturbance.
 /** @import { Part } from '../part.js' */
-import { createDisturbancePage } from './page.js';
+import { partOf } from '../load.js';
 import { disturbanceSlice as slice } from './state.js';
+import { load as loadWords } from './words/load.js';
 
 /** @type {Part} */
 export const disturbance = {
@@ -10,5 +11,6 @@ export const disturbance = {
   places: { settings: { lock: '#disturbance-controls', hide: '#disturbance-controls' } },
   tries: ['start', 'disturbance'],
   figure: [0.75, 680],
-  create: createDisturbancePage,
+  load: () =>
+    partOf([loadWords()], import('./page.js'), ({ createDisturbancePage }) => createDisturbancePage),
 };

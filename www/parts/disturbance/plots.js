@@ -7,7 +7,7 @@ import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
-import { disturbance as words } from '../../words/index.js';
+import words from './words/index.js';
 import { parts } from './summary.js';
 
 /** @typedef {import('./request.js').Measured} Measured */

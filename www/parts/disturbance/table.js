@@ -2,7 +2,7 @@
 /** @import { PartName, Summary } from './summary.js' */
 import { html, nothing } from 'lit-html';
 import { formula } from '../../kit/formula.js';
-import { disturbance as words } from '../../words/index.js';
+import words from './words/index.js';
 import { parts } from './summary.js';
 
 const { texts } = words;

@@ -4,7 +4,8 @@
 /** @import { Anatomy, GenerationRecord, Phase } from './record.js' */
 import { html, nothing } from 'lit-html';
 import { winsBout } from '../../core/rules.js';
-import { generation as words, lab } from '../../words/index.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 import { bell } from './bell.js';
 import { isInitial, partnerOf } from './record.js';
 

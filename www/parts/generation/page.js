@@ -9,7 +9,7 @@ import { choicesOf } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';
 import { showTable } from '../../kit/table.js';
 import { playsPhases } from '../../run/pace.js';
-import { generation as words } from '../../words/index.js';
+import words from './words/index.js';
 import { createSection } from '../section.js';
 import { detailsOf } from './details.js';
 import { createPicture } from './picture.js';

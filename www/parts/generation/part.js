@@ -1,9 +1,10 @@
 // One generation, phase by phase.
 /** @import { Part } from '../part.js' */
+import { partOf } from '../load.js';
 import { partKey } from '../../link/keys.js';
 import { oneOf, wholeNumber } from '../../link/values.js';
-import { createGenerationPage } from './page.js';
 import { generationSlice as slice, phases } from './state.js';
+import { load as loadWords } from './words/load.js';
 
 /** @type {Part} */
 export const generation = {
@@ -16,5 +17,5 @@ export const generation = {
   places: { run: { lock: '#generation-step', hide: '#generation-step button' } },
   phases: true,
   figure: [0.72, 620],
-  create: createGenerationPage,
+  load: () => partOf([loadWords()], import('./page.js'), ({ createGenerationPage }) => createGenerationPage),
 };

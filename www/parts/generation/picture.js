@@ -5,7 +5,7 @@ import { followSize, svg } from '../../kit/elements.js';
 import { isChord } from '../../kit/keyboard.js';
 import { sameDigits } from '../../kit/chart.js';
 import { watch } from '../../kit/memo.js';
-import { generation as words } from '../../words/index.js';
+import words from './words/index.js';
 import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
 import { isInitial } from './record.js';
 

@@ -1,7 +1,7 @@
 // A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
 import { generationSlice, phases } from './state.js';
 import { remember } from '../../kit/memo.js';
-import { generation as words } from '../../words/index.js';
+import words from './words/index.js';
 
 /** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */
 /** @typedef {import('../../core/engine.js').Individual} Individual */

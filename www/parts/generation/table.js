@@ -1,5 +1,5 @@
 // The whole generation as a table.
-import { generation as words } from '../../words/index.js';
+import words from './words/index.js';
 import { isInitial } from './record.js';
 
 /** @typedef {import('./record.js').Anatomy} Anatomy */

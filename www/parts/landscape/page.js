@@ -10,7 +10,8 @@ import { gainsOf } from '../../run/drivers.js';
 import { byIdIn, followSize } from '../../kit/elements.js';
 import { options, valueIn } from '../../kit/templates.js';
 import { createSection } from '../section.js';
-import { lab, landscape as words, tables } from '../../words/index.js';
+import { lab, tables } from '../../words/index.js';
+import words from './words/index.js';
 import { createLandscapeRequests, createSpec, gainsAt, thirdOf } from './request.js';
 import { axesOf, countOutside, createMap } from './view.js';
 

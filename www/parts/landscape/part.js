@@ -2,11 +2,12 @@
 /** @import { Part } from '../part.js' */
 /** @import { AxisChoice } from './request.js' */
 /** @import { LandscapeState } from './state.js' */
+import { partOf } from '../load.js';
 import { partKey } from '../../link/keys.js';
 import { number, numberText, oneOf } from '../../link/values.js';
 import { link as words } from '../../words/index.js';
-import { createLandscapePage } from './page.js';
 import { gainNames, landscapeSlice as slice } from './state.js';
+import { load as loadWords } from './words/load.js';
 
 /** @param {AxisChoice} axis */
 const axisText = ({ gain, log }) => (log ? `${gain}-log` : gain);
@@ -35,5 +36,5 @@ export const landscape = {
   },
   places: { gains: { lock: '#landscape-map' } },
   figure: [0.64, 620],
-  create: createLandscapePage,
+  load: () => partOf([loadWords()], import('./page.js'), ({ createLandscapePage }) => createLandscapePage),
 };

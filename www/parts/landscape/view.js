@@ -13,7 +13,8 @@ import { shadeAt } from '../../kit/shades.js';
 import { watch } from '../../kit/memo.js';
 import { drawSymbol } from '../../kit/names.js';
 import { fixed } from '../../words/numbers.js';
-import { lab, landscape as words } from '../../words/index.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 import { endsOfAxis } from './request.js';
 import { createAxis, createCostScale } from './scale.js';
 

@@ -15,7 +15,7 @@ import {
   within,
 } from '../../kit/chart.js';
 import { drawAxisNames, drawName, spread } from '../../kit/names.js';
-import { luck as words } from '../../words/index.js';
+import words from './words/index.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
 /** @typedef {import('../../kit/chart.js').Axes} Axes */

@@ -7,7 +7,7 @@ import { options, valueIn } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
-import { luck as words } from '../../words/index.js';
+import words from './words/index.js';
 import { createSeedCurve } from './curve.js';
 import { createSeedRequests, drivesOf, isSameButSeed } from './request.js';
 import { createStrips } from './strips.js';
@@ -214,7 +214,7 @@ function statusText(state, fresh) {
   return [cancelled ? words.cancelled(result !== null) : '', stale].filter((text) => text !== '').join(' ');
 }
 
-/** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('../../words/common/luck.js').Change[]} */
+/** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('./words/common.js').Change[]} */
 function changesOf(then, now) {
   const named = /** @type {const} */ ([
     ['start', then.starts, now.starts],

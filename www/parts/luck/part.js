@@ -1,7 +1,8 @@
 // The same evolution with many seeds.
 /** @import { Part } from '../part.js' */
-import { createLuckPage } from './page.js';
+import { partOf } from '../load.js';
 import { luckSlice as slice } from './state.js';
+import { load as loadWords } from './words/load.js';
 
 /** @type {Part} */
 export const luck = {
@@ -13,5 +14,5 @@ export const luck = {
     seed: { lock: '#luck-open', hide: '#luck-open' },
   },
   figure: [0.7, 640],
-  create: createLuckPage,
+  load: () => partOf([loadWords()], import('./page.js'), ({ createLuckPage }) => createLuckPage),
 };

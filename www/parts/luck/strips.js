@@ -6,7 +6,8 @@ import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { drawSymbol } from '../../kit/names.js';
-import { lab, luck as words } from '../../words/index.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 

@@ -1,7 +1,7 @@
 // All seeds as a table, and as a file for other programs.
 import { download } from '../../kit/download.js';
 import { costText, fixed } from '../../words/numbers.js';
-import { luck as words } from '../../words/index.js';
+import words from './words/index.js';
 import { csvOf, quartilesOf } from './statistics.js';
 
 /** @typedef {import('./request.js').SeedSurvey} SeedSurvey */

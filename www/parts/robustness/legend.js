@@ -5,7 +5,7 @@ import { byIdIn } from '../../kit/elements.js';
 import { shadeAt } from '../../kit/shades.js';
 import { styled } from '../../kit/templates.js';
 import { once, watch } from '../../kit/memo.js';
-import { robustness as words } from '../../words/index.js';
+import words from './words/index.js';
 import { hatch } from './view.js';
 
 /** @typedef {import('./request.js').Quantity} Quantity */

@@ -10,7 +10,8 @@ import { robustnessTable } from './table.js';
 import { followKeys, followPointing, pointIn } from '../../kit/map.js';
 import { once, remember, watch } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
-import { lab, robustness as words, tables } from '../../words/index.js';
+import { lab, tables } from '../../words/index.js';
+import words from './words/index.js';
 import {
   angleOf,
   cellNear,

@@ -1,10 +1,11 @@
 // One set of gains from many starts: where does the robot arrive?
 /** @import { Part } from '../part.js' */
+import { partOf } from '../load.js';
 import { partKey } from '../../link/keys.js';
 import { oneOf, wholeNumber } from '../../link/values.js';
 import { headings } from './grid.js';
-import { createRobustnessPage } from './page.js';
 import { halves, quantities, robustnessSlice as slice } from './state.js';
+import { load as loadWords } from './words/load.js';
 
 /** @type {Part} */
 export const robustness = {
@@ -18,5 +19,5 @@ export const robustness = {
   places: { postures: { lock: '#robustness-map' } },
   tries: ['start'],
   figure: [0.64, 620],
-  create: createRobustnessPage,
+  load: () => partOf([loadWords()], import('./page.js'), ({ createRobustnessPage }) => createRobustnessPage),
 };

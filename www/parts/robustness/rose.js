@@ -4,7 +4,7 @@ import { followHeld, followKeys, pointIn } from '../../kit/map.js';
 import { shadeAt } from '../../kit/shades.js';
 import { styled } from '../../kit/templates.js';
 import { once, watch } from '../../kit/memo.js';
-import { robustness as words } from '../../words/index.js';
+import words from './words/index.js';
 import { angleOf, headingNear, headings } from './grid.js';
 
 /** @typedef {{ heading: number | null, parts: readonly (number | null)[] }} RoseModel Of each heading the part of the scale; null where it does not arrive. */

@@ -8,7 +8,7 @@ import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
-import { robustness as words } from '../../words/index.js';
+import words from './words/index.js';
 import { cellNear, startOf } from './grid.js';
 
 /** @typedef {import('../../core/engine.js').Posture} Posture */

@@ -5,7 +5,7 @@ import { byIdIn } from '../../kit/elements.js';
 import { options, valueIn } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
-import { training as words } from '../../words/index.js';
+import words from './words/index.js';
 import { createPicture } from './picture.js';
 import { changesOf, createTraining, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';

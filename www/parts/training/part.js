@@ -1,7 +1,8 @@
 // Gains evolved on one start and on many, tested on starts that evolution never saw.
 /** @import { Part } from '../part.js' */
-import { createTrainingPage } from './page.js';
+import { partOf } from '../load.js';
 import { trainingSlice as slice } from './state.js';
+import { load as loadWords } from './words/load.js';
 
 /** @type {Part} */
 export const training = {
@@ -13,5 +14,5 @@ export const training = {
   },
   tries: ['start'],
   figure: [0.7, 640],
-  create: createTrainingPage,
+  load: () => partOf([loadWords()], import('./page.js'), ({ createTrainingPage }) => createTrainingPage),
 };

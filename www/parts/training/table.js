@@ -1,7 +1,8 @@
 // The table: one row for each set of gains, with how they fare.
 import { html } from 'lit-html';
 import { styled } from '../../kit/templates.js';
-import { lab, training as words } from '../../words/index.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
 
 /** @typedef {import('./request.js').Result} Result */
 /** @typedef {import('./request.js').RowName} RowName */

@@ -1,5 +1,5 @@
 // Of the page's checks, what is the same in every language.
-import { powerText } from './generation.js';
+import { powerText } from '../numbers.js';
 
 /** @typedef {import('../../core/checks/check.js').Outcome} Outcome */
 

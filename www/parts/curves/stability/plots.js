@@ -17,7 +17,7 @@ import { drawMark } from '../../../kit/swatch.js';
 import { sampleBefore } from '../../../lab/track.js';
 import { colour } from '../../../kit/palette.js';
 import { watch } from '../../../kit/memo.js';
-import { stability as words } from '../../../words/index.js';
+import words from './words/index.js';
 import { drawnOf, layoutOf } from './layout.js';
 import { risesOf } from './summary.js';
 

@@ -1,6 +1,6 @@
 // V and V̇ of a run in numbers.
 import { readableSamples } from '../numbers.js';
-import { stability as words } from '../../../words/index.js';
+import words from './words/index.js';
 
 /** @typedef {import('../../../core/engine.js').Stability} Stability */
 

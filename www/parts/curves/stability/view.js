@@ -11,7 +11,7 @@ import { formula } from '../../../kit/formula.js';
 import { remember, watch } from '../../../kit/memo.js';
 import { showTable } from '../../../kit/table.js';
 import { sampleBefore } from '../../../lab/track.js';
-import { stability as words } from '../../../words/index.js';
+import words from './words/index.js';
 import { sampleTime } from '../axes.js';
 import { curvesSlice } from '../state.js';
 import { createPlots } from './plots.js';

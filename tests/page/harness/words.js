@@ -1,0 +1,22 @@
+// Every word of the page in both languages: the common ones, and those that each part has in its own folder.
+import { readdirSync } from 'node:fs';
+import * as commonEnglish from '../../../www/words/en/index.js';
+import * as commonKorean from '../../../www/words/ko/index.js';
+
+/** The folder of a part's words, and the part. */
+const folder = /(\w+)[\\/]words[\\/]en\.js$/;
+
+const www = new URL('../../../www/', import.meta.url);
+const names = readdirSync(www, { recursive: true, encoding: 'utf8' }).filter((name) => folder.test(name));
+
+/** @param {string} language @returns {Promise<Record<string, Record<string, unknown>>>} */
+async function partsIn(language) {
+  const parts = names.map(async (name) => [
+    folder.exec(name)?.[1],
+    await import(new URL(name.replace(/en\.js$/, `${language}.js`), www).href),
+  ]);
+  return Object.fromEntries(await Promise.all(parts));
+}
+
+export const en = { ...commonEnglish, ...(await partsIn('en')) };
+export const ko = { ...commonKorean, ...(await partsIn('ko')) };

@@ -1,0 +1,92 @@
+// Every word of the Lyapunov function beside the robot, in Korean.
+import { errorNames, gainNames, termsOf } from './common.js';
+import { fixed, threeDigits } from '../../../../words/ko/numbers.js';
+
+export * from './common.js';
+
+/** @typedef {import('../summary.js').Summary} Summary */
+
+export const texts = {
+  stabilityTable: '표',
+  stabilityLog: '로그',
+};
+
+export const terms = termsOf({ rate: ['V̇ 로봇'], promised: ['V̇ 법칙 ='] });
+
+/** @param {boolean} limited */
+export const limitedText = (limited) => (limited ? '예' : '');
+
+/** @param {string} name @param {number} step */
+export const tableCaption = (name, step) =>
+  `${name}: ${threeDigits(step)}초마다 한 줄, 그리고 마지막. V̇ 법칙은 세 항의 합이고, V̇ 로봇은 제한과 외란을 거친 값입니다.`;
+
+export const tableColumns = [
+  't s',
+  'xₑ m',
+  'yₑ m',
+  'θₑ °',
+  'V',
+  'xₑ의 항',
+  'yₑ의 항',
+  'θₑ의 항',
+  'V̇ 법칙',
+  'V̇ 로봇',
+  '제한됨',
+];
+
+/** What the picture shows, in whole sentences. @param {Summary} summary */
+export const noteText = (summary) =>
+  [valueText, raisedText, limitsText, samplingText, lawText]
+    .map((text) => text(summary))
+    .filter(Boolean)
+    .join(' ');
+
+/** @param {Summary} summary */
+function valueText({ from, to, rising, seconds }) {
+  if (from === 0 && to === 0) return 'V는 0입니다. 로봇이 처음부터 목표에 있습니다.';
+  const ends = `${threeDigits(from)}에서 ${threeDigits(to)}(으)로`;
+  if (rising > 0)
+    return `V는 ${ends} 변하며, ${fixed(seconds, 2)}초 중 ${fixed(rising, 2)}초 동안 커집니다(빨간색).`;
+  return to < 0.01 * from ? `V는 ${ends} 끝까지 줄어듭니다.` : `V는 커지는 일 없이 ${ends} 변합니다.`;
+}
+
+/** @param {Summary} summary */
+function raisedText({ raised, negative, referenceSpeed }) {
+  if (raised.length === 0) return '';
+  const guilty = raised.filter((part) => negative.includes(part));
+  const why =
+    guilty.length > 0
+      ? `${guilty.map((part) => gainNames[part]).join(', ')}의 값이 음수여서 `
+      : referenceSpeed < 0
+        ? '기준이 뒤로 달려서 '
+        : '';
+  return `${why}${raised.map((part) => errorNames[part]).join(', ')}의 항이 0보다 크므로, 법칙 자체가 V를 키웁니다.`;
+}
+
+/** @param {Summary} summary */
+function limitsText({ limited, disturbed, isPromised }) {
+  const pushed = disturbed ? '외란도 V̇ 로봇을 V̇ 법칙에서 벗어나게 합니다.' : '';
+  if (limited === 0)
+    return disturbed || !isPromised ? pushed : '명령이 제한에 걸리지 않으므로 V̇ 로봇은 V̇ 법칙과 같습니다.';
+  return `회색: ${fixed(limited, 2)}초 동안 명령이 제한에 걸려 V̇ 로봇이 V̇ 법칙과 다릅니다. ${pushed}`.trim();
+}
+
+/** @param {Summary} summary */
+const samplingText = ({ causes, sampleTime }) =>
+  causes.includes('sampling')
+    ? `한 명령을 ${threeDigits(sampleTime)}초 동안 유지하므로, V̇가 샘플마다 0보다 작아도 샘플 사이에서는 V가 커질 수 있습니다.`
+    : '';
+
+/** @param {Summary} summary */
+function lawText({ law, isPromised, referenceSpeed }) {
+  if (law !== 'kanayama') return '';
+  if (!isPromised)
+    return 'Kanayama의 규칙은 ky > 0이 아니면 아무것도 보장하지 않습니다. 여기의 V는 법칙 (5)의 것입니다.';
+  return referenceSpeed === 0
+    ? 'Kanayama의 규칙에서 목표가 멈추어 있으면 V̇에는 앞쪽으로 목표까지의 거리 x만 남습니다. 목표 옆에 이르면 로봇은 그 자리에 머뭅니다.'
+    : 'Kanayama의 규칙에는 고유한 V가 있습니다. x는 앞쪽으로 기준까지의 거리입니다.';
+}
+
+/** @param {string} name @param {Summary} summary */
+export const pictureLabel = (name, summary) =>
+  `시간에 따른 V와 V̇: ${name}. ${noteText(summary)} “표”에서 수치를 볼 수 있습니다.`;

@@ -1,0 +1,78 @@
+// Every word of the curves.
+import { numberColumnsOf } from './common.js';
+import { isTracking } from '../../../core/reference.js';
+import { costText, fixed, threeDigits } from '../../../words/en/numbers.js';
+
+export * from './common.js';
+
+/** @typedef {import('../../../core/engine.js').Run} Run */
+/** @typedef {import('../../../core/engine.js').Statistics} Statistics */
+/** @typedef {import('../../../run/state.js').Driver} Driver */
+/** @typedef {import('../../../core/engine.js').Triple} Triple */
+
+export const texts = {
+  curvesTitle: 'Curves',
+  comparisonTable: 'Table of the pinned runs',
+  numbersTable: 'Table of the run in numbers',
+};
+
+export const viewLegend = 'What is shown';
+/** @type {readonly import('../../../kit/segmented.js').Choice<import('../state.js').CurvesView>[]} */
+export const views = [
+  { value: 'time', text: 'Against time' },
+  { value: 'stability', text: 'Stability', hint: 'The Lyapunov function V and its rate' },
+  { value: 'compare', text: 'Compare' },
+  { value: 'numbers', text: 'Numbers' },
+];
+
+export const limit = 'limit';
+
+/** @param {string} name @param {Run} run @param {string} outcome @param {string} comparison @param {readonly string[]} pins */
+export const pictureLabel = (name, run, outcome, comparison, pins) =>
+  `x and y, θ, v, ω and J against time: ${name}, J ${costText(run.cost.total)}, ${outcome}. Dotted: ${comparison}.${pins.map((pin) => ` Pinned: ${pin}.`).join('')} Under “Numbers” all of it is a table.`;
+
+/** @param {'5' | '7'} figure */
+export const figureNote = (figure) =>
+  figure === '5'
+    ? 'Figure 5 of the paper shows this pair: EP’s gains solid, the arbitrary ones dotted.'
+    : 'Figure 7 of the paper shows this pair; there θ stays below 60°. No reading of its limits that was tried gives that picture.';
+
+/** @param {string} name @param {number} step */
+export const numbersCaption = (name, step) =>
+  `${name}: one row for every ${threeDigits(step)} s, and the end. v and ω are what the robot does from then on.`;
+
+export const numberColumns = numberColumnsOf({
+  'command-linear': 'v asked',
+  'command-angular': 'ω asked',
+  paid: 'J paid',
+});
+
+export const noPinsText =
+  'Pin a run with “Pin this run”, then evolve on, take another seed or setting, or drive by hand: here you see what differs.';
+/** @param {number} count */
+export const pinsText = (count) => `${count} of 4 pinned; their names can be changed.`;
+/** @param {number} slot */
+export const nameLabel = (slot) => `Name of pinned run ${slot + 1}`;
+/** @param {string} name */
+export const unpin = (name) => `Unpin ${name}`;
+export const nameNeeded = 'A pinned run needs a name of at least one letter; it keeps its old one.';
+
+export const unpinShort = 'Unpin';
+
+/** @param {string} name */
+export const drivingColumn = (name) => `now: ${name}`;
+/** With a place to break in a narrow column. @param {string} name */
+export const breakable = (name) => name.replaceAll('generation', 'gener\u00adation');
+
+export const outcomeHead = 'goal';
+/** @param {Run} run */
+export const outcomeShort = (run) =>
+  isTracking(run) ? 'followed' : { arrived: 'reached', horizon: 'missed', diverged: 'missed' }[run.outcome];
+export const finalTimeHead = 'end';
+/** @param {Run} run */
+export const finalTimeText = ({ finalTime }) => `${fixed(finalTime, 2)} s`;
+export const settingsThatDiffer = 'Settings that differ';
+export const sameSettings = 'All settings are the same.';
+export const startsHead = 'Evolved from';
+/** @param {number} count */
+export const startsText = (count) => (count === 1 ? '1 start' : `${count} starts`);

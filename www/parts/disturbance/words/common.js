@@ -1,0 +1,49 @@
+// Of the disturbance part, what is the same in every language.
+import { fixed } from '../../../words/numbers.js';
+
+/** @typedef {import('../summary.js').PartName} PartName */
+
+export const parts = /** @type {const} */ (['x', 'y', 'theta']);
+export const unitOf = /** @type {const} */ ({ x: 'm', y: 'm', theta: '' });
+
+/** The rows of a kind, for the linear and the angular part. */
+export const sizes = /** @type {const} */ ({
+  random: [
+    { id: 'epsilon1', name: 'ε1', letter: 'ε', index: '1' },
+    { id: 'epsilon2', name: 'ε2', letter: 'ε', index: '2' },
+  ],
+  slip: [
+    { id: 'delta1', name: 'δ1', letter: 'δ', index: '1' },
+    { id: 'delta2', name: 'δ2', letter: 'δ', index: '2' },
+  ],
+});
+export const units = /** @type {const} */ (['m/s', 'rad/s']);
+
+/** What each part is, the subscripts being every second piece. */
+export const formulas = /** @type {const} */ ({
+  x: ['|x', 'e', ' cos θ', 'e', '|'],
+  y: ['|y', 'e', '|'],
+  theta: ['|sin θ', 'e', '|'],
+});
+
+/** @param {PartName} part */
+export const formulaText = (part) => formulas[part].map((piece, i) => (i % 2 ? 'ₑ' : piece)).join('');
+
+/** @param {number} value */
+export function sizeText(value) {
+  if (!Number.isFinite(value)) return '∞';
+  if (value < 100) return fixed(value, 3);
+  return value < 1e5 ? fixed(value, 0) : value.toExponential(0).replace('e+', 'e');
+}
+
+/** @param {PartName} part @param {number} value */
+export const amount = (part, value) => `${sizeText(value)}${unitOf[part] && ' '}${unitOf[part]}`;
+
+/** @param {number} inside @param {number} starts */
+export const insideText = (inside, starts) => `${inside}/${starts}`;
+
+/** Of the other starts, the largest of each so many seconds is drawn. */
+export const crestSeconds = 0.2;
+
+/** The equations of the sets. */
+export const equations = /** @type {const} */ ({ x: '(6)', y: '(7)', theta: '(8)' });

@@ -1,0 +1,103 @@
+// Every word of the disturbance part.
+import { amount, crestSeconds, formulaText, parts, unitOf } from './common.js';
+import { fixed, threeDigits } from '../../../words/en/numbers.js';
+
+export * from './common.js';
+
+/** @typedef {import('../summary.js').PartName} PartName */
+/** @typedef {import('../summary.js').Summary} Summary */
+/** @typedef {import('../../../core/engine.js').Experiment} Experiment */
+
+export const texts = {
+  disturbanceTitle: 'Disturbance',
+  disturbanceControls: 'The disturbance',
+  disturbanceSizes: 'Size of the disturbance',
+  disturbanceDraw: 'New draw',
+  remainsDrive: 'this drive',
+  remainsSet: 'its set',
+  remainsMedian: 'median',
+  remainsLargest: 'largest',
+  remainsInside: 'inside',
+};
+
+export const kindLegend = 'Kind of disturbance';
+/** @type {readonly import('../../../kit/segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
+export const kinds = [
+  { value: 'none', text: 'None' },
+  { value: 'random', text: 'Random', hint: 'Drawn afresh at each sample, evenly between −ε and ε' },
+  { value: 'slip', text: 'Slip', hint: 'The same at every sample' },
+];
+
+/** @param {Experiment['disturbance']} disturbance */
+export const kindText = ({ kind, seed }) =>
+  ({
+    none: 'nothing is added to the velocity that the robot applies',
+    random: `|δ1| ≤ ε1, |δ2| ≤ ε2, drawn afresh at each sample; draw ${seed}`,
+    slip: 'δ1 and δ2 are added to v and ω, the same at every sample',
+  })[kind];
+
+/** @param {string} message */
+export const failed = (message) => `These are the last that could be measured: ${message}`;
+
+/** @param {PartName} part */
+export const axisUnit = (part) => (unitOf[part] ? ` in ${unitOf[part]}` : '');
+
+/** @param {number} starts */
+export const startsText = (starts) => `${starts} other starts`;
+/** @param {number} seconds */
+export const lastText = (seconds) => `last ${fixed(seconds, 0)} s`;
+/** @param {number} seconds */
+export const captionText = (seconds) => `largest of the last ${fixed(seconds, 0)} s; grey: undisturbed`;
+
+export const legend = {
+  drive: 'this drive',
+  others: `other starts, largest of each ${crestSeconds} s`,
+  set: 'set of Theorem 2: outside all three, V̇ < 0',
+};
+export const equationHints = {
+  x: 'ε1 / kx',
+  y: 'the cube root of ε1 |sin θₑ| / ky',
+  theta: 'ε2 / kθ',
+};
+
+/** @param {PartName} part @param {Summary} summary */
+export const plotLabel = (part, { rows, seconds, horizon }) => {
+  const { drive, set } = rows[part];
+  return `${formulaText(part)} over ${fixed(horizon, 0)} s: in the last ${fixed(seconds, 0)} s this drive stays within ${amount(part, drive)}; its set of Theorem 2 reaches to ${amount(part, set)}.`;
+};
+
+/** What came out, in whole sentences. @param {Summary} summary */
+export function summaryText(summary) {
+  return [driveText(summary), othersText(summary), theoremText(summary)].filter(Boolean).join(' ');
+}
+
+/** @param {Summary} summary */
+function driveText({ rows, seconds, disturbed }) {
+  const last = `In the last ${fixed(seconds, 0)} s`;
+  if (!disturbed) {
+    const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
+    return `Without a disturbance, Theorem 2 lets the error go to 0. ${last} this drive still has up to ${left}.`;
+  }
+  const outside = parts.filter((part) => !rows[part].isInside);
+  if (outside.length === 0) return `${last} this drive stays inside all three sets.`;
+  const excess = outside.map(
+    (part) =>
+      `${formulaText(part)} is up to ${amount(part, rows[part].drive)}, its set reaches to ${amount(part, rows[part].set)}`,
+  );
+  return `${last} this drive leaves ${outside.length === 3 ? 'all three sets' : outside.length === 2 ? 'two sets' : 'one set'}: ${excess.join('; ')}.`;
+}
+
+/** @param {Summary} summary */
+function othersText({ calm, starts, allInside, worst, disturbed }) {
+  const most = `up to ${amount(worst, calm[worst].largest)} of ${formulaText(worst)}`;
+  if (!disturbed)
+    return `From ${starts} other starts, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
+  return `Of ${starts} other starts, ${allInside} stay inside all three; even undisturbed, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
+}
+
+/** A set so wide that it says nothing. @param {Summary} summary */
+function theoremText({ law, rows, ky, disturbed }) {
+  if (law !== 'shim-kim') return 'The theorem is about law (5), not about the rule that drives here.';
+  if (!disturbed || rows.y.set < 1) return '';
+  return `With ky ${threeDigits(ky)} the set of ${formulaText('y')} reaches to ${amount('y', rows.y.set)}, which promises little.`;
+}

@@ -1,0 +1,103 @@
+// Every word of the disturbance part, in Korean.
+import { amount, crestSeconds, formulaText, parts, unitOf } from './common.js';
+import { fixed, threeDigits } from '../../../words/ko/numbers.js';
+
+export * from './common.js';
+
+/** @typedef {import('../summary.js').PartName} PartName */
+/** @typedef {import('../summary.js').Summary} Summary */
+/** @typedef {import('../../../core/engine.js').Experiment} Experiment */
+
+export const texts = {
+  disturbanceTitle: '외란',
+  disturbanceControls: '외란',
+  disturbanceSizes: '외란의 크기',
+  disturbanceDraw: '새로 뽑기',
+  remainsDrive: '이 주행',
+  remainsSet: '집합',
+  remainsMedian: '중앙값',
+  remainsLargest: '최대',
+  remainsInside: '안쪽',
+};
+
+export const kindLegend = '외란의 종류';
+/** @type {readonly import('../../../kit/segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
+export const kinds = [
+  { value: 'none', text: '없음' },
+  { value: 'random', text: '무작위', hint: '샘플마다 −ε와 ε 사이에서 고르게 새로 뽑습니다' },
+  { value: 'slip', text: '미끄러짐', hint: '모든 샘플에서 같습니다' },
+];
+
+/** @param {Experiment['disturbance']} disturbance */
+export const kindText = ({ kind, seed }) =>
+  ({
+    none: '로봇이 내는 속도에 아무것도 더하지 않습니다',
+    random: `|δ1| ≤ ε1, |δ2| ≤ ε2, 샘플마다 새로 뽑음, ${seed}번째 뽑기`,
+    slip: 'v와 ω에 각각 δ1과 δ2를 더합니다. 모든 샘플에서 같습니다',
+  })[kind];
+
+/** @param {string} message */
+export const failed = (message) => `마지막으로 계산된 결과입니다: ${message}`;
+
+/** @param {number} starts */
+export const startsText = (starts) => `다른 출발점 ${starts}개`;
+/** @param {number} seconds */
+export const lastText = (seconds) => `끝 ${fixed(seconds, 0)}초`;
+/** @param {number} seconds */
+export const captionText = (seconds) => `마지막 ${fixed(seconds, 0)}초의 최댓값. 회색: 외란 없음`;
+
+export const legend = {
+  drive: '이 주행',
+  others: `다른 출발점, ${crestSeconds}초마다의 최댓값`,
+  set: '정리 2의 집합: 셋 모두의 밖에서 V̇ < 0',
+};
+export const equationHints = {
+  x: 'ε1 / kx',
+  y: 'ε1 |sin θₑ| / ky 의 세제곱근',
+  theta: 'ε2 / kθ',
+};
+
+/** @param {PartName} part */
+export const axisUnit = (part) => (unitOf[part] ? ` (${unitOf[part]})` : '');
+
+/** @param {PartName} part @param {Summary} summary */
+export const plotLabel = (part, { rows, seconds, horizon }) => {
+  const { drive, set } = rows[part];
+  return `${fixed(horizon, 0)}초 동안의 ${formulaText(part)}. 마지막 ${fixed(seconds, 0)}초의 최댓값: 이 주행 ${amount(part, drive)}, 정리 2의 집합 ${amount(part, set)}.`;
+};
+
+/** What came out, in whole sentences. @param {Summary} summary */
+export function summaryText(summary) {
+  return [driveText(summary), othersText(summary), theoremText(summary)].filter(Boolean).join(' ');
+}
+
+/** @param {Summary} summary */
+function driveText({ rows, seconds, disturbed }) {
+  const last = `마지막 ${fixed(seconds, 0)}초 동안`;
+  if (!disturbed) {
+    const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
+    return `외란이 없으면 정리 2에 따라 오차는 0에 수렴합니다. ${last} 이 주행에 남은 최대 오차: ${left}.`;
+  }
+  const outside = parts.filter((part) => !rows[part].isInside);
+  if (outside.length === 0) return `${last} 이 주행은 세 집합 안에 모두 머뭅니다.`;
+  const excess = outside.map(
+    (part) =>
+      `${formulaText(part)} 최대 ${amount(part, rows[part].drive)}(집합의 경계 ${amount(part, rows[part].set)})`,
+  );
+  const count = outside.length === 3 ? '세 집합을 모두' : outside.length === 2 ? '두 집합을' : '한 집합을';
+  return `${last} 이 주행은 ${count} 벗어납니다: ${excess.join('; ')}.`;
+}
+
+/** @param {Summary} summary */
+function othersText({ calm, starts, allInside, worst, disturbed }) {
+  const most = `최대 오차는 ${formulaText(worst)} ${amount(worst, calm[worst].largest)}입니다. 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 제한과 샘플링도 고려하지 않습니다.`;
+  if (!disturbed) return `다른 출발점 ${starts}개에서 남는 ${most}`;
+  return `다른 출발점 ${starts}개 중 ${allInside}개가 세 집합 안에 머뭅니다. 외란이 없어도 남는 ${most}`;
+}
+
+/** A set so wide that it says nothing. @param {Summary} summary */
+function theoremText({ law, rows, ky, disturbed }) {
+  if (law !== 'shim-kim') return '정리는 법칙 (5)에 대한 것이며, 지금 주행하는 법칙에는 해당하지 않습니다.';
+  if (!disturbed || rows.y.set < 1) return '';
+  return `ky ${threeDigits(ky)}에서 ${formulaText('y')}의 집합은 ${amount('y', rows.y.set)}까지 이르므로, 보장하는 것이 거의 없습니다.`;
+}

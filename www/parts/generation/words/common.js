@@ -1,0 +1,39 @@
+// Of the generation part, what is the same in every language.
+import { costText, fixed, powerText } from '../../../words/numbers.js';
+
+/** @typedef {import('../record.js').Anatomy} Anatomy */
+
+/** How J is written in a generation: with as many digits as tell most of its individuals apart. @param {Anatomy} anatomy @returns {(cost: number) => string} */
+export function costWriter({ all }) {
+  const costs = all.map(({ cost }) => cost).sort((a, b) => a - b);
+  const spread = costs[Math.floor(costs.length / 2)] - costs[0];
+  const digits = digitsFor(spread);
+  return (cost) => (cost < 100 ? fixed(cost, digits) : costText(cost));
+}
+
+/** The digits after the point that show a change of this size. @param {number} size */
+export const digitsFor = (size) =>
+  size > 0 && Number.isFinite(size) ? Math.min(12, Math.max(3, 2 - Math.floor(Math.log10(size)))) : 3;
+
+/** @param {number} value @param {number} [change] The size of what changes it. */
+export const gainText = (value, change = Math.abs(value)) =>
+  value === 0 || (Math.abs(value) >= 1e-6 && Math.abs(value) < 1e5)
+    ? fixed(value, digitsFor(change))
+    : powerText(value);
+
+/** A strategy parameter, which may become very small. @param {number} value */
+export const sigmaText = (value) =>
+  value >= 0.001 && value < 1000 ? fixed(value, digitsFor(value)) : powerText(value);
+
+/** A draw from N(0, 1), or a rate. @param {number} value */
+export const drawText = (value) => fixed(value, 3);
+
+/** In brackets, if it follows a × and begins with a minus. @param {string} text */
+export const bracketed = (text) => (text.startsWith('−') ? `(${text})` : text);
+
+export const costAxis = 'J';
+/** @param {number} cost @param {number} digits */
+export const aboveText = (cost, digits) => `${fixed(cost, digits)} ↑`;
+export const won = '✓';
+export const lost = '✗';
+export const formula = { gain: 'k′ = k + σ N', sigma: 'σ′ = σ e', exponent: 'τ′N + τN' };

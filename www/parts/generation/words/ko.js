@@ -1,0 +1,183 @@
+// Every word of the generation part, in Korean.
+import { costWriter, digitsFor } from './common.js';
+import { costText, fixed, powerText } from '../../../words/ko/numbers.js';
+
+export * from './common.js';
+
+/** @typedef {import('../record.js').Anatomy} Anatomy */
+/** @typedef {import('../record.js').Phase} Phase */
+
+export const texts = {
+  generationTable: '세대 표',
+  generationStep: '세대의 단계',
+  generationBack: '이전 단계',
+  generationDetails: '선택한 개체',
+};
+
+export const phaseLegend = '세대의 단계';
+/** @type {readonly import('../../../kit/segmented.js').Choice<Phase>[]} */
+export const phases = [
+  { value: 'parents', text: '부모' },
+  { value: 'mutation', text: '돌연변이' },
+  { value: 'drive', text: '주행' },
+  { value: 'tournament', text: '토너먼트' },
+  { value: 'ranking', text: '순위' },
+  { value: 'survivors', text: '생존' },
+];
+
+/** @param {Phase} phase */
+const phaseName = (phase) => phases.find(({ value }) => value === phase)?.text ?? phase;
+
+/** @param {number} generation */
+export const title = (generation) => `${generation}세대`;
+
+export const next = '다음';
+/** @param {Phase} phase */
+export const nextPhase = (phase) => `: ${phaseName(phase)}`;
+/** @param {number} generation */
+export const nextGeneration = (generation) => `: ${generation}세대`;
+
+export const parentKey = '부모';
+export const offspringKey = '자손';
+
+/** An individual's name: those of generation 0 have no parents and no offspring. @param {Anatomy} anatomy @param {number} number */
+export const nameOf = ({ count, record }, number) =>
+  record.offspring.length === 0
+    ? `로봇 ${number + 1}`
+    : number < count
+      ? `부모 ${number + 1}`
+      : `자손 ${number - count + 1}`;
+
+/** Korean has no capitals. @param {string} text */
+export const capital = (text) => text;
+
+/** What happens in a phase. @param {Anatomy} anatomy @param {Phase} phase */
+export function sentence({ count, all, record }, phase) {
+  const { generation, offspring, parents, survivors } = record;
+  if (generation === 0)
+    return phase === 'survivors'
+      ? `${count}대가 모두 남아 J 순서로 섭니다. 이들이 1세대의 부모입니다.`
+      : `무작위 이득을 가진 로봇 ${count}대를 뽑은 순서대로 보여 줍니다. 아직 경쟁은 없었습니다.`;
+  const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
+  const stayed = survivors.filter((number) => number < count).length;
+  return {
+    parents: `${generation - 1}세대에서 살아남은 ${count}대를 높은 순위부터 보여 줍니다. J는 낮을수록 좋습니다.`,
+    mutation: '부모마다 자손을 하나씩 만듭니다. 이득은 이전 σ에 난수를 곱한 만큼 움직입니다.',
+    drive: `자손이 주행하여 J를 얻습니다. ${count}대 중 ${better}대가 부모보다 잘 주행합니다.`,
+    tournament: `${all.length}대가 저마다 무작위로 뽑은 상대 ${record.opponents[0].length}대와 겨룹니다. J가 상대보다 높지 않으면 이깁니다.`,
+    ranking: `승수가 많은 순서로, 승수가 같으면 J가 낮은 순서로 섭니다. 선은 ${count}위 아래에 긋습니다.`,
+    survivors: `부모 ${stayed}대와 자손 ${count - stayed}대가 σ와 함께 남습니다. 이들이 ${generation + 1}세대의 부모입니다.`,
+  }[phase];
+}
+
+/** @param {number} count */
+export const winsText = (count) => `${count}승`;
+
+/** One that survives though a better one fell. @param {Anatomy} anatomy */
+export function upsetText(anatomy) {
+  const { upset, all, record, count } = anatomy;
+  if (!upset) return `이번에는 J가 가장 낮은 ${count}대가 그대로 남습니다.`;
+  const { survivor, fallen } = upset;
+  const [a, b] = [all[survivor].cost, all[fallen].cost];
+  const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
+  return `${nameOf(anatomy, survivor)}(J ${write(a)}): ${winsText(record.wins[survivor])}, 생존. ${nameOf(anatomy, fallen)}(J ${write(b)}): ${winsText(record.wins[fallen])}, 탈락. 상대를 잘 만난 운입니다.`;
+}
+
+/** @param {string} name @param {number} generation */
+export const drivingText = (name, generation) => `${generation}세대의 ${name}`;
+
+/** @param {Phase} phase @param {number} shown @param {number} all @param {number | null} arrived Null where nobody can arrive. */
+export function othersText(phase, shown, all, arrived) {
+  const kind = { parents: '부모', mutation: '부모', drive: '자손', survivors: '생존 개체' };
+  const who = phase === 'tournament' ? '상대' : phase === 'ranking' ? '나머지' : `나머지 ${kind[phase]}`;
+  const drawn = shown < all ? `${who} ${all}대 중 ${shown}대` : `${who} ${all}대`;
+  return arrived === null ? drawn : `${drawn}, ${arrived}대 도착`;
+}
+
+export const pictureLabel = '이 세대의 개체. 화살표 키로 하나를 고릅니다';
+
+/** What is said of the one that is chosen. @param {Anatomy} anatomy @param {Phase} phase @param {number} number */
+export function chosenText(anatomy, phase, number) {
+  const { count, all, record, ranks } = anatomy;
+  const undriven = phase === 'mutation' && number >= count;
+  return [
+    nameOf(anatomy, number),
+    undriven ? '아직 주행하지 않음' : `J ${costWriter(anatomy)(all[number].cost)}`,
+    ...(phase === 'ranking' || phase === 'survivors' ? standing() : []),
+  ].join(', ');
+
+  function standing() {
+    const rank = ranks[number] + 1;
+    if (record.generation === 0) return [`${rank}위`];
+    return [winsText(record.wins[number]), `${all.length}대 중 ${rank}위`, rank <= count ? '생존' : '탈락'];
+  }
+}
+
+/** The axis of J where it is too narrow for J itself. @param {number} value */
+export const beyondBest = (value) => (value === 0 ? '최우수' : `+${powerText(value, 2)}`);
+export const winsAxis = '승';
+export const pairAxis = '쌍';
+export const robotAxis = '로봇';
+export const parentAxis = '부모';
+/** @param {number} count */
+export const stay = (count) => `${count}대 생존`;
+/** @param {number} count */
+export const fall = (count) => `${count}대 탈락`;
+export const wonText = '승, 상대:';
+export const lostText = '패, 상대:';
+
+export const initialText = '초기 범위에서 고르게 뽑음, σ는 설정값';
+
+/** @param {number} rank @param {number} generation */
+export const ranked = (rank, generation) => `${generation}세대 ${rank}위`;
+
+export const commonText = ': 세 σ에 공통인 난수';
+
+/** What stands before the name of the other. @param {number} own @param {number} other */
+export const comparedText = (own, other) =>
+  own === other ? '다음과 같음: ' : own < other ? '다음보다 좋음: ' : '다음보다 나쁨: ';
+
+/** @param {number} starts */
+export const meanText = (starts) => `J는 출발점 ${starts}개의 평균이며, 평면은 첫 번째를 보여 줍니다.`;
+
+/** @param {number} wins @param {number} bouts */
+export const sumText = (wins, bouts) => `${bouts}전 ${winsText(wins)}`;
+
+/** @param {number} rest */
+export const moreBouts = (rest) => `그 밖에 ${rest}전`;
+
+/** @param {Anatomy} anatomy @param {number} number */
+export function fateText({ ranks, count, record, all }, number) {
+  const rank = ranks[number] + 1;
+  if (rank > count) return `탈락: ${all.length}대 중 ${rank}위`;
+  return `생존: ${record.generation + 1}세대의 부모 ${rank}`;
+}
+
+/** @param {number} before @param {number} after @param {(cost: number) => string} write */
+export const bestText = (before, after, write) =>
+  after < before
+    ? `최우수 J가 ${write(before)}에서 ${write(after)}까지 내려갑니다.`
+    : `최우수 J는 ${write(after)} 그대로입니다. 최우수 개체는 언제나 살아남습니다.`;
+
+/** @param {Anatomy} anatomy */
+export const tableCaption = ({ record, count }) =>
+  record.generation === 0
+    ? `0세대: 무작위 이득을 가진 로봇 ${count}대. 코어의 기록은 0부터 셉니다. 로봇 1의 번호는 0입니다.`
+    : `${record.generation}세대의 ${2 * count}대 전체. 코어의 기록은 0부터 셉니다. 부모 1의 번호는 0, 자손 1의 번호는 ${count}입니다. 승수가 많은 순서입니다.`;
+export const columns = [
+  '순위',
+  '개체',
+  '번호',
+  '부모',
+  'kx',
+  'ky',
+  'kθ',
+  'σx',
+  'σy',
+  'σθ',
+  'J',
+  '승',
+  '생존',
+];
+export const yes = '예';
+export const no = '아니요';

@@ -1,0 +1,42 @@
+// Every word of the landscape.
+import { costText, fixed, grouped } from '../../../words/en/numbers.js';
+
+export * from './common.js';
+
+/** @typedef {import('../../../core/engine.js').Run} Run */
+
+export const texts = {
+  landscapeTitle: 'Landscape of J',
+  landscapeAcross: 'Gain on the horizontal axis',
+  landscapeUp: 'Gain on the vertical axis',
+  landscapeFollows: 'as driven',
+};
+
+export const mapLabel =
+  'Landscape of J over two gains. Arrow keys move a cursor, with Shift by larger steps; Enter drives the gains under it.';
+
+/** @param {string} name */
+export const thirdLabel = (name) => `${name}, the same at every point`;
+
+/** @param {string} gain */
+export const onLogAxis = (gain) => `${gain}, log`;
+
+/** @param {number} drives @param {number} milliseconds */
+export const drivesText = (drives, milliseconds) =>
+  `${grouped(drives)} drives in ${fixed(milliseconds, 0)} ms`;
+
+export const computing = 'the robots are driving…';
+
+/** @param {string} message */
+export const failed = (message) => `The landscape is the last that could be computed: ${message}`;
+
+/** @param {string} gains @param {Run} run @param {string} outcome */
+export const readout = (gains, run, outcome) => `${gains}: J ${costText(run.cost.total)}, ${outcome}`;
+
+/** @param {number} count */
+export const outside = (count) =>
+  count === 1 ? '1 robot of the population lies outside' : `${count} of the population lie outside`;
+
+export const paperEp = 'paper’s EP';
+export const paperArbitrary = 'paper’s arbitrary';
+export const hand = 'by hand';

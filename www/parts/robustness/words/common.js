@@ -1,0 +1,19 @@
+// Of the robustness part, what is the same in every language.
+import { fixed } from '../../../words/numbers.js';
+
+/** @typedef {import('../request.js').Quantity} Quantity */
+/** @typedef {{ x: number, y: number }} Place */
+/** @typedef {{ heading: number, arrived: boolean, finalTime: number, cost: number }} Drive */
+
+/** @param {number} half */
+export const extent = (half) => `±${half} m`;
+
+/** @param {Quantity} quantity @param {number} tick @param {number} digits */
+export const tickText = (quantity, tick, digits) =>
+  quantity === 'share' ? fixed(100 * tick, 0) : fixed(tick, digits);
+
+/** @param {string} number */
+export const metres = (number) => `${number} m`;
+
+/** @param {Place} place */
+export const placeText = ({ x, y }) => `x ${fixed(x, 2)} m, y ${fixed(y, 2)} m`;

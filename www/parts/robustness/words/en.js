@@ -1,0 +1,121 @@
+// Every word of the robustness part.
+import { placeText } from './common.js';
+import { costText, degrees, fixed, grouped } from '../../../words/en/numbers.js';
+
+export * from './common.js';
+
+/** @typedef {import('../request.js').Quantity} Quantity */
+/** @typedef {import('./common.js').Place} Place */
+/** @typedef {import('./common.js').Drive} Drive */
+
+export const texts = {
+  robustnessTitle: 'Robustness',
+  robustnessExtent: 'Metres from the goal to the edge of the map',
+  robustnessAround: 'around the goal',
+};
+
+export const quantityLegend = 'What the colour means';
+/** @type {readonly import('../../../kit/segmented.js').Choice<Quantity>[]} */
+export const quantities = [
+  { value: 'share', text: 'Arrives', hint: 'How many of the headings arrive' },
+  { value: 'time', text: 'Time', hint: 'The time of those that arrive' },
+  { value: 'cost', text: 'J', hint: 'The cost of those that arrive' },
+];
+
+export const headingLegend = 'Headings of the starts';
+/** @type {readonly import('../../../kit/segmented.js').Choice<'all' | 'one'>[]} */
+export const headingChoices = [
+  { value: 'all', text: 'All', hint: 'All headings together' },
+  { value: 'one', text: 'One', hint: 'One heading, chosen on the dial' },
+];
+
+/** @param {number} share */
+export const percent = (share) => `${fixed(100 * share, 1)} %`;
+
+/** @param {number} starts @param {number} milliseconds */
+export const startsText = (starts, milliseconds) =>
+  `${grouped(starts)} starts in ${fixed(milliseconds, 0)} ms`;
+
+export const tracking = 'The reference moves: no drive ends by arriving.';
+export const computing = 'the robots are driving…';
+
+/** @param {string} message */
+export const failed = (message) => `The map could not be computed anew: ${message}`;
+
+/** What follows the share. @param {string} name */
+export const summary = (name) => `arrive with the ${name}`;
+
+/** @param {string} name @param {number | null} share */
+export const rivalText = (name, share) => `${share === null ? '…' : percent(share)} with the ${name}`;
+
+/** @param {Record<'behind' | 'front' | 'left' | 'right', number>} shares */
+export const sides = ({ behind, front, left, right }) =>
+  `It arrives from ${percent(behind)} of the starts behind the goal, ${percent(front)} of those in front of it, ${percent(left)} of those on its left and ${percent(right)} of those on its right.`;
+
+export const mapLabel =
+  'Map of starts around the goal. Arrow keys move a cursor from cell to cell, with Shift by eight; Enter lets the robot drive from there.';
+/** @param {number} step In degrees. */
+export const roseLabel = (step) =>
+  `Heading of the starts. Left and Right turn it by ${step}°; Escape takes all headings together.`;
+
+/** @param {number | null} angle */
+export const headingText = (angle) => (angle === null ? 'all headings' : degrees(angle));
+export const allShort = 'all';
+
+/** @param {Quantity} quantity @param {boolean} all */
+export const legendTitle = (quantity, all) =>
+  ({
+    share: all ? 'headings arriving' : 'arrives',
+    time: all ? 'their mean time' : 'time',
+    cost: all ? 'their mean J' : 'J',
+  })[quantity];
+
+/** @param {Quantity} quantity @param {string} text @param {boolean} open */
+export const lastTick = (quantity, text, open) =>
+  `${open ? '≥\u202f' : ''}${text}${{ share: ' %', time: ' s', cost: '' }[quantity]}`;
+
+/** @param {boolean} all */
+export const never = (all) => (all ? 'none arrives' : 'does not arrive');
+
+export const goal = 'goal';
+export const ownStart = 'own start';
+/** @param {Drive} drive */
+const outcome = ({ arrived, finalTime }) =>
+  arrived ? `arrives after ${fixed(finalTime, 2)} s` : `has not arrived after ${fixed(finalTime, 0)} s`;
+
+/** @param {number} arrived @param {number} headings */
+const arrivals = (arrived, headings) =>
+  arrived === headings
+    ? `all ${headings} headings arrive`
+    : arrived === 0
+      ? `none of ${headings} headings arrives`
+      : `${arrived} of ${headings} headings ${arrived === 1 ? 'arrives' : 'arrive'}`;
+
+/** @param {Place} place @param {{ arrived: number, headings: number, time: number, cost: number }} cell */
+export const cellText = (place, { arrived, headings, time, cost }) =>
+  `${placeText(place)}: ${arrivals(arrived, headings)}${
+    arrived === 0 ? '' : `, in ${fixed(time, 2)} s${arrived > 1 ? ' on average' : ''}, J ${fixed(cost, 2)}`
+  }.`;
+
+/** @param {Place} place @param {Drive} drive */
+export const driveText = (place, drive) =>
+  `${placeText(place)}, heading ${degrees(drive.heading)}: ${outcome(drive)}, J ${costText(drive.cost)}.`;
+
+/** @param {Drive} drive @param {number} next */
+export const watching = (drive, next) =>
+  `You watch ${degrees(drive.heading)}: ${outcome(drive)}. Click again: ${degrees(next)}.`;
+
+/** @param {number} worst @param {boolean} arrives */
+export const invitation = (worst, arrives) =>
+  arrives
+    ? `Click: watch ${degrees(worst)}, the highest J of all.`
+    : `Click: watch ${degrees(worst)}, the worst of those that fail.`;
+
+/** @param {boolean} watched */
+export const clickToWatch = (watched) => (watched ? 'You watch it.' : 'Click: watch it.');
+
+/** Of the run on the plane. @param {Place} place @param {Drive} drive */
+export const watched = (place, drive) => `You watch the start at ${driveText(place, drive)}`;
+
+/** @param {number} arrived @param {number} headings */
+export const there = (arrived, headings) => `From about there ${arrivals(arrived, headings)}.`;

@@ -1,0 +1,121 @@
+// Every word of the training part.
+import { cost, isEvolved } from './common.js';
+import { fixed, grouped } from '../../../words/en/numbers.js';
+
+export * from './common.js';
+
+/** @typedef {import('../request.js').Result} Result */
+/** @typedef {import('../request.js').RowName} RowName */
+/** @typedef {import('../request.js').Evolved} Evolved */
+
+export const texts = {
+  trainingTitle: 'Training',
+  trainingGenerations: 'Generations of each evolution',
+  trainingProgress: 'Evolution on all three sets of starts',
+  trainingTable:
+    'What each robot’s gains are worth from starts that evolution saw and from those it never saw',
+};
+
+export const evolveAll = 'Evolve all three';
+export const evolveAgain = 'Evolve again';
+export const cancel = 'Cancel';
+/** @param {number} generations */
+export const generationsChoice = (generations) => `${generations} generations`;
+
+/** Groups of three digits, when there are more than four. @param {number} value */
+const whole = (value) => (value < 10_000 ? String(value) : grouped(value));
+
+/** @param {number} part @param {number} count */
+export const percent = (part, count) => `${fixed((100 * part) / count, 0)}\u202f%`;
+
+/** @param {number} count */
+const starts = (count) => (count === 1 ? 'one start' : `${count} starts`);
+
+/** @param {RowName} name @param {number} count The number of starts that it was evolved on. */
+export const rowName = (name, count) =>
+  ({
+    one: `… ${starts(count)}`,
+    circle: `… circle of ${count}`,
+    grid: `… grid of ${count}`,
+    'paper-ep': 'Paper: EP',
+    'paper-arbitrary': 'Paper: arbitrary',
+    hand: 'By hand',
+  })[name];
+
+export const columns = ['gains evolved on …', 'trained on', 'never seen', 'mean J', 'J from start'];
+
+/** @param {number} count */
+export const unseenColumn = (count) => `arrives, of ${whole(count)} never seen`;
+
+/** @param {number} part @param {number} count */
+export const of = (part, count) => `${whole(part)} of ${whole(count)}`;
+/** @param {RowName} name @param {Result | null} result @param {number} count */
+export function trainingTitle(name, result, count) {
+  if (!result) return `${count === 1 ? 'The start' : `The ${count} starts`} to train on`;
+  const arrives = of(result.training.count, result.training.starts.length);
+  return isEvolved(name) ? `Trained on: ${arrives}` : `From the start: ${arrives}`;
+}
+
+/** @param {Result | null} result @param {number} count */
+export const unseenTitle = (result, count) =>
+  result ? `Never seen: ${of(result.unseen.count, count)}` : `${whole(count)} starts never seen`;
+
+/** @param {string} title */
+export const pictureLabel = (title) =>
+  `${title}. Left and Right go from start to start, each drives from there.`;
+
+/** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
+export const key = (count, radius, horizon) =>
+  `Filled arrives, open does not: press one to drive from it. Never seen: ${whole(count)} starts within ${fixed(radius, 0)} m of the goal, any heading. Mean J is over all of them, each stopped at ${Number(horizon.toFixed(3))} s at the latest.`;
+
+/** @param {Evolved} evolved */
+export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =>
+  `seed ${experiment.evolution.seed}, ${generations} generations: ${whole(drives)} drives in ${fixed(milliseconds / 1000, 1)} s`;
+
+export const driving = 'the robots are driving…';
+
+/** @param {Result} ep */
+export const question = (ep) =>
+  `The paper’s EP gains arrive from ${percentOf(ep)} of ${whole(ep.unseen.starts.length)} starts around the goal. Evolve on one start and on many: which robot gets further?`;
+
+/** @param {Result} result */
+const percentOf = ({ unseen }) => percent(unseen.count, unseen.starts.length);
+
+/** What the three evolutions have found. @param {Evolved} evolved */
+export function lesson({ results: { one, circle, grid } }) {
+  const found = [
+    `Evolved on ${starts(one.training.starts.length)}: arrives from ${percentOf(one)} of ${whole(one.unseen.starts.length)} starts it never saw.`,
+    `On a circle of ${circle.training.starts.length}: ${percentOf(circle)}, on a grid of ${grid.training.starts.length}: ${percentOf(grid)}.`,
+  ];
+  const best = circle.unseen.count >= grid.unseen.count ? circle : grid;
+  return `${found.join(' ')} ${moral(one, best)}`.trim();
+}
+
+/** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many */
+function moral(one, many) {
+  const arrivesMore = many.unseen.count > one.unseen.count;
+  if (arrivesMore && many.own > one.own)
+    return `The price: J from the experiment’s start is ${cost(many.own)}, not ${cost(one.own)}.`;
+  if (!arrivesMore && many.unseen.cost < one.unseen.cost)
+    return `Yet the mean J falls to ${cost(many.unseen.cost)} from ${cost(one.unseen.cost)}: J asks for a cheap drive, not for an arrival.`;
+  return '';
+}
+
+/** @param {('start' | 'goal' | 'limits' | 'seed' | 'settings')[]} changes */
+export function outOfDate(changes) {
+  const names = { start: 'start', goal: 'goal', limits: 'limits', seed: 'seed', settings: 'settings' };
+  const all = changes.map((change) => names[change]);
+  const other = all.some((name) => name.endsWith('s')) || all.length > 1 ? 'other' : 'another';
+  return `Evolved for ${other} ${all.join(' and ')}: evolve again.`;
+}
+
+/** @param {boolean} kept */
+export const cancelled = (kept) =>
+  kept ? 'Cancelled: these are the results from before.' : 'Cancelled before there was a result.';
+
+/** @param {string} message @param {boolean} kept */
+export const failed = (message, kept) =>
+  `${kept ? 'What is shown is the last that could be computed' : 'This could not be computed'}: ${message}`;
+
+/** @param {string} name */
+export const chooseHint = (name) => `Drive with these gains: ${name}`;

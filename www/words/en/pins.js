@@ -1,0 +1,23 @@
+// Every word of the pinned runs.
+import { foundName } from './lab.js';
+import { fixed } from './numbers.js';
+
+export * from '../common/pins.js';
+
+/** @typedef {import('../../run/state.js').Driver} Driver */
+/** @typedef {import('../../core/engine.js').Triple} Triple */
+
+export const pinThis = 'Pin this run';
+export const unpinThis = 'Unpin this run';
+/** @param {string} name */
+export const pinnedAs = (name) => `pinned as “${name}”`;
+export const noRoom = 'Four runs are pinned: unpin one first.';
+
+/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../../run/state.js').Found }} of */
+export const pinName = (driver, { generation, seed, gains, found }) =>
+  ({
+    evolved: `best of generation ${generation}, seed ${seed}`,
+    hand: `${foundName[found]} ${gains.map((gain) => fixed(gain, 1)).join(', ')}`,
+    'paper-ep': 'paper’s EP',
+    'paper-arbitrary': 'paper’s arbitrary',
+  })[driver];

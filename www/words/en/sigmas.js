@@ -1,0 +1,26 @@
+// Every word of σ over the generations.
+import { sigmaText } from '../common/sigmas.js';
+
+export * from '../common/sigmas.js';
+
+/** @typedef {import('../../core/engine.js').Statistics} Statistics */
+
+export const curveLegend = 'Curve over the generations';
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../lab/state.js').LabCurve>[]} */
+export const curveChoices = [
+  { value: 'cost', text: 'J' },
+  { value: 'sigmas', text: 'σ', hint: 'Mean step size of each gain' },
+];
+export const sigmaTitle = 'Step sizes';
+export const sigmaAxis = 'mean σ';
+
+/** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */
+export const sigmaLabel = (first, shown, gains) =>
+  `Mean σ of each gain over ${shown.generation} generations, on a logarithmic axis: ${gains
+    .map(
+      ({ name }, i) => `${name} from ${sigmaText(first.meanSigmas[i])} to ${sigmaText(shown.meanSigmas[i])}`,
+    )
+    .join(', ')}.`;
+
+/** What stands before and after the name of a gain at its line. */
+export const sigmaOf = ['σ of ', ''];

@@ -1,0 +1,6 @@
+// Every word about what is loaded on demand, in Korean.
+
+export const waits = '이 부분을 불러오는 중입니다…';
+export const failed =
+  '페이지의 이 부분을 불러오지 못했습니다. 네트워크가 끊겼거나 새 버전이 나와 파일이 바뀌었을 수 있습니다. 나머지는 그대로 쓸 수 있습니다. 다시 시도하면 페이지를 새로 불러오며, 주소에 담긴 이 실행이 그대로 돌아옵니다.';
+export const again = '다시 시도';

@@ -1,0 +1,24 @@
+// Every word of σ over the generations, in Korean.
+import { sigmaText } from '../common/sigmas.js';
+
+export * from '../common/sigmas.js';
+
+/** @typedef {import('../../core/engine.js').Statistics} Statistics */
+
+export const curveLegend = '세대에 따른 곡선';
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../lab/state.js').LabCurve>[]} */
+export const curveChoices = [
+  { value: 'cost', text: 'J' },
+  { value: 'sigmas', text: 'σ', hint: '이득마다의 평균 변이 폭' },
+];
+export const sigmaTitle = '변이 폭';
+export const sigmaAxis = '평균 σ';
+
+/** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */
+export const sigmaLabel = (first, shown, gains) =>
+  `${shown.generation}세대에 걸친 이득별 평균 σ, 로그 축. ${gains
+    .map(({ name }, i) => `${name}: ${sigmaText(first.meanSigmas[i])} → ${sigmaText(shown.meanSigmas[i])}`)
+    .join(', ')}.`;
+
+/** What stands before and after the name of a gain at its line. */
+export const sigmaOf = ['', '의 σ'];
