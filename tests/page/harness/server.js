@@ -114,7 +114,9 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
       'Content-Security-Policy': header,
       // A name in assets/ has a hash of what is in it; in a copy of the site that may have been changed.
       'Cache-Control':
-        root === dist && path.includes('/assets/') ? 'max-age=31536000, immutable' : 'no-store',
+        content !== null && root === dist && path.includes('/assets/')
+          ? 'max-age=31536000, immutable'
+          : 'no-store',
     });
     response.end(content);
   });
