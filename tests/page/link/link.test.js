@@ -13,7 +13,6 @@ import {
   shown,
   shownGains,
   simulate,
-  simulateAll,
 } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { read, readEvolution } from '../harness/reading.js';
