@@ -48,9 +48,9 @@ function frozen(value) {
 const engine = /** @type {Engine} */ (
   /** @type {unknown} */ ({
     experiment: (/** @type {any} */ given) => presets.get(given) ?? experiment(given),
-    drive: (/** @type {Experiment} */ from, /** @type {number[][]} */ gains) =>
-      // Whether gains can be driven shows at the first sample.
-      simulateAll({ ...from, horizon: from.sampleTime }, gains.flat()),
+    // Whether gains can be driven shows at the first sample.
+    check: (/** @type {Experiment} */ from, /** @type {readonly number[]} */ gains) =>
+      simulateAll({ ...from, horizon: from.sampleTime }, [...gains]),
     surveys: {
       evolve: async (/** @type {Experiment} */ from, /** @type {number} */ generations) => ({
         hash: hashOf(from, generations),

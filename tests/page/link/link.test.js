@@ -4,6 +4,7 @@ import { links } from '../../../www/lesson/links.js';
 import { finds } from '../../../www/run/state.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import {
+  createEngine,
   evolve,
   experiment,
   fields,
@@ -12,25 +13,17 @@ import {
   shown,
   shownGains,
   simulate,
-  simulateAll,
 } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { read, readEvolution } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
-/** @typedef {import('../../../www/core/engine.js').Engine} Engine */
 /** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
 /** @typedef {import('../../../www/link/keys.js').Linked} Linked */
 
 const velocityLimits = experiment('velocity-limits');
-const engine = /** @type {Engine} */ (
-  /** @type {unknown} */ ({
-    experiment,
-    drive: (/** @type {Experiment} */ from, /** @type {number[][]} */ gains) =>
-      simulateAll(from, gains.flat()),
-  })
-);
+const engine = createEngine();
 const { linkOf, openLink } = links;
 const open = (/** @type {string} */ link) => openLink(link, engine);
 
