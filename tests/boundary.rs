@@ -523,7 +523,7 @@ fn the_starts_of_a_map_and_the_bouts_of_a_tournament_are_told() {
 #[wasm_bindgen_test]
 fn the_tables_are_complete() {
     assert_eq!(Array::from(&paper()).length(), 4);
-    let fields = Array::from(&fields());
+    let fields = Array::from(&fields().expect("rows"));
     let preset = experiment("velocity-limits".into()).expect("a preset");
     for field in fields.iter() {
         let path = get(&field, "path").as_string().expect("a path").replace("[]", ".0");
@@ -531,7 +531,8 @@ fn the_tables_are_complete() {
     }
     assert_eq!(fields.length(), 27);
     assert_eq!(Object::keys(fields.get(0).unchecked_ref::<Object>()).length(), 6);
-    let words: Vec<String> = Array::from(&word_fields()).iter().map(|field| text(&field)).collect();
+    let words: Vec<String> =
+        Array::from(&word_fields().expect("rows")).iter().map(|field| text(&field)).collect();
     assert_eq!(
         words,
         [
