@@ -108,3 +108,9 @@ export function sharesBySide(grid, goal, count) {
     right: share(sides.right),
   };
 }
+
+/** The worst heading of a cell, or the one after that which is being watched there. @param {{ grid: Grid, runs: Robustness }} survey @param {number} cell @param {Posture} watched */
+export function nextHeading({ grid, runs }, cell, watched) {
+  const current = headingOf(grid, cell, watched);
+  return current < 0 ? worstHeading(runs, cell) : (current + 1) % headings;
+}

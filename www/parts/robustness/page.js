@@ -1,30 +1,12 @@
 // The part of the page that shows from where one set of gains arrives, and what its controls do.
-import { html, render } from 'lit-html';
-import { halves, robustnessSlice } from './state.js';
+import { robustnessSlice } from './state.js';
 import { byIdIn, followSize } from '../../kit/elements.js';
-import { choicesOf } from '../../kit/segmented.js';
-import { options, valueIn } from '../../kit/templates.js';
-import { showTable } from '../../kit/table.js';
 import { createSection } from '../section.js';
-import { robustnessTable } from './table.js';
 import { followKeys, followPointing, pointIn } from '../../kit/map.js';
-import { once, remember, watch } from '../../kit/memo.js';
+import { once, remember } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
-import { lab, tables } from '../../words/index.js';
-import words from './words/index.js';
-import {
-  angleOf,
-  cellNear,
-  gridAround,
-  headingNear,
-  headingOf,
-  headings,
-  holds,
-  placeOf,
-  sharesBySide,
-  startOf,
-  worstHeading,
-} from './grid.js';
+import { angleOf, cellNear, gridAround, headings, nextHeading, placeOf, startOf } from './grid.js';
+import { createSight } from './sight.js';
 import { createLegend } from './legend.js';
 import { createSpec, createSurveyRequests } from './request.js';
 import { createRose } from './rose.js';
@@ -37,12 +19,9 @@ import { axesOf, createMap } from './view.js';
 /** @typedef {import('../../run/store.js').Store} Store */
 /** @typedef {import('./request.js').Quantity} Quantity */
 /** @typedef {import('./state.js').RobustnessState} RobustnessState */
-/** @typedef {import('./request.js').Spec} Spec */
 /** @typedef {import('./request.js').Survey} Survey */
 /** @typedef {import('./scale.js').Shading} Shading */
 /** @typedef {import('./view.js').MapModel} MapModel */
-
-const { texts } = words;
 
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createRobustnessPage({ engine, store, actions, paper }) {
@@ -160,153 +139,4 @@ function followCursor(element, store, actions, size) {
       put(startOf(grid, row * grid.x.count + column, 0));
     },
   });
-}
-
-/** The worst heading of a cell, or the one after that which is being watched there. @param {Survey} survey @param {number} cell @param {import('../../core/engine.js').Posture} watched */
-function nextHeading({ grid, runs }, cell, watched) {
-  const current = headingOf(grid, cell, watched);
-  return current < 0 ? worstHeading(runs, cell) : (current + 1) % headings;
-}
-
-/** @typedef {{ note: string, share: string, summary: string, sides: string, rival: string, readout: string }} Texts */
-
-/** What stands around the map, drawn when it is another. @param {HTMLElement} element @param {Store} store */
-function createSight(element, store) {
-  const changed = watch();
-  /** Until there is a new survey, the old number stands with its own name. */
-  let ofSurvey = { share: '', summary: '', sides: '' };
-  const update = (/** @type {Partial<RobustnessState>} */ patch) => robustnessSlice.update(store, patch);
-  const on = {
-    update,
-    /** @param {string} choice */
-    onHeadings: (choice) =>
-      update({ heading: choice === 'all' ? null : headingNear(endsOf(store.get()).start.theta) }),
-    onTable() {
-      const { survey } = robustnessSlice.of(store.get());
-      showTable(survey && robustnessTable(survey));
-    },
-  };
-
-  /** @param {State} state @param {Scene} scene @param {Spec} spec @param {Spec} rivalSpec */
-  return (state, scene, spec, rivalSpec) => {
-    const own = robustnessSlice.of(state);
-    const { survey, rival } = own;
-    const generation = state.history.length - 1;
-    const { comparisonDriver, driving } = scene;
-    const { start } = endsOf(state);
-    if (
-      !changed(own, spec, rivalSpec, state.driver, state.found, generation, comparisonDriver, driving, start)
-    )
-      return;
-    const nameOf = (/** @type {State['driver']} */ driver) => lab.driverName(driver, generation, state.found);
-    if (survey?.spec === spec)
-      ofSurvey = {
-        share: words.percent(survey.tally.share),
-        summary: words.summary(nameOf(state.driver)),
-        sides: words.sides(sharesBySide(survey.grid, spec.experiment.goal, survey.tally.count)),
-      };
-    const shown = {
-      ...ofSurvey,
-      note: noteText(own, spec),
-      rival: words.rivalText(nameOf(comparisonDriver), rival?.spec === rivalSpec ? rival.tally.share : null),
-      readout: readoutText(state, scene),
-    };
-    render(sight(own, shown, on), element);
-  };
-}
-
-/** @param {RobustnessState} robustness @param {Texts} shown @param {{ update: (patch: Partial<RobustnessState>) => void, onHeadings: (choice: string) => void, onTable: () => void }} on */
-function sight({ message, quantity, heading, half }, shown, { update, onHeadings, onTable }) {
-  const choice = heading === null ? 'all' : 'one';
-  const extents = halves.map((one) => /** @type {const} */ ([one, words.extent(one)]));
-  return html`
-    <div class="heading">
-      <h2 id="robustness-title">${texts.robustnessTitle}</h2>
-      <p id="robustness-note" class=${message ? 'muted failed' : 'muted'}>${shown.note}</p>
-      <button id="robustness-table" type="button" class="link" @click=${onTable}>${tables.texts.tableButton}</button>
-    </div>
-    <p class="cost-line"><span id="robustness-share" class="share">${shown.share}</span> <span class="muted"><span
-      id="robustness-summary">${shown.summary}</span><br><span id="robustness-rival">${shown.rival}</span></span></p>
-    <div class="bar survey-bar">
-      <fieldset id="robustness-quantity" class="segmented">${choicesOf(
-        'robustness-quantity',
-        words.quantityLegend,
-        words.quantities,
-        quantity,
-        (chosen) => update({ quantity: chosen }),
-      )}</fieldset>
-      <label class="survey-extent muted"><select id="robustness-half" aria-label=${texts.robustnessExtent}
-        @change=${(/** @type {Event} */ event) => update({ half: Number(valueIn(event)), cursor: null })}>
-        ${options(extents, half)}</select> <span>${texts.robustnessAround}</span></label>
-    </div>
-    <div class="survey">
-      <div id="robustness-map" class="survey-map" data-picture="robustness" tabindex="0" role="application"
-        aria-label=${words.mapLabel}
-        aria-describedby="robustness-share robustness-summary robustness-sides robustness-readout">
-        <canvas id="robustness-picture" aria-hidden="true"></canvas>
-        <canvas id="robustness-marks" aria-hidden="true"></canvas>
-      </div>
-      <div class="survey-side">
-        <fieldset id="robustness-headings" class="segmented">${choicesOf(
-          'robustness-headings',
-          words.headingLegend,
-          words.headingChoices,
-          choice,
-          onHeadings,
-        )}</fieldset>
-        <div id="robustness-rose" class="rose" data-picture="robustness" role="slider" tabindex="0"></div>
-        <div id="robustness-legend" class="survey-legend" data-picture="robustness"></div>
-      </div>
-    </div>
-    <p id="robustness-sides" class="visually-hidden">${shown.sides}</p>
-    <p id="robustness-readout" class="readout" aria-live="polite">${shown.readout}</p>`;
-}
-
-/** @param {RobustnessState} robustness @param {Spec} spec */
-function noteText({ survey, message }, spec) {
-  const { linear, angular } = spec.experiment.referenceVelocity;
-  if (message) return words.failed(message);
-  if (survey?.spec !== spec) return words.computing;
-  if (linear !== 0 || angular !== 0) return words.tracking;
-  return words.startsText(survey.runs.arrived.length, survey.milliseconds);
-}
-
-/** What the cursor reads, or else the run that is watched. @param {State} state @param {Scene} scene */
-function readoutText(state, scene) {
-  const { survey, heading, cursor } = robustnessSlice.of(state);
-  const { start } = endsOf(state);
-  const { arrived, finalTime, cost } = scene.driving;
-  const run = { heading: start.theta, arrived, finalTime, cost: cost.total };
-  if (!survey) return '';
-  const { grid, tally, runs } = survey;
-  if (!cursor) {
-    const counts = holds(grid, start) ? [words.there(tally.count[cellNear(grid, start)], headings)] : [];
-    return [words.watched(start, run), ...counts].join(' ');
-  }
-
-  const cell = cellNear(grid, cursor);
-  const place = startOf(grid, cell, 0);
-  /** @param {number} index */
-  const driveOf = (index) => {
-    const at = cell * headings + index;
-    return {
-      heading: angleOf(index),
-      arrived: runs.arrived[at] === 1,
-      finalTime: runs.finalTime[at],
-      cost: runs.cost[at],
-    };
-  };
-  const current = headingOf(grid, cell, start);
-  if (heading !== null)
-    return `${words.driveText(place, driveOf(heading))} ${words.clickToWatch(current === heading)}`;
-  const counts = words.cellText(place, {
-    arrived: tally.count[cell],
-    headings,
-    time: tally.time[cell],
-    cost: tally.cost[cell],
-  });
-  const next = nextHeading(survey, cell, start);
-  return `${counts} ${
-    current >= 0 ? words.watching(run, angleOf(next)) : words.invitation(angleOf(next), driveOf(next).arrived)
-  }`;
 }

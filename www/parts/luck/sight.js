@@ -1,0 +1,121 @@
+// What Luck shows around its pictures: what is run, what was found, and one seed.
+import { html } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
+import { luckSlice } from './state.js';
+import { options, valueIn } from '../../kit/templates.js';
+import words from './words/index.js';
+import { drivesOf, isSameButSeed } from './request.js';
+
+/** @typedef {import('../../core/engine.js').Experiment} Experiment */
+/** @typedef {import('../../run/state.js').State} State */
+/** @typedef {import('./state.js').LuckState} LuckState */
+/** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
+
+/**
+ * @typedef {object} Events
+ * @property {(patch: Partial<LuckState>) => void} update
+ * @property {() => void} onRun
+ * @property {(rank: number) => void} onRank
+ * @property {(seed: number) => void} onOpen
+ * @property {() => void} onTable
+ */
+
+const { texts } = words;
+const counts = [20, 100, 500].map((count) => /** @type {const} */ ([count, words.countChoice(count)]));
+const lengths = [50, 100, 200].map(
+  (length) => /** @type {const} */ ([length, words.generationsChoice(length)]),
+);
+
+/** @param {State} state @param {number} index @param {boolean} fresh @param {Events} on */
+export function sight(state, index, fresh, on) {
+  const luck = luckSlice.of(state);
+  const { result, log } = luck;
+  const finding = result
+    ? words.finding(result)
+    : words.invitation(luck.count, luck.generations, drivesOf(state.experiment, luck.generations));
+  return html`
+    <div class="heading">
+      <h2 id="luck-title">${texts.luckTitle}</h2>
+      <p class="muted"><span id="luck-note">${noteText(state)}</span>
+        <button id="luck-table" type="button" class="link" .hidden=${!result} @click=${on.onTable}>${texts.luckTable}</button></p>
+    </div>
+    ${bar(luck, on)}
+    <p id="luck-status" class="luck-status" role="status">${statusText(state, fresh)}</p>
+    <p id="luck-finding" class="luck-finding">${finding}</p>
+    <div class="heading luck-legend">
+      <p class="muted" data-picture="luck-curve">${texts.luckCurve}</p>
+      <label class="check muted"><input id="luck-log" type="checkbox" .checked=${live(log)} .disabled=${!result}
+        @change=${() => on.update({ log: !log })}> <span>${texts.luckLog}</span></label>
+    </div>
+    <div id="luck-curve" class="luck-curve" data-picture="luck-curve" role="img"
+      aria-label=${result ? words.curveLabel(result, finding) : words.emptyCurveLabel}></div>
+    <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}</p>
+      <p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>
+    <canvas id="luck-gains" class="luck-gains" data-picture="luck-gains" role="img"
+      aria-label=${result ? words.gainsLabel(result) : words.emptyGainsLabel}></canvas>
+    ${seedInQuestion(result, index, fresh, on)}`;
+}
+
+/** @param {LuckState} luck @param {Events} on */
+function bar({ progress, count, generations }, { onRun, update }) {
+  const runs = progress !== null;
+  return html`
+    <div class="bar luck-bar">
+      <button id="luck-run" type="button" class="primary" @click=${onRun}>${runs ? words.cancel : words.runText(count)}</button>
+      <select id="luck-count" aria-label=${texts.luckCount}
+        @change=${(/** @type {Event} */ event) => update({ count: Number(valueIn(event)) })}>${options(counts, count)}</select>
+      <select id="luck-generations" aria-label=${texts.luckGenerations}
+        @change=${(/** @type {Event} */ event) => update({ generations: Number(valueIn(event)) })}>${options(lengths, generations)}</select>
+      <progress id="luck-progress" max="1" class=${runs ? '' : 'visually-hidden'} aria-label=${texts.luckProgress}
+        .value=${progress ?? 0}></progress>
+    </div>`;
+}
+
+/** @param {SeedSurvey | null} result @param {number} index @param {boolean} fresh @param {Events} on */
+function seedInQuestion(result, index, fresh, { onRank, onOpen }) {
+  const isThere = result !== null && index >= 0;
+  const rank = isThere ? result.summary.ranking.indexOf(index) + 1 : 1;
+  const readout = isThere ? words.readout(result, index, rank) : '';
+  const seed = isThere ? result.first + index : 1;
+  return html`
+    <div id="luck-seed" class="luck-seed" .hidden=${!result}>
+      <label class="bar"><span class="muted">${texts.luckLuckiest}</span>
+        <input id="luck-rank" type="range" min="1" step="1" aria-label=${texts.luckRank} aria-valuetext=${readout}
+          .max=${String(result?.runs.length ?? 1)} .value=${live(String(rank))}
+          @input=${(/** @type {Event} */ event) => onRank(Number(valueIn(event)))}>
+        <span class="muted">${texts.luckUnluckiest}</span></label>
+      <p id="luck-readout" class="luck-readout">${readout}</p>
+      <button id="luck-open" type="button" .hidden=${!fresh} @click=${() => onOpen(seed)}>${words.openSeed(seed)}</button>
+    </div>`;
+}
+
+/** @param {State} state */
+function noteText(state) {
+  const { experiment, history } = state;
+  const { result, progress, count } = luckSlice.of(state);
+  if (progress !== null) return words.progressText(progress, count);
+  return result ? words.surveyNote(result) : words.labNote(experiment.evolution.seed, history.length - 1);
+}
+
+/** @param {State} state @param {boolean} fresh */
+function statusText(state, fresh) {
+  const { experiment } = state;
+  const { result, cancelled, message } = luckSlice.of(state);
+  if (message) return words.failed(message, result !== null);
+  const stale = result && !fresh ? words.outOfDate(changesOf(result.experiment, experiment)) : '';
+  return [cancelled ? words.cancelled(result !== null) : '', stale].filter((text) => text !== '').join(' ');
+}
+
+/** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('./words/common.js').Change[]} */
+function changesOf(then, now) {
+  const named = /** @type {const} */ ([
+    ['start', then.starts, now.starts],
+    ['goal', then.goal, now.goal],
+    ['limits', then.limits, now.limits],
+  ]);
+  const changes = named
+    .filter(([, before, after]) => JSON.stringify(before) !== JSON.stringify(after))
+    .map(([name]) => name);
+  const { starts, goal, limits } = now;
+  return isSameButSeed({ ...then, starts, goal, limits }, now) ? changes : [...changes, 'other'];
+}
