@@ -45,7 +45,7 @@ export function fillTable(root, { caption, columns, rows, summary, classOf }) {
   );
 }
 
-/** In the dialog of the page, if there is one. @param {Table | null} table */
+/** @param {Table | null} table If there is one. */
 export function showTable(table) {
   if (!table) return;
   /** @type {HTMLDialogElement} */
@@ -57,7 +57,7 @@ export function showTable(table) {
   dialog.showModal();
 }
 
-/** A button that shows a table. @param {string} id @param {() => Table | null} tableOf */
+/** A button that shows a table, if there is one. @param {string} id @param {() => Table | null} tableOf */
 export const offerTable = (id, tableOf) => byId(id).addEventListener('click', () => showTable(tableOf()));
 
 /** A map has too many cells to read. */

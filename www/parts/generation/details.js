@@ -121,7 +121,7 @@ const headline = (anatomy, number, ...facts) =>
 
 /** @param {Anatomy} anatomy @param {number} number @param {(number: number) => void} choose */
 const link = (anatomy, number, choose) =>
-  html`<button class="link" type="button" @click=${() => choose(number)}>${words.nameOf(anatomy, number)}</button>`;
+  html`<button class="link on-paper" type="button" @click=${() => choose(number)}>${words.nameOf(anatomy, number)}</button>`;
 
 /** @param {string} className @param {(i: number) => TemplateResult} row */
 const gainRows = (className, row) =>
