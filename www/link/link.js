@@ -33,6 +33,14 @@ const version = 1;
 /** Links are short; what is longer was not written here. */
 export const mostCharacters = 20_000;
 
+/** Of what is wrong, so much is said. */
+const mostNamed = 5;
+const mostOfName = 60;
+const mostOfReason = 400;
+
+/** @param {string} text @param {number} [most] */
+const short = (text, most = mostOfName) => (text.length > most ? `${text.slice(0, most)}…` : text);
+
 /** Stands for no value in itself. @type {readonly Key[]} */
 const signs = [
   {
@@ -98,7 +106,7 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
   function openLink(link, engine) {
     const [name, ...rest] = stepLink(link.slice(0, mostCharacters)).split('&');
     const page = pages.find((one) => one === (name || 'lab'));
-    const problems = page ? [] : [words.unknownPart(decoded(name), pages)];
+    const problems = page ? [] : [words.unknownPart(short(decoded(name)), pages)];
     if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
     const given = new Map(rest.filter((text) => text !== '').map(pairOf));
     const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
@@ -111,7 +119,12 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
           experiment: engine.experiment(withField(before.experiment, pathOf(key), text)),
         },
     );
-    problems.push(...refused.map(([key, error]) => words.ignored(key, messageOf(error))));
+    problems.push(
+      ...refused
+        .slice(0, mostNamed)
+        .map(([key, error]) => words.ignored(short(key), short(messageOf(error), mostOfReason))),
+    );
+    if (refused.length > mostNamed) problems.push(words.moreIgnored(refused.length - mostNamed));
     const refuse = (/** @type {string} */ key, /** @type {string} */ why) => {
       problems.push(words.ignored(key, why));
     };

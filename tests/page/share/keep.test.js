@@ -3,7 +3,7 @@ import { openRunFile, runFile } from '../../../www/link/run-file.js';
 import { links } from '../../../www/lesson/links.js';
 import { driveCsv, generationsCsv } from '../../../www/share/csv.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
-import { Evolution, evolve, experiment, simulate, simulateAll, stability } from '../harness/core.js';
+import { Evolution, evolve, experiment, simulate, Simulation, stability } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { readEvolution } from '../harness/reading.js';
 import { saved } from '../harness/saved.js';
@@ -26,7 +26,8 @@ function evolved(from, generations) {
       experiment,
       version: () => '0.1.0',
       hash: () => evolution.hash(),
-      drive: (/** @type {Experiment} */ e, /** @type {number[][]} */ gains) => simulateAll(e, gains.flat()),
+      check: (/** @type {Experiment} */ from, /** @type {number[]} */ gains) =>
+        new Simulation(from, gains).free(),
       surveys: {
         evolve: async (/** @type {Experiment} */ e, /** @type {number} */ count) => evolve(e, count),
       },

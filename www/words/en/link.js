@@ -7,6 +7,10 @@ export const unknownPart = (found, parts) =>
 /** @param {string} key @param {string} reason */
 export const ignored = (key, reason) => `In the link, ${key} was left out: ${reason}`;
 
+/** @param {number} count */
+export const moreIgnored = (count) =>
+  count === 1 ? 'One more entry was left out.' : `${count} more entries were left out.`;
+
 /** @param {string} expected @param {string} found */
 export const expected = (expected, found) => `it must be ${expected}, but was “${found}”.`;
 

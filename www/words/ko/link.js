@@ -7,6 +7,9 @@ export const unknownPart = (found, parts) =>
 /** @param {string} key @param {string} reason */
 export const ignored = (key, reason) => `링크에서 다음 항목을 뺐습니다 — ${key}: ${reason}`;
 
+/** @param {number} count */
+export const moreIgnored = (count) => `그 밖에 ${count}개 항목도 제외했습니다.`;
+
 /** @param {string} expected @param {string} found */
 export const expected = (expected, found) => `필요한 형식은 ${expected}, 적힌 값은 “${found}”입니다.`;
 
