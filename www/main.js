@@ -49,7 +49,7 @@ async function start(engine) {
   const store = createStore(first, loop.request);
   const sight = createSight(sceneOf, first, loop.request);
   /** Of the state that is seen. @param {State} state */
-  const seenScene = (state) => sight(state).scene;
+  const seenScene = (state) => sight.of(state).scene;
   const drivingOf = () => seenScene(store.get()).driving;
   const finalTime = () => drivingOf().finalTime;
   const actions = createActions({ engine, store, paper, finalTime, isStill, places });
@@ -59,7 +59,7 @@ async function start(engine) {
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const draw = createDraw(createViews(store, controls, links.pages, onLesson), engine, paper);
   const lesson = createLesson({ ...tools, go });
-  const made = createParts(parts, tools, loop.request);
+  const made = createParts(parts, tools, sight.renew);
   pages = made;
   const settings = createSettingsPanel(tools);
   const exercise = createExercise({ ...tools, places: parts.flatMap((part) => part.places ?? []) });
@@ -73,7 +73,7 @@ async function start(engine) {
   /** Draws what the state says, and lets the open part ask the workers for what it still lacks. */
   const show = () => {
     const now = store.get();
-    const { state: driven, scene, isComputing } = sight(now);
+    const { state: driven, scene, isComputing } = sight.of(now);
     const { robot, size, theme, message, evolving } = now;
     const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
     made.open(now.page);

@@ -149,8 +149,10 @@ export function createScene(drive, paper, chosenDrives) {
 export function createSight(sceneOf, first, onArrival) {
   let shown = { state: first, scene: sceneOf(first) };
   let isComputing = false;
+  let isStale = false;
   const ask = (/** @type {State} */ state) => {
     isComputing = true;
+    isStale = false;
     try {
       shown = { state, scene: sceneOf(state) };
       isComputing = false;
@@ -162,8 +164,16 @@ export function createSight(sceneOf, first, onArrival) {
       error.arrival.then(() => ask(state)).finally(onArrival);
     }
   };
-  return (/** @type {State} */ state) => {
-    if (!isComputing && state !== shown.state) ask(state);
-    return { ...shown, isComputing };
+  return {
+    /** @param {State} state */
+    of(state) {
+      if (!isComputing && (isStale || state !== shown.state)) ask(state);
+      return { ...shown, isComputing };
+    },
+    /** What drives in a state is another than it was: a part of the page has come that has a say in it. */
+    renew() {
+      isStale = true;
+      onArrival();
+    },
   };
 }
