@@ -121,7 +121,8 @@ const notePhases = (page) =>
         document.querySelector('#generation-phases input:checked')
       )?.value;
       const now = `${title}: ${phase}`;
-      if (document.body.dataset.open === 'generation' && phases.at(-1) !== now) phases.push(now);
+      // The part may still be on its way.
+      if (document.body.dataset.open === 'generation' && phase && phases.at(-1) !== now) phases.push(now);
       requestAnimationFrame(note);
     };
     note();

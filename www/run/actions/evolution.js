@@ -22,7 +22,8 @@ export function createEvolution(
         if (generation === known.length) known.push(engine.step());
         const population = engine.population(generation);
         store.update({ history: known, generation, population, message: '' });
-        if (store.get().evolving) arrive();
+        // Who plays phases pauses after the last of them.
+        if (store.get().evolving && !playsPhases(store.get())) arrive();
       },
       { what: 'generation' },
     );

@@ -20,7 +20,7 @@ export const texts = {
   makerClose: 'Close the exercise',
 };
 
-/** What is locked or hidden together. @type {Record<import('../../run/exercise.js').Group, string>} */
+/** What is locked or hidden together. @type {Record<import('../common/kinds.js').Group, string>} */
 export const groups = {
   gains: 'gains',
   drives: 'what drives',
@@ -35,7 +35,7 @@ export const groups = {
   share: 'sharing',
 };
 
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../../run/exercise.js').Way>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../common/kinds.js').Way>[]} */
 export const ways = [
   { value: 'free', text: 'Free' },
   { value: 'locked', text: 'Locked' },

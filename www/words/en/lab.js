@@ -8,9 +8,9 @@ export * from './numbers.js';
 /** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../../run/state.js').Driver} Driver */
-/** @typedef {import('../../run/state.js').Restart} Restart */
-/** @typedef {import('../../run/pace.js').Until} Until */
+/** @typedef {import('../common/kinds.js').Driver} Driver */
+/** @typedef {import('../common/kinds.js').Restart} Restart */
+/** @typedef {import('../common/kinds.js').Until} Until */
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
@@ -96,7 +96,7 @@ export const taglines = (population) => ({
 
 export const endTrial = 'Back to its own start';
 
-/** Gains by hand, by where they are from. @type {Record<import('../../run/state.js').Found, string>} */
+/** Gains by hand, by where they are from. @type {Record<import('../common/kinds.js').Found, string>} */
 export const foundName = {
   hand: 'your gains',
   map: 'gains from the landscape',
@@ -104,7 +104,7 @@ export const foundName = {
   luck: 'gains from Luck',
 };
 
-/** @param {Driver} driver @param {number} generation @param {import('../../run/state.js').Found} found */
+/** @param {Driver} driver @param {number} generation @param {import('../common/kinds.js').Found} found */
 export const driverName = (driver, generation, found) =>
   ({
     evolved: `best of generation ${generation}`,
@@ -113,7 +113,7 @@ export const driverName = (driver, generation, found) =>
     'paper-arbitrary': 'paper’s arbitrary gains',
   })[driver];
 
-/** @param {Driver} driver @param {import('../../run/state.js').Found} found */
+/** @param {Driver} driver @param {import('../common/kinds.js').Found} found */
 export const costTitle = (driver, found) =>
   ({
     evolved: 'Cost of the best robot',

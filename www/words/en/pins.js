@@ -4,7 +4,7 @@ import { fixed } from './numbers.js';
 
 export * from '../common/pins.js';
 
-/** @typedef {import('../../run/state.js').Driver} Driver */
+/** @typedef {import('../common/kinds.js').Driver} Driver */
 /** @typedef {import('../../core/engine.js').Triple} Triple */
 
 export const pinThis = 'Pin this run';
@@ -13,7 +13,7 @@ export const unpinThis = 'Unpin this run';
 export const pinnedAs = (name) => `pinned as “${name}”`;
 export const noRoom = 'Four runs are pinned: unpin one first.';
 
-/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../../run/state.js').Found }} of */
+/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../common/kinds.js').Found }} of */
 export const pinName = (driver, { generation, seed, gains, found }) =>
   ({
     evolved: `best of generation ${generation}, seed ${seed}`,

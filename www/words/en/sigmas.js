@@ -6,7 +6,7 @@ export * from '../common/sigmas.js';
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
 
 export const curveLegend = 'Curve over the generations';
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../../lab/state.js').LabCurve>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../common/kinds.js').LabCurve>[]} */
 export const curveChoices = [
   { value: 'cost', text: 'J' },
   { value: 'sigmas', text: 'σ', hint: 'Mean step size of each gain' },

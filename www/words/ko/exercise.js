@@ -20,7 +20,7 @@ export const texts = {
   makerClose: '과제 만들기 닫기',
 };
 
-/** What is locked or hidden together. @type {Record<import('../../run/exercise.js').Group, string>} */
+/** What is locked or hidden together. @type {Record<import('../common/kinds.js').Group, string>} */
 export const groups = {
   gains: '이득',
   drives: '주행에 쓰는 이득',
@@ -35,7 +35,7 @@ export const groups = {
   share: '공유',
 };
 
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../../run/exercise.js').Way>[]} */
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../common/kinds.js').Way>[]} */
 export const ways = [
   { value: 'free', text: '사용' },
   { value: 'locked', text: '잠금' },

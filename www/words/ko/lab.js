@@ -8,9 +8,9 @@ export * from './numbers.js';
 /** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {import('../../core/engine.js').Run} Run */
 /** @typedef {import('../../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../../run/state.js').Driver} Driver */
-/** @typedef {import('../../run/state.js').Restart} Restart */
-/** @typedef {import('../../run/pace.js').Until} Until */
+/** @typedef {import('../common/kinds.js').Driver} Driver */
+/** @typedef {import('../common/kinds.js').Restart} Restart */
+/** @typedef {import('../common/kinds.js').Until} Until */
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
@@ -91,7 +91,7 @@ export const taglines = (population) => ({
 
 export const endTrial = '원래 출발점으로';
 
-/** Gains by hand, by where they are from. @type {Record<import('../../run/state.js').Found, string>} */
+/** Gains by hand, by where they are from. @type {Record<import('../common/kinds.js').Found, string>} */
 export const foundName = {
   hand: '직접 조정한 이득',
   map: '비용 지형에서 고른 이득',
@@ -99,7 +99,7 @@ export const foundName = {
   luck: '운에서 얻은 이득',
 };
 
-/** @param {Driver} driver @param {number} generation @param {import('../../run/state.js').Found} found */
+/** @param {Driver} driver @param {number} generation @param {import('../common/kinds.js').Found} found */
 export const driverName = (driver, generation, found) =>
   ({
     evolved: `${generation}세대 최우수`,
@@ -108,7 +108,7 @@ export const driverName = (driver, generation, found) =>
     'paper-arbitrary': '논문의 임의 이득',
   })[driver];
 
-/** @param {Driver} driver @param {import('../../run/state.js').Found} found */
+/** @param {Driver} driver @param {import('../common/kinds.js').Found} found */
 export const costTitle = (driver, found) =>
   ({
     evolved: '최우수 로봇의 비용',

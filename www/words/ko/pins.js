@@ -4,7 +4,7 @@ import { fixed } from './numbers.js';
 
 export * from '../common/pins.js';
 
-/** @typedef {import('../../run/state.js').Driver} Driver */
+/** @typedef {import('../common/kinds.js').Driver} Driver */
 /** @typedef {import('../../core/engine.js').Triple} Triple */
 
 export const pinThis = '이 주행 고정';
@@ -13,7 +13,7 @@ export const unpinThis = '이 주행 고정 해제';
 export const pinnedAs = (name) => `고정됨: “${name}”`;
 export const noRoom = '네 개가 고정되어 있습니다. 먼저 하나를 해제하십시오.';
 
-/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../../run/state.js').Found }} of */
+/** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../common/kinds.js').Found }} of */
 export const pinName = (driver, { generation, seed, gains, found }) =>
   ({
     evolved: `${generation}세대 최우수, 시드 ${seed}`,

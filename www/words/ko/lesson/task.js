@@ -3,7 +3,8 @@ import { costText, fixed, grouped } from '../numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {import('../../common/lesson.js').Share} Share */
-/** @typedef {import('../../../parts/training/request.js').Result} Result */
+/** How gains fare: from how many starts they arrive. @typedef {{ gains: readonly number[], training: Fares, unseen: Fares, own: number }} Result */
+/** @typedef {{ starts: readonly unknown[], arrived: Uint8Array, count: number, cost: number }} Fares */
 
 export const task = {
   title: '과제를 배운 것인가?',
