@@ -108,7 +108,7 @@ async function readsLesson(page, language) {
 }
 
 engineTest('without its scripts, or where they are forbidden, the page can be read', async (page) => {
-  await withSite(page, without(/index.*\.js$/), async (address) => {
+  await withSite(page, without(/assets.*\.js$/), async (address) => {
     await page.visit(address);
     assert.equal(
       (await inSight(page)).picture,
