@@ -24,7 +24,8 @@ export default defineConfig(({ mode }) => ({
     target: 'es2022',
     // Nothing inline, so that the strictest content security policy lets the page run.
     assetsInlineLimit: 0,
-    modulePreload: { polyfill: false },
+    // Firefox counts a module that is asked for twice, of which one is given up, as one that failed.
+    modulePreload: false,
     rolldownOptions: { output: { codeSplitting: chunks } },
   },
   // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.

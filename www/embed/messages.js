@@ -90,6 +90,13 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
     actions.openLinked(opened, []);
     await actions.whenIdle();
     if (store.get().experiment !== opened.experiment) throw new Error(store.get().message);
+    // Without the frames of the page, which nobody may see.
+    while (store.get().catchingUp) {
+      const end = performance.now() + sliceMilliseconds;
+      actions.evolve(() => performance.now() < end);
+      await actions.whenIdle();
+      await pause();
+    }
     actions.standAt(Number.POSITIVE_INFINITY);
     announce();
   };
