@@ -57,8 +57,11 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
   /** @type {Statistics[]} */
   let announced = [];
 
+  let isReady = false;
+
   /** Tells the generations that are new. */
   const announce = () => {
+    if (!isReady) return;
     const { history } = store.get();
     const known = history[0] === announced[0] ? announced.length : 0;
     announced = history;
@@ -83,6 +86,16 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
     };
   };
 
+  /** Lets a run come as far as its link says, without the frames of the page: where nobody sees it there are none. */
+  const arrive = async () => {
+    while (store.get().catchingUp) {
+      const end = performance.now() + sliceMilliseconds;
+      actions.evolve(() => performance.now() < end);
+      await actions.whenIdle();
+      await pause();
+    }
+  };
+
   /** @param {Parameters<Actions['openLinked']>[0]} opened */
   const open = async (opened) => {
     // What stood in the way before is no answer to this.
@@ -90,13 +103,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
     actions.openLinked(opened, []);
     await actions.whenIdle();
     if (store.get().experiment !== opened.experiment) throw new Error(store.get().message);
-    // Without the frames of the page, which nobody may see.
-    while (store.get().catchingUp) {
-      const end = performance.now() + sliceMilliseconds;
-      actions.evolve(() => performance.now() < end);
-      await actions.whenIdle();
-      await pause();
-    }
+    await arrive();
     actions.standAt(Number.POSITIVE_INFINITY);
     announce();
   };
@@ -182,7 +189,13 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
   return {
     announce,
 
-    ready: () => send({ type: 'ready', ...report([]) }),
+    /** Once the run is there. */
+    async ready() {
+      await arrive();
+      send({ type: 'ready', ...report([]) });
+      isReady = true;
+      announce();
+    },
 
     /** In the order in which they came: many generations take a while. @param {unknown} message Whatever came. */
     hear(message) {

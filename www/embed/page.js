@@ -31,9 +31,11 @@ export function createEmbed(parts) {
     if (event.source === parent && parent !== window) messages.hear(event.data);
   });
 
+  // Nothing is said before it can be spoken to.
+  let hasBegun = false;
   const tellHeight = () => {
     const { page, lesson } = store.get();
-    if (innerWidth === 0) return;
+    if (innerWidth === 0 || !hasBegun) return;
     const task = byId('exercise');
     const height = wantedHeight(shapes, page, lesson, innerWidth) + (task.hidden ? 0 : task.offsetHeight + 6);
     if (!heightChanged(height)) return;
@@ -45,9 +47,9 @@ export function createEmbed(parts) {
 
   return {
     /** Once the address is opened. */
-    begin() {
-      messages.ready();
-      messages.announce();
+    async begin() {
+      await messages.ready();
+      hasBegun = true;
       tellHeight();
     },
 
