@@ -124,10 +124,13 @@ async function start(engine) {
   await made.open(store.get().page);
   embed?.begin();
   loop.request();
-  // After the first picture, which was asked for before this.
-  requestAnimationFrame(() => {
-    document.documentElement.dataset.ready = 'true';
-  });
+  /** After the first picture, which was asked for before this, of a run that has come as far as its link says or is being computed. */
+  const sayReady = () => {
+    const { catchingUp, computing } = store.get();
+    if (catchingUp && !computing) requestAnimationFrame(sayReady);
+    else document.documentElement.dataset.ready = 'true';
+  };
+  requestAnimationFrame(sayReady);
 }
 
 document.body.toggleAttribute('data-embed', isEmbedded);

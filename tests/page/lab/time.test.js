@@ -129,13 +129,13 @@ const notePhases = (page) =>
     Object.assign(window, { phases });
   });
 
-/** Waits until a phase is shown; returns all that were. @param {Page} page @param {string} last */
+/** Waits until a phase was shown; returns all that were up to it, for a slow driver may hear of it late. @param {Page} page @param {string} last */
 const phasesUntil = (page, last) =>
   page.until(
     `${last} is shown`,
     (phase) => {
       const { phases } = /** @type {{ phases: string[] }} */ (/** @type {unknown} */ (window));
-      return phases.at(-1) === phase && phases;
+      return phases.includes(phase) && phases.slice(0, phases.indexOf(phase) + 1);
     },
     last,
   );
@@ -177,10 +177,14 @@ pageTest('one phase at a time Run plays the generations, and comes to the same',
   await phasesUntil(page, 'Generation 2: drive');
   await page.click('#page-lab');
   assert.equal(await page.text('#run'), 'Run');
-  assert.deepEqual(await readEvolution(page), expected(2));
+  const paused = await readEvolution(page);
+  // The phases go on until they are left, on a busy machine into a later generation.
+  const generation = Number(paused.generation);
+  assert.ok(generation >= 2);
+  assert.deepEqual(paused, expected(generation));
   await page.click('#one-generation');
-  assert.deepEqual(await readEvolution(page), expected(3));
-  assert.match(await fingerprint(page), new RegExp(evolve(velocityLimits, 3).hash));
+  assert.deepEqual(await readEvolution(page), expected(generation + 1));
+  assert.match(await fingerprint(page), new RegExp(evolve(velocityLimits, generation + 1).hash));
 });
 
 pageTest('the pace is changed while evolution runs, also in the generation part', async (page) => {
