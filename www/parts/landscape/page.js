@@ -2,7 +2,7 @@
 import { html, noChange, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { gainNames, landscapeSlice } from './state.js';
-import { showTable } from '../../kit/table.js';
+import { showTable } from '../../lab/table-sheet.js';
 import { landscapeTable } from './table.js';
 import { followHeld, followKeys, followPointing, pointIn } from '../../kit/map.js';
 import { remember, watch } from '../../kit/memo.js';

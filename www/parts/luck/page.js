@@ -10,7 +10,7 @@ import { createSeedCurve } from './curve.js';
 import { createSeedRequests, isSameButSeed } from './request.js';
 import { sight } from './sight.js';
 import { createStrips } from './strips.js';
-import { showTable } from '../../kit/table.js';
+import { showTable } from '../../lab/table-sheet.js';
 import { seedTable } from './table.js';
 
 /** @typedef {import('../../core/engine.js').Experiment} Experiment */

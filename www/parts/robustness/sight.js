@@ -3,7 +3,7 @@ import { html, render } from 'lit-html';
 import { halves, robustnessSlice } from './state.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { options, valueIn } from '../../kit/templates.js';
-import { showTable } from '../../kit/table.js';
+import { showTable } from '../../lab/table-sheet.js';
 import { robustnessTable } from './table.js';
 import { watch } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';

@@ -1,9 +1,9 @@
 // A run as a file: its link, which is all that is needed to make it again, and what it came to, which proves that it is.
-import { keep as words } from '../words/index.js';
+import words from './words/index.js';
 
 /** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('./keys.js').Linked} Linked */
-/** @typedef {import('./link.js').Links} Links */
+/** @typedef {import('../link/keys.js').Linked} Linked */
+/** @typedef {import('../link/link.js').Links} Links */
 /** @typedef {import('../run/actions/page.js').Opened} Opened */
 /** @typedef {import('../core/engine.js').Statistics} Statistics */
 
