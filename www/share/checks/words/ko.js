@@ -1,13 +1,9 @@
 // Every word about the page's checks of its own numbers, in Korean.
+/** @import { Group, Outcome, Sentences, Task } from '../../../core/checks/check.js' */
+/** @import { Preset } from '../../../core/engine.js' */
 import { valuesText } from './common.js';
 
 export * from './common.js';
-
-/** @typedef {import('../../../core/checks/check.js').Outcome} Outcome */
-/** @typedef {import('../../../core/checks/check.js').Sentences} Sentences */
-/** @typedef {import('../../../core/checks/check.js').Task} Task */
-/** @typedef {import('../../../core/checks/check.js').Group} Group */
-/** @typedef {import('../../../core/engine.js').Preset} Preset */
 
 export const texts = {
   checksHelp:
