@@ -22,8 +22,8 @@ const files = [
   (id) => /[\\/]www[\\/]words[\\/](en|ko)[\\/]/.exec(id)?.[1] ?? null,
   (id, graph) =>
     !languages.test(id) && isLoadedWith(id, (one) => one.endsWith('/www/main.js'), graph) ? 'page' : null,
-  // What several parts share; a part alone is in one file by itself.
-  (id) => (/[\\/]www[\\/](kit|core)[\\/]/.test(id) ? 'shared' : null),
+  // What several parts share; a part alone is in one file by itself, and so are the checks.
+  (id) => (/[\\/]www[\\/](kit|core(?![\\/]checks))[\\/]/.test(id) ? 'shared' : null),
 ];
 
 export const chunks = { groups: files.map((name, i) => ({ name, priority: files.length - i })) };

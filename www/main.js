@@ -25,14 +25,12 @@ import { guarded } from './run/guard.js';
 import { createScene, createSight } from './run/scene.js';
 import { createStore } from './run/store.js';
 import { createSettingsPanel } from './settings/panel.js';
-import { createChecks } from './share/checks/dialog.js';
-import { createKeep } from './share/dialog.js';
-import { createMaker } from './share/exercise/maker.js';
 import { createExercise } from './share/exercise/page.js';
 import { createKeys } from './share/keys.js';
+import { createShare } from './share/load.js';
 import { lab as words } from './words/index.js';
 import { fitnessTable } from './lab/fitness-table.js';
-import { offerTable } from './kit/table.js';
+import { showTable } from './lab/table-sheet.js';
 
 const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
 const isStill = () => stillPlease.matches || standsStill();
@@ -63,7 +61,7 @@ async function start(engine) {
   pages = made;
   const settings = createSettingsPanel(tools);
   const exercise = createExercise({ ...tools, places: parts.flatMap((part) => part.places ?? []) });
-  const maker = isEmbedded ? null : createMaker(tools);
+  const share = createShare({ ...tools, sceneOf: seenScene, open: actions.openLinked });
   const computingLine = createComputing(controls);
   const pinButton = createPinButton(tools, seenScene);
   const embed = isEmbedded ? createEmbed({ ...tools, actions, drivingOf, shapes: parts }) : null;
@@ -86,7 +84,7 @@ async function start(engine) {
     settings.draw(state);
     exercise.draw(state, made.size);
     embed?.draw(state);
-    maker?.draw(state);
+    share.draw(state);
     pinButton.draw(state, scene);
   };
 
@@ -115,10 +113,8 @@ async function start(engine) {
   byId('plane-robots').setAttribute('aria-label', words.planeLabel);
   byId('instrument').hidden = false;
   followSurroundings(actions, show);
-  createKeys();
-  createChecks(engine);
-  offerTable('fitness-table', () => fitnessTable(store.get().history));
-  if (!isEmbedded) createKeep({ ...tools, actions, sceneOf: seenScene });
+  createKeys(share.openChecks);
+  byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get().history)));
   address = createAddress({ ...tools, actions });
   loop.request();
   await made.open(store.get().page);

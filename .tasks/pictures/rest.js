@@ -45,6 +45,7 @@
     value: () =>
       document.documentElement.dataset.ready === 'true' &&
       own.pageFrames.areNone() &&
+      !document.querySelector('.part-waits') &&
       parts === 0 &&
       time() - heard > quiet,
   });

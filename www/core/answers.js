@@ -1,8 +1,8 @@
 // The answers of workers to single questions, kept as long as they may be asked for again.
+/** @import { Jobs } from './jobs.js' */
+/** @import { Run } from './pool.js' */
 import { Pending } from './pending.js';
 
-/** @typedef {import('./jobs.js').Jobs} Jobs */
-/** @typedef {import('./pool.js').Run} Run */
 /** @typedef {{ value: unknown } | { error: unknown } | { arrival: Promise<unknown>, share: () => number | null }} Answer */
 
 /** More than the page asks for at once. */

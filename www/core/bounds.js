@@ -1,5 +1,5 @@
 // What may be computed at once, on the page's own thread: so little that it never holds the page for 50 ms.
-/** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
+/** @import { Experiment } from '../../pkg/ep_locomotion.js' */
 
 /** Samples of generations, at about 6 ns each. */
 const mostOfGeneration = 1.5e6;

@@ -1,5 +1,9 @@
 // What the core is asked for. What takes little is done at once, on this thread; what takes long a worker does, and as long as
 // that is under way, whoever asks gets a Pending thrown. Both ways come to the same bits.
+/** @import { Experiment, Generation, GenerationRecord, Individual, PartialExperiment, Preset, Sample, Triple } from './engine.js' */
+/** @import { Pool } from './pool.js' */
+/** @import { Samples } from './samples.js' */
+/** @import { Surveys } from './surveys.js' */
 import {
   Evolution,
   experiment,
@@ -19,17 +23,6 @@ import { isLongDrive, isLongEvolution, isLongRecord, isLongReplay } from './boun
 import { unpacked } from './history.js';
 import { driveOn, samplesOf } from './samples.js';
 
-/** @typedef {import('./engine.js').Experiment} Experiment */
-/** @typedef {import('./engine.js').Generation} Generation */
-/** @typedef {import('./engine.js').GenerationRecord} GenerationRecord */
-/** @typedef {import('./engine.js').Individual} Individual */
-/** @typedef {import('./engine.js').PartialExperiment} PartialExperiment */
-/** @typedef {import('./engine.js').Preset} Preset */
-/** @typedef {import('./engine.js').Sample} Sample */
-/** @typedef {import('./engine.js').Triple} Triple */
-/** @typedef {import('./pool.js').Pool} Pool */
-/** @typedef {import('./samples.js').Samples} Samples */
-/** @typedef {import('./surveys.js').Surveys} Surveys */
 /**
  * An evolution here, or, where there is no such object, in a worker.
  * @typedef {{ experiment: Experiment, here: Evolution | null, newest: number, hash: () => string, population: Individual[] }} Run

@@ -1,4 +1,5 @@
 // The only module, with its workers, that knows the core: everything else receives plain numbers from here.
+/** @import { WordField } from '../../pkg/ep_locomotion.js' */
 import { initSync } from '../../pkg/ep_locomotion.js';
 import { engineOf } from './direct.js';
 import { createPool } from './pool.js';
@@ -13,7 +14,6 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').Field} Field */
-/** @typedef {import('../../pkg/ep_locomotion.js').WordField} WordField */
 /** @typedef {import('../../pkg/ep_locomotion.js').Individual} Individual */
 /** @typedef {import('../../pkg/ep_locomotion.js').PaperResult} PaperResult */
 /** @typedef {import('../../pkg/ep_locomotion.js').Posture} Posture */

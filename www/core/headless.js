@@ -1,4 +1,5 @@
 // The core under Node: what tests and the written lesson compute, by the very module that the page is built with.
+/** @import { Preset } from '../../pkg/ep_locomotion.js' */
 import { readFile } from 'node:fs/promises';
 import init, { paper } from '../../pkg/ep_locomotion.js';
 import { engineOf } from './direct.js';
@@ -9,7 +10,6 @@ export * from '../../pkg/ep_locomotion.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').Gains} Gains */
-/** @typedef {import('../../pkg/ep_locomotion.js').Preset} Preset */
 
 export const wasm = new URL('../../pkg/ep_locomotion_bg.wasm', import.meta.url);
 /** Of the one instance of the core. */

@@ -1,8 +1,7 @@
 // One evolution that stays on this thread between questions, whichever generation they are about.
+/** @import { Experiment, GenerationRecord } from '../../pkg/ep_locomotion.js' */
 import { Evolution } from '../../pkg/ep_locomotion.js';
 
-/** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
-/** @typedef {import('../../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
 /** @typedef {Omit<GenerationRecord, 'opponents'> & { opponents: Uint16Array }} PackedRecord All opponents in one row. */
 
 /** @param {(done: number) => void} tell */

@@ -1,4 +1,5 @@
 // The long jobs, part by part, on whatever thread this is loaded.
+/** @import { PartialExperiment } from '../../pkg/ep_locomotion.js' */
 import {
   Evolution,
   Simulation,
@@ -21,7 +22,6 @@ import { resultsOf } from './checks/checks.js';
 import { createHistory } from './history.js';
 import { columnsOf } from './samples.js';
 
-/** @typedef {import('../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 /** @typedef {ReturnType<typeof createJobs>} Jobs */
 
 /** Milliseconds from one progress to the next. */

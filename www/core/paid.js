@@ -1,6 +1,5 @@
 // J as it is paid along a run.
-
-/** @typedef {import('./engine.js').Run} Run */
+/** @import { Run } from './engine.js' */
 
 /** Time, path and energy until sample `i`; what is due at the end is not yet in it. @param {Run} run @param {number} i */
 export const paidAt = ({ time, pathCost, energyCost }, i) => time[i] + pathCost[i] + energyCost[i];

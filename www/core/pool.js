@@ -1,7 +1,6 @@
 // Runs long jobs part by part in plain Web Workers. Which worker does a part, and when, never shows in the result.
-
-/** @typedef {import('./worker.js').Answer} Answer */
-/** @typedef {import('./jobs.js').Jobs} Jobs */
+/** @import { Jobs } from './jobs.js' */
+/** @import { Answer } from './worker.js' */
 
 /**
  * One call for each part, which is the list of its arguments.

@@ -1,7 +1,5 @@
 // The reference that a run follows: the goal, or a posture that moves.
-
-/** @typedef {import('./engine.js').Posture} Posture */
-/** @typedef {import('./engine.js').Run} Run */
+/** @import { Posture, Run } from './engine.js' */
 
 /** Whether it moves. @param {Run} run */
 export const isTracking = ({ referenceX: x, referenceY: y, referenceTheta: theta }) =>

@@ -1,7 +1,5 @@
 // All samples of a run as columns of numbers, which go from a worker to the page without a copy.
-/** @typedef {import('../../pkg/ep_locomotion.js').Outcome} Outcome */
-/** @typedef {import('../../pkg/ep_locomotion.js').Sample} Sample */
-/** @typedef {import('../../pkg/ep_locomotion.js').Simulation} Simulation */
+/** @import { Outcome, Sample, Simulation } from '../../pkg/ep_locomotion.js' */
 /** Like a list, of which one asks only for samples that there are. @typedef {Pick<readonly Sample[], 'length' | 'map'> & { at: (i: number) => Sample }} Samples */
 /** @typedef {{ outcome: Outcome | null, rows: Float64Array }} Columns One row a sample. */
 

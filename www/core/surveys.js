@@ -1,16 +1,10 @@
 // The long jobs: each is split by index into parts for the pool, and the parts' results are joined in order.
+/** @import { Gains, Landscape, Robustness, StartGrid } from '../../pkg/ep_locomotion.js' */
+/** @import { Golden } from './checks/check.js' */
+/** @import { Channel, Pool, Run, RunOptions } from './pool.js' */
 import { samplesOfDrive, samplesOfRobot } from './bounds.js';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
-/** @typedef {import('../../pkg/ep_locomotion.js').Gains} Gains */
-/** @typedef {import('../../pkg/ep_locomotion.js').Landscape} Landscape */
-/** @typedef {import('../../pkg/ep_locomotion.js').Robustness} Robustness */
-/** @typedef {import('../../pkg/ep_locomotion.js').StartGrid} StartGrid */
-/** @typedef {import('./checks/check.js').Golden} Golden */
-/** @typedef {import('./pool.js').Channel} Channel */
-/** @typedef {import('./pool.js').Pool} Pool */
-/** @typedef {import('./pool.js').Run} Run */
-/** @typedef {import('./pool.js').RunOptions} RunOptions */
 
 /** With a channel, the newest request makes the earlier one reject. @typedef {RunOptions & { channel?: Channel }} SurveyOptions */
 /** Seeds from `first` on. @typedef {{ first: number, count: number, generations: number }} Seeds */

@@ -1,8 +1,8 @@
 // A worker of the pool: an instance of the core of its own, which does one part of a job after another.
+/** @import { Jobs } from './jobs.js' */
 import { initSync } from '../../pkg/ep_locomotion.js';
 import { createJobs } from './jobs.js';
 
-/** @typedef {import('./jobs.js').Jobs} Jobs */
 /** The first message. @typedef {{ core: WebAssembly.Module }} Outfit */
 /** Every other message. @typedef {{ call: keyof Jobs, args: unknown[] }} Part */
 /** To each part one answer, after any number of progresses; at first the name of a lock that is held as long as the worker lives. @typedef {{ life: string } | { progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */

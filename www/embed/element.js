@@ -14,13 +14,13 @@
 // generation, with the statistics of one; error, with a message. messages.js says what is in them.
 //
 // A figure loads when it comes near the window, or when it is asked something.
+/** @import { Experiment } from '../core/engine.js' */
+/** @import { Report } from './messages.js' */
 import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
 import { frameName } from '../kit/host.js';
 import { leastHeight, version } from './frame.js';
 
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('./messages.js').Report} Report */
 /** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting */
 /** @typedef {{ message: object, resolve: (report: Report) => void, reject: (reason: Error) => void }} Question */
 

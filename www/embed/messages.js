@@ -14,22 +14,17 @@
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height.
 // What a link locks is locked for who sits before the figure, not for the page around it: an experiment that it sets leaves
 // the locks as they are, and a link that it opens brings its own, or none.
+/** @import { Engine, Experiment, PaperResult, Run, Statistics, Triple } from '../core/engine.js' */
+/** @import { Links } from '../link/link.js' */
+/** @import { Actions } from '../run/actions/actions.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Store } from '../run/store.js' */
 import { messageOf } from '../words/errors.js';
 import { gainsOf } from '../run/drivers.js';
 import { noTrial } from '../run/state.js';
 import { embed as words } from '../words/index.js';
 import { version } from './frame.js';
 
-/** @typedef {import('../run/actions/actions.js').Actions} Actions */
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../core/engine.js').Run} Run */
-/** @typedef {import('../link/link.js').Links} Links */
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/store.js').Store} Store */
-/** @typedef {import('../core/engine.js').Triple} Triple */
 /**
  * What a figure answers.
  * @typedef {object} Report

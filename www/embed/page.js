@@ -1,4 +1,5 @@
 // The page as a figure in a frame of another page: its foot, the height it asks for, and what it says to its host.
+/** @import { State } from '../run/state.js' */
 import { byId, create, svg } from '../kit/elements.js';
 import { noExercise } from '../run/exercise.js';
 import { watch } from '../kit/memo.js';
@@ -7,7 +8,6 @@ import { addressOf } from '../kit/host.js';
 import { version, wantedHeight } from './frame.js';
 import { createMessages } from './messages.js';
 
-/** @typedef {import('../run/state.js').State} State */
 /** @typedef {Parameters<typeof createMessages>[0] & { shapes: Parameters<typeof wantedHeight>[0] }} Parts `shapes` of the parts of the page. */
 
 /** @param {Parts} parts */

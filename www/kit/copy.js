@@ -1,13 +1,14 @@
 /**
- * Copies what a field holds, and says so; where the browser lets no page copy, the text is selected for the keyboard.
- * @param {HTMLInputElement | HTMLTextAreaElement} field @param {HTMLElement} status @param {{ copied: string, notCopied: string }} words
+ * Copies what a field holds, and returns what is said of it; where the browser lets no page copy, the text is selected for the keyboard.
+ * @param {string} id @param {string} copied @param {string} notCopied
  */
-export async function copy(field, status, { copied, notCopied }) {
+export async function copy(id, copied, notCopied) {
+  const field = /** @type {HTMLInputElement | HTMLTextAreaElement} */ (document.getElementById(id));
   try {
     await navigator.clipboard.writeText(field.value);
-    status.textContent = copied;
+    return copied;
   } catch {
     field.focus();
-    status.textContent = notCopied;
+    return notCopied;
   }
 }

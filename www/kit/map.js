@@ -1,12 +1,11 @@
 // Maps: shades on a grid, names on them, and a cursor for pointer and keys.
+/** @import { Frame } from './chart.js' */
 import { fillTextWithHalo } from './canvas.js';
 import { strongFont } from './fonts.js';
 import { arrowOf, isChord } from './keyboard.js';
 import { palette, shades } from './shades.js';
 import { once } from './memo.js';
 import { colour } from './palette.js';
-
-/** @typedef {import('./chart.js').Frame} Frame */
 
 /** What is drawn on shades: the same in both themes, as they are. */
 export const [dark, light] = ['#14161a', '#ffffff'];

@@ -1,9 +1,9 @@
 // The names at the lines of a chart, on its canvas.
+/** @import { Size } from './canvas.js' */
+/** @import { Frame } from './chart.js' */
 import { strongFont, textFont } from './fonts.js';
 import { colour } from './palette.js';
 
-/** @typedef {import('./chart.js').Frame} Frame */
-/** @typedef {import('./canvas.js').Size} Size */
 /**
  * @typedef {object} Name
  * @property {string | readonly string[]} text Of several pieces, every second one is a subscript.

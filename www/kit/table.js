@@ -1,5 +1,5 @@
-// Tables of texts, and the one dialog that shows them.
-import { byId, create } from './elements.js';
+// Tables of texts.
+import { create } from './elements.js';
 
 /** @typedef {readonly string[]} Row It begins with its name. */
 /**
@@ -44,21 +44,6 @@ export function fillTable(root, { caption, columns, rows, summary, classOf }) {
     ...[summary ?? [], rows].filter(({ length }) => length > 0).map(bodyOf),
   );
 }
-
-/** @param {Table | null} table If there is one. */
-export function showTable(table) {
-  if (!table) return;
-  /** @type {HTMLDialogElement} */
-  const dialog = byId('table');
-  fillTable(byId('table-rows'), table);
-  byId('table-close').onclick = () => dialog.close();
-  byId('table-csv').hidden = !table.save;
-  byId('table-csv').onclick = table.save ?? null;
-  dialog.showModal();
-}
-
-/** A button that shows a table, if there is one. @param {string} id @param {() => Table | null} tableOf */
-export const offerTable = (id, tableOf) => byId(id).addEventListener('click', () => showTable(tableOf()));
 
 /** A map has too many cells to read. */
 const mostOfMap = 13;

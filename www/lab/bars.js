@@ -1,5 +1,6 @@
 // Two clocks that never meet: the robot's bar and evolution's bar.
 /** @import { Actions } from '../run/actions/actions.js' */
+/** @import { Until } from '../run/pace.js' */
 import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { watch } from '../kit/memo.js';
@@ -7,7 +8,6 @@ import { options, styled, valueIn } from '../kit/templates.js';
 import { paces } from '../run/pace.js';
 import { lab as strings, texts } from '../words/index.js';
 
-/** @typedef {import('../run/pace.js').Until} Until */
 /** @typedef {{ time: number, finalTime: number, playing: boolean, speed: number }} RobotBarModel */
 /** @typedef {{ open: string, evolving: boolean, generation: number, newest: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
 

@@ -1,10 +1,10 @@
 // J and its parts.
+/** @import { Run } from '../core/engine.js' */
 import { html, render } from 'lit-html';
 import { ref } from 'lit-html/directives/ref.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings, texts } from '../words/index.js';
 
-/** @typedef {import('../core/engine.js').Run} Run */
 /** @typedef {{ title: string, run: Run, note: string }} CostModel */
 
 /** @param {HTMLElement} root */

@@ -1,8 +1,7 @@
 // The fitness curve as a table.
+/** @import { Statistics } from '../core/engine.js' */
+/** @import { Table } from '../kit/table.js' */
 import { lab, tables as words } from '../words/index.js';
-
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../kit/table.js').Table} Table */
 
 /** @param {Statistics[]} history @returns {Table} */
 export const fitnessTable = (history) => ({

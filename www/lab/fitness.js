@@ -1,4 +1,6 @@
 // The fitness curve: the best and the median J of each generation.
+/** @import { Statistics } from '../core/engine.js' */
+/** @import { Axes, Size } from '../kit/chart.js' */
 import { scaleLinear } from 'd3-scale';
 import {
   createChart,
@@ -17,9 +19,6 @@ import {
 import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../kit/chart.js').Axes} Axes */
-/** @typedef {import('../kit/chart.js').Size} Size */
 /** @typedef {{ history: Statistics[], generation: number, paper: number, theme: number }} CurveModel */
 
 /** @param {HTMLElement} root */

@@ -1,4 +1,5 @@
 // The three gains: a slider and a number for each.
+/** @import { Triple } from '../core/engine.js' */
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { ref } from 'lit-html/directives/ref.js';
@@ -6,7 +7,6 @@ import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {import('../core/engine.js').Triple} Triple */
 /** @typedef {{ gains: Triple, errors: readonly [string, string, string], range: readonly [number, number], note: string }} GainsModel */
 /**
  * @typedef {object} GainEvents

@@ -1,11 +1,11 @@
 // Start and goal in the hand: transparent buttons over the plane, for pointer, touch and keyboard.
+/** @import { Posture } from '../core/engine.js' */
+/** @import { View } from '../kit/transform.js' */
 import { keepInside, knobOf } from '../kit/transform.js';
 import { arrowOf } from '../kit/keyboard.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {import('../core/engine.js').Posture} Posture */
-/** @typedef {import('../kit/transform.js').View} View */
 /** @typedef {'start' | 'goal'} End */
 /** @typedef {'position' | 'heading'} Part */
 /** @typedef {{ view: View, start: Posture, goal: Posture }} HandlesModel */

@@ -1,4 +1,7 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
+/** @import { Posture, Run, Statistics } from '../core/engine.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { Driver } from '../run/state.js' */
 import { createSwatch } from '../kit/swatch.js';
 import { styles } from '../run/pins.js';
 import { isTracking } from '../core/reference.js';
@@ -7,11 +10,6 @@ import { byId } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {import('../core/engine.js').Posture} Posture */
-/** @typedef {import('../core/engine.js').Run} Run */
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../run/state.js').Driver} Driver */
-/** @typedef {import('../run/scene.js').Scene} Scene */
 /**
  * @typedef {object} NotesModel
  * @property {Posture} start

@@ -1,13 +1,12 @@
 // The button that pins the run on screen, beside the choice of who drives.
+/** @import { Driven } from '../run/pins.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { State } from '../run/state.js' */
 import { byId, create, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';
 import { pins as words } from '../words/index.js';
 import { isFull, pinOf } from '../run/pins.js';
-
-/** @typedef {import('../run/pins.js').Driven} Driven */
-/** @typedef {import('../run/scene.js').Scene} Scene */
-/** @typedef {import('../run/state.js').State} State */
 
 /** @param {{ store: import('../run/store.js').Store, actions: import('../run/actions/actions.js').Actions, paper: import('../core/engine.js').PaperResult[] }} parts @param {(state: State) => Scene} sceneOf */
 export function createPinButton({ store, actions, paper }, sceneOf) {

@@ -1,4 +1,9 @@
 // The plane in metres: paths on one canvas, redrawn when they change; robots on another, redrawn as they move.
+/** @import { Posture, Run } from '../core/engine.js' */
+/** @import { View } from '../kit/transform.js' */
+/** @import { Pins } from '../run/pins.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { Track } from './track.js' */
 import { scaleLinear } from 'd3-scale';
 import { createLayer, fillTextWithHalo } from '../kit/canvas.js';
 import { paidAt } from '../core/paid.js';
@@ -12,12 +17,6 @@ import { lab as strings } from '../words/index.js';
 import { drawRobots } from './robots.js';
 import { arrow, inMetres, kite, referenceOf, trace } from './track.js';
 
-/** @typedef {import('../core/engine.js').Posture} Posture */
-/** @typedef {import('../core/engine.js').Run} Run */
-/** @typedef {import('../run/scene.js').Scene} Scene */
-/** @typedef {import('../kit/transform.js').View} View */
-/** @typedef {import('./track.js').Track} Track */
-/** @typedef {import('../run/pins.js').Pins} Pins */
 /** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, pins: Pins, pays: boolean, time: number, theme: number }} PlaneModel With `pays`, where along the path J was paid. */
 
 /** @param {HTMLCanvasElement} pathsCanvas @param {HTMLCanvasElement} robotsCanvas */

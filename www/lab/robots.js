@@ -1,4 +1,8 @@
 // The robots on the plane at a time: who drives, whom it is compared with, and the others.
+/** @import { Posture, Run } from '../core/engine.js' */
+/** @import { View } from '../kit/transform.js' */
+/** @import { Pins } from '../run/pins.js' */
+/** @import { Scene } from '../run/scene.js' */
 import { isTracking } from '../core/reference.js';
 import { fillTextWithHalo } from '../kit/canvas.js';
 import { textFont } from '../kit/fonts.js';
@@ -8,12 +12,6 @@ import { keepInside } from '../kit/transform.js';
 import { styles } from '../run/pins.js';
 import { lab as strings } from '../words/index.js';
 import { arrow, inMetres, kite, postureAt, referenceOf, sampleBefore, trace } from './track.js';
-
-/** @typedef {import('../core/engine.js').Posture} Posture */
-/** @typedef {import('../core/engine.js').Run} Run */
-/** @typedef {import('../kit/transform.js').View} View */
-/** @typedef {import('../run/pins.js').Pins} Pins */
-/** @typedef {import('../run/scene.js').Scene} Scene */
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins @param {number} time */
 export function drawRobots(context, view, scene, pins, time) {

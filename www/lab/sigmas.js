@@ -1,4 +1,6 @@
 // The mean step size σ of each gain over the generations, on a logarithmic axis.
+/** @import { Statistics } from '../core/engine.js' */
+/** @import { Axes, Size } from '../kit/chart.js' */
 import { scaleLog } from 'd3-scale';
 import {
   createChart,
@@ -15,9 +17,6 @@ import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/nam
 import { sigmas as words, lab } from '../words/index.js';
 import { drawShown, generationScale } from './fitness.js';
 
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../kit/chart.js').Axes} Axes */
-/** @typedef {import('../kit/chart.js').Size} Size */
 /** @typedef {{ history: Statistics[], generation: number, theme: number }} SigmasModel */
 
 const tokens = ['--x', '--y', '--theta'];

@@ -1,8 +1,7 @@
 // A run on the plane: where it is at a time, its line, and the arrow that is a robot.
+/** @import { Posture, Run } from '../core/engine.js' */
+/** @import { View } from '../kit/transform.js' */
 
-/** @typedef {import('../core/engine.js').Posture} Posture */
-/** @typedef {import('../core/engine.js').Run} Run */
-/** @typedef {import('../kit/transform.js').View} View */
 /** @typedef {Pick<Run, 'time' | 'x' | 'y' | 'theta'>} Track */
 
 /** As large as they are drawn, in pixels. */

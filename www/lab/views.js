@@ -1,4 +1,5 @@
 // The elements of the page, each given to the view that draws in it.
+/** @import { Actions } from '../run/actions/actions.js' */
 import { createEvolutionBar, createRobotBar } from './bars.js';
 import { createCost } from './cost.js';
 import { createCurve } from './fitness.js';
@@ -15,7 +16,6 @@ import { language } from '../words/language.js';
 import { createPages } from './navigation.js';
 import { labSlice } from './state.js';
 
-/** @typedef {import('../run/actions/actions.js').Actions} Actions */
 /** @typedef {ReturnType<typeof createViews>} Views */
 
 /** @param {string} text */

@@ -1,16 +1,15 @@
 // Keeps the address and the state in step: the address always holds the link of what is on screen.
+/** @import { Engine } from '../core/engine.js' */
+/** @import { Actions } from '../run/actions/actions.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Store } from '../run/store.js' */
+/** @import { Links } from './link.js' */
 import { byId } from '../kit/elements.js';
 import { isEmbedded } from '../kit/host.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { withExercise } from './link.js';
 import { watch } from '../kit/memo.js';
 import { language, languageOfAddress } from '../words/language.js';
-
-/** @typedef {import('../run/actions/actions.js').Actions} Actions */
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/store.js').Store} Store */
-/** @typedef {import('./link.js').Links} Links */
 
 /** Browsers refuse an address that changes more often. */
 const pauseMilliseconds = 400;

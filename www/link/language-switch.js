@@ -1,8 +1,7 @@
 // The link to the same page in the other language.
+/** @import { Language } from '../words/language.js' */
 import { byId } from '../kit/elements.js';
 import { language, languageNames, languages } from '../words/language.js';
-
-/** @typedef {import('../words/language.js').Language} Language */
 
 /** @param {(language: Language) => string} linkIn The link of what is on screen. */
 export function createLanguageSwitch(linkIn) {

@@ -1,10 +1,7 @@
 // The values in a link as text, and back again; what cannot be read throws an Error that says what it must be.
+/** @import { Experiment, Posture, Triple } from '../core/engine.js' */
 import { link as words } from '../words/index.js';
 import { numberOf } from '../words/numbers.js';
-
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../core/engine.js').Posture} Posture */
-/** @typedef {import('../core/engine.js').Triple} Triple */
 
 /** @param {number} value The shortest text that gives back the same bits. */
 export const numberText = (value) => (Object.is(value, -0) ? '-0' : String(value));

@@ -1,18 +1,16 @@
 // A part is loaded when it is opened first: its words and its page, side by side.
 /** @import { Page, Part, Tools } from './part.js' */
-import { byId, create } from '../kit/elements.js';
-import { fillTexts } from '../kit/texts.js';
-import { opening as words } from '../words/index.js';
+import { byId } from '../kit/elements.js';
+import { createWaiting } from '../lab/waiting.js';
 
 /**
  * What makes the page of a part, once all of it is there.
  * @template M
- * @param {Promise<{ texts: Readonly<Record<string, string>> }>[]} words @param {Promise<M>} module
+ * @param {Promise<unknown>[]} words @param {Promise<M>} module
  * @param {(module: M) => (tools: Tools) => Page} pick
  */
 export async function partOf(words, module, pick) {
-  const [page, ...all] = await Promise.all([module, ...words]);
-  for (const { texts } of all) fillTexts(texts);
+  const [page] = await Promise.all([module, ...words]);
   return pick(page);
 }
 
@@ -68,12 +66,11 @@ export function createParts(parts, tools, onLoaded) {
 
 /** Where the page of a part will be: it says what one waits for, or what went wrong. @param {string} name */
 function createPlace(name) {
-  const said = create('p', 'part-waits', words.waits);
-  said.setAttribute('role', 'status');
-  const place = create('div', '', said);
+  const { element: place, fail } = createWaiting();
   place.dataset.page = name;
   byId('evolving').before(place);
   return {
+    fail,
     /** @param {HTMLElement} [element] */
     fill(element) {
       if (element) {
@@ -82,19 +79,5 @@ function createPlace(name) {
       }
       place.remove();
     },
-    fail() {
-      const again = create('button', '', words.again);
-      again.setAttribute('type', 'button');
-      again.addEventListener('click', loadPageAgain);
-      const box = create('div', 'message part-failed', create('p', '', words.failed), again);
-      box.setAttribute('role', 'alert');
-      said.replaceWith(box);
-    },
   };
-}
-
-/** A browser may remember that a module could not be loaded, and after a new version its file has another name: so the whole page is loaded again, but only if it can be. */
-async function loadPageAgain() {
-  const { ok } = await fetch(location.href, { cache: 'no-store' }).catch(() => ({ ok: false }));
-  if (ok) location.reload();
 }

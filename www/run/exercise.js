@@ -1,6 +1,6 @@
 // An exercise: a task in the words of who made the link, and which controls are locked or hidden for who follows it.
+/** @import { State } from './state.js' */
 
-/** @typedef {import('./state.js').State} State */
 /** @typedef {typeof groupNames[number]} Group Controls that are locked or hidden together. */
 /** @typedef {'free' | 'locked' | 'hidden'} Way */
 /** @typedef {{ task: string, locked: readonly Group[], hidden: readonly Group[] }} Exercise What is in both is hidden. */

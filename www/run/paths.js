@@ -1,6 +1,6 @@
 // Fields of an experiment by their paths, such as `weights.final[2]`.
+/** @import { Experiment } from '../core/engine.js' */
 
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
 /** @typedef {number | string | null} Value A number, a word, or null for no limit. */
 /** @typedef {{ [key: string]: Value | Tree }} Tree */
 

@@ -1,8 +1,7 @@
 // Runs that stay on screen to be compared with. Each has a hue, a dash and a mark of its own for as long as it is pinned.
+/** @import { Experiment, Triple } from '../core/engine.js' */
 import { pins as words } from '../words/index.js';
 
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../core/engine.js').Triple} Triple */
 /** @typedef {{ experiment: Experiment, gains: Triple }} Driven What a run follows from. */
 /** @typedef {Driven & { slot: number, name: string }} Pin Plain data; its slot says how it looks. */
 /** @typedef {readonly Pin[]} Pins */

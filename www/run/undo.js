@@ -1,6 +1,6 @@
 // Experiments that one can go back to, one for each gesture.
+/** @import { State } from './state.js' */
 
-/** @typedef {import('./state.js').State} State */
 /** @typedef {Pick<State, 'experiment' | 'preset'>} Version */
 /** @typedef {{ past: readonly Version[], future: readonly Version[] }} Versions The nearest is the last of the past, the first of the future. */
 

@@ -1,62 +1,72 @@
 // The panel beside any part of the page in which every setting of the experiment can be changed.
-import { byId } from '../kit/elements.js';
-import { remember, watch } from '../kit/memo.js';
-import { settings as words } from '../words/index.js';
+/** @import { Engine } from '../core/engine.js' */
+/** @import { Actions } from '../run/actions/actions.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Store } from '../run/store.js' */
+/** @import { RowView } from './rows.js' */
+/** @import { GroupName, Row } from './table.js' */
+import { html, render } from 'lit-html';
+import { guard } from 'lit-html/directives/guard.js';
+import { byId, create } from '../kit/elements.js';
+import { once, remember, watch } from '../kit/memo.js';
+import { closeButton } from '../kit/templates.js';
 import { fieldPath, valueAt } from '../run/paths.js';
+import { settings as words } from '../words/index.js';
 import { createChoice, createNumber, typingMark } from './rows.js';
 import { rows, table } from './table.js';
 
-/** @typedef {import('../run/actions/actions.js').Actions} Actions */
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../run/state.js').State} State */
-/** @typedef {import('../run/store.js').Store} Store */
-/** @typedef {import('./rows.js').RowView} RowView */
-/** @typedef {import('./table.js').Row} Row */
-/** @typedef {{ open: boolean, error: { path: string, text: string } | null }} SettingsState */
+const { texts } = words;
 
-/** @type {SettingsState} */
-export const firstSettings = { open: false, error: null };
-
-/** Open from the beginning; the others show how much in them is changed. @type {readonly import('../words/en/settings.js').GroupName[]} */
+const groups = /** @type {[GroupName, readonly Row[]][]} */ (Object.entries(table));
+/** Open from the beginning; the others show how much in them is changed. @type {readonly GroupName[]} */
 const openGroups = ['limits', 'weights'];
 
 /** @param {{ engine: Engine, store: Store, actions: Actions }} parts */
 export function createSettingsPanel({ engine, store, actions }) {
-  const panel = byId('settings');
   const button = byId('settings-button');
-  const presets = createPresets(engine);
-  const views = createRows(engine, actions, presets.somewhere);
-  const groups = createGroups(views);
-  byId('settings-groups').replaceChildren(...groups.map(({ details }) => details));
+  const panel = create('aside', 'settings');
+  panel.id = 'settings';
+  panel.hidden = true;
+  panel.setAttribute('aria-labelledby', 'settings-title');
+  byId('instrument').prepend(panel);
   button.hidden = false;
-  followHelp(panel, views);
-  followButtons(actions, () => store.get().settings.open);
+  const presets = createPresets(engine);
+  const rowsMade = once(() => createRows(engine, actions, presets.somewhere));
+  const open = (/** @type {boolean} */ isOpen) => {
+    actions.openSettings(isOpen);
+    button.focus();
+  };
+  const on = {
+    close: () => open(false),
+    undo: () => actions.undo(),
+    redo: () => actions.redo(),
+    backToPreset() {
+      actions.backToPreset();
+      // The button that was pressed is about to go.
+      byId('settings-undo').focus();
+    },
+  };
+  button.addEventListener('click', () => actions.openSettings(!store.get().settings.open));
+  followHelp(panel, () => [...rowsMade().values()]);
   followKeys(panel, button, store, actions);
 
-  const openChanged = watch();
   const changed = watch();
   return {
     /** @param {State} state */
     draw({ settings, maker, experiment, preset, versions }) {
-      if (openChanged(settings.open, maker.open)) {
-        panel.hidden = !settings.open;
-        button.setAttribute('aria-expanded', String(settings.open));
-        byId('instrument').classList.toggle('with-settings', settings.open || maker.open);
-      }
-      if (!changed(settings.open, settings.error, experiment, preset, versions)) return;
+      if (!changed(settings, maker.open, experiment, preset, versions)) return;
+      panel.hidden = !settings.open;
+      button.setAttribute('aria-expanded', String(settings.open));
+      byId('instrument').classList.toggle('with-settings', settings.open || maker.open);
       const original = presets.of(preset);
-      const differing = new Set(
-        rows.map(({ path }) => path).filter((path) => valueAt(experiment, path) !== valueAt(original, path)),
+      const differing = rows.flatMap(({ path }) =>
+        valueAt(experiment, path) === valueAt(original, path) ? [] : path,
       );
-      button.textContent = words.buttonText(differing.size);
-      button.title = words.changedText(differing.size);
+      button.textContent = words.buttonText(differing.length);
+      button.title = words.changedText(differing.length);
       if (!settings.open) return;
-      byId('settings-changed').textContent = words.changedText(differing.size);
-      byId('settings-preset').hidden = differing.size === 0;
-      byId('settings-undo').setAttribute('aria-disabled', String(versions.past.length === 0));
-      byId('settings-redo').setAttribute('aria-disabled', String(versions.future.length === 0));
-      for (const group of groups) group.draw(differing, settings.error?.path ?? null);
+      const views = rowsMade();
+      render(panelOf({ settings, versions }, new Set(differing), views, on), panel);
       for (const [path, { draw }] of views)
         draw({
           experiment,
@@ -67,6 +77,35 @@ export function createSettingsPanel({ engine, store, actions }) {
     },
   };
 }
+
+/**
+ * @param {Pick<State, 'settings' | 'versions'>} state @param {Set<string>} differing @param {Map<string, RowView>} views
+ * @param {Record<'close' | 'undo' | 'redo' | 'backToPreset', () => void>} on
+ */
+const panelOf = ({ settings, versions }, differing, views, on) => html`
+  <div class="settings-head">
+    <h2 id="settings-title">${texts.settingsTitle}</h2>
+    <button id="settings-undo" type="button" aria-disabled=${String(versions.past.length === 0)} @click=${on.undo}>${texts.undo}</button>
+    <button id="settings-redo" type="button" aria-disabled=${String(versions.future.length === 0)} @click=${on.redo}>${texts.redo}</button>
+    ${closeButton('settings-close', texts.closeSettings, on.close)}
+    <p class="muted"><span id="settings-changed">${words.changedText(differing.size)}</span>
+      <button id="settings-preset" type="button" class="link" .hidden=${differing.size === 0} @click=${on.backToPreset}>${texts.backToPreset}</button></p>
+  </div>
+  <div id="settings-groups" class="settings-groups">${groups.map(([name, members]) => {
+    const count = members.filter(({ path }) => differing.has(path)).length;
+    const isRefused = members.some(({ path }) => path === settings.error?.path);
+    // What somebody has opened or closed since stays so.
+    return html`<details id="settings-${name}" .open=${guard([isRefused], () => isRefused || isOpen(name))}>
+      <summary>${words.groups[name]} <span class="muted">${count === 0 ? '' : words.changedText(count)}</span></summary>
+      ${members.map(({ path }) => views.get(path)?.element)}
+    </details>`;
+  })}</div>
+  <p id="settings-help" class="settings-help muted" aria-hidden="true" .textContent=${words.hint}></p>`;
+
+/** @param {GroupName} name */
+const isOpen = (name) =>
+  /** @type {HTMLDetailsElement | null} */ (document.getElementById(`settings-${name}`))?.open ??
+  openGroups.includes(name);
 
 /** @param {Engine} engine */
 function createPresets(engine) {
@@ -99,58 +138,15 @@ function createRows(engine, actions, somewhere) {
   );
 }
 
-/** @param {Map<string, RowView>} views */
-function createGroups(views) {
-  return /** @type {[import('../words/en/settings.js').GroupName, readonly Row[]][]} */ (
-    Object.entries(table)
-  ).map(([name, members]) => {
-    const details = document.createElement('details');
-    const summary = document.createElement('summary');
-    const count = document.createElement('span');
-    details.id = `settings-${name}`;
-    details.open = openGroups.includes(name);
-    summary.append(`${words.groups[name]} `, count);
-    count.className = 'muted';
-    details.append(summary, ...members.map(({ path }) => /** @type {RowView} */ (views.get(path)).element));
-    return {
-      details,
-      /** @param {Set<string>} differing @param {string | null} refused */
-      draw(differing, refused) {
-        const changed = members.filter(({ path }) => differing.has(path)).length;
-        count.textContent = changed === 0 ? '' : words.changedText(changed);
-        if (members.some(({ path }) => path === refused)) details.open = true;
-      },
-    };
-  });
-}
-
-/** What the setting under the pointer or in the focus does, in one place that does not move. @param {HTMLElement} panel @param {Map<string, RowView>} views */
-function followHelp(panel, views) {
-  const help = byId('settings-help');
-  help.textContent = words.hint;
+/** What the setting under the pointer or in the focus does, in one place that does not move. @param {HTMLElement} panel @param {() => readonly RowView[]} viewsOf */
+function followHelp(panel, viewsOf) {
   const show = (/** @type {Event} */ event) => {
     const row = event.target instanceof Element ? event.target.closest('.setting') : null;
-    const view = [...views.values()].find(({ element }) => element === row);
-    if (view) help.textContent = view.help;
+    const view = row && viewsOf().find(({ element }) => element === row);
+    if (view) byId('settings-help').textContent = view.help;
   };
   panel.addEventListener('pointerover', show);
   panel.addEventListener('focusin', show);
-}
-
-/** @param {Actions} actions @param {() => boolean} isOpen */
-function followButtons(actions, isOpen) {
-  byId('settings-button').addEventListener('click', () => actions.openSettings(!isOpen()));
-  byId('settings-close').addEventListener('click', () => {
-    actions.openSettings(false);
-    byId('settings-button').focus();
-  });
-  byId('settings-undo').addEventListener('click', actions.undo);
-  byId('settings-redo').addEventListener('click', actions.redo);
-  byId('settings-preset').addEventListener('click', () => {
-    actions.backToPreset();
-    // The button that was pressed is about to go.
-    byId('settings-undo').focus();
-  });
 }
 
 /** Escape closes; Ctrl+Z and Ctrl+Y undo and redo, wherever nobody types. @param {HTMLElement} panel @param {HTMLElement} button @param {Store} store @param {Actions} actions */

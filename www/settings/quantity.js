@@ -1,6 +1,6 @@
 // One number between the core and the screen: angles in degrees there, radians here; its range as the core gives it.
+/** @import { Field } from '../core/engine.js' */
 
-/** @typedef {import('../core/engine.js').Field} Field */
 /** @typedef {{ from: number, to: number, step?: number, log?: boolean }} SliderRange In the unit on screen; with `log` the left end is 0 where 0 is allowed. */
 /** @typedef {ReturnType<typeof createQuantity>} Quantity */
 

@@ -1,10 +1,10 @@
 // The settings of an experiment: the one table from which the panel is built. Names and help are in the words, units and allowed ranges in the core's fields.
+/** @import { Experiment } from '../core/engine.js' */
+/** @import { SliderRange } from './quantity.js' */
 
 /** @typedef {import('../words/en/settings.js').GroupName} GroupName */
-/** @typedef {import('./quantity.js').SliderRange} SliderRange */
 /** @typedef {{ letter: string, index?: string, colour?: 'x' | 'y' | 'theta' | 'linear' | 'angular' }} Symbol */
 /** @typedef {{ path: string, symbol?: Symbol, slider?: SliderRange, isIdle?: (experiment: Experiment) => boolean }} Row Idle while it changes nothing. */
-/** @typedef {import('../core/engine.js').Experiment} Experiment */
 
 /** @param {string} path @param {Symbol} [symbol] @param {SliderRange} [slider] @param {Row['isIdle']} [isIdle] @returns {Row} */
 const row = (path, symbol, slider, isIdle) => ({ path, symbol, slider, isIdle });

@@ -1,8 +1,5 @@
 // A run as tables for other programs. Headers carry the units; numbers have all their digits.
-
-/** @typedef {import('../core/engine.js').Run} Run */
-/** @typedef {import('../core/engine.js').Stability} Stability */
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
+/** @import { Run, Stability, Statistics } from '../core/engine.js' */
 
 /** Lines that say where the numbers come from, which readers of tables can skip. @typedef {readonly string[]} Origin */
 

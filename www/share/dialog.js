@@ -1,52 +1,54 @@
-// The dialog that keeps what is on screen: as a link, as a file, as pictures, as tables.
-import { download } from '../kit/download.js';
-import { byId } from '../kit/elements.js';
-import { createEmbedDialog } from './frame-text.js';
-import { isFree } from '../run/guard.js';
-import { messageOf } from '../words/errors.js';
-import { keep as words } from '../words/index.js';
+// The sheet that keeps what is on screen: as a link, a frame, an exercise, a file, pictures and tables.
+/** @import { Sheet } from '../kit/sheet.js' */
+/** @import { SheetTools } from './load.js' */
+/** @import { Picture } from './pictures.js' */
+import './style.css';
+import { html } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { copy } from '../kit/copy.js';
+import { download } from '../kit/download.js';
+import { addressOf } from '../kit/host.js';
+import { choicesOf } from '../kit/segmented.js';
+import { selectAll } from '../kit/templates.js';
+import { messageOf } from '../words/errors.js';
+import { opening } from '../words/index.js';
+import { sizes } from '../embed/frame.js';
+import { driveCsv, generationsCsv } from './csv.js';
+import { createMaker } from './exercise/maker.js';
+import { frameOf, isOnDisk } from './frame-text.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
 import { pngOf } from './png.js';
-import { openRunFile, runFile } from '../link/run-file.js';
+import { openRunFile, runFile } from './run-file.js';
 import { svgOf } from './svg.js';
-import { driveCsv, generationsCsv } from './csv.js';
+import words from './words/index.js';
 
-/** @typedef {import('../run/actions/actions.js').Actions} Actions */
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('../link/link.js').Links} Links */
-/** @typedef {import('./pictures.js').Picture} Picture */
-/** @typedef {import('../run/scene.js').Scene} Scene */
-/** @typedef {import('../run/store.js').Store} Store */
+const { texts } = words;
 
 const kinds = /** @type {const} */ ([
   ['png', 'image/png', pngOf],
   ['svg', 'image/svg+xml', svgOf],
 ]);
+const frames = sizes.map((size) => ({ value: size.join('x'), text: words.sizeText(size[0], size[1]), size }));
 
-/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, sceneOf: (state: ReturnType<Store['get']>) => Scene }} parts */
-export function createKeep({ engine, store, actions, links, sceneOf }) {
-  /** @type {HTMLDialogElement} */
-  const dialog = byId('keep');
-  /** @type {HTMLInputElement} */
-  const link = byId('keep-link');
-  /** @type {HTMLInputElement} */
-  const file = byId('keep-file');
-  const status = byId('keep-status');
+/** @param {SheetTools} tools @param {Sheet} sheet */
+export function createKeep(tools, sheet) {
+  const { engine, store, links, sceneOf, openChecks } = tools;
+  const maker = createMaker(tools);
+  let status = '';
+  let frame = frames[1];
+  /** @type {Picture[]} */
+  let pictures = [];
 
   const linkNow = () => links.linkOf(store.get(), engine.experiment);
-  const embed = createEmbedDialog(store.get, linkNow);
-  const address = () => `${location.href.split('#')[0]}#${linkNow()}`;
+  const address = () => addressOf(location.href, linkNow(), false);
   const origin = () => words.origin(engine.version(), address());
   const name = () => words.fileName(store.get().experiment.evolution.seed, store.get().generation);
-
-  const show = (/** @type {string} */ text) => {
-    link.value = address();
-    embed.draw();
-    status.textContent = text;
-    byId('keep-pictures').replaceChildren(...picturesOnScreen().map(rowOf));
-    if (!dialog.open) dialog.showModal();
+  const say = (/** @type {string} */ text) => {
+    status = text;
+    draw();
   };
+  const saveCsv = (/** @type {string} */ what, /** @type {string} */ content) =>
+    download(`${name()}-${what}.csv`, 'text/csv', content);
 
   /** @param {Picture} picture @param {typeof kinds[number]} kind */
   const savePicture = async (picture, [ending, type, write]) => {
@@ -56,69 +58,108 @@ export function createKeep({ engine, store, actions, links, sceneOf }) {
       const content = await write(drawingOf(picture), about);
       download(`${name()}-${picture.key}.${ending}`, type, content);
     } catch (error) {
-      status.textContent = words.pictureNotSaved(picture.name, messageOf(error));
+      say(words.pictureNotSaved(picture.name, messageOf(error)));
     }
   };
 
-  /** @param {Picture} picture */
-  const rowOf = (picture) => {
-    const row = document.createElement('li');
-    const buttons = kinds.map((kind) => {
-      const button = document.createElement('button');
-      Object.assign(button, { type: 'button', textContent: words.kindName(kind[0]) });
-      button.setAttribute('aria-label', words.savePicture(picture.name, kind[0]));
-      button.addEventListener('click', () => savePicture(picture, kind));
-      return button;
-    });
-    const label = document.createElement('span');
-    label.textContent = picture.name;
-    row.append(label, ...buttons);
-    return row;
+  const show = (text = words.fingerprint(engine.hash(), store.get().history.length - 1)) => {
+    pictures = picturesOnScreen();
+    say(text);
+    sheet.open();
   };
 
-  byId('keep-button').addEventListener('click', () => {
-    actions.pauseEvolution();
-    show(words.fingerprint(engine.hash(), store.get().history.length - 1));
-  });
-  byId('keep-button').hidden = false;
-  byId('keep-close').addEventListener('click', () => dialog.close());
-  link.addEventListener('focus', () => link.select());
-  byId('keep-copy').addEventListener('click', () => copy(link, status, words));
-  byId('keep-save').addEventListener('click', () =>
-    download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
-  );
-  byId('keep-generations').addEventListener('click', () =>
-    download(`${name()}-generations.csv`, 'text/csv', generationsCsv(store.get().history, origin())),
-  );
-  byId('keep-drive').addEventListener('click', () => {
-    const { experiment, gains, driving } = sceneOf(store.get());
-    const content = driveCsv(driving, engine.stability(experiment, gains), origin());
-    download(`${name()}-drive.csv`, 'text/csv', content);
-  });
-
-  /** @param {File} chosen */
-  const open = async (chosen) => {
+  /** @param {File} file */
+  const open = async (file) => {
     try {
-      const { opened, generations } = await openRunFile(await chosen.text(), engine, links);
-      actions.openLinked(opened, [], generations);
-      show(words.opened(chosen.name, generations));
+      const { opened, generations } = await openRunFile(await file.text(), engine, links);
+      tools.open(opened, [], generations);
+      show(words.opened(file.name, generations));
     } catch (error) {
-      show(words.notOpened(chosen.name, messageOf(error)));
+      show(words.notOpened(file.name, messageOf(error)));
     }
   };
-  byId('keep-open').addEventListener('click', () => file.click());
-  file.addEventListener('change', () => {
-    const [chosen] = file.files ?? [];
-    file.value = '';
-    if (chosen) open(chosen);
-  });
-  addEventListener('dragover', (event) => {
-    if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
-  });
-  addEventListener('drop', (event) => {
-    const [chosen] = event.dataTransfer?.files ?? [];
-    if (!chosen) return;
-    event.preventDefault();
-    if (isFree(store.get(), 'share')) open(chosen);
-  });
+
+  const on = {
+    copyLink: () => copy('keep-link', words.copied, words.notCopied).then(say),
+    copyFrame: () => copy('embed-text', words.textCopied, words.textNotCopied).then(say),
+    makeExercise() {
+      sheet.dialog.close();
+      maker.open();
+    },
+    saveRun: () => download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
+    saveGenerations: () => saveCsv('generations', generationsCsv(store.get().history, origin())),
+    saveDrive() {
+      const { experiment, gains, driving } = sceneOf(store.get());
+      saveCsv('drive', driveCsv(driving, engine.stability(experiment, gains), origin()));
+    },
+    /** @param {Event} event */
+    choose({ target }) {
+      const input = /** @type {HTMLInputElement} */ (target);
+      const [chosen] = input.files ?? [];
+      input.value = '';
+      if (chosen) open(chosen);
+    },
+    check() {
+      sheet.dialog.close();
+      openChecks();
+    },
+  };
+
+  const draw = () =>
+    sheet.draw(html`
+      <h3>${texts.keepLink}</h3>
+      <p class="muted">${texts.keepLinkHelp}</p>
+      <div class="bar">
+        <input id="keep-link" type="text" readonly aria-label=${texts.keepLink} .value=${live(address())} @focus=${selectAll}>
+        <button id="keep-copy" type="button" class="primary" @click=${on.copyLink}>${texts.keepCopy}</button>
+      </div>
+      <h3>${texts.embedTitle}</h3>
+      <p class="muted">${texts.embedHelp}</p>
+      <div class="bar">
+        <fieldset id="embed-size" class="segmented">${choicesOf(
+          'embed-size',
+          words.sizeLegend,
+          frames,
+          frame.value,
+          (value) => {
+            frame = frames.find((one) => one.value === value) ?? frame;
+            draw();
+          },
+        )}</fieldset>
+        <button id="embed-copy" type="button" @click=${on.copyFrame}>${texts.embedCopy}</button>
+      </div>
+      <textarea id="embed-text" rows="4" readonly spellcheck="false" aria-label=${texts.embedText}
+        .value=${live(frameOf(store.get(), linkNow(), frame.size))} @focus=${selectAll}></textarea>
+      <p id="embed-disk" class="muted" .hidden=${!isOnDisk()}>${texts.embedDisk}</p>
+      <h3>${texts.keepExerciseTitle}</h3>
+      <p class="muted">${texts.keepExerciseHelp}</p>
+      <div class="bar">
+        <button id="keep-exercise" type="button" @click=${on.makeExercise}>${texts.keepExercise}</button>
+      </div>
+      <h3>${texts.keepFile}</h3>
+      <p class="muted">${texts.keepFileHelp}</p>
+      <div class="bar">
+        <button id="keep-save" type="button" @click=${on.saveRun}>${texts.keepSave}</button>
+        <button id="keep-open" type="button" @click=${() => document.getElementById('keep-file')?.click()}>${texts.keepOpen}</button>
+        <input id="keep-file" type="file" accept="application/json,.json" hidden @change=${on.choose}>
+      </div>
+      <h3>${texts.keepPictures}</h3>
+      <p class="muted">${texts.keepPicturesHelp}</p>
+      <ul id="keep-pictures" class="keep-pictures">${pictures.map(
+        (picture) =>
+          html`<li><span>${picture.name}</span>${kinds.map(
+            (kind) =>
+              html`<button type="button" aria-label=${words.savePicture(picture.name, kind[0])}
+                @click=${() => savePicture(picture, kind)}>${words.kindName(kind[0])}</button>`,
+          )}</li>`,
+      )}</ul>
+      <h3>${texts.keepTables}</h3>
+      <div class="bar">
+        <button id="keep-generations" type="button" @click=${on.saveGenerations}>${texts.keepGenerations}</button>
+        <button id="keep-drive" type="button" @click=${on.saveDrive}>${texts.keepDrive}</button>
+      </div>
+      <p id="keep-status" class="keep-status" role="status">${status}</p>
+      <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>`);
+
+  return { show, open, drawMaker: maker.draw };
 }

@@ -1,24 +1,37 @@
 // The sheet of keys, and the single keys that press buttons.
+import { html } from 'lit-html';
 import { byId } from '../kit/elements.js';
 import { isEmbedded } from '../kit/host.js';
-import { keys as words } from '../words/index.js';
+import { once } from '../kit/memo.js';
+import { createSheet } from '../kit/sheet.js';
+import { keys as words, opening } from '../words/index.js';
 
-export function createKeys() {
-  /** @type {HTMLDialogElement} */
-  const dialog = byId('keys');
-  /** @type {HTMLInputElement} */
-  const allowed = byId('keys-single');
-  byId('keys-list').replaceChildren(
-    ...[...words.single, ...words.focused].flatMap(([key, meaning]) => {
-      const [term, description] = ['dt', 'dd'].map((tag) => document.createElement(tag));
-      term.textContent = key;
-      description.textContent = meaning;
-      return [term, description];
-    }),
+const { texts } = words;
+
+/** @param {() => void} openChecks */
+export function createKeys(openChecks) {
+  let areAllowed = true;
+  const sheet = createSheet('keys', '', texts.keysTitle, opening.texts.close);
+  const check = () => {
+    sheet.dialog.close();
+    openChecks();
+  };
+  const fill = once(() =>
+    sheet.draw(html`
+      <p class="muted">${texts.keysEverywhere}</p>
+      <dl id="keys-list" class="keys-list">${[...words.single, ...words.focused].map(
+        ([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`,
+      )}</dl>
+      <label class="check"><input id="keys-single" type="checkbox" checked
+        @change=${() => (areAllowed = !areAllowed)}> <span>${texts.keysSingle}</span></label>
+      <p class="sheet-foot"><button id="keys-checks" type="button" @click=${check}>${opening.texts.checksButton}</button></p>`),
   );
+  const open = () => {
+    fill();
+    sheet.open();
+  };
   byId('keys-button').hidden = false;
-  byId('keys-button').addEventListener('click', () => dialog.showModal());
-  byId('keys-close').addEventListener('click', () => dialog.close());
+  byId('keys-button').addEventListener('click', open);
 
   addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector('dialog[open]')) return;
@@ -26,8 +39,8 @@ export function createKeys() {
     if (isEmbedded && event.target === document.body) return;
     if (event.target instanceof Element && event.target.matches('input[type="text"], textarea, select'))
       return;
-    if (event.key === '?') dialog.showModal();
-    else if (allowed.checked) {
+    if (event.key === '?') open();
+    else if (areAllowed) {
       const found = words.single.find(([key]) => key === letterOf(event));
       const button = found && byId(found[2]);
       // What is not in sight is not pressed.

@@ -1,8 +1,8 @@
 // The pictures that are on screen: elements of the page with the same data-picture are one picture.
-import { keep as words } from '../words/index.js';
+/** @import { Drawing } from './marks.js' */
 import { marksOf } from './screen.js';
+import words from './words/index.js';
 
-/** @typedef {import('./marks.js').Drawing} Drawing */
 /** @typedef {{ key: string, name: string, elements: HTMLElement[] }} Picture */
 
 /** Pixels of paper around. */

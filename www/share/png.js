@@ -1,13 +1,7 @@
 // A drawing as a PNG file, twice as dense as CSS pixels or more, with texts inside that say what made it.
+/** @import { About, Drawing, Gradient, Mark, Paint, Pattern } from './marks.js' */
 import { isGradient } from './marks.js';
 import { cssFont } from './screen.js';
-
-/** @typedef {import('./marks.js').About} About */
-/** @typedef {import('./marks.js').Drawing} Drawing */
-/** @typedef {import('./marks.js').Gradient} Gradient */
-/** @typedef {import('./marks.js').Mark} Mark */
-/** @typedef {import('./marks.js').Paint} Paint */
-/** @typedef {import('./marks.js').Pattern} Pattern */
 
 const pixelsPerMetre = 96 / 0.0254;
 /** The signature and the header chunk. */

@@ -1,11 +1,7 @@
 // A context that draws nothing and writes down as marks what it is told to draw.
+/** @import { Clip, Look, Mark, Paint } from './marks.js' */
 import { outlineOf } from '../kit/canvas.js';
 import { Outline } from './marks.js';
-
-/** @typedef {import('./marks.js').Clip} Clip */
-/** @typedef {import('./marks.js').Look} Look */
-/** @typedef {import('./marks.js').Mark} Mark */
-/** @typedef {import('./marks.js').Paint} Paint */
 
 /** What save() keeps. */
 const settings = /** @type {const} */ ([

@@ -1,12 +1,9 @@
 // What a person sees in a part of the page, as marks: canvases, SVG, and the boxes and texts of HTML.
+/** @import { Font, Look, Mark, Stroke } from './marks.js' */
 import { pictureOn } from '../kit/canvas.js';
 import { Outline } from './marks.js';
 import { marksOf as marksDrawn, measured } from './recording.js';
 
-/** @typedef {import('./marks.js').Font} Font */
-/** @typedef {import('./marks.js').Look} Look */
-/** @typedef {import('./marks.js').Mark} Mark */
-/** @typedef {import('./marks.js').Stroke} Stroke */
 /** @typedef {{ left: number, top: number, width: number, height: number }} Box */
 /** @typedef {{ x: number, y: number, alpha: number }} Place Pixels of the picture's corner, and how opaque what is around is. */
 

@@ -1,12 +1,7 @@
 // A drawing as an SVG file: shapes and texts as such, the cells of maps as images, and what made it.
+/** @import { About, Drawing, Gradient, Mark, Paint, Pattern } from './marks.js' */
 import { isGradient } from './marks.js';
 
-/** @typedef {import('./marks.js').About} About */
-/** @typedef {import('./marks.js').Drawing} Drawing */
-/** @typedef {import('./marks.js').Gradient} Gradient */
-/** @typedef {import('./marks.js').Mark} Mark */
-/** @typedef {import('./marks.js').Paint} Paint */
-/** @typedef {import('./marks.js').Pattern} Pattern */
 /** @typedef {ReturnType<typeof createDefinitions>} Definitions */
 
 /** @param {Drawing} drawing @param {About} about */

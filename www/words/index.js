@@ -13,11 +13,9 @@ const load = { en: () => import('./en/index.js'), ko: () => import('./ko/index.j
 const all = await load[language]();
 
 export const {
-  checks,
   embed,
   exercise,
   instead,
-  keep,
   keys,
   lab,
   lesson,

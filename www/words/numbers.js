@@ -1,6 +1,5 @@
 // How numbers are written, in every language.
-
-/** @typedef {import('../core/engine.js').Posture} Posture */
+/** @import { Posture } from '../core/engine.js' */
 
 /** Fixed digits and no −0, as it is typed. @param {number} value @param {number} digits */
 export const typed = (value, digits) => (Math.abs(value) < 0.5 / 10 ** digits ? 0 : value).toFixed(digits);

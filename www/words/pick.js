@@ -1,7 +1,6 @@
 // What is loaded of the words: those of the page's language.
+/** @import { Language } from './language.js' */
 import { language } from './language.js';
-
-/** @typedef {import('./language.js').Language} Language */
 
 /**
  * Other texts, but as many of them, and functions of the same arguments.

@@ -1,7 +1,7 @@
 // What the harness does within the page. It is sent there as text, so nothing here may name anything else.
 
 /**
- * Does something when what happened before is drawn. Other pages draw at once.
+ * Does something when what happened before is drawn, and what was opened is loaded. Other pages draw at once.
  * @param {(...args: any[]) => unknown} body
  * @param {unknown[]} args
  */
@@ -9,7 +9,15 @@ export function onceDrawn(body, args) {
   const { pageFrames } = /** @type {{ pageFrames?: { drawn: () => Promise<void> } }} */ (
     /** @type {unknown} */ (window)
   );
-  return pageFrames ? pageFrames.drawn().then(() => body(...args)) : body(...args);
+  if (!pageFrames) return body(...args);
+  const there = async () => {
+    await pageFrames.drawn();
+    while (document.querySelector('.part-waits')) {
+      await new Promise((resolve) => setTimeout(resolve, 20));
+      await pageFrames.drawn();
+    }
+  };
+  return there().then(() => body(...args));
 }
 
 /**

@@ -8,7 +8,7 @@ import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { isDeepStrictEqual } from 'node:util';
 import fc from 'fast-check';
-import { openRunFile, runFile } from '../../../www/link/run-file.js';
+import { openRunFile, runFile } from '../../../www/share/run-file.js';
 import { links as pageLinks } from '../../../www/lesson/links.js';
 import { mostCharacters } from '../../../www/link/link.js';
 import { groupNames } from '../../../www/run/exercise.js';

@@ -36,6 +36,49 @@ pageTest('a part is loaded when it is opened, in the language of the page alone'
   assert.deepEqual(await page.problems(), []);
 });
 
+pageTest('Share and the checks are loaded when they are opened, and open at once', async (page) => {
+  await page.open('#lab&lang=ko');
+  const first = await asked(page);
+  const { isOpen, said } = await page.evaluate(() => {
+    document.getElementById('keep-button')?.click();
+    const dialog = /** @type {HTMLDialogElement} */ (document.getElementById('keep'));
+    return { isOpen: dialog.open, said: dialog.textContent };
+  });
+  assert.ok(isOpen);
+  assert.match(String(said), /이 실행 보관.*불러오는 중/s);
+  assert.match(await page.text('#keep-status'), /지문/);
+  const more = (await asked(page)).slice(first.length);
+  assert.ok(more.length >= 2 && more.length <= 4, `for Share ${more.join(', ')} were loaded`);
+  await page.click('#keep-checks');
+  await page.until('the checks run', () => document.getElementById('checks-progress'));
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('where Share cannot be loaded its sheet says so, and all else goes on', async (page) => {
+  const site = await serve(undefined, {
+    send: (name, content) => (/dialog-.*\.js$/.test(name) ? null : content),
+  });
+  try {
+    await page.visit(`${site.address}#lab&v=1`);
+    await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+    for (const [button, sheet] of [
+      ['keep-button', 'keep'],
+      ['keys-button', 'keys'],
+    ]) {
+      await page.click(`#${button}`);
+      if (sheet === 'keys') await page.click('#keys-checks');
+      const wanted = sheet === 'keys' ? 'checks' : sheet;
+      assert.match(await page.text(`#${wanted} .part-failed`), /could not be loaded.*Try again/s);
+      await page.click(`#${wanted}-close`);
+    }
+    await page.click('#one-generation');
+    assert.equal(await page.text('#generation'), '1');
+  } finally {
+    await page.leave();
+    await site.close();
+  }
+});
+
 pageTest('a part that cannot be loaded says so, and all else goes on until it can', async (page) => {
   /** What is not sent. @type {(name: string, content: Buffer) => boolean} */
   let refuses = (name, content) => /page-.*\.js$/.test(name) && content.includes('luck-finding');

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { openRunFile, runFile } from '../../../www/link/run-file.js';
+import { openRunFile, runFile } from '../../../www/share/run-file.js';
 import { links } from '../../../www/lesson/links.js';
 import { driveCsv, generationsCsv } from '../../../www/share/csv.js';
 import { engineTest, pageTest } from '../harness/browsers.js';

@@ -1,11 +1,7 @@
 // The same bits on every machine: whole runs of evolution by their hashes, and the first random draws.
+/** @import { Experiment, PartialExperiment } from '../../../pkg/ep_locomotion.js' */
+/** @import { Check, Core, Golden } from './check.js' */
 import { check, differing, same } from './check.js';
-
-/** @typedef {import('../../../pkg/ep_locomotion.js').Experiment} Experiment */
-/** @typedef {import('../../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
-/** @typedef {import('./check.js').Check} Check */
-/** @typedef {import('./check.js').Core} Core */
-/** @typedef {import('./check.js').Golden} Golden */
 
 /** @param {Golden} golden @returns {Check[]} */
 export const bitChecks = ({ evolutions, draws }) => [

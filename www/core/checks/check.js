@@ -1,7 +1,6 @@
 // What a check is: one law or known value, worked out anew by the core, beside what it must be.
+/** @import { PartialExperiment, Preset } from '../../../pkg/ep_locomotion.js' */
 
-/** @typedef {import('../../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Preset} Preset */
 /** @typedef {readonly [number, number, number]} Triple */
 /** @typedef {'parking' | 'noise' | 'tracking' | 'unlimited'} Task */
 

@@ -1,15 +1,10 @@
 // The list of all checks: pure functions of the core and of the known values. It runs in a worker of the page, and in Node.
+/** @import { Check, Core, Golden, Group, Result } from './check.js' */
 import { bitChecks } from './bits.js';
 import { resultOf } from './check.js';
 import { costChecks } from './cost.js';
 import { evolutionChecks } from './evolution.js';
 import { motionChecks } from './motion.js';
-
-/** @typedef {import('./check.js').Check} Check */
-/** @typedef {import('./check.js').Core} Core */
-/** @typedef {import('./check.js').Golden} Golden */
-/** @typedef {import('./check.js').Result} Result */
-/** @typedef {import('./check.js').Group} Group */
 
 /** @type {Record<Group, (golden: Golden) => Check[]>} */
 const groups = {

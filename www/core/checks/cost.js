@@ -1,11 +1,7 @@
 // The cost J: known values, its parts added up again, and the same J however a robot is driven.
+/** @import { Experiment, Preset, Run } from '../../../pkg/ep_locomotion.js' */
+/** @import { Check, Golden } from './check.js' */
 import { atMost, below, check, differing, largest, near, same, scattered, wrap } from './check.js';
-
-/** @typedef {import('../../../pkg/ep_locomotion.js').Experiment} Experiment */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Preset} Preset */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Run} Run */
-/** @typedef {import('./check.js').Check} Check */
-/** @typedef {import('./check.js').Golden} Golden */
 
 const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
 

@@ -1,9 +1,6 @@
 // Laws of evolution, in the record of a whole run: mutation, tournament, survival.
+/** @import { Check, Core, Golden } from './check.js' */
 import { atMost, between, check, differing, largest, near, once, same } from './check.js';
-
-/** @typedef {import('./check.js').Check} Check */
-/** @typedef {import('./check.js').Core} Core */
-/** @typedef {import('./check.js').Golden} Golden */
 
 /** So many generations are looked at in full. */
 const generations = 30;

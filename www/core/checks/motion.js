@@ -1,12 +1,7 @@
 // Laws of the robot: the control law, the arcs of its motion, the Lyapunov function, the limits.
+/** @import { Gains, PartialExperiment, Run } from '../../../pkg/ep_locomotion.js' */
+/** @import { Check, Core, Golden } from './check.js' */
 import { atMost, check, differing, largest, near, once, same, scattered, wrap } from './check.js';
-
-/** @typedef {import('../../../pkg/ep_locomotion.js').Gains} Gains */
-/** @typedef {import('../../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Run} Run */
-/** @typedef {import('./check.js').Check} Check */
-/** @typedef {import('./check.js').Core} Core */
-/** @typedef {import('./check.js').Golden} Golden */
 
 const origin = { x: 0, y: 0, theta: 0 };
 const unlimited = { speed: null, turnRate: null, acceleration: null, turnAcceleration: null };

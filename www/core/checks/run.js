@@ -1,10 +1,8 @@
 // Runs all checks in a worker; then what a worker and the page itself must have in common.
+/** @import { Engine } from '../engine.js' */
+/** @import { SurveyOptions } from '../surveys.js' */
+/** @import { Golden, Result } from './check.js' */
 import { same } from './check.js';
-
-/** @typedef {import('../engine.js').Engine} Engine */
-/** @typedef {import('../surveys.js').SurveyOptions} SurveyOptions */
-/** @typedef {import('./check.js').Golden} Golden */
-/** @typedef {import('./check.js').Result} Result */
 
 /** Generations that both evolve: so few that the page does not stutter. */
 const generations = 20;

@@ -1,9 +1,8 @@
 // What plots against time share: the end of their axis, its ticks, and the samples.
+/** @import { Run } from '../../core/engine.js' */
+/** @import { Scale } from '../../kit/chart.js' */
 import { drawNumbersBelow, sameDigits } from '../../kit/chart.js';
 import words from './words/index.js';
-
-/** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('../../kit/chart.js').Scale} Scale */
 
 /** So many times as long as the run in question others may take before they leave the picture. */
 const longest = 2;

@@ -1,11 +1,10 @@
 // Where the plots against time lie, and their scales.
+/** @import { Experiment, Run } from '../../core/engine.js' */
+/** @import { Frame } from '../../kit/chart.js' */
 import { scaleLinear } from 'd3-scale';
 import { endOf } from './axes.js';
 import { paidAt } from '../../core/paid.js';
 
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('../../kit/chart.js').Frame} Frame */
 /** @typedef {import('d3-scale').ScaleLinear<number, number>} Scale */
 /** @typedef {'position' | 'theta' | 'linear' | 'angular' | 'cost'} PlotName */
 /** @typedef {{ name: PlotName, frame: Frame, scale: Scale, limit: number | null }} Plot */

@@ -1,4 +1,7 @@
 // Runs against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
+/** @import { Experiment, Run } from '../../core/engine.js' */
+/** @import { Pins } from '../../run/pins.js' */
+/** @import { Layout, Plot, PlotName } from './layout.js' */
 import { createLayer } from '../../kit/canvas.js';
 import { symbolFont, textFont } from '../../kit/fonts.js';
 import { drawMark } from '../../kit/swatch.js';
@@ -22,12 +25,6 @@ import words from './words/index.js';
 import { drawTimeAxis, timeTicks } from './axes.js';
 import { curvesOf, layoutOf } from './layout.js';
 
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('../../run/pins.js').Pins} Pins */
-/** @typedef {import('./layout.js').Layout} Layout */
-/** @typedef {import('./layout.js').Plot} Plot */
-/** @typedef {import('./layout.js').PlotName} PlotName */
 /** @typedef {(run: Run, i: number) => number} Value */
 /** @template [R=Run] @typedef {{ run: R, colour: string | null, dash: readonly number[], width: number, slot: number | null }} Line Without a colour: that of what is drawn. */
 /**

@@ -1,4 +1,5 @@
 // The controls of the disturbance: its kind, its two sizes, and another draw.
+/** @import { DisturbanceState } from './state.js' */
 import { disturbanceSlice } from './state.js';
 import { html } from 'lit-html';
 import { createRow } from '../../lab/gains.js';
@@ -9,7 +10,6 @@ import words from './words/index.js';
 
 /** @typedef {import('../part.js').Tools} PageParts */
 /** @typedef {import('../../core/engine.js').Experiment['disturbance']} Disturbance */
-/** @typedef {import('./state.js').DisturbanceState} DisturbanceState */
 
 const sizes = /** @type {const} */ (['linear', 'angular']);
 /** What the sliders reach; more can be typed. */

@@ -1,4 +1,7 @@
 // The three parts of the error over time: what is measured on one canvas, the robots' clock on another.
+/** @import { Size } from '../../kit/canvas.js' */
+/** @import { ErrorParts, Measured } from './request.js' */
+/** @import { PartName } from './summary.js' */
 import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
@@ -10,11 +13,7 @@ import { watch } from '../../kit/memo.js';
 import words from './words/index.js';
 import { parts } from './summary.js';
 
-/** @typedef {import('./request.js').Measured} Measured */
-/** @typedef {import('./request.js').ErrorParts} ErrorParts */
-/** @typedef {import('./summary.js').PartName} PartName */
 /** @typedef {{ measured: Measured, time: number, theme: number }} PlotsModel */
-/** @typedef {import('../../kit/canvas.js').Size} Size */
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
 const margin = { left: 36, right: 8, top: 5 };

@@ -1,4 +1,7 @@
 // What is measured of a disturbed drive, and asking the workers for it.
+/** @import { Engine, Experiment, PaperResult, Posture, RemainingErrors, Triple } from '../../core/engine.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
 import { disturbanceSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { remember } from '../../kit/memo.js';
@@ -6,15 +9,7 @@ import { endsOf } from '../../run/state.js';
 import { gainsOf } from '../../run/drivers.js';
 import { undisturbed, withDisturbance } from '../../run/scene.js';
 
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
 /** @typedef {import('../../core/engine.js').ErrorParts} ErrorParts */
-/** @typedef {import('../../core/engine.js').RemainingErrors} RemainingErrors */
 /** The experiment's first start is that of the drive. @typedef {{ experiment: Experiment, gains: Triple, seconds: number }} Spec */
 /** @typedef {{ spec: Spec, runs: ErrorParts[], disturbed: RemainingErrors, calm: RemainingErrors }} Measured One value for each start. */
 

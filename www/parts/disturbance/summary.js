@@ -1,8 +1,8 @@
 // What is told of a measurement: for each part of the error, how much remains and whether that lies in its set.
+/** @import { Measured } from './request.js' */
 import { median } from 'd3-array';
 import { typed } from '../../words/numbers.js';
 
-/** @typedef {import('./request.js').Measured} Measured */
 /** @typedef {typeof parts[number]} PartName */
 /** The largest of the last seconds: of the drive, and of the other starts. @typedef {{ drive: number, median: number, largest: number }} Sizes */
 /** How far the set of the drive reaches, and how many others stay inside their own. @typedef {Sizes & { set: number, isInside: boolean, inside: number }} Row */

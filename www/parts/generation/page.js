@@ -7,7 +7,7 @@
 import { html, render } from 'lit-html';
 import { choicesOf } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';
-import { showTable } from '../../kit/table.js';
+import { showTable } from '../../lab/table-sheet.js';
 import { playsPhases } from '../../run/pace.js';
 import words from './words/index.js';
 import { createSection } from '../section.js';

@@ -1,4 +1,6 @@
 // The picture of a generation: every individual is a mark that keeps its height, its J, through all phases.
+/** @import { Place, Size } from './places.js' */
+/** @import { Anatomy, Phase } from './record.js' */
 import { winsBout } from '../../core/rules.js';
 import { tickStep, ticks as ticksOf } from 'd3-array';
 import { followSize, svg } from '../../kit/elements.js';
@@ -9,10 +11,6 @@ import words from './words/index.js';
 import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
 import { isInitial } from './record.js';
 
-/** @typedef {import('./places.js').Place} Place */
-/** @typedef {import('./places.js').Size} Size */
-/** @typedef {import('./record.js').Anatomy} Anatomy */
-/** @typedef {import('./record.js').Phase} Phase */
 /** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, still: boolean }} PictureModel Still: nobody has asked for motion. */
 /** @typedef {{ model: PictureModel, size: Size, places: Place[] }} Drawn */
 

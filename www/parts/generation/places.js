@@ -1,8 +1,7 @@
 // Where the individuals stand in the picture: how high is their J, and across by pairs or by rank.
+/** @import { Anatomy, Phase } from './record.js' */
 import { scaleLinear } from 'd3-scale';
 
-/** @typedef {import('./record.js').Anatomy} Anatomy */
-/** @typedef {import('./record.js').Phase} Phase */
 /** @typedef {{ width: number, height: number }} Size */
 /** @typedef {{ x: number, y: number }} Place */
 /** @typedef {ReturnType<typeof heightOf>} Height */

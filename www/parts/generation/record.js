@@ -1,13 +1,12 @@
 // A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
+/** @import { Individual, Statistics } from '../../core/engine.js' */
+/** @import { ChosenDrives } from '../../run/scene.js' */
+/** @import { State } from '../../run/state.js' */
 import { generationSlice, phases } from './state.js';
 import { remember } from '../../kit/memo.js';
 import words from './words/index.js';
 
 /** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */
-/** @typedef {import('../../core/engine.js').Individual} Individual */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../../run/scene.js').ChosenDrives} ChosenDrives */
 /** @typedef {import('./state.js').GenerationState} GenerationState */
 /** @typedef {import('./state.js').Phase} Phase */
 /** @typedef {{ survivor: number, fallen: number }} Upset One that survives though a better one fell. */

@@ -1,14 +1,12 @@
 // From phase to phase of a generation, and over its last one into the next: by hand, or by a clock.
+/** @import { State } from '../../run/state.js' */
+/** @import { Anatomy, GenerationState, Phase } from './record.js' */
 import { generationSlice } from './state.js';
 import { whenThere } from '../../core/pending.js';
 import { watch } from '../../kit/memo.js';
 import { pausesAt, playsPhases } from '../../run/pace.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
 
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('./record.js').Anatomy} Anatomy */
-/** @typedef {import('./record.js').GenerationState} GenerationState */
-/** @typedef {import('./record.js').Phase} Phase */
 /** @typedef {ReturnType<typeof createSteps>} Steps */
 
 /** Long enough to read what happens in a phase, and for a screen reader to say it. */

@@ -1,8 +1,7 @@
 // The whole generation as a table.
+/** @import { Anatomy } from './record.js' */
 import words from './words/index.js';
 import { isInitial } from './record.js';
-
-/** @typedef {import('./record.js').Anatomy} Anatomy */
 
 /** @param {Anatomy} anatomy @returns {import('../../kit/table.js').Table} */
 export function generationTable(anatomy) {

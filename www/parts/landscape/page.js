@@ -1,8 +1,16 @@
 // The part of the page that shows J over two gains, and what its controls do.
+/** @import { Engine, PaperResult, Run, Statistics, Triple } from '../../core/engine.js' */
+/** @import { Actions } from '../../run/actions/actions.js' */
+/** @import { Scene } from '../../run/scene.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { AxisChoice, Spec } from './request.js' */
+/** @import { LandscapeState } from './state.js' */
+/** @import { MapModel, Point } from './view.js' */
 import { html, noChange, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { gainNames, landscapeSlice } from './state.js';
-import { showTable } from '../../kit/table.js';
+import { showTable } from '../../lab/table-sheet.js';
 import { landscapeTable } from './table.js';
 import { followHeld, followKeys, followPointing, pointIn } from '../../kit/map.js';
 import { remember, watch } from '../../kit/memo.js';
@@ -14,21 +22,6 @@ import { lab, tables } from '../../words/index.js';
 import words from './words/index.js';
 import { createLandscapeRequests, createSpec, gainsAt, thirdOf } from './request.js';
 import { axesOf, countOutside, createMap } from './view.js';
-
-/** @typedef {import('../../run/actions/actions.js').Actions} Actions */
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../../run/scene.js').Scene} Scene */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
-/** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('./request.js').AxisChoice} AxisChoice */
-/** @typedef {import('./request.js').Spec} Spec */
-/** @typedef {import('./state.js').LandscapeState} LandscapeState */
-/** @typedef {import('./view.js').Point} Point */
-/** @typedef {import('./view.js').MapModel} MapModel */
 
 const { texts } = words;
 /** What an axis can show. */

@@ -1,18 +1,14 @@
 // What the landscape shows, and asking the workers for it: coarse while something moves, fine when it rests.
+/** @import { Engine, Experiment, PaperResult, Preset, Triple } from '../../core/engine.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { LandscapeState } from './state.js' */
 import { messageOf } from '../../words/errors.js';
 import { gainNames, landscapeSlice } from './state.js';
 import { createRefining } from '../../core/refine.js';
 import { remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
 
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../core/engine.js').Preset} Preset */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
-/** @typedef {import('./state.js').LandscapeState} LandscapeState */
 /** @typedef {'kx' | 'ky' | 'ktheta'} GainName */
 /** @typedef {{ gain: GainName, log: boolean }} AxisChoice */
 /** @typedef {{ experiment: Experiment, x: AxisChoice, y: AxisChoice, range: readonly [number, number], third: number }} Spec */

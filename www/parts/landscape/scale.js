@@ -1,7 +1,7 @@
 // From J to a colour, and from gains to pixels.
+/** @import { AxisChoice } from './request.js' */
 import { scaleLinear, scaleLog } from 'd3-scale';
 
-/** @typedef {import('./request.js').AxisChoice} AxisChoice */
 /** @typedef {ReturnType<typeof createCostScale>} CostScale */
 /** @typedef {ReturnType<typeof createAxis>} Axis */
 

@@ -1,11 +1,10 @@
 // Some points of the landscape as a table.
+/** @import { Table } from '../../kit/table.js' */
+/** @import { Landscape } from './request.js' */
 import { someOf } from '../../kit/table.js';
 import { lab, tables as words } from '../../words/index.js';
 import { gainOn, thirdOf } from './request.js';
 import { gainNames } from './state.js';
-
-/** @typedef {import('../../kit/table.js').Table} Table */
-/** @typedef {import('./request.js').Landscape} Landscape */
 
 /** @param {Landscape} landscape @returns {Table} */
 export function landscapeTable({ spec, count, costs }) {

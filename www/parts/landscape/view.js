@@ -1,4 +1,7 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
+/** @import { Individual, Triple } from '../../core/engine.js' */
+/** @import { Landscape, Spec } from './request.js' */
+/** @import { Axis, CostScale } from './scale.js' */
 import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
 import { createLayer, pathOf, strokeTwice } from '../../kit/canvas.js';
@@ -18,12 +21,6 @@ import words from './words/index.js';
 import { endsOfAxis } from './request.js';
 import { createAxis, createCostScale } from './scale.js';
 
-/** @typedef {import('../../core/engine.js').Individual} Individual */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
-/** @typedef {import('./request.js').Landscape} Landscape */
-/** @typedef {import('./request.js').Spec} Spec */
-/** @typedef {import('./scale.js').Axis} Axis */
-/** @typedef {import('./scale.js').CostScale} CostScale */
 /** @typedef {{ gains: Triple, name: string, mark: 'diamond' | 'cross' | 'ring' | number }} Point A number is the slot of a pin. */
 /**
  * @typedef {object} MapModel

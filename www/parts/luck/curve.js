@@ -1,4 +1,7 @@
 // The fitness curve of many seeds: medians and quartile bands, and at their ends one dot for each seed's final J.
+/** @import { Axes, Size } from '../../kit/chart.js' */
+/** @import { Dots } from './dots.js' */
+/** @import { SeedSurvey } from './request.js' */
 import { scaleLinear } from 'd3-scale';
 import {
   createChart,
@@ -18,10 +21,6 @@ import { drawAxisNames, drawName, spread } from '../../kit/names.js';
 import words from './words/index.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
-/** @typedef {import('../../kit/chart.js').Axes} Axes */
-/** @typedef {import('../../kit/chart.js').Size} Size */
-/** @typedef {import('./dots.js').Dots} Dots */
-/** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
 /** @typedef {{ name: string, costs: ArrayLike<number> }} Line */
 /**
  * @typedef {object} SeedCurveModel

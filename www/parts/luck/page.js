@@ -1,4 +1,11 @@
 // The part of the page that runs evolution with many seeds: how much of a result is luck?
+/** @import { Experiment, Statistics } from '../../core/engine.js' */
+/** @import { Actions } from '../../run/actions/actions.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { Page } from '../part.js' */
+/** @import { SeedSurvey } from './request.js' */
+/** @import { Events } from './sight.js' */
 import { render } from 'lit-html';
 import { luckSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
@@ -10,18 +17,10 @@ import { createSeedCurve } from './curve.js';
 import { createSeedRequests, isSameButSeed } from './request.js';
 import { sight } from './sight.js';
 import { createStrips } from './strips.js';
-import { showTable } from '../../kit/table.js';
+import { showTable } from '../../lab/table-sheet.js';
 import { seedTable } from './table.js';
 
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').Statistics} Statistics */
 /** @typedef {import('../part.js').Tools} PageParts */
-/** @typedef {import('../part.js').Page} Page */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
-/** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
-/** @typedef {import('./sight.js').Events} Events */
-/** @typedef {import('../../run/actions/actions.js').Actions} Actions */
 
 /** @param {PageParts} parts @returns {Page} */
 export function createLuckPage({ engine, store, actions, paper }) {

@@ -1,15 +1,11 @@
 // The state of the luck part, and asking the workers for many seeds.
+/** @import { Engine, Experiment, PaperResult, SeedRun } from '../../core/engine.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
 import { luckSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { gainsOf } from '../../run/drivers.js';
 import { summaryOf } from './statistics.js';
-
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
-/** @typedef {import('../../core/engine.js').SeedRun} SeedRun */
 
 /**
  * @typedef {object} SeedSurvey

@@ -1,15 +1,14 @@
 // What Luck shows around its pictures: what is run, what was found, and one seed.
+/** @import { Experiment } from '../../core/engine.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { SeedSurvey } from './request.js' */
+/** @import { LuckState } from './state.js' */
 import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { luckSlice } from './state.js';
 import { options, valueIn } from '../../kit/templates.js';
 import words from './words/index.js';
 import { drivesOf, isSameButSeed } from './request.js';
-
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('./state.js').LuckState} LuckState */
-/** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
 
 /**
  * @typedef {object} Events

@@ -1,6 +1,6 @@
 // What many seeds say together: quartiles of each generation, the ranking of the seeds, and a table of all as CSV.
+/** @import { SeedRun } from '../../core/engine.js' */
 
-/** @typedef {import('../../core/engine.js').SeedRun} SeedRun */
 /** Half of the numbers lie from `low` to `high`. @typedef {{ least: number, low: number, median: number, high: number, most: number }} Quartiles */
 /** Quartiles of the best J at each generation. @typedef {{ low: number[], median: number[], high: number[] }} Band */
 /** @typedef {ReturnType<typeof summaryOf>} Summary */

@@ -1,4 +1,7 @@
 // The gains that the seeds ended with: a strip for each gain, one dot a seed.
+/** @import { Triple } from '../../core/engine.js' */
+/** @import { Dots } from './dots.js' */
+/** @import { SeedSurvey } from './request.js' */
 import { scaleLinear } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
@@ -11,9 +14,6 @@ import words from './words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
-/** @typedef {import('../../core/engine.js').Triple} Triple */
-/** @typedef {import('./dots.js').Dots} Dots */
-/** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
 /** @typedef {{ survey: SeedSurvey | null, paper: Triple, range: readonly [number, number], index: number, theme: number }} StripsModel */
 
 const colours = /** @type {const} */ (['--x', '--y', '--theta']);

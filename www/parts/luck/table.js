@@ -1,10 +1,9 @@
 // All seeds as a table, and as a file for other programs.
+/** @import { SeedSurvey } from './request.js' */
 import { download } from '../../kit/download.js';
 import { costText, fixed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { csvOf, quartilesOf } from './statistics.js';
-
-/** @typedef {import('./request.js').SeedSurvey} SeedSurvey */
 
 const quartileNames = /** @type {const} */ (['least', 'low', 'median', 'high', 'most']);
 

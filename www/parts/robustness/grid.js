@@ -1,10 +1,8 @@
 // The starts of the map, positions on a square around the goal times headings, and what comes of them at each position.
+/** @import { Posture, Range, Robustness } from '../../core/engine.js' */
 
 import { startsOnGrid } from '../../core/rules.js';
 
-/** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../core/engine.js').Range} Range */
-/** @typedef {import('../../core/engine.js').Robustness} Robustness */
 /** @typedef {{ x: Range, y: Range, headings: number }} Grid As the core understands it. */
 /** @typedef {ReturnType<typeof tally>} Tally */
 

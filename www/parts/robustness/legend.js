@@ -1,4 +1,6 @@
 // What the colours of the map mean: a bar with its ticks, and the hatching where no robot arrives.
+/** @import { Quantity } from './request.js' */
+/** @import { Shading } from './scale.js' */
 import { html, render } from 'lit-html';
 import { createLayer } from '../../kit/canvas.js';
 import { byIdIn } from '../../kit/elements.js';
@@ -8,8 +10,6 @@ import { once, watch } from '../../kit/memo.js';
 import words from './words/index.js';
 import { hatch } from './view.js';
 
-/** @typedef {import('./request.js').Quantity} Quantity */
-/** @typedef {import('./scale.js').Shading} Shading */
 /** @typedef {{ shading: Shading, quantity: Quantity, heading: number | null, theme: number }} LegendModel */
 
 /** @param {HTMLElement} root */

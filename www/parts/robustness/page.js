@@ -1,4 +1,12 @@
 // The part of the page that shows from where one set of gains arrives, and what its controls do.
+/** @import { Actions } from '../../run/actions/actions.js' */
+/** @import { Scene } from '../../run/scene.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { Quantity, Survey } from './request.js' */
+/** @import { Shading } from './scale.js' */
+/** @import { RobustnessState } from './state.js' */
+/** @import { MapModel } from './view.js' */
 import { robustnessSlice } from './state.js';
 import { byIdIn, followSize } from '../../kit/elements.js';
 import { createSection } from '../section.js';
@@ -12,16 +20,6 @@ import { createSpec, createSurveyRequests } from './request.js';
 import { createRose } from './rose.js';
 import { createShading } from './scale.js';
 import { axesOf, createMap } from './view.js';
-
-/** @typedef {import('../../run/actions/actions.js').Actions} Actions */
-/** @typedef {import('../../run/scene.js').Scene} Scene */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
-/** @typedef {import('./request.js').Quantity} Quantity */
-/** @typedef {import('./state.js').RobustnessState} RobustnessState */
-/** @typedef {import('./request.js').Survey} Survey */
-/** @typedef {import('./scale.js').Shading} Shading */
-/** @typedef {import('./view.js').MapModel} MapModel */
 
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createRobustnessPage({ engine, store, actions, paper }) {

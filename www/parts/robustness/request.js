@@ -1,4 +1,8 @@
 // What the map shows, and asking the workers for it.
+/** @import { Engine, Experiment, PaperResult, Robustness, Triple } from '../../core/engine.js' */
+/** @import { Driver, State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { Grid, Tally } from './grid.js' */
 import { messageOf } from '../../words/errors.js';
 import { robustnessSlice } from './state.js';
 import { createRefining } from '../../core/refine.js';
@@ -6,16 +10,6 @@ import { remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
 import { gridAround, tally } from './grid.js';
 
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../core/engine.js').Robustness} Robustness */
-/** @typedef {import('../../run/state.js').Driver} Driver */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
-/** @typedef {import('./grid.js').Grid} Grid */
-/** @typedef {import('./grid.js').Tally} Tally */
 /** @typedef {'share' | 'time' | 'cost'} Quantity What a colour means. */
 /** @typedef {{ experiment: Experiment, gains: Triple, half: number }} Spec */
 /** @typedef {{ spec: Spec, grid: Grid, runs: Robustness, tally: Tally, milliseconds: number }} Survey */

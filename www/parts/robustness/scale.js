@@ -1,9 +1,8 @@
 // From what is asked of each cell to a shade: dark where it is best, as in the landscape.
+/** @import { Quantity, Survey } from './request.js' */
 import { scaleLinear } from 'd3-scale';
 import { headings } from './grid.js';
 
-/** @typedef {import('./request.js').Quantity} Quantity */
-/** @typedef {import('./request.js').Survey} Survey */
 /** @typedef {ReturnType<typeof createShading>} Shading */
 
 /** What a cell shows; NaN where no robot arrives. @param {Survey} survey @param {Quantity} quantity @param {number | null} heading */

@@ -1,9 +1,14 @@
 // What stands around the map of robustness: its numbers, its controls and what the cursor reads.
+/** @import { Scene } from '../../run/scene.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { Spec } from './request.js' */
+/** @import { RobustnessState } from './state.js' */
 import { html, render } from 'lit-html';
 import { halves, robustnessSlice } from './state.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { options, valueIn } from '../../kit/templates.js';
-import { showTable } from '../../kit/table.js';
+import { showTable } from '../../lab/table-sheet.js';
 import { robustnessTable } from './table.js';
 import { watch } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
@@ -20,12 +25,6 @@ import {
   sharesBySide,
   startOf,
 } from './grid.js';
-
-/** @typedef {import('../../run/scene.js').Scene} Scene */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
-/** @typedef {import('./state.js').RobustnessState} RobustnessState */
-/** @typedef {import('./request.js').Spec} Spec */
 
 const { texts } = words;
 

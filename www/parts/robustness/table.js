@@ -1,10 +1,9 @@
 // Some places of the map as a table.
+/** @import { Table } from '../../kit/table.js' */
+/** @import { Survey } from './request.js' */
 import { someOf } from '../../kit/table.js';
 import { lab, tables as words } from '../../words/index.js';
 import { startOf } from './grid.js';
-
-/** @typedef {import('../../kit/table.js').Table} Table */
-/** @typedef {import('./request.js').Survey} Survey */
 
 /** @param {Survey} survey @returns {Table} */
 export function robustnessTable({ grid, tally }) {

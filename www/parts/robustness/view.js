@@ -1,4 +1,7 @@
 // The map: cells and axes on one canvas, redrawn with the survey; goal, starts, the run and the cursor on another.
+/** @import { Posture, Run } from '../../core/engine.js' */
+/** @import { Grid } from './grid.js' */
+/** @import { Shading } from './scale.js' */
 import { scaleLinear } from 'd3-scale';
 import { createLayer, strokeTwice } from '../../kit/canvas.js';
 import { textFont } from '../../kit/fonts.js';
@@ -11,10 +14,6 @@ import { fixed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { cellNear, startOf } from './grid.js';
 
-/** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('./grid.js').Grid} Grid */
-/** @typedef {import('./scale.js').Shading} Shading */
 /**
  * @typedef {object} MapModel
  * @property {Grid} grid

@@ -1,4 +1,11 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
+/** @import { Posture } from '../../core/engine.js' */
+/** @import { Actions } from '../../run/actions/actions.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Result, RowName } from './request.js' */
+/** @import { SetName } from './sets.js' */
+/** @import { TrainingState } from './state.js' */
+/** @import { Row } from './table.js' */
 import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
@@ -10,15 +17,6 @@ import { createPicture } from './picture.js';
 import { changesOf, createTraining, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
 import { tableOf } from './table.js';
-
-/** @typedef {import('../../run/actions/actions.js').Actions} Actions */
-/** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('./request.js').RowName} RowName */
-/** @typedef {import('./request.js').Result} Result */
-/** @typedef {import('./state.js').TrainingState} TrainingState */
-/** @typedef {import('./sets.js').SetName} SetName */
-/** @typedef {import('./table.js').Row} Row */
 
 const { texts } = words;
 

@@ -1,4 +1,5 @@
 // A picture of starts around the goal: filled where the robot arrives, open where it does not.
+/** @import { Posture } from '../../core/engine.js' */
 import { createLayer, strokeTwice } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
@@ -6,7 +7,6 @@ import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 
-/** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {{ width: number, height: number }} Size */
 /**
  * @typedef {object} PictureModel

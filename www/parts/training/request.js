@@ -1,4 +1,9 @@
 // Asking the workers: to evolve gains on each set of starts, and to drive all gains from starts that no evolution sees.
+/** @import { Engine, Experiment, PaperResult, Posture, Preset, Triple } from '../../core/engine.js' */
+/** @import { SurveyOptions } from '../../core/surveys.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { SetName } from './sets.js' */
 import { trainingSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { createRefining } from '../../core/refine.js';
@@ -6,16 +11,6 @@ import { remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
 import { createSets, setNames } from './sets.js';
 
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').PaperResult} PaperResult */
-/** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../core/engine.js').Preset} Preset */
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/store.js').Store} Store */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
-/** @typedef {import('../../core/surveys.js').SurveyOptions} SurveyOptions */
-/** @typedef {import('./sets.js').SetName} SetName */
 /** @typedef {SetName | 'paper-ep' | 'paper-arbitrary' | 'hand'} RowName */
 /** How gains fare from a set of starts; J is the mean over all of them. @typedef {{ starts: Posture[], arrived: Uint8Array, count: number, cost: number }} Fares */
 /** @typedef {{ gains: Triple, training: Fares, unseen: Fares, own: number }} Result `own` is J from the experiment's own start. */

@@ -1,9 +1,7 @@
 // The starts that gains are evolved on, and those that no evolution sees. All lie around the goal and move with it.
+/** @import { Engine, Experiment, Posture } from '../../core/engine.js' */
 import { remember } from '../../kit/memo.js';
 
-/** @typedef {import('../../core/engine.js').Engine} Engine */
-/** @typedef {import('../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../core/engine.js').Posture} Posture */
 /** @typedef {typeof setNames[number]} SetName */
 /** @typedef {Record<SetName | 'unseen', Posture[]>} Sets */
 

@@ -1,11 +1,10 @@
 // The table: one row for each set of gains, with how they fare.
+/** @import { Result, RowName } from './request.js' */
 import { html } from 'lit-html';
 import { styled } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 
-/** @typedef {import('./request.js').Result} Result */
-/** @typedef {import('./request.js').RowName} RowName */
 /** What a row shows; `result` is null before there is one. @typedef {{ name: RowName, text: string, result: Result | null, old: boolean }} Row */
 
 /** @param {readonly Row[]} rows @param {RowName} chosen @param {number} unseen How many starts are never seen. @param {(name: RowName) => void} onChoose */

@@ -1,79 +1,109 @@
 // The panel in which a lecturer makes an exercise; the page beside it shows at once what students will see.
-import { byId, create } from '../../kit/elements.js';
-import { frameOf } from '../frame-text.js';
-import { addressOf } from '../../kit/host.js';
+/** @import { Exercise, Group } from '../../run/exercise.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { SheetTools } from '../load.js' */
+import './maker.css';
+import { html, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { copy } from '../../kit/copy.js';
-import { createSegmented } from '../../kit/segmented.js';
+import { byId, create } from '../../kit/elements.js';
+import { addressOf } from '../../kit/host.js';
 import { watch } from '../../kit/memo.js';
-import { embed as embedWords, exercise as words, keep as keepWords } from '../../words/index.js';
+import { choicesOf } from '../../kit/segmented.js';
+import { closeButton, selectAll, valueIn } from '../../kit/templates.js';
 import { groupNames, isEmpty, mostOfTask, wayOf, withWay } from '../../run/exercise.js';
+import { exercise as exerciseWords } from '../../words/index.js';
+import { frameOf } from '../frame-text.js';
+import words from '../words/index.js';
 
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/exercise.js').Exercise} Exercise */
+const { texts } = words;
 
-/** @param {{ engine: import('../../core/engine.js').Engine, store: import('../../run/store.js').Store, actions: import('../../run/actions/actions.js').Actions, links: import('../../link/link.js').Links }} parts */
+/** @param {SheetTools} tools */
 export function createMaker({ engine, store, actions, links }) {
-  const panel = byId('maker');
-  /** @type {HTMLTextAreaElement} */
-  const task = byId('maker-task');
-  /** @type {HTMLInputElement} */
-  const link = byId('maker-link');
-  /** @type {HTMLInputElement} */
-  const frame = byId('maker-frame');
-  const status = byId('maker-status');
+  const panel = create('aside', 'settings maker');
+  panel.id = 'maker';
+  panel.hidden = true;
+  panel.setAttribute('aria-labelledby', 'maker-title');
+  byId('instrument').prepend(panel);
+  let status = '';
   const change = (/** @type {Exercise} */ draft) => actions.makeExercise({ draft });
-  const draftNow = () => store.get().maker.draft;
-
-  const rows = groupNames.map((group) => {
-    const name = create('span', 'maker-name', words.groups[group]);
-    name.setAttribute('aria-hidden', 'true');
-    const fieldset = /** @type {HTMLFieldSetElement} */ (create('fieldset', 'segmented'));
-    fieldset.id = `maker-${group}`;
-    const { draw } = createSegmented(fieldset, words.groups[group], words.ways, (way) =>
-      change(withWay(draftNow(), group, way)),
-    );
-    return { group, draw, element: create('div', 'maker-row', name, fieldset) };
-  });
-  byId('maker-groups').replaceChildren(...rows.map(({ element }) => element));
-  task.maxLength = mostOfTask;
-  task.addEventListener('input', () => change({ ...draftNow(), task: task.value }));
-
-  byId('keep-exercise').addEventListener('click', () => {
-    /** @type {HTMLDialogElement} */ (byId('keep')).close();
-    const { exercise, maker } = store.get();
-    status.textContent = '';
-    actions.makeExercise({ open: true, draft: isEmpty(exercise) ? maker.draft : exercise });
-  });
+  const say = (/** @type {string} */ text) => {
+    status = text;
+    store.redraw();
+  };
   const close = () => {
     actions.makeExercise({ open: false });
     byId('keep-button').focus();
   };
-  byId('maker-close').addEventListener('click', close);
+  const on = {
+    close,
+    change,
+    copyLink: () => copy('maker-link', words.copied, words.notCopied).then(say),
+    copyFrame: () => copy('maker-frame', words.textCopied, words.textNotCopied).then(say),
+  };
   panel.addEventListener('keydown', ({ key }) => {
     if (key === 'Escape') close();
   });
-  for (const field of [link, frame]) field.addEventListener('focus', () => field.select());
-  byId('maker-copy-link').addEventListener('click', () => copy(link, status, keepWords));
-  byId('maker-copy-frame').addEventListener('click', () => copy(frame, status, embedWords));
 
   const openChanged = watch();
-  const draftChanged = watch();
+  const changed = watch();
   return {
+    open() {
+      const { exercise, maker } = store.get();
+      status = '';
+      actions.makeExercise({ open: true, draft: isEmpty(exercise) ? maker.draft : exercise });
+    },
+
     /** @param {State} state */
     draw(state) {
       const { open, draft } = state.maker;
-      if (openChanged(open)) {
-        panel.hidden = !open;
-        if (open) task.focus();
-      }
+      const isOther = openChanged(open);
+      panel.hidden = !open;
       if (!open) return;
-      const text = links.linkOf({ ...state, exercise: draft }, engine.experiment);
-      if (!draftChanged(draft, text)) return;
-      if (task.value !== draft.task) task.value = draft.task;
-      byId('maker-count').textContent = words.countText(draft.task.length, mostOfTask);
-      for (const { group, draw } of rows) draw(wayOf(draft, group));
-      link.value = addressOf(location.href, text, false);
-      frame.value = frameOf(state, text);
+      const link = links.linkOf({ ...state, exercise: draft }, engine.experiment);
+      if (changed(draft, link, status)) {
+        const addresses = { link: addressOf(location.href, link, false), frame: frameOf(state, link) };
+        render(panelOf(draft, addresses, status, on), panel);
+      }
+      if (isOther) byId('maker-task').focus();
     },
   };
 }
+
+/**
+ * @param {Exercise} draft @param {{ link: string, frame: string }} addresses @param {string} status
+ * @param {{ close: () => void, change: (draft: Exercise) => void, copyLink: () => void, copyFrame: () => void }} on
+ */
+const panelOf = (draft, { link, frame }, status, on) => html`
+  <div class="settings-head">
+    <h2 id="maker-title">${texts.makerTitle}</h2>
+    ${closeButton('maker-close', texts.makerClose, on.close)}
+  </div>
+  <div class="settings-groups">
+    <p class="muted">${texts.makerHelp}</p>
+    <label for="maker-task" class="maker-label">${texts.makerTask}</label>
+    <textarea id="maker-task" rows="3" aria-describedby="maker-count" maxlength=${mostOfTask} .value=${live(draft.task)}
+      @input=${(/** @type {Event} */ event) => on.change({ ...draft, task: valueIn(event) })}></textarea>
+    <p id="maker-count" class="muted">${words.countText(draft.task.length, mostOfTask)}</p>
+    <div id="maker-groups">${groupNames.map((group) => rowOf(draft, group, on.change))}</div>
+  </div>
+  <div class="maker-foot">
+    <input id="maker-link" type="text" readonly aria-label=${texts.makerLink} .value=${link} @focus=${selectAll}>
+    <button id="maker-copy-link" type="button" class="primary" @click=${on.copyLink}>${texts.makerCopyLink}</button>
+    <input id="maker-frame" type="text" readonly aria-label=${texts.makerFrame} .value=${frame} @focus=${selectAll}>
+    <button id="maker-copy-frame" type="button" @click=${on.copyFrame}>${texts.makerCopyFrame}</button>
+    <p id="maker-status" class="muted" role="status">${status}</p>
+  </div>`;
+
+/** @param {Exercise} draft @param {Group} group @param {(draft: Exercise) => void} onChange */
+const rowOf = (draft, group, onChange) => html`
+  <div class="maker-row">
+    <span class="maker-name" aria-hidden="true">${exerciseWords.groups[group]}</span>
+    <fieldset id="maker-${group}" class="segmented">${choicesOf(
+      `maker-${group}`,
+      exerciseWords.groups[group],
+      words.ways,
+      wayOf(draft, group),
+      (way) => onChange(withWay(draft, group, way)),
+    )}</fieldset>
+  </div>`;

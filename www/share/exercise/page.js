@@ -1,13 +1,11 @@
 // An exercise as who follows the link sees it: the task at the top, and the controls that are locked or hidden.
+/** @import { Exercise, Group } from '../../run/exercise.js' */
+/** @import { State } from '../../run/state.js' */
 import { byId } from '../../kit/elements.js';
 import { isEmbedded } from '../../kit/host.js';
 import { watch } from '../../kit/memo.js';
 import { exercise as words } from '../../words/index.js';
 import { groupNames, isEmpty, noExercise, shownExercise, tidyTask, wayOf } from '../../run/exercise.js';
-
-/** @typedef {import('../../run/state.js').State} State */
-/** @typedef {import('../../run/exercise.js').Exercise} Exercise */
-/** @typedef {import('../../run/exercise.js').Group} Group */
 
 /** @typedef {Partial<Record<Group, { lock?: string, hide?: string }>>} Places Where the controls of a group stand, as selectors: what is locked, and what is gone when they are hidden. */
 

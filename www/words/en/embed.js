@@ -1,23 +1,4 @@
-// Every word of a figure in another page's frame, and of the dialog that writes the frame.
-export * from '../common/embed.js';
-
-export const texts = {
-  embedTitle: 'Embed',
-  embedHelp:
-    'Puts this view into another page, as it is now: a course page, a blog, slides. It stands still until someone uses it.',
-  embedText: 'The text to paste',
-  embedCopy: 'Copy',
-  embedDisk: 'This page was opened from a disk: put its file beside the page into which you paste this.',
-};
-
-export const sizeLegend = 'Size of the frame';
-
-export const copied = 'The text is copied.';
-export const notCopied = 'This browser lets no page copy: the text is selected, copy it by the keyboard.';
-
-/** What a screen reader says of the frame. @param {string} part */
-export const frameTitle = (part) => `Evolving a robot’s controller: ${part}`;
-
+// Every word of a figure in another page’s frame.
 export const openFull = 'Open the full page';
 export const fullScreen = 'Full screen';
 export const leaveFullScreen = 'Leave full screen';

@@ -1,9 +1,7 @@
 // Every word in English.
-export * as checks from './checks.js';
 export * as embed from './embed.js';
 export * as exercise from './exercise.js';
 export * as instead from './instead.js';
-export * as keep from './keep.js';
 export * as keys from './keys.js';
 export * as lab from './lab.js';
 export * as lesson from './lesson.js';

@@ -3,7 +3,6 @@
 export const texts = {
   keysButton: 'Keys',
   keysTitle: 'The keyboard',
-  keysClose: 'Close',
   keysSingle: 'The single keys work (not while you type)',
   keysEverywhere: 'Every button, slider and picture is also reached by Tab.',
 };

@@ -4,3 +4,11 @@ export const waits = 'This part is being loaded …';
 export const failed =
   'This part of the page could not be loaded: there is no network, or a newer version has taken the place of its files. Everything else goes on. To try again loads the page anew; its address brings back this run.';
 export const again = 'Try again';
+
+export const texts = {
+  keepButton: 'Share',
+  keepTitle: 'Keep this run',
+  checksButton: 'Check its numbers',
+  checksTitle: 'Are the numbers right?',
+  close: 'Close',
+};

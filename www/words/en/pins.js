@@ -1,11 +1,10 @@
 // Every word of the pinned runs.
+/** @import { Triple } from '../../core/engine.js' */
+/** @import { Driver } from '../common/kinds.js' */
 import { foundName } from './lab.js';
 import { fixed } from './numbers.js';
 
 export * from '../common/pins.js';
-
-/** @typedef {import('../common/kinds.js').Driver} Driver */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
 
 export const pinThis = 'Pin this run';
 export const unpinThis = 'Unpin this run';

@@ -1,9 +1,9 @@
 // Every word of the settings.
+/** @import { SettingWords } from '../common/settings.js' */
 import { namer } from '../common/settings.js';
 export * from '../common/settings.js';
 
 /** @typedef {keyof typeof groups} GroupName */
-/** @typedef {import('../common/settings.js').SettingWords} SettingWords */
 
 export const texts = {
   settingsTitle: 'Settings',

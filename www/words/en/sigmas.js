@@ -1,9 +1,8 @@
 // Every word of σ over the generations.
+/** @import { Statistics } from '../../core/engine.js' */
 import { sigmaText } from '../common/sigmas.js';
 
 export * from '../common/sigmas.js';
-
-/** @typedef {import('../../core/engine.js').Statistics} Statistics */
 
 export const curveLegend = 'Curve over the generations';
 /** @type {readonly import('../../kit/segmented.js').Choice<import('../common/kinds.js').LabCurve>[]} */

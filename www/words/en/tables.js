@@ -2,7 +2,6 @@
 
 export const texts = {
   tableButton: 'Table',
-  tableClose: 'Close',
   tableCsv: 'Download CSV',
 };
 

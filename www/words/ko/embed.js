@@ -1,24 +1,4 @@
-// Every word of a figure in another page's frame, and of the dialog that writes the frame; in Korean.
-
-export * from '../common/embed.js';
-
-export const texts = {
-  embedTitle: '삽입',
-  embedHelp:
-    '지금 보이는 화면을 강의 페이지, 블로그, 슬라이드 같은 다른 페이지에 넣습니다. 누가 다루기 전까지는 움직이지 않습니다.',
-  embedText: '붙여 넣을 코드',
-  embedCopy: '복사',
-  embedDisk: '이 페이지는 디스크에서 열었습니다. 코드를 붙여 넣을 페이지와 같은 폴더에 이 파일을 두십시오.',
-};
-
-export const sizeLegend = '프레임 크기';
-
-export const copied = '코드를 복사했습니다.';
-export const notCopied =
-  '이 브라우저는 페이지의 복사를 허용하지 않습니다. 코드를 선택해 두었으니 키보드로 복사하십시오.';
-
-/** What a screen reader says of the frame. @param {string} part */
-export const frameTitle = (part) => `로봇 제어기의 진화: ${part}`;
+// Every word of a figure in another page’s frame, in Korean.
 
 export const openFull = '전체 페이지 열기';
 export const fullScreen = '전체 화면';

@@ -3,7 +3,6 @@
 export const texts = {
   keysButton: '단축키',
   keysTitle: '키보드',
-  keysClose: '닫기',
   keysSingle: '한 글자 단축키 사용(입력 중에는 작동하지 않음)',
   keysEverywhere: '모든 버튼, 슬라이더, 그림은 Tab 키로도 옮겨 갈 수 있습니다.',
 };

@@ -1,16 +1,11 @@
 // Every word of the lab and of what all pages share, in Korean.
+/** @import { Posture, Run, Statistics } from '../../core/engine.js' */
+/** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
 import { costText, degrees, fixed, postureText } from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './numbers.js';
-
-/** @typedef {import('../../core/engine.js').Posture} Posture */
-/** @typedef {import('../../core/engine.js').Run} Run */
-/** @typedef {import('../../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../common/kinds.js').Driver} Driver */
-/** @typedef {import('../common/kinds.js').Restart} Restart */
-/** @typedef {import('../common/kinds.js').Until} Until */
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {

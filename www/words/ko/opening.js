@@ -4,3 +4,11 @@ export const waits = '이 부분을 불러오는 중입니다…';
 export const failed =
   '페이지의 이 부분을 불러오지 못했습니다. 네트워크가 끊겼거나 새 버전이 나와 파일이 바뀌었을 수 있습니다. 나머지는 그대로 쓸 수 있습니다. 다시 시도하면 페이지를 새로 불러오며, 주소에 담긴 이 실행이 그대로 돌아옵니다.';
 export const again = '다시 시도';
+
+export const texts = {
+  keepButton: '공유',
+  keepTitle: '이 실행 보관',
+  checksButton: '계산 검사',
+  checksTitle: '계산이 맞습니까?',
+  close: '닫기',
+};

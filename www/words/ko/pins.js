@@ -1,11 +1,10 @@
 // Every word of the pinned runs, in Korean.
+/** @import { Triple } from '../../core/engine.js' */
+/** @import { Driver } from '../common/kinds.js' */
 import { foundName } from './lab.js';
 import { fixed } from './numbers.js';
 
 export * from '../common/pins.js';
-
-/** @typedef {import('../common/kinds.js').Driver} Driver */
-/** @typedef {import('../../core/engine.js').Triple} Triple */
 
 export const pinThis = '이 주행 고정';
 export const unpinThis = '이 주행 고정 해제';

@@ -1,9 +1,8 @@
 // Every word of σ over the generations, in Korean.
+/** @import { Statistics } from '../../core/engine.js' */
 import { sigmaText } from '../common/sigmas.js';
 
 export * from '../common/sigmas.js';
-
-/** @typedef {import('../../core/engine.js').Statistics} Statistics */
 
 export const curveLegend = '세대에 따른 곡선';
 /** @type {readonly import('../../kit/segmented.js').Choice<import('../common/kinds.js').LabCurve>[]} */

@@ -2,7 +2,6 @@
 
 export const texts = {
   tableButton: '표',
-  tableClose: '닫기',
   tableCsv: 'CSV 내려받기',
 };
 

@@ -1,12 +1,9 @@
 // What is drawn of the Lyapunov function against time, where it lies, and the scales.
+/** @import { Stability } from '../../../core/engine.js' */
+/** @import { Axes, Frame, Scale, Value } from '../../../kit/chart.js' */
 import { scaleLinear, scaleLog } from 'd3-scale';
 import { endOf } from '../axes.js';
 
-/** @typedef {import('../../../kit/chart.js').Axes} Axes */
-/** @typedef {import('../../../kit/chart.js').Frame} Frame */
-/** @typedef {import('../../../kit/chart.js').Scale} Scale */
-/** @typedef {import('../../../kit/chart.js').Value} Value */
-/** @typedef {import('../../../core/engine.js').Stability} Stability */
 /** @typedef {{ token: string, from: Value, to: Value }} Area A part of V̇ between two edges. */
 /** @typedef {{ lyapunov: Value, rate: Value, promised: Value, areas: Area[] }} Drawn */
 /** @typedef {{ time: Scale, lyapunov: Axes, rate: Axes, isLog: boolean }} Layout */

@@ -1,4 +1,7 @@
 // V and V̇ against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
+/** @import { Experiment, Stability } from '../../../core/engine.js' */
+/** @import { Axes } from '../../../kit/chart.js' */
+/** @import { Layout } from './layout.js' */
 import { createLayer } from '../../../kit/canvas.js';
 import {
   drawCursorDot,
@@ -21,10 +24,6 @@ import words from './words/index.js';
 import { drawnOf, layoutOf } from './layout.js';
 import { risesOf } from './summary.js';
 
-/** @typedef {import('../../../kit/chart.js').Axes} Axes */
-/** @typedef {import('../../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../../core/engine.js').Stability} Stability */
-/** @typedef {import('./layout.js').Layout} Layout */
 /**
  * @typedef {object} StabilityModel
  * @property {Stability} driving

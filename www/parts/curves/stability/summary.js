@@ -1,8 +1,6 @@
 // What a run makes of V, as facts for whole sentences.
+/** @import { Experiment, Stability, Triple } from '../../../core/engine.js' */
 
-/** @typedef {import('../../../core/engine.js').Experiment} Experiment */
-/** @typedef {import('../../../core/engine.js').Stability} Stability */
-/** @typedef {import('../../../core/engine.js').Triple} Triple */
 /** @typedef {'limits' | 'disturbance' | 'sampling'} Cause Why V rises though its promised rate is not above zero. */
 /**
  * @typedef {object} Summary

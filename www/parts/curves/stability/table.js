@@ -1,8 +1,7 @@
 // V and V̇ of a run in numbers.
+/** @import { Stability } from '../../../core/engine.js' */
 import { readableSamples } from '../numbers.js';
 import words from './words/index.js';
-
-/** @typedef {import('../../../core/engine.js').Stability} Stability */
 
 /** @param {string} name @param {Stability} run @returns {import('../../../kit/table.js').Table} */
 export function stabilityTable(name, run) {

@@ -9,7 +9,7 @@ import { followPointer } from '../../../kit/chart.js';
 import { followSize } from '../../../kit/elements.js';
 import { formula } from '../../../kit/formula.js';
 import { remember, watch } from '../../../kit/memo.js';
-import { showTable } from '../../../kit/table.js';
+import { showTable } from '../../../lab/table-sheet.js';
 import { sampleBefore } from '../../../lab/track.js';
 import words from './words/index.js';
 import { sampleTime } from '../axes.js';

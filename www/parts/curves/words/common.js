@@ -1,7 +1,6 @@
 // Of the curves, what is the same in every language.
+/** @import { Run } from '../../../core/engine.js' */
 import { costText, fixed, threeDigits } from '../../../words/numbers.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const symbols = /** @type {const} */ ({
   position: ['x', 'y'],

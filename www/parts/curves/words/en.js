@@ -1,14 +1,11 @@
 // Every word of the curves.
+/** @import { Run, Statistics, Triple } from '../../../core/engine.js' */
+/** @import { Driver } from '../../../run/state.js' */
 import { numberColumnsOf } from './common.js';
 import { isTracking } from '../../../core/reference.js';
 import { costText, fixed, threeDigits } from '../../../words/en/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
-/** @typedef {import('../../../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../../../run/state.js').Driver} Driver */
-/** @typedef {import('../../../core/engine.js').Triple} Triple */
 
 export const texts = {
   curvesTitle: 'Curves',

@@ -1,15 +1,11 @@
 // Every word of the curves, in Korean.
+/** @import { Run, Statistics, Triple } from '../../../core/engine.js' */
+/** @import { Driver, State } from '../../../run/state.js' */
 import { isTracking } from '../../../core/reference.js';
 import { numberColumnsOf } from './common.js';
 import { costText, fixed, threeDigits } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
-/** @typedef {import('../../../core/engine.js').Statistics} Statistics */
-/** @typedef {import('../../../run/state.js').Driver} Driver */
-/** @typedef {import('../../../run/state.js').State} State */
-/** @typedef {import('../../../core/engine.js').Triple} Triple */
 
 export const texts = {
   curvesTitle: '곡선',

@@ -1,7 +1,6 @@
 // Of the disturbance part, what is the same in every language.
+/** @import { PartName } from '../summary.js' */
 import { fixed } from '../../../words/numbers.js';
-
-/** @typedef {import('../summary.js').PartName} PartName */
 
 export const parts = /** @type {const} */ (['x', 'y', 'theta']);
 export const unitOf = /** @type {const} */ ({ x: 'm', y: 'm', theta: '' });

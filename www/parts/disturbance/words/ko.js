@@ -1,12 +1,10 @@
 // Every word of the disturbance part, in Korean.
+/** @import { Experiment } from '../../../core/engine.js' */
+/** @import { PartName, Summary } from '../summary.js' */
 import { amount, crestSeconds, formulaText, parts, unitOf } from './common.js';
 import { fixed, threeDigits } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../summary.js').PartName} PartName */
-/** @typedef {import('../summary.js').Summary} Summary */
-/** @typedef {import('../../../core/engine.js').Experiment} Experiment */
 
 export const texts = {
   disturbanceTitle: '외란',

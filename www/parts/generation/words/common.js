@@ -1,7 +1,6 @@
 // Of the generation part, what is the same in every language.
+/** @import { Anatomy } from '../record.js' */
 import { costText, fixed, powerText } from '../../../words/numbers.js';
-
-/** @typedef {import('../record.js').Anatomy} Anatomy */
 
 /** How J is written in a generation: with as many digits as tell most of its individuals apart. @param {Anatomy} anatomy @returns {(cost: number) => string} */
 export function costWriter({ all }) {

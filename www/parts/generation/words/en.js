@@ -1,11 +1,9 @@
 // Every word of the generation part.
+/** @import { Anatomy, Phase } from '../record.js' */
 import { costWriter, digitsFor } from './common.js';
 import { costText, fixed, powerText } from '../../../words/en/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../record.js').Anatomy} Anatomy */
-/** @typedef {import('../record.js').Phase} Phase */
 
 export const texts = {
   generationTable: 'Table',

@@ -1,11 +1,9 @@
 // Every word of the generation part, in Korean.
+/** @import { Anatomy, Phase } from '../record.js' */
 import { costWriter, digitsFor } from './common.js';
 import { costText, fixed, powerText } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../record.js').Anatomy} Anatomy */
-/** @typedef {import('../record.js').Phase} Phase */
 
 export const texts = {
   generationTable: '세대 표',

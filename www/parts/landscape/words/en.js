@@ -1,9 +1,8 @@
 // Every word of the landscape.
+/** @import { Run } from '../../../core/engine.js' */
 import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const texts = {
   landscapeTitle: 'Landscape of J',

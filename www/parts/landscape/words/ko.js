@@ -1,9 +1,8 @@
 // Every word of the landscape, in Korean.
+/** @import { Run } from '../../../core/engine.js' */
 import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const texts = {
   landscapeTitle: 'J의 비용 지형',

@@ -1,7 +1,7 @@
 // Of the luck part, what is the same in every language.
+/** @import { SeedSurvey } from '../request.js' */
 import { powerOfTen as shortPower } from '../../../words/numbers.js';
 
-/** @typedef {import('../request.js').SeedSurvey} SeedSurvey */
 /** @typedef {'start' | 'goal' | 'limits' | 'other'} Change */
 
 export const costSymbol = 'J';

@@ -1,11 +1,10 @@
 // Every word of the luck part.
+/** @import { SeedSurvey } from '../request.js' */
+/** @import { Change } from './common.js' */
 import { gainNames } from './common.js';
 import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../request.js').SeedSurvey} SeedSurvey */
-/** @typedef {import('./common.js').Change} Change */
 
 export const texts = {
   luckTitle: 'Luck of the seed',

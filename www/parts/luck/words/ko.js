@@ -1,11 +1,10 @@
 // Every word of the luck part, in Korean.
+/** @import { SeedSurvey } from '../request.js' */
+/** @import { Change } from './common.js' */
 import { gainNames } from './common.js';
 import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../request.js').SeedSurvey} SeedSurvey */
-/** @typedef {import('./common.js').Change} Change */
 
 export const texts = {
   luckTitle: '시드의 운',

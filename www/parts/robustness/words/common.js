@@ -1,7 +1,7 @@
 // Of the robustness part, what is the same in every language.
+/** @import { Quantity } from '../request.js' */
 import { fixed } from '../../../words/numbers.js';
 
-/** @typedef {import('../request.js').Quantity} Quantity */
 /** @typedef {{ x: number, y: number }} Place */
 /** @typedef {{ heading: number, arrived: boolean, finalTime: number, cost: number }} Drive */
 

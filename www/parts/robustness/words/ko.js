@@ -1,12 +1,10 @@
 // Every word of the robustness part, in Korean.
+/** @import { Quantity } from '../request.js' */
+/** @import { Drive, Place } from './common.js' */
 import { placeText } from './common.js';
 import { costText, degrees, fixed, grouped } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../request.js').Quantity} Quantity */
-/** @typedef {import('./common.js').Place} Place */
-/** @typedef {import('./common.js').Drive} Drive */
 
 export const texts = {
   robustnessTitle: '강인성',

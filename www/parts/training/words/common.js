@@ -1,7 +1,6 @@
 // Of the training part, what is the same in every language.
+/** @import { RowName } from '../request.js' */
 import { costText, fixed } from '../../../words/numbers.js';
-
-/** @typedef {import('../request.js').RowName} RowName */
 
 /** @param {RowName} name */
 export const isEvolved = (name) => name === 'one' || name === 'circle' || name === 'grid';

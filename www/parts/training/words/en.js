@@ -1,12 +1,9 @@
 // Every word of the training part.
+/** @import { Evolved, Result, RowName } from '../request.js' */
 import { cost, isEvolved } from './common.js';
 import { fixed, grouped } from '../../../words/en/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../request.js').Result} Result */
-/** @typedef {import('../request.js').RowName} RowName */
-/** @typedef {import('../request.js').Evolved} Evolved */
 
 export const texts = {
   trainingTitle: 'Training',

@@ -1,7 +1,6 @@
 // The step “cost” in English.
+/** @import { Run } from '../../../core/engine.js' */
 import { costText, fixed } from '../numbers.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const cost = {
   title: 'What is a good drive?',

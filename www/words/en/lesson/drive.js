@@ -1,7 +1,6 @@
 // The step “drive” in English.
+/** @import { Run } from '../../../core/engine.js' */
 import { costText, fixed } from '../numbers.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const drive = {
   title: 'Drive it yourself',

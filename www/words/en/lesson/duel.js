@@ -1,7 +1,6 @@
 // The step “duel” in English.
+/** @import { Verdict } from '../../common/lesson.js' */
 import { costText, fixed, grouped } from '../numbers.js';
-
-/** @typedef {import('../../common/lesson.js').Verdict} Verdict */
 
 /** @param {number} count */
 const drivesText = (count) => (count === 1 ? '1 drive' : `${grouped(count)} drives`);

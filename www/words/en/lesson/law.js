@@ -1,7 +1,6 @@
 // The step “law” in English.
+/** @import { Posture } from '../../../core/engine.js' */
 import { degreesText, fixed } from '../numbers.js';
-
-/** @typedef {import('../../../core/engine.js').Posture} Posture */
 
 export const law = {
   title: 'The law, term by term',

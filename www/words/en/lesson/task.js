@@ -1,8 +1,8 @@
 // The step “task” in English.
+/** @import { Run } from '../../../core/engine.js' */
+/** @import { Share } from '../../common/lesson.js' */
 import { costText, fixed, grouped } from '../numbers.js';
 
-/** @typedef {import('../../../core/engine.js').Run} Run */
-/** @typedef {import('../../common/lesson.js').Share} Share */
 /** How gains fare: from how many starts they arrive. @typedef {{ gains: readonly number[], training: Fares, unseen: Fares, own: number }} Result */
 /** @typedef {{ starts: readonly unknown[], arrived: Uint8Array, count: number, cost: number }} Fares */
 

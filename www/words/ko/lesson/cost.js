@@ -1,7 +1,6 @@
 // The step “cost” in Korean.
+/** @import { Run } from '../../../core/engine.js' */
 import { costText, fixed } from '../numbers.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const cost = {
   title: '좋은 주행이란 무엇인가?',

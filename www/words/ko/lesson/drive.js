@@ -1,7 +1,6 @@
 // The step “drive” in Korean.
+/** @import { Run } from '../../../core/engine.js' */
 import { costText, fixed } from '../numbers.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
 
 export const drive = {
   title: '직접 몰아 보기',

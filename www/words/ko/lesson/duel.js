@@ -1,7 +1,6 @@
 // The step “duel” in Korean.
+/** @import { Verdict } from '../../common/lesson.js' */
 import { costText, fixed, grouped } from '../numbers.js';
-
-/** @typedef {import('../../common/lesson.js').Verdict} Verdict */
 
 export const duel = {
   title: '나와 진화의 대결',

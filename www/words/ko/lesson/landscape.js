@@ -1,8 +1,7 @@
 // The step “landscape” in Korean.
+/** @import { Run } from '../../../core/engine.js' */
+/** @import { Lowest } from '../../common/lesson.js' */
 import { costText, fixed, threeDigits } from '../numbers.js';
-
-/** @typedef {import('../../../core/engine.js').Run} Run */
-/** @typedef {import('../../common/lesson.js').Lowest} Lowest */
 
 export const landscape = {
   title: '진화가 더듬은 비용 지형',

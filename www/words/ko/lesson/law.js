@@ -1,7 +1,6 @@
 // The step “law” in Korean.
+/** @import { Posture } from '../../../core/engine.js' */
 import { degreesText, fixed } from '../numbers.js';
-
-/** @typedef {import('../../../core/engine.js').Posture} Posture */
 
 export const law = {
   title: '제어 법칙을 한 항씩',

@@ -1,7 +1,7 @@
 // The step “limits” in Korean.
+/** @import { Run } from '../../../core/engine.js' */
 import { costText, fixed } from '../numbers.js';
 
-/** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {{ run: Run, rises: number }} Driven */
 
 export const limits = {

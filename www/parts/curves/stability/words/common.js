@@ -1,7 +1,6 @@
 // Of the Lyapunov function, what is the same in every language.
+/** @import { Experiment } from '../../../../core/engine.js' */
 import { fixed, powerOfTen, threeDigits } from '../../../../words/numbers.js';
-
-/** @typedef {import('../../../../core/engine.js').Experiment} Experiment */
 
 /** @typedef {'lyapunov' | 'rate' | 'promised' | 'x' | 'y' | 'theta'} Term */
 

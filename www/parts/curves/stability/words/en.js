@@ -1,10 +1,9 @@
 // Every word of the Lyapunov function beside the robot.
+/** @import { Summary } from '../summary.js' */
 import { errorNames, gainNames, termsOf } from './common.js';
 import { fixed, threeDigits } from '../../../../words/en/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../summary.js').Summary} Summary */
 
 export const texts = {
   stabilityTable: 'Table',

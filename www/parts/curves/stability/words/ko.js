@@ -1,10 +1,9 @@
 // Every word of the Lyapunov function beside the robot, in Korean.
+/** @import { Summary } from '../summary.js' */
 import { errorNames, gainNames, termsOf } from './common.js';
 import { fixed, threeDigits } from '../../../../words/ko/numbers.js';
 
 export * from './common.js';
-
-/** @typedef {import('../summary.js').Summary} Summary */
 
 export const texts = {
   stabilityTable: '표',

@@ -1,12 +1,9 @@
-// Every word about keeping a run: links, files, tables, pictures; in Korean.
+// Every word of Share: links, frames, exercises, files, tables, pictures; in Korean.
+import { kindName } from './common.js';
 
-import { kindName } from '../common/keep.js';
-
-export * from '../common/keep.js';
+export * from './common.js';
 
 export const texts = {
-  keepButton: '공유',
-  keepTitle: '이 실행 보관',
   keepLink: '링크',
   keepLinkHelp: '어디서나 바로 이 실행을 엽니다. 로봇도 진화도 화면도 같습니다.',
   keepCopy: '링크 복사',
@@ -19,7 +16,25 @@ export const texts = {
   keepTables: '표(CSV)',
   keepGenerations: '세대별 기록',
   keepDrive: '주행 기록',
-  keepClose: '닫기',
+  embedTitle: '삽입',
+  embedHelp:
+    '지금 보이는 화면을 강의 페이지, 블로그, 슬라이드 같은 다른 페이지에 넣습니다. 누가 다루기 전까지는 움직이지 않습니다.',
+  embedText: '붙여 넣을 코드',
+  embedCopy: '복사',
+  embedDisk: '이 페이지는 디스크에서 열었습니다. 코드를 붙여 넣을 페이지와 같은 폴더에 이 파일을 두십시오.',
+  keepExerciseTitle: '과제',
+  keepExerciseHelp:
+    '이 실행에 과제를 붙여 학생에게 줍니다. 방해가 되거나 답을 미리 알려 주는 조작은 잠그거나 숨길 수 있습니다.',
+  keepExercise: '과제 만들기',
+  makerTitle: '과제 만들기',
+  makerHelp:
+    '학생이 보게 될 모습이 페이지에 바로 나타납니다. 비밀은 아닙니다. 학생도 전체 페이지를 열 수 있습니다.',
+  makerTask: '과제 내용',
+  makerLink: '과제 링크',
+  makerCopyLink: '링크 복사',
+  makerFrame: '다른 페이지에 넣을 프레임',
+  makerCopyFrame: '프레임 복사',
+  makerClose: '과제 만들기 닫기',
 };
 
 /** @param {string} hash @param {number} generations */
@@ -76,3 +91,23 @@ export const savePicture = (picture, kind) => `${picture}: ${kindName(kind)} 형
 
 /** @param {string} picture @param {string} reason */
 export const pictureNotSaved = (picture, reason) => `“${picture}” 그림을 저장하지 못했습니다: ${reason}.`;
+
+export const sizeLegend = '프레임 크기';
+
+export const textCopied = '코드를 복사했습니다.';
+
+export const textNotCopied =
+  '이 브라우저는 페이지의 복사를 허용하지 않습니다. 코드를 선택해 두었으니 키보드로 복사하십시오.';
+
+/** What a screen reader says of the frame. @param {string} part */
+export const frameTitle = (part) => `로봇 제어기의 진화: ${part}`;
+
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../words/common/kinds.js').Way>[]} */
+export const ways = [
+  { value: 'free', text: '사용' },
+  { value: 'locked', text: '잠금' },
+  { value: 'hidden', text: '숨김' },
+];
+
+/** @param {number} count @param {number} most */
+export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;

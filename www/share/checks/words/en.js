@@ -1,20 +1,13 @@
 // Every word about the page's checks of its own numbers.
-import { valuesText } from '../common/checks.js';
+/** @import { Group, Outcome, Sentences, Task } from '../../../core/checks/check.js' */
+/** @import { Preset } from '../../../core/engine.js' */
+import { valuesText } from './common.js';
 
-export * from '../common/checks.js';
-
-/** @typedef {import('../../core/checks/check.js').Outcome} Outcome */
-/** @typedef {import('../../core/checks/check.js').Sentences} Sentences */
-/** @typedef {import('../../core/checks/check.js').Task} Task */
-/** @typedef {import('../../core/checks/check.js').Group} Group */
-/** @typedef {import('../../core/engine.js').Preset} Preset */
+export * from './common.js';
 
 export const texts = {
-  checksButton: 'Check its numbers',
-  checksTitle: 'Are the numbers right?',
   checksHelp:
     'Known values and laws, worked out anew by this browser. The program’s own tests compare with the same known values, natively and in Node.',
-  checksClose: 'Close',
   checksCopy: 'Copy as text',
   checksProgress: 'Checks that are done',
   checksList: 'The checks',

@@ -1,7 +1,6 @@
 // Of the page's checks, what is the same in every language.
-import { powerText } from '../numbers.js';
-
-/** @typedef {import('../../core/checks/check.js').Outcome} Outcome */
+/** @import { Outcome } from '../../../core/checks/check.js' */
+import { powerText } from '../../../words/numbers.js';
 
 /** A number of a check: as many digits as it is checked for. @param {number | string} value @param {number} tolerance */
 function valueText(value, tolerance) {

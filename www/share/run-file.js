@@ -1,11 +1,9 @@
 // A run as a file: its link, which is all that is needed to make it again, and what it came to, which proves that it is.
-import { keep as words } from '../words/index.js';
-
-/** @typedef {import('../core/engine.js').Engine} Engine */
-/** @typedef {import('./keys.js').Linked} Linked */
-/** @typedef {import('./link.js').Links} Links */
-/** @typedef {import('../run/actions/page.js').Opened} Opened */
-/** @typedef {import('../core/engine.js').Statistics} Statistics */
+/** @import { Engine, Statistics } from '../core/engine.js' */
+/** @import { Linked } from '../link/keys.js' */
+/** @import { Links } from '../link/link.js' */
+/** @import { Opened } from '../run/actions/page.js' */
+import words from './words/index.js';
 
 const format = 'ep-locomotion run';
 const version = 1;

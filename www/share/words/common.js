@@ -1,4 +1,4 @@
-// Of what keeps a run, what is the same in every language.
+// Of Share, what is the same in every language.
 
 /** @param {string} version @param {string} link */
 export const origin = (version, link) => [`ep-locomotion ${version}`, link];
@@ -8,3 +8,6 @@ export const fileName = (seed, generation) => `robot-seed-${seed}-generation-${g
 
 /** @param {string} kind */
 export const kindName = (kind) => kind.toUpperCase();
+
+/** @param {number} width @param {number} height */
+export const sizeText = (width, height) => `${width} × ${height}`;

@@ -1,20 +1,13 @@
 // Every word about the page's checks of its own numbers, in Korean.
-import { valuesText } from '../common/checks.js';
+/** @import { Group, Outcome, Sentences, Task } from '../../../core/checks/check.js' */
+/** @import { Preset } from '../../../core/engine.js' */
+import { valuesText } from './common.js';
 
-export * from '../common/checks.js';
-
-/** @typedef {import('../../core/checks/check.js').Outcome} Outcome */
-/** @typedef {import('../../core/checks/check.js').Sentences} Sentences */
-/** @typedef {import('../../core/checks/check.js').Task} Task */
-/** @typedef {import('../../core/checks/check.js').Group} Group */
-/** @typedef {import('../../core/engine.js').Preset} Preset */
+export * from './common.js';
 
 export const texts = {
-  checksButton: '계산 검사',
-  checksTitle: '계산이 맞습니까?',
   checksHelp:
     '알려진 값과 법칙을 이 브라우저에서 다시 계산합니다. 이 프로그램의 테스트도 브라우저 밖에서(네이티브와 Node) 같은 값을 확인합니다.',
-  checksClose: '닫기',
   checksCopy: '텍스트로 복사',
   checksProgress: '끝난 검사',
   checksList: '검사 목록',

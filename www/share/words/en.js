@@ -1,11 +1,9 @@
-// Every word about keeping a run: links, files, tables, pictures.
-import { kindName } from '../common/keep.js';
+// Every word of Share: links, frames, exercises, files, tables, pictures.
+import { kindName } from './common.js';
 
-export * from '../common/keep.js';
+export * from './common.js';
 
 export const texts = {
-  keepButton: 'Share',
-  keepTitle: 'Keep this run',
   keepLink: 'Link',
   keepLinkHelp: 'Opens this very run anywhere: the same robots, the same evolution, the same view.',
   keepCopy: 'Copy link',
@@ -18,7 +16,25 @@ export const texts = {
   keepTables: 'Tables (CSV)',
   keepGenerations: 'Generations',
   keepDrive: 'The drive',
-  keepClose: 'Close',
+  embedTitle: 'Embed',
+  embedHelp:
+    'Puts this view into another page, as it is now: a course page, a blog, slides. It stands still until someone uses it.',
+  embedText: 'The text to paste',
+  embedCopy: 'Copy',
+  embedDisk: 'This page was opened from a disk: put its file beside the page into which you paste this.',
+  keepExerciseTitle: 'Exercise',
+  keepExerciseHelp:
+    'Gives students this run with a task of yours; what would distract or tell too much is locked or hidden.',
+  keepExercise: 'Make an exercise',
+  makerTitle: 'Make an exercise',
+  makerHelp:
+    'The page shows at once what your students will see. Nothing is secret: they can open the whole page.',
+  makerTask: 'Your task',
+  makerLink: 'Link to the exercise',
+  makerCopyLink: 'Copy link',
+  makerFrame: 'Frame for another page',
+  makerCopyFrame: 'Copy frame',
+  makerClose: 'Close the exercise',
 };
 
 /** @param {string} hash @param {number} generations */
@@ -74,3 +90,22 @@ export const savePicture = (picture, kind) => `${picture}: save as ${kindName(ki
 
 /** @param {string} picture @param {string} reason */
 export const pictureNotSaved = (picture, reason) => `“${picture}” was not saved: ${reason}.`;
+
+export const sizeLegend = 'Size of the frame';
+
+export const textCopied = 'The text is copied.';
+
+export const textNotCopied = 'This browser lets no page copy: the text is selected, copy it by the keyboard.';
+
+/** What a screen reader says of the frame. @param {string} part */
+export const frameTitle = (part) => `Evolving a robot’s controller: ${part}`;
+
+/** @type {readonly import('../../kit/segmented.js').Choice<import('../../words/common/kinds.js').Way>[]} */
+export const ways = [
+  { value: 'free', text: 'Free' },
+  { value: 'locked', text: 'Locked' },
+  { value: 'hidden', text: 'Hidden' },
+];
+
+/** @param {number} count @param {number} most */
+export const countText = (count, most) => `${count} of at most ${most} characters`;

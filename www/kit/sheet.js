@@ -1,0 +1,31 @@
+// A sheet over the page: its title, what closes it, and what it holds.
+import { html, render } from 'lit-html';
+import { create } from './elements.js';
+
+/** It stands in the page from now on, closed. @param {string} id @param {string} className @param {string} title @param {string} close What the button says. */
+export function createSheet(id, className, title, close) {
+  const dialog = /** @type {HTMLDialogElement} */ (create('dialog', `sheet ${className}`.trim()));
+  dialog.id = id;
+  dialog.setAttribute('aria-labelledby', `${id}-title`);
+  document.querySelector('main')?.append(dialog);
+  return {
+    dialog,
+
+    /** @param {unknown} content */
+    draw: (content) =>
+      render(
+        html`<div class="bar sheet-head">
+            <h2 id="${id}-title">${title}</h2>
+            <button id="${id}-close" type="button" @click=${() => dialog.close()}>${close}</button>
+          </div>
+          ${content}`,
+        dialog,
+      ),
+
+    open() {
+      if (!dialog.open) dialog.showModal();
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createSheet>} Sheet */

@@ -1,0 +1,27 @@
+// What stands in the place of something that is loaded on demand.
+import { create } from '../kit/elements.js';
+import { opening as words } from '../words/index.js';
+
+export function createWaiting() {
+  const said = create('p', 'part-waits', words.waits);
+  said.setAttribute('role', 'status');
+  const element = create('div', '', said);
+  return {
+    element,
+    /** It could not be loaded. */
+    fail() {
+      const again = create('button', '', words.again);
+      again.setAttribute('type', 'button');
+      again.addEventListener('click', loadPageAgain);
+      const box = create('div', 'message part-failed', create('p', '', words.failed), again);
+      box.setAttribute('role', 'alert');
+      element.replaceChildren(box);
+    },
+  };
+}
+
+/** A browser may remember that a module could not be loaded, and after a new version its file has another name: so the whole page is loaded again, but only if it can be. */
+async function loadPageAgain() {
+  const { ok } = await fetch(location.href, { cache: 'no-store' }).catch(() => ({ ok: false }));
+  if (ok) location.reload();
+}

@@ -1,0 +1,82 @@
+// What Share needs is loaded when it is opened first: the button answers at once, and the sheet says what one waits for.
+/** @import { Tools } from '../parts/part.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Sheet } from '../kit/sheet.js' */
+import { byId } from '../kit/elements.js';
+import { isEmbedded } from '../kit/host.js';
+import { once } from '../kit/memo.js';
+import { createSheet } from '../kit/sheet.js';
+import { createWaiting } from '../lab/waiting.js';
+import { isFree } from '../run/guard.js';
+import { opening as words } from '../words/index.js';
+
+/** What the sheets get. `open` opens a file whether or not the controls are locked. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], openChecks: () => void }} SheetTools */
+
+/**
+ * Opens a sheet; then, if it is still open once what fills it is there, uses that.
+ * @template T
+ * @param {Sheet} sheet @param {() => Promise<T>} load
+ */
+function createOnDemand(sheet, load) {
+  const filled = once(async () => {
+    const waiting = createWaiting();
+    sheet.draw(waiting.element);
+    try {
+      return await load();
+    } catch (error) {
+      console.warn(error);
+      waiting.fail();
+      return null;
+    }
+  });
+  return async (/** @type {(content: T) => void} */ use) => {
+    const content = filled();
+    sheet.open();
+    const there = await content;
+    if (there && sheet.dialog.open) use(there);
+  };
+}
+
+/** @param {Omit<SheetTools, 'openChecks'>} tools */
+export function createShare(tools) {
+  const { texts } = words;
+  const checksSheet = createSheet('checks', 'table-sheet', texts.checksTitle, texts.close);
+  const checks = createOnDemand(checksSheet, async () =>
+    (await import('./checks/dialog.js')).createChecks(tools.engine, checksSheet),
+  );
+  const openChecks = () => checks(({ start }) => start());
+  /** @type {((state: State) => void) | null} */
+  let drawMaker = null;
+  const keepSheet = createSheet('keep', 'keep', texts.keepTitle, texts.close);
+  const keep = createOnDemand(keepSheet, async () => {
+    const made = (await import('./dialog.js')).createKeep({ ...tools, openChecks }, keepSheet);
+    drawMaker = made.drawMaker;
+    return made;
+  });
+  if (!isEmbedded) offer(tools, keep);
+  return {
+    openChecks,
+    /** @param {State} state */
+    draw: (state) => drawMaker?.(state),
+  };
+}
+
+/** The button, and files that are dropped on the page. @param {Omit<SheetTools, 'openChecks'>} tools @param {(use: (content: ReturnType<typeof import('./dialog.js').createKeep>) => void) => void} keep */
+function offer({ store, actions }, keep) {
+  const button = byId('keep-button');
+  button.hidden = false;
+  button.addEventListener('click', () => {
+    actions.pauseEvolution();
+    keep(({ show }) => show());
+  });
+  addEventListener('dragover', (event) => {
+    if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+  });
+  addEventListener('drop', (event) => {
+    const [chosen] = event.dataTransfer?.files ?? [];
+    if (!chosen) return;
+    event.preventDefault();
+    if (isFree(store.get(), 'share')) keep(({ open }) => open(chosen));
+  });
+}
