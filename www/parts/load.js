@@ -68,9 +68,8 @@ export function createParts(parts, tools, onLoaded) {
 
 /** Where the page of a part will be: it says what one waits for, or what went wrong. @param {string} name */
 function createPlace(name) {
-  const said = create('p', 'part-waits', words.waits);
-  said.setAttribute('role', 'status');
-  const place = create('div', '', said);
+  const waits = createWaits();
+  const place = create('div', '', waits.element);
   place.dataset.page = name;
   byId('evolving').before(place);
   return {
@@ -82,13 +81,23 @@ function createPlace(name) {
       }
       place.remove();
     },
+    fail: waits.fail,
+  };
+}
+
+/** Says that something is being loaded, and, where it cannot be, that. */
+export function createWaits() {
+  const element = create('p', 'part-waits', words.waits);
+  element.setAttribute('role', 'status');
+  return {
+    element,
     fail() {
       const again = create('button', '', words.again);
       again.setAttribute('type', 'button');
       again.addEventListener('click', loadPageAgain);
       const box = create('div', 'message part-failed', create('p', '', words.failed), again);
       box.setAttribute('role', 'alert');
-      said.replaceWith(box);
+      element.replaceWith(box);
     },
   };
 }

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { pageNames } from '../../../www/parts/parts.js';
 import { languageOf } from '../../../www/words/language.js';
-import { linkOfStep, steps } from '../../../www/lesson/steps.js';
+import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { within } from '../harness/host.js';
 import { test } from '../harness/once.js';
@@ -165,7 +165,7 @@ const links = [
   ...['mutation', 'drive', 'tournament', 'ranking', 'survivors'].map(
     (phase) => `generation&v=1&generation=2&phase=${phase}`,
   ),
-  ...steps.map((_, i) => linkOfStep(i + 1)),
+  ...stepNames.map((_, i) => linkOfStep(i + 1)),
 ];
 
 /** The page in a frame, which can be as small as a telephone where a window cannot. @param {Page} page @param {string} language @param {() => Promise<void>} body */
