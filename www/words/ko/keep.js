@@ -6,13 +6,13 @@ export * from '../common/keep.js';
 
 export const texts = {
   keepButton: '공유',
-  keepTitle: '이 실행 보관',
+  keepTitle: '이 실험의 공유와 저장',
   keepLink: '링크',
   keepLinkHelp: '어디서나 바로 이 실행을 엽니다. 로봇도 진화도 화면도 같습니다.',
   keepCopy: '링크 복사',
   keepFile: '파일',
-  keepSave: '실행 저장',
-  keepOpen: '실행 열기',
+  keepSave: '실험 저장',
+  keepOpen: '실험 열기',
   keepFileHelp: '이 페이지에서 다시 열 수 있는 파일입니다. 페이지 아무 곳에나 끌어다 놓아도 열립니다.',
   keepPictures: '화면에 있는 그림',
   keepPicturesHelp: '지금 보이는 그대로, 이 링크를 담아 저장합니다. SVG는 어떤 크기에서도 선명합니다.',
