@@ -21,7 +21,8 @@ const { list, paragraphs } = await import('../www/lesson/prose.js');
 const { steps } = await import('../www/lesson/steps.js');
 const { liveOf } = await import('../www/lesson/headless.js');
 const { undisturbed } = await import('../www/run/scene.js');
-const { instead, lab, lesson: words } = await import('../www/words/index.js');
+const { instead, lab, lesson: first } = await import('../www/words/index.js');
+const { default: words } = await import('../www/lesson/words/index.js');
 const { costText } = await import('../www/words/numbers.js');
 const { costs, generations, robots } = await import('./picture.mjs');
 
@@ -77,7 +78,7 @@ function measuredOf({ engine, state, paper }) {
 /** What is read of a step: all but what must be pressed. @param {Step} step @param {Live} live @param {number} number */
 async function sectionOf(step, live, number) {
   const text = /** @type {any} */ (words.steps[step.name]);
-  const section = create('section', '', create('h2', '', `${number}. ${text.title}`));
+  const section = create('section', '', create('h2', '', `${number}. ${first.titles[step.name]}`));
   for (const block of step.blocks) {
     if (block.kind === 'text') section.append(...paragraphs(text.texts[block.name], href));
     if (block.kind === 'formula')

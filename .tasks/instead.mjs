@@ -88,7 +88,11 @@ export const instead = ({ isOneFile }) => ({
     const html = String(page.source);
     page.source = html.replace(place, (_, begin, end) => begin + (isOneFile ? inside : linked) + end);
     if (isOneFile) return;
-    const styles = (html.match(looks) ?? []).join('\n  ');
+    // Those of the lesson are loaded with it, so that no page names them.
+    const more = Object.keys(bundle)
+      .filter((name) => name.endsWith('.css') && !html.includes(name))
+      .map((name) => `<link rel="stylesheet" crossorigin href="./${name}">`);
+    const styles = [...(html.match(looks) ?? []), ...more].join('\n  ');
     for (const { fileName, html } of pages) this.emitFile({ type: 'asset', fileName, source: html(styles) });
   },
 });

@@ -14,7 +14,7 @@ import { createPinButton } from './lab/pin-button.js';
 import { followSurroundings } from './lab/surroundings.js';
 import { createViews, sayTexts } from './lab/views.js';
 import { links } from './lesson/links.js';
-import { createLesson } from './lesson/page.js';
+import { askForLesson, createLesson } from './lesson/load.js';
 import { createAddress } from './link/address.js';
 import { askFor, createParts } from './parts/load.js';
 import { parts, places } from './parts/parts.js';
@@ -75,6 +75,7 @@ async function start(engine) {
     const { robot, size, theme, message, evolving } = now;
     const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
     made.open(now.page);
+    lesson.open(now);
     computingLine.draw(now);
     draw(state, scene);
     // What they ask for of their own may still be under way.
@@ -117,7 +118,7 @@ async function start(engine) {
   byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get().history)));
   address = createAddress({ ...tools, actions });
   loop.request();
-  await made.open(store.get().page);
+  await Promise.all([made.open(store.get().page), lesson.open(store.get())]);
   embed?.begin();
   loop.request();
   /** After the first picture, which was asked for before this, of a run that has come as far as its link says or is being computed. */
@@ -137,6 +138,7 @@ async function begin() {
   try {
     // Side by side with the core.
     askFor(parts, location.hash);
+    askForLesson(location.hash);
     const opened = start(await createEngine());
     clearInstead();
     await opened;

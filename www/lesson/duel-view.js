@@ -11,10 +11,10 @@ import { paragraphs } from './prose.js';
 import { noTally, progressSlice } from './state.js';
 import { tallyOf } from './tally.js';
 
-/** @import { Verdict } from '../words/common/lesson.js' */
+/** @import { Verdict } from './words/common.js' */
 /** @import { Duel } from './duel.js' */
 /** @import { Block, Live, Tools } from './page.js' */
-/** @typedef {Pick<typeof import('../words/en/lesson/duel.js').duel, 'duel' | 'texts'>} Words */
+/** @typedef {Pick<typeof import('./words/en/duel.js').duel, 'duel' | 'texts'>} Words */
 
 /** Under which name the prediction is kept. */
 const prediction = 'duel.ahead';

@@ -3,7 +3,7 @@
 import { taskText } from './tally.js';
 
 /** @import { Engine, Experiment } from '../core/engine.js' */
-/** @import { Verdict } from '../words/common/lesson.js' */
+/** @import { Verdict } from './words/common.js' */
 /** @import { Tally } from './state.js' */
 
 /**

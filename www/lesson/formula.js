@@ -1,6 +1,6 @@
 // Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
 import { create, write } from '../kit/elements.js';
-import { lesson as words } from '../words/index.js';
+import words from './words/index.js';
 import { isSymbol, mathml, symbol } from './symbols.js';
 
 /** @import { Formula } from './notation.js' */

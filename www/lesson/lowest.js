@@ -4,7 +4,7 @@ import { gainNames } from '../parts/landscape/state.js';
 
 /** @import { Engine, Experiment, Preset, Triple } from '../core/engine.js' */
 /** @import { GainName } from '../parts/landscape/request.js' */
-/** @import { Lowest } from '../words/common/lesson.js' */
+/** @import { Lowest } from './words/common.js' */
 
 /**
  * @param {Engine} engine

@@ -7,16 +7,19 @@ import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { generationSlice } from '../parts/generation/state.js';
 import { landscapeSlice } from '../parts/landscape/state.js';
 import { gainsOf } from '../run/drivers.js';
-import { lesson as words } from '../words/index.js';
+import { lesson as first } from '../words/index.js';
+import words from './words/index.js';
 import { createErrorPosture } from './error-posture.js';
 import { createFormula } from './formula.js';
 import { createLit } from './lit.js';
 import { inline, list, paragraphs } from './prose.js';
 import { createQuiz } from './quiz.js';
 import { createSights } from './sights.js';
-import { hrefOf, linkOfStep, steps } from './steps.js';
+import { hrefOf, linkOfStep } from './path.js';
+import { steps } from './steps.js';
 import { progressSlice } from './state.js';
 import { createTally } from './tally.js';
+import './style.css';
 
 /** @import { TemplateResult } from 'lit-html' */
 /** @import { Engine, PaperResult, Sample, Samples, Triple } from '../core/engine.js' */
@@ -34,7 +37,7 @@ import { createTally } from './tally.js';
 /** @typedef {{ go: (link: string) => void, store: Store, actions: Actions, engine: Engine }} Tools */
 
 /** @param {Tools & { paper: PaperResult[] }} parts */
-export function createLesson({ engine, store, actions, paper, go }) {
+export function createLessonPage({ engine, store, actions, paper, go }) {
   const article = byId('lesson');
   const tools = { engine, store, actions, go };
   const tally = createTally(store);
@@ -144,7 +147,7 @@ function createStep(article, step, number, tools) {
     keyed(
       number,
       html`${head(number, tools.go)}
-        <h2 id="lesson-title">${text.title}</h2>
+        <h2 id="lesson-title">${titleOf(number)}</h2>
         ${blocks.map(({ element }) => element)} ${foot(number)}`,
     ),
     article,
@@ -222,7 +225,7 @@ function createQuestion({ name, quiz }, step, text, href, { store, go }) {
 }
 
 /** @param {number} number */
-const titleOf = (number) => words.steps[steps[number - 1].name].title;
+const titleOf = (number) => first.titles[steps[number - 1].name];
 
 /** Where one is, and a way to every step. @param {number} number @param {Tools['go']} go */
 const head = (number, go) => html`<div class="lesson-head">

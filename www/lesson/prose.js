@@ -4,6 +4,13 @@ import { isSymbol, symbolInText } from './symbols.js';
 
 const marks = /\*([^*]+)\*|\{(=?)(\w+)\}|\[([^\]]+)\]\(([^)]+)\)/g;
 
+/** What is read as one stays on one line: a number and its unit, a word and its number, an equation. @param {string} text */
+export const tied = (text) =>
+  text
+    .replace(/(?<=[\d}]) (?=(?:m|s|cm|ms|rad|%|m\/s|rad\/s)(?![A-Za-z]))/g, '\u00a0')
+    .replace(/(?<=Theorem|Figure|step|Step|generation|Generation|seed|Seed|정리|그림|시드) (?=\d)/g, '\u00a0')
+    .replace(/(?<=[}σ]) = (?=[−\d{])/g, '\u00a0=\u00a0');
+
 /**
  * @param {string} text @param {(link: string) => string} hrefOf
  * @returns {(Node | string)[]}
@@ -12,6 +19,7 @@ export function inline(text, hrefOf) {
   /** @type {(Node | string)[]} */
   const nodes = [];
   let end = 0;
+  const joined = tied(text);
   /** What follows a symbol without a space, a comma or a Korean particle, stays on its line. @param {string} words */
   const add = (words) => {
     const last = nodes[nodes.length - 1];
@@ -19,9 +27,9 @@ export function inline(text, hrefOf) {
     if (close) nodes.push(create('span', 'on-one-line', /** @type {Node} */ (nodes.pop()), close));
     nodes.push(words.slice(close.length));
   };
-  for (const match of text.matchAll(marks)) {
+  for (const match of joined.matchAll(marks)) {
     const [whole, strong, live, name, words, link] = match;
-    add(text.slice(end, match.index));
+    add(joined.slice(end, match.index));
     end = match.index + whole.length;
     if (strong) nodes.push(create('strong', '', ...inline(strong, hrefOf)));
     else if (words) nodes.push(Object.assign(create('a', '', words), { href: hrefOf(link) }));
@@ -32,7 +40,7 @@ export function inline(text, hrefOf) {
     } else if (isSymbol(name)) nodes.push(symbolInText(name));
     else throw new Error(`lesson: {${name}} is no symbol`);
   }
-  add(text.slice(end));
+  add(joined.slice(end));
   return nodes;
 }
 

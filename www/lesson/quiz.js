@@ -2,7 +2,7 @@
 import { html, render } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
-import { lesson as words } from '../words/index.js';
+import words from './words/index.js';
 import { inline } from './prose.js';
 
 /** @import { Answer, Live } from './page.js' */

@@ -10,7 +10,7 @@ import { createSets } from '../parts/training/sets.js';
 /** @import { Result } from '../parts/training/request.js' */
 /** @import { SetName } from '../parts/training/sets.js' */
 /** @import { State } from '../run/state.js' */
-/** @import { Share } from '../words/common/lesson.js' */
+/** @import { Share } from './words/common.js' */
 
 /** The finished maps of this experiment: of who drives, and of who is compared. @param {State} state */
 const mapsOf = (state) => {

@@ -1,7 +1,8 @@
 // Where words and figure have no room side by side, the figure stays over the words and shows one sight: the robot, what the step is about, or the gains.
 import { isEmbedded } from '../kit/host.js';
 import { createSegmented } from '../kit/segmented.js';
-import { lesson as words, lab } from '../words/index.js';
+import { lab } from '../words/index.js';
+import words from './words/index.js';
 
 /** @import { Choice } from '../kit/segmented.js' */
 /** @import { Step } from './steps.js' */

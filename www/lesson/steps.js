@@ -1,5 +1,4 @@
-// The path of the lesson: its steps in their order, each with the link that sets its figure up.
-import { language, usualLanguage } from '../words/language.js';
+// What the steps of the lesson hold, in the order of the path.
 import { drive } from './steps/drive.js';
 import { error } from './steps/error.js';
 import { law } from './steps/law.js';
@@ -18,7 +17,7 @@ import { lecturers } from './steps/lecturers.js';
 /** @import { Formula } from './notation.js' */
 /** @import { Block, Live, Tools } from './page.js' */
 /** @import { Quiz } from './quiz.js' */
-/** @typedef {keyof typeof import('../words/en/lesson.js').steps} StepName */
+/** @import { StepName } from './path.js' */
 /** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. */
 /**
  * @typedef {{ kind: 'text', name: string }
@@ -56,15 +55,3 @@ export const steps = [
   paper,
   lecturers,
 ];
-
-/** The link with the step of the lesson in it. @param {string} link @param {number} number @returns {string} */
-export function hrefOf(link, number) {
-  const step = /^lesson&step=(\d+)$/.exec(link);
-  if (step) return `#${linkOfStep(Number(step[1]))}`;
-  const [part, ...pairs] = link.split('&');
-  const read = language === usualLanguage ? [] : [`lang=${language}`];
-  return `#${[part, 'v=1', ...read, ...pairs, `lesson=${number}`].join('&')}`;
-}
-
-/** The same from the number of a step alone. @param {number} number */
-export const linkOfStep = (number) => hrefOf(steps[number - 1].link, number).slice(1);

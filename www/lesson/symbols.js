@@ -104,6 +104,8 @@ export function symbolInText(name) {
   const math = mathml('math', symbol(name));
   // Not every reader of screens has a name for what MathML holds.
   math.setAttribute('role', 'math');
+  // Its letters are Latin in every language, and drawn in a font that has them so.
+  math.setAttribute('lang', 'en');
   math.setAttribute('aria-label', symbols[name].slice(0, 2).join(' ').trim());
   return math;
 }

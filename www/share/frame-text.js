@@ -2,7 +2,7 @@
 /** @import { State } from '../run/state.js' */
 import { addressOf } from '../kit/host.js';
 import { frameText, sizes } from '../embed/frame.js';
-import { steps } from '../lesson/steps.js';
+import { stepNames } from '../lesson/path.js';
 import { lab, lesson as lessonWords } from '../words/index.js';
 import words from './words/index.js';
 
@@ -10,7 +10,7 @@ export const isOnDisk = () => location.protocol === 'file:';
 
 /** @param {State} state @param {string} link @param {readonly [width: number, height: number]} size */
 export function frameOf({ page, lesson }, link, [width, height] = sizes[1]) {
-  const part = lesson > 0 ? lessonWords.steps[steps[lesson - 1].name].title : lab.pages[page];
+  const part = lesson > 0 ? lessonWords.titles[stepNames[lesson - 1]] : lab.pages[page];
   const address = addressOf(location.href, link, true);
   return frameText({
     // A path on this disk is none on another.

@@ -18,5 +18,11 @@ async function partsIn(language) {
   return Object.fromEntries(await Promise.all(parts));
 }
 
-export const en = { ...commonEnglish, ...(await partsIn('en')) };
-export const ko = { ...commonKorean, ...(await partsIn('ko')) };
+/** The lesson has some words before it is loaded. @template {Record<string, any>} C @param {C} common @param {string} language @returns {Promise<C>} */
+async function allIn(common, language) {
+  const { lesson, ...parts } = await partsIn(language);
+  return { ...common, ...parts, lesson: { ...common.lesson, ...lesson } };
+}
+
+export const en = await allIn(commonEnglish, 'en');
+export const ko = await allIn(commonKorean, 'ko');

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { gentle } from '../../../www/lesson/standings.js';
 import { cost as step, withKy } from '../../../www/lesson/steps/cost.js';
-import { cost as words } from '../../../www/words/en/lesson/cost.js';
+import { cost as words } from '../../../www/lesson/words/en/cost.js';
 import { costText } from '../../../www/words/numbers.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { experiment, paper, paperGains, simulate } from '../harness/core.js';

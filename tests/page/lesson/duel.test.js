@@ -12,7 +12,7 @@ import {
 } from '../../../www/lesson/duel.js';
 import { noTally } from '../../../www/lesson/state.js';
 import { taskText } from '../../../www/lesson/tally.js';
-import { duel as words } from '../../../www/words/en/lesson/duel.js';
+import { duel as words } from '../../../www/lesson/words/en/duel.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, seedRuns, shown } from '../harness/core.js';
 import { opened } from './links.js';

@@ -3,7 +3,7 @@ import { generationSlice } from '../../../www/parts/generation/state.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { placeByCost } from '../../../www/lesson/anatomy.js';
 import { generation as step, question } from '../../../www/lesson/steps/generation.js';
-import { generation as words } from '../../../www/words/en/lesson/generation.js';
+import { generation as words } from '../../../www/lesson/words/en/generation.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, simulate } from '../harness/core.js';
 import { evolved, opened, shownIn } from './links.js';

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { pushesOf } from '../../../www/lesson/pushes.js';
 import { law as step } from '../../../www/lesson/steps/law.js';
-import { law as words } from '../../../www/words/en/lesson/law.js';
+import { law as words } from '../../../www/lesson/words/en/law.js';
 import { signed } from '../../../www/words/numbers.js';
 import { pageTest } from '../harness/browsers.js';
 import { experiment, paperGains } from '../harness/core.js';

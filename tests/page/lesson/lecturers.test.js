@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { demonstration, exam, lab } from '../../../www/lesson/steps/lecturers.js';
 import { createSets, setNames } from '../../../www/parts/training/sets.js';
-import * as en from '../../../www/words/en/lesson.js';
-import * as ko from '../../../www/words/ko/lesson.js';
+import * as en from '../../../www/lesson/words/en.js';
+import * as ko from '../../../www/lesson/words/ko.js';
 import { pageTest } from '../harness/browsers.js';
 import {
   Evolution,

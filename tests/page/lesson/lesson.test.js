@@ -1,10 +1,15 @@
 import assert from 'node:assert/strict';
-import { hrefOf, linkOfStep, steps } from '../../../www/lesson/steps.js';
-import * as en from '../../../www/words/en/lesson.js';
-import * as ko from '../../../www/words/ko/lesson.js';
+import { hrefOf, linkOfStep } from '../../../www/lesson/path.js';
+import { steps } from '../../../www/lesson/steps.js';
+import { en as english, ko as korean } from '../harness/words.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { driven, linkOf, opened, samples } from './links.js';
 import { test } from '../harness/once.js';
+
+/** @type {any} */
+const en = english.lesson;
+/** @type {any} */
+const ko = korean.lesson;
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/lesson/steps.js').Content} Content */
@@ -29,12 +34,12 @@ test('every link of the lesson opens without a complaint', () => {
 
 test('there are at least twelve questions, and words for all that a step shows', () => {
   assert.ok(blocksOf('quiz').length >= 12, `${blocksOf('quiz').length} questions`);
-  for (const [language, { steps: words }] of Object.entries({ en, ko }))
+  for (const [language, { steps: words, titles }] of Object.entries({ en, ko }))
     for (const { name, blocks } of steps) {
       /** @type {any} */
       const step = words[name];
       const where = `${language} ${name}`;
-      assert.ok(step.title, where);
+      assert.ok(titles[name], where);
       for (const block of blocks) {
         if (block.kind === 'text') assert.ok(step.texts[block.name], `${where}: text ${block.name}`);
         if (block.kind === 'notice') assert.ok(step.notice.length >= 2, `${where}: notice`);
@@ -95,7 +100,7 @@ const pressAll = (page, selectors) =>
 for (const [i, { name, blocks }] of steps.entries())
   pageTest(`step ${i + 1}, ${name}: every try pressed, every question answered`, async (page) => {
     await page.open(`#lesson&step=${i + 1}`);
-    const { title } = en.steps[name];
+    const title = en.titles[name];
     const triesOf = blocks.flatMap((block) => (block.kind === 'tries' ? block.tries : []));
     assert.equal(
       await pressAll(
@@ -132,18 +137,18 @@ pageTest('the lesson leads on and back, and a link of it opens there again', asy
   await page.open('');
   const stands = (/** @type {string} */ title) =>
     page.until(title, (wanted) => document.getElementById('lesson-title')?.textContent === wanted, title);
-  await stands(en.steps.drive.title);
+  await stands(en.titles.drive);
   await page.click('.step-on');
-  await stands(en.steps.error.title);
+  await stands(en.titles.error);
   await page.evaluate(() => history.back());
-  await stands(en.steps.drive.title);
+  await stands(en.titles.drive);
   await page.click('#page-curves');
   await page.until('the lesson is closed', () => document.getElementById('lesson')?.hidden);
   await page.click('#page-lesson');
-  await stands(en.steps.drive.title);
+  await stands(en.titles.drive);
   const hash = await page.until('the link', () => location.hash.includes('lesson=1') && location.hash);
   await page.open(hash);
-  await stands(en.steps.drive.title);
+  await stands(en.titles.drive);
 });
 
 engineTest('a symbol that is pointed at lights up in formula and picture', async (page) => {
@@ -198,7 +203,7 @@ engineTest('where there is no room beside the words, what they speak of stays ov
     (title) =>
       document.getElementById('lesson-title')?.textContent === title &&
       /** @type {HTMLInputElement} */ (document.getElementById('sights-part')).checked,
-    en.steps.limits.title,
+    en.titles.limits,
   );
   await page.resize(1280, 900);
   const { shown } = await sight(page);

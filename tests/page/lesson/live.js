@@ -1,12 +1,12 @@
 // What a question of the lesson is answered from, under Node: the page's own answers on the core itself.
 import { liveOf } from '../../../www/lesson/headless.js';
 import { steps } from '../../../www/lesson/steps.js';
-import * as en from '../../../www/words/en/lesson.js';
-import * as ko from '../../../www/words/ko/lesson.js';
+import * as en from '../../../www/lesson/words/en.js';
+import * as ko from '../../../www/lesson/words/ko.js';
 
 export { liveOf };
 
-/** What comes out of a question, and what is then said of it. @param {import('../../../www/lesson/steps.js').StepName} step @param {string} name */
+/** What comes out of a question, and what is then said of it. @param {import('../../../www/lesson/path.js').StepName} step @param {string} name */
 export async function answered(step, name) {
   const block = steps
     .find((one) => one.name === step)
@@ -17,7 +17,7 @@ export async function answered(step, name) {
   return { outcome, why };
 }
 
-/** The link of a try. @param {import('../../../www/lesson/steps.js').StepName} step @param {string} name */
+/** The link of a try. @param {import('../../../www/lesson/path.js').StepName} step @param {string} name */
 export function tryOf(step, name) {
   for (const block of steps.find((one) => one.name === step)?.blocks ?? [])
     if (block.kind === 'tries') {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { generationSlice } from '../../../www/parts/generation/state.js';
 import { sigma as step } from '../../../www/lesson/steps/sigma.js';
-import { sigma as words } from '../../../www/words/en/lesson/sigma.js';
+import { sigma as words } from '../../../www/lesson/words/en/sigma.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, learningRates, seedRuns } from '../harness/core.js';
 import { evolved, shownIn } from './links.js';

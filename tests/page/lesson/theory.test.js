@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { limits } from '../../../www/lesson/steps/limits.js';
 import { stability } from '../../../www/lesson/steps/stability.js';
-import { stability as words } from '../../../www/words/en/lesson/stability.js';
-import { stability as ko } from '../../../www/words/ko/lesson/stability.js';
+import { stability as words } from '../../../www/lesson/words/en/stability.js';
+import { stability as ko } from '../../../www/lesson/words/ko/stability.js';
 import { paperGains, simulate } from '../harness/core.js';
 import { driven, linkOf, opened, samples } from './links.js';
 import { test } from '../harness/once.js';

@@ -118,3 +118,29 @@ pageTest('a part that cannot be loaded says so, and all else goes on until it ca
     await site.close();
   }
 });
+
+pageTest(
+  'the lesson is loaded when a step is opened; where it cannot be, its place says so',
+  async (page) => {
+    await page.open('#lab');
+    const first = await asked(page);
+    await page.click('#page-lesson');
+    await page.until('the step is there', () => document.getElementById('lesson-title')?.checkVisibility());
+    assert.ok((await asked(page)).length > first.length, 'the lesson was there before');
+    const site = await serve(undefined, {
+      send: (name, content) =>
+        /page-.*\.js$/.test(name) && content.includes('lesson-title') ? null : content,
+    });
+    try {
+      await page.visit(`${site.address}#lesson&step=3`);
+      await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+      await page.until('it is said', () => document.querySelector('#lesson .part-failed')?.checkVisibility());
+      await page.click('#page-lab');
+      await page.until('the lab goes on', () => document.getElementById('one-generation')?.checkVisibility());
+      assert.equal(await page.evaluate(() => 'lesson' in document.body.dataset), false);
+    } finally {
+      await page.leave();
+      await site.close();
+    }
+  },
+);

@@ -3,7 +3,7 @@
 // or the other. Light and in English each is looked at in every engine where it is tested.
 import assert from 'node:assert/strict';
 import { Command } from 'selenium-webdriver/lib/command.js';
-import { linkOfStep, steps } from '../../../www/lesson/steps.js';
+import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
 import { pageNames } from '../../../www/parts/parts.js';
 import { languageNames } from '../../../www/words/language.js';
 import { pageTest } from '../harness/browsers.js';
@@ -15,7 +15,7 @@ const pin = 'pin1=a~5,1,5';
 const views = [
   ...pageNames.map((name) => `${name}&v=1&generation=2&${pin}`),
   ...['stability', 'compare', 'numbers'].map((view) => `curves&v=1&view=${view}&generation=2&${pin}`),
-  ...steps.map((_, i) => linkOfStep(i + 1)),
+  ...stepNames.map((_, i) => linkOfStep(i + 1)),
 ];
 
 /** @typedef {{ size: Size, media?: Record<string, string>, search?: string, isDue: (view: number) => boolean }} Surroundings */

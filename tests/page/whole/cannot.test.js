@@ -191,10 +191,16 @@ test('what is there to read has every number, and is what the core says today', 
   const site = await built('index.html');
   assert.ok(site.includes(linked), 'the site has another');
   assert.ok((await built('ep-locomotion.html')).includes(inside), 'the one file has another');
-  const styles = site.match(/<link rel="(stylesheet|icon)"[^>]*>/g)?.join('\n  ') ?? '';
+  const looks = /<link rel="(stylesheet|icon)"[^>]*>/g;
   for (const { fileName, html } of pages) {
-    assert.equal(await built(fileName), html(styles), `${fileName} is another`);
-    assert.doesNotMatch(html(styles), / style=|<script|<style/);
+    const page = await built(fileName);
+    // Beside those of the site the styles of the lesson, which are loaded with it.
+    const styles = [...page.matchAll(looks)].map(([tag]) => tag);
+    for (const own of site.match(looks) ?? []) assert.ok(styles.includes(own), own);
+    for (const [, file] of styles.join().matchAll(/href="\.\/([^"]*)"/g)) assert.ok(await built(file), file);
+    assert.match(await built(/assets\/page-[^"]*\.css/.exec(page)?.[0] ?? ''), /\.formula-lines/);
+    assert.equal(page, html(styles.join('\n  ')), `${fileName} is another`);
+    assert.doesNotMatch(page, / style=|<script|<style/);
   }
 });
 

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { pageNames } from '../../../www/parts/parts.js';
 import { languageOf } from '../../../www/words/language.js';
-import { linkOfStep, steps } from '../../../www/lesson/steps.js';
+import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { within } from '../harness/host.js';
 import { test } from '../harness/once.js';
@@ -20,7 +20,7 @@ const source = fileURLToPath(new URL('../../../www/', import.meta.url));
 const latinWord = /[A-Za-z]{3,}/;
 /** Names, keys, units and functions that stay as they are, and the title of the paper. */
 const names =
-  /Kim and H\.-S\. Shim, “Evolutionary Programming-Based [^”]*”, Proceedings [^,]*, MIT Press|\b(CITATION\.cff|CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
+  /Kim and H\.-S\. Shim, “Evolutionary Programming-Based [^”]*”, Proceedings [^,]*, MIT Press|\b(CITATION\.cff|self-adaptation|unicycle|nonholonomic|saturation|chattering|elitism|generalisation|overfitting|local optimum|log-normal|Python|JavaScript|CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
 
 /** Every text of a language by its place; functions are named. @param {unknown} value @param {string} place @returns {[string, string][]} */
 function textsOf(value, place) {
@@ -165,7 +165,7 @@ const links = [
   ...['mutation', 'drive', 'tournament', 'ranking', 'survivors'].map(
     (phase) => `generation&v=1&generation=2&phase=${phase}`,
   ),
-  ...steps.map((_, i) => linkOfStep(i + 1)),
+  ...stepNames.map((_, i) => linkOfStep(i + 1)),
 ];
 
 /** The page in a frame, which can be as small as a telephone where a window cannot. @param {Page} page @param {string} language @param {() => Promise<void>} body */

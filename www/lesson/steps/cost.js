@@ -4,6 +4,7 @@ import { costText, fixed } from '../../words/numbers.js';
 import { costFormula } from '../formulas.js';
 import { entrantsOf, createStandings, gentle, winnerOf } from '../standings.js';
 import { createWeights } from '../weights.js';
+import { path } from '../path.js';
 
 /** @import { Engine, Triple } from '../../core/engine.js' */
 /** @import { Live } from '../page.js' */
@@ -45,7 +46,7 @@ const costsOfKy = remember((/** @type {Engine} */ engine) =>
 /** @type {Step} */
 export const cost = {
   name: 'cost',
-  link: byHand,
+  link: path.cost,
   figure: 'drive',
   blocks: [
     { kind: 'text', name: 'parts' },

@@ -6,6 +6,7 @@ import { fixed, threeDigits } from '../../words/numbers.js';
 import { robustFormula } from '../formulas.js';
 import { createNearGoal } from '../near-goal.js';
 import { createTheoremNow } from '../theorem-now.js';
+import { path } from '../path.js';
 
 /** @import { Engine, Experiment, PaperResult, Posture, Run, Triple } from '../../core/engine.js' */
 /** @import { State } from '../../run/state.js' */
@@ -30,7 +31,7 @@ const driveUnder = (engine, experiment, gains, disturbance) =>
 /** @type {Step} */
 export const disturbance = {
   name: 'disturbance',
-  link: 'disturbance&drives=paper-ep&under=slip,0.1,0,1',
+  link: path.disturbance,
   figure: 'plane',
   blocks: [
     { kind: 'text', name: 'slip' },

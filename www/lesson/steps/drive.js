@@ -1,13 +1,14 @@
 // Drive it yourself. No theory yet.
 import { createTallyLine } from '../tally-line.js';
 import { costText, fixed } from '../../words/numbers.js';
+import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
 /** @type {Step} */
 export const drive = {
   name: 'drive',
-  link: 'lab&drives=hand&gains=3,0,0',
+  link: path.drive,
   figure: 'drive',
   blocks: [
     { kind: 'text', name: 'begin' },

@@ -2,13 +2,14 @@
 import { costText } from '../../words/numbers.js';
 import { judge, lowestOf, nextSeed, roundOf, winners } from '../duel.js';
 import { createDuelDrives, createDuelResult, duelIn } from '../duel-view.js';
+import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
 /** @type {Step} */
 export const duel = {
   name: 'duel',
-  link: 'lab&drives=hand&gains=1,1,1',
+  link: path.duel,
   figure: 'drive',
   blocks: [
     { kind: 'text', name: 'begin' },

@@ -1,13 +1,14 @@
 // Where the goal is, seen from the robot.
 import { errorFormula } from '../formulas.js';
 import { degreesText, signed } from '../../words/numbers.js';
+import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
 /** @type {Step} */
 export const error = {
   name: 'error',
-  link: 'lab&drives=hand&gains=3,5,5&start=1,0,90deg',
+  link: path.error,
   figure: 'plane',
   overlay: true,
   time: 0,

@@ -1,8 +1,9 @@
 // One generation by hand.
 import words from '../../parts/generation/words/index.js';
-import { lesson } from '../../words/index.js';
+import lesson from '../words/index.js';
 import { anatomyOf, birthOf, chosenIn, placeByCost } from '../anatomy.js';
 import { gainFormula } from '../formulas.js';
+import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
@@ -12,7 +13,7 @@ export const question = { better: 25, worse: 11 };
 /** @type {Step} */
 export const generation = {
   name: 'generation',
-  link: 'generation&generation=1&phase=parents&individual=26',
+  link: path.generation,
   figure: 'evolve',
   blocks: [
     { kind: 'text', name: 'begin' },

@@ -4,6 +4,7 @@ import { remember } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { lowestPoint } from '../lowest.js';
+import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
@@ -19,7 +20,7 @@ const floorShare = remember((/** @type {Float64Array} */ costs) => {
 /** @type {Step} */
 export const landscape = {
   name: 'landscape',
-  link: 'landscape&third=0.05',
+  link: path.landscape,
   figure: 'evolve',
   blocks: [
     { kind: 'text', name: 'map' },

@@ -3,6 +3,7 @@ import { remember } from '../../kit/memo.js';
 import { degreesText, fixed, signed } from '../../words/numbers.js';
 import { lawFormula } from '../formulas.js';
 import { createPushes } from '../pushes.js';
+import { path } from '../path.js';
 
 /** @import { Engine, Triple } from '../../core/engine.js' */
 /** @import { Live } from '../page.js' */
@@ -57,7 +58,7 @@ function withoutKyFrom({ engine, scene }) {
 /** @type {Step} */
 export const law = {
   name: 'law',
-  link: byHand(kxAlone, below),
+  link: path.law,
   figure: 'plane',
   overlay: true,
   blocks: [

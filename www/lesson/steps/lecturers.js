@@ -1,5 +1,6 @@
 // For lecturers. A demonstration, a lab sheet, questions for an exam; every claim is held by a test of its link.
 import { sheet } from '../sheet.js';
+import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
@@ -37,7 +38,7 @@ export const exam = sheet('exam', [
 /** @type {Step} */
 export const lecturers = {
   name: 'lecturers',
-  link: 'lab',
+  link: path.lecturers,
   figure: 'evolve',
   blocks: [{ kind: 'text', name: 'begin' }, demonstration, lab, exam, { kind: 'text', name: 'cite' }],
   values: ({ engine }) => ({ version: engine.version() }),

@@ -1,6 +1,7 @@
 // What the wheels cannot do, and what that does to the theory. Figures 4 to 7 of the paper.
 import { remember } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
+import { path } from '../path.js';
 
 /** @import { Samples, Triple } from '../../core/engine.js' */
 /** @import { Live } from '../page.js' */
@@ -42,7 +43,7 @@ const runsOf = ({ engine, state, gains }) => runsWith(engine, state.experiment, 
 /** @type {Step} */
 export const limits = {
   name: 'limits',
-  link: 'curves&drives=paper-ep',
+  link: path.limits,
   figure: 'plane',
   blocks: [
     { kind: 'text', name: 'asked' },

@@ -1,6 +1,7 @@
 // The paper's numbers beside ours, and what lies between them.
 import { fixed } from '../../words/numbers.js';
 import { createChoicesTable, createPaperTable } from '../paper-table.js';
+import { path } from '../path.js';
 
 /** @import { Live } from '../page.js' */
 /** @import { Step } from '../steps.js' */
@@ -17,7 +18,7 @@ const costsOf = (live) => live.paper.map((_, row) => runOf(live, row).cost.total
 /** @type {Step} */
 export const paper = {
   name: 'paper',
-  link: 'curves&drives=paper-ep',
+  link: path.paper,
   figure: 'plane',
   blocks: [
     { kind: 'text', name: 'same' },

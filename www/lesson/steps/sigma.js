@@ -2,6 +2,7 @@
 import words from '../../parts/generation/words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { sigmaFormula } from '../formulas.js';
+import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
@@ -12,7 +13,7 @@ const usualSigma = 1;
 /** @type {Step} */
 export const sigma = {
   name: 'sigma',
-  link: 'lab&generation=60&curve=sigmas',
+  link: path.sigma,
   figure: 'evolve',
   blocks: [
     { kind: 'text', name: 'begin' },

@@ -1,6 +1,7 @@
 // Why it gets there. The Lyapunov function and its rate.
 import { fixed, signed } from '../../words/numbers.js';
 import { lyapunovFormula, rateFormula } from '../formulas.js';
+import { path } from '../path.js';
 
 /** @import { Live } from '../page.js' */
 /** @import { Step } from '../steps.js' */
@@ -14,7 +15,7 @@ const valuesOf = ({ engine, scene, gains }) =>
 /** @type {Step} */
 export const stability = {
   name: 'stability',
-  link: `curves&view=stability&drives=hand&gains=3,1,5&${unlimited}`,
+  link: path.stability,
   figure: 'plane',
   blocks: [
     { kind: 'text', name: 'bowl' },

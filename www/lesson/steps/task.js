@@ -6,13 +6,14 @@ import { gainsOf } from '../../run/drivers.js';
 import { lab } from '../../words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { mapsAreDone, shareOfStarts, trainedOn } from '../robust.js';
+import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
 /** @type {Step} */
 export const task = {
   name: 'task',
-  link: 'lab&generation=100',
+  link: path.task,
   figure: 'evolve',
   blocks: [
     { kind: 'text', name: 'good' },

@@ -21,8 +21,8 @@ export const texts = {
   curveTitle: '적합도 곡선',
   generationWord: '세대',
   evolutionClock: '진화의 시간',
-  oneGeneration: '1세대 진행',
-  oneBack: '1세대 뒤로',
+  oneGeneration: '한 세대 진행',
+  oneBack: '한 세대 뒤로',
   timeline: '세대',
   pace: '진화 속도',
   until: '진화를 멈출 때',
@@ -44,7 +44,7 @@ export const presets = [
 export const driverLegend = '주행에 쓰는 이득';
 /** @type {readonly import('../../kit/segmented.js').Choice<Driver>[]} */
 export const drivers = [
-  { value: 'evolved', text: '진화 최우수' },
+  { value: 'evolved', text: '진화 결과' },
   { value: 'hand', text: '직접 조정' },
   { value: 'paper-ep', text: '논문: EP', hint: '논문에서 진화 프로그래밍으로 찾은 이득' },
   {
@@ -78,7 +78,7 @@ export const taglines = (population) => ({
   robustness:
     '같은 이득으로 모든 곳에서 출발합니다. 어디에서 도착하고 어디에서 실패할까요? 누르면 그곳에서 주행합니다.',
   training:
-    '출발점 하나로 진화한 이득은 그 출발점만 익힙니다. 여러 출발점으로 진화시키고, 처음 보는 출발점에서 시험해 보세요.',
+    '출발점 하나로 진화한 이득은 그 출발점만 익힙니다. 여러 출발점으로 진화시키고, 처음 보는 출발점에서 시험해 보십시오. (one speech level for the whole page, see 4.1)',
   disturbance:
     '바닥이 밀고 바퀴가 미끄러집니다. 로봇은 목표에서 얼마나 벗어나고, 정리 2는 무엇을 보장할까요?',
   luck: '시드 백 개로 같은 진화를 반복합니다. 좋은 결과의 어디까지가 운이고, 무작위로 찾는 것보다 나을까요?',
@@ -90,8 +90,8 @@ export const endTrial = '원래 출발점으로';
 export const foundName = {
   hand: '직접 조정한 이득',
   map: '비용 지형에서 고른 이득',
-  training: '학습에서 얻은 이득',
-  luck: '운에서 얻은 이득',
+  training: '“학습”에서 고른 이득',
+  luck: '“운”에서 고른 이득',
 };
 
 /** @param {Driver} driver @param {number} generation @param {import('../common/kinds.js').Found} found */
@@ -178,7 +178,7 @@ export const pauseEvolution = '멈춤';
 
 /** @param {number} pace Generations in a second; with 0 it is one phase at a time. */
 export const paceText = (pace) =>
-  pace === 0 ? '한 단계씩' : Number.isFinite(pace) ? `초당 ${pace}` : '최대 속도';
+  pace === 0 ? '한 단계씩' : Number.isFinite(pace) ? `초당 ${pace}세대` : '최대 속도';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [
@@ -207,7 +207,7 @@ export const recordedText = (generation, newest) =>
 /** @param {Restart} restart @param {number} population */
 export const restartText = (restart, population) =>
   ({
-    begin: `무작위 로봇 ${population}대입니다. 진화를 시작하면 저마다 자손을 하나씩 만들고, 토너먼트로 ${population}대가 남습니다.`,
+    begin: `무작위 로봇 ${population}대입니다. 진화를 시작하면 각각 자손을 하나씩 만들고, 토너먼트로 로봇 ${population}대가 남습니다.`,
     moved: '출발 또는 목표가 바뀌어 진화를 0세대부터 다시 시작합니다.',
     limits: '제한이 바뀌어 진화를 0세대부터 다시 시작합니다.',
     seed: `새 시드입니다. 0세대의 다른 로봇 ${population}대로 시작합니다.`,
@@ -221,7 +221,7 @@ export const restartText = (restart, population) =>
 export function progressText(first, newest) {
   const drives = `지금까지 주행 ${newest.evaluations}회`;
   const [from, to] = [costText(first.best.cost), costText(newest.best.cost)];
-  return from === to ? `${drives}, 최우수 J 변화 없음: ${to}` : `${drives}, 최우수 J: ${from} → ${to}`;
+  return from === to ? `${drives}, 최소 J 변화 없음: ${to}` : `${drives}, 최소 J: ${from} → ${to}`;
 }
 
 /** @param {number} generation */
@@ -230,7 +230,7 @@ export const restText = (generation) =>
 
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
-  `${statistics.generation}세대: 최우수 J ${costText(statistics.best.cost)}`;
+  `${statistics.generation}세대: 최소 J ${costText(statistics.best.cost)}`;
 
 export const bestLine = '최우수';
 export const medianLine = '중앙값';
@@ -246,7 +246,7 @@ export const outside = (metres) => `${fixed(metres, 1)} m 밖`;
 
 /** @param {Statistics} first @param {Statistics} newest */
 export const curveLabel = (first, newest) =>
-  `${newest.generation}세대에 걸친 적합도 곡선. 최우수 J: ${costText(first.best.cost)} → ${costText(newest.best.cost)}, 중앙값: ${costText(first.median)} → ${costText(newest.median)}.`;
+  `${newest.generation}세대에 걸친 적합도 곡선. 최소 J: ${costText(first.best.cost)} → ${costText(newest.best.cost)}, 중앙값: ${costText(first.median)} → ${costText(newest.median)}.`;
 
 export const generationAxis = '세대';
 
@@ -254,7 +254,7 @@ export const generationAxis = '세대';
 export const gainsNote = (driver, evolved) =>
   ({
     evolved: '움직이면 직접 조정으로 바뀝니다',
-    hand: `도전: 진화의 최우수 J ${costText(evolved)}보다 낮게`,
+    hand: `도전: 진화의 최소 J ${costText(evolved)}보다 낮게`,
     'paper-ep': '논문에서 진화로 찾은 이득',
     'paper-arbitrary': '진화 없이 정한 이득',
   })[driver];

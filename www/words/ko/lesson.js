@@ -1,59 +1,24 @@
-// Every word of the lesson that its steps share, and the steps.
-import { drive } from './lesson/drive.js';
-import { error } from './lesson/error.js';
-import { law } from './lesson/law.js';
-import { stability } from './lesson/stability.js';
-import { limits } from './lesson/limits.js';
-import { cost } from './lesson/cost.js';
-import { generation } from './lesson/generation.js';
-import { sigma } from './lesson/sigma.js';
-import { duel } from './lesson/duel.js';
-import { landscape } from './lesson/landscape.js';
-import { task } from './lesson/task.js';
-import { disturbance } from './lesson/disturbance.js';
-import { paper } from './lesson/paper.js';
-import { lecturers } from './lesson/lecturers.js';
+// What is said of the lesson before it is loaded.
 
 export const texts = { lesson: '수업' };
 
 export const nav = '수업';
 export const tagline =
   '예측하고, 해 보고, 확인하고, 설명합니다. 실험실의 화면으로 방법을 한 단계씩 익힙니다.';
-export const stepLabel = '수업 단계';
-/** @param {number} number @param {number} count */
-export const stepOf = (number, count) => `${count}단계 중 ${number}단계`;
-/** @param {string} title */
-export const nextStep = (title) => `다음: ${title}`;
-/** @param {string} title */
-export const previousStep = (title) => `이전: ${title}`;
-/** What of the figure stays in sight on a telephone. */
-export const sights = '읽는 동안 보이는 것';
-export const sightOfRobot = '로봇';
-export const notice = '눈여겨볼 점';
-export const tries = '해 볼 것';
-export const showNumbers = '지금의 수치를 넣어 보기';
-export const hideNumbers = '수치 감추기';
-export const formula = '식';
-export const right = '실제 결과';
-export const wrong = '나의 예측';
-export const asPredicted = '예측한 대로입니다.';
-export const otherwise = '예측과 다릅니다.';
-export const computing = '주행하는 중 …';
-export const askAgain = '다시 풀기';
-
-export const steps = {
-  drive,
-  error,
-  law,
-  stability,
-  limits,
-  cost,
-  generation,
-  sigma,
-  duel,
-  landscape,
-  task,
-  disturbance,
-  paper,
-  lecturers,
+/** Of its steps, in their order. */
+export const titles = {
+  drive: '직접 몰아 보기',
+  error: '목표는 어디에 있는가?',
+  law: '제어 법칙을 한 항씩',
+  stability: '왜 도착하는가',
+  limits: '바퀴가 할 수 없는 것',
+  cost: '좋은 주행이란 무엇인가?',
+  generation: '한 세대 따라가 보기',
+  sigma: '스스로 적응하는 변이 폭',
+  duel: '나와 진화의 대결',
+  landscape: '진화가 탐색한 비용 지형',
+  task: '주차를 배운 것인가?',
+  disturbance: '바닥이 밀 때',
+  paper: '논문의 수치와 이 페이지의 수치',
+  lecturers: '강의하는 분께',
 };

@@ -5,7 +5,8 @@ export const unknownPart = (found, parts) =>
   `링크의 “${found}” 부분은 이 페이지에 없습니다. 있는 부분: ${parts.join(', ')}.`;
 
 /** @param {string} key @param {string} reason */
-export const ignored = (key, reason) => `링크에서 다음 항목을 뺐습니다 — ${key}: ${reason}`;
+export const ignored = (key, reason) =>
+  `링크의 ${key} 항목은 쓰지 않았습니다. ${reason.replace(`${key}: `, '')}`;
 
 /** @param {number} count */
 export const moreIgnored = (count) => `그 밖에 ${count}개 항목도 제외했습니다.`;

@@ -7,7 +7,7 @@ export const again = '다시 시도';
 
 export const texts = {
   keepButton: '공유',
-  keepTitle: '이 실행 보관',
+  keepTitle: '이 실험의 공유와 저장',
   checksButton: '계산 검사',
   checksTitle: '계산이 맞습니까?',
   close: '닫기',

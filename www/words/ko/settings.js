@@ -17,7 +17,7 @@ export const buttonText = (changed) => (changed === 0 ? '설정' : `설정 · ${
 /** @param {number} changed */
 export const changedText = (changed) => (changed === 0 ? '기본 설정과 같음' : `${changed}개 바뀜`);
 
-export const hint = '설정에 포인터를 올리면 설명이 나타납니다.';
+export const hint = '항목을 가리키거나 누르면 설명이 나타납니다.';
 
 export const groups = {
   limits: '제한',
@@ -70,7 +70,7 @@ export const settings = {
     help: '목표의 방향각에 이만큼 가까우면 도착으로 봅니다.',
   },
   horizon: { name: '제한 시간', help: '이때까지 도착하지 못한 로봇은 멈춥니다.' },
-  sampleTime: { name: '샘플링 시간', help: '제어기는 이 간격마다 명령을 한 번 내립니다.' },
+  sampleTime: { name: '샘플링 주기', help: '제어기는 이 간격마다 명령을 한 번 내립니다.' },
   law: {
     name: '법칙',
     help: '오차를 명령으로 바꾸는 법칙입니다. Kanayama의 규칙으로는 주차하는 로봇을 회전시킬 수 없습니다.',
@@ -81,22 +81,22 @@ export const settings = {
     help: '진화가 주행시키는 로봇까지 포함하여 모든 로봇의 속도에 더해집니다.',
     choices: { none: '없음', random: '무작위', slip: '일정한 미끄러짐' },
   },
-  'disturbance.linear': { name: '속도에', help: '무작위 외란의 한계 또는 미끄러짐의 크기입니다.' },
-  'disturbance.angular': { name: '각속도에', help: '무작위 외란의 한계 또는 미끄러짐의 크기입니다.' },
+  'disturbance.linear': { name: '선속도 외란', help: '무작위 외란의 한계 또는 미끄러짐의 크기입니다.' },
+  'disturbance.angular': { name: '각속도 외란', help: '무작위 외란의 한계 또는 미끄러짐의 크기입니다.' },
   'disturbance.seed': { name: '외란의 시드', help: '시드가 같으면 외란도 같습니다.' },
   'evolution.population': { name: '개체군 크기', help: '세대마다 살아남는 로봇의 수입니다.' },
   'evolution.opponents': {
     name: '상대 수',
-    help: '토너먼트에서 로봇 하나가 만나는 상대의 수입니다. 많을수록 선택이 엄격해집니다.',
+    help: '토너먼트에서 로봇 하나가 만나는 상대의 수입니다. 많을수록 선택압이 커집니다.',
   },
   'evolution.seed': { name: '시드', help: '시드가 같으면 어느 기기에서나 진화가 같습니다.' },
   'evolution.initialRange[0]': {
-    name: '첫 이득 하한',
+    name: '초기 이득 하한',
     help: '첫 이득을 무작위로 뽑는 범위의 시작입니다.',
   },
-  'evolution.initialRange[1]': { name: '첫 이득 상한', help: '첫 이득을 무작위로 뽑는 범위의 끝입니다.' },
+  'evolution.initialRange[1]': { name: '초기 이득 상한', help: '첫 이득을 무작위로 뽑는 범위의 끝입니다.' },
   'evolution.initialSigma': {
-    name: '첫 σ',
+    name: '초기 σ',
     help: '첫 자손이 부모에게서 벗어나는 폭입니다. 그 뒤로는 진화가 스스로 조절합니다.',
   },
 };

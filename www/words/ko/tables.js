@@ -11,9 +11,9 @@ export const fitnessCaption = (newest) => `적합도 곡선, 0세대부터 ${new
 export const fitnessColumns = [
   '세대',
   '주행 수',
-  '최저 J',
+  '최소 J',
   'J 중앙값',
-  '최고 J',
+  '최대 J',
   '평균 σx',
   '평균 σy',
   '평균 σθ',

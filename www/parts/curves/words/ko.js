@@ -68,8 +68,8 @@ export const outcomeShort = (run) =>
 export const finalTimeHead = '종료';
 /** @param {Run} run */
 export const finalTimeText = ({ finalTime }) => `${fixed(finalTime, 2)}초`;
-export const settingsThatDiffer = '다른 설정';
+export const settingsThatDiffer = '서로 다른 설정';
 export const sameSettings = '모든 설정이 같습니다.';
-export const startsHead = '진화한 출발점';
+export const startsHead = '진화에 쓴 출발점';
 /** @param {number} count */
 export const startsText = (count) => `${count}개`;

@@ -54,17 +54,17 @@ export function sentence({ count, all, record }, phase) {
   const { generation, offspring, parents, survivors } = record;
   if (generation === 0)
     return phase === 'survivors'
-      ? `${count}대가 모두 남아 J 순서로 섭니다. 이들이 1세대의 부모입니다.`
+      ? `로봇 ${count}대가 모두 남아 J 순서로 섭니다. 이들이 1세대의 부모입니다.`
       : `무작위 이득을 가진 로봇 ${count}대를 뽑은 순서대로 보여 줍니다. 아직 경쟁은 없었습니다.`;
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
   return {
-    parents: `${generation - 1}세대에서 살아남은 ${count}대를 높은 순위부터 보여 줍니다. J는 낮을수록 좋습니다.`,
+    parents: `${generation - 1}세대에서 살아남은 로봇 ${count}대를 순위가 높은 것부터 보여 줍니다. J는 낮을수록 좋습니다.`,
     mutation: '부모마다 자손을 하나씩 만듭니다. 이득은 이전 σ에 난수를 곱한 만큼 움직입니다.',
-    drive: `자손이 주행하여 J를 얻습니다. ${count}대 중 ${better}대가 부모보다 잘 주행합니다.`,
-    tournament: `${all.length}대가 저마다 무작위로 뽑은 상대 ${record.opponents[0].length}대와 겨룹니다. J가 상대보다 높지 않으면 이깁니다.`,
+    drive: `자손이 주행하여 J를 얻습니다. 자손 로봇 ${count}대 중 ${better}대가 부모보다 잘 주행합니다.`,
+    tournament: `로봇 ${all.length}대가 각각 무작위로 뽑은 로봇 ${record.opponents[0].length}대와 겨룹니다. J가 상대보다 높지 않으면 이깁니다.`,
     ranking: `승수가 많은 순서로, 승수가 같으면 J가 낮은 순서로 섭니다. 선은 ${count}위 아래에 긋습니다.`,
-    survivors: `부모 ${stayed}대와 자손 ${count - stayed}대가 σ와 함께 남습니다. 이들이 ${generation + 1}세대의 부모입니다.`,
+    survivors: `부모 로봇 ${stayed}대와 자손 로봇 ${count - stayed}대가 σ와 함께 남습니다. 이들이 ${generation + 1}세대의 부모입니다.`,
   }[phase];
 }
 
@@ -74,7 +74,7 @@ export const winsText = (count) => `${count}승`;
 /** One that survives though a better one fell. @param {Anatomy} anatomy */
 export function upsetText(anatomy) {
   const { upset, all, record, count } = anatomy;
-  if (!upset) return `이번에는 J가 가장 낮은 ${count}대가 그대로 남습니다.`;
+  if (!upset) return `이번에는 J가 가장 낮은 로봇 ${count}대가 그대로 남습니다.`;
   const { survivor, fallen } = upset;
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
@@ -107,7 +107,11 @@ export function chosenText(anatomy, phase, number) {
   function standing() {
     const rank = ranks[number] + 1;
     if (record.generation === 0) return [`${rank}위`];
-    return [winsText(record.wins[number]), `${all.length}대 중 ${rank}위`, rank <= count ? '생존' : '탈락'];
+    return [
+      winsText(record.wins[number]),
+      `로봇 ${all.length}대 중 ${rank}위`,
+      rank <= count ? '생존' : '탈락',
+    ];
   }
 }
 
@@ -118,13 +122,13 @@ export const pairAxis = '쌍';
 export const robotAxis = '로봇';
 export const parentAxis = '부모';
 /** @param {number} count */
-export const stay = (count) => `${count}대 생존`;
+export const stay = (count) => `로봇 ${count}대 생존`;
 /** @param {number} count */
-export const fall = (count) => `${count}대 탈락`;
+export const fall = (count) => `로봇 ${count}대 탈락`;
 export const wonText = '승, 상대:';
 export const lostText = '패, 상대:';
 
-export const initialText = '초기 범위에서 고르게 뽑음, σ는 설정값';
+export const initialText = '초기 범위에서 균등하게 뽑음, σ는 설정값';
 
 /** @param {number} rank @param {number} generation */
 export const ranked = (rank, generation) => `${generation}세대 ${rank}위`;
@@ -147,8 +151,8 @@ export const moreBouts = (rest) => `그 밖에 ${rest}전`;
 /** @param {Anatomy} anatomy @param {number} number */
 export function fateText({ ranks, count, record, all }, number) {
   const rank = ranks[number] + 1;
-  if (rank > count) return `탈락: ${all.length}대 중 ${rank}위`;
-  return `생존: ${record.generation + 1}세대의 부모 ${rank}`;
+  if (rank > count) return `탈락(로봇 ${all.length}대 중 ${rank}위)`;
+  return `생존(${record.generation + 1}세대의 부모 ${rank})`;
 }
 
 /** @param {number} before @param {number} after @param {(cost: number) => string} write */
@@ -161,7 +165,7 @@ export const bestText = (before, after, write) =>
 export const tableCaption = ({ record, count }) =>
   record.generation === 0
     ? `0세대: 무작위 이득을 가진 로봇 ${count}대. 코어의 기록은 0부터 셉니다. 로봇 1의 번호는 0입니다.`
-    : `${record.generation}세대의 ${2 * count}대 전체. 코어의 기록은 0부터 셉니다. 부모 1의 번호는 0, 자손 1의 번호는 ${count}입니다. 승수가 많은 순서입니다.`;
+    : `${record.generation}세대의 로봇 ${2 * count}대 전체. 코어의 기록은 0부터 셉니다. 부모 1의 번호는 0, 자손 1의 번호는 ${count}입니다. 승수가 많은 순서입니다.`;
 export const columns = [
   '순위',
   '개체',

@@ -8,7 +8,7 @@ export const texts = {
   landscapeTitle: 'J의 비용 지형',
   landscapeAcross: '가로축의 이득',
   landscapeUp: '세로축의 이득',
-  landscapeFollows: '주행 값',
+  landscapeFollows: '주행과 같게',
 };
 
 export const mapLabel =

@@ -12,7 +12,7 @@ export const texts = {
   luckGenerations: '세대 수',
   luckTable: '표와 CSV',
   luckProgress: '끝난 시드',
-  luckCurve: '지금까지의 최우수 J: 중앙값과 사분위수',
+  luckCurve: '지금까지의 최소 J: 중앙값과 사분위수',
   luckLog: '로그',
   luckGainsTitle: '마지막 이득: 점 하나가 시드 하나, ◇ 논문의 EP',
   luckMedian: '중앙값',
@@ -79,7 +79,7 @@ export const evolutionHead = '진화';
 export const randomHead = '무작위';
 export const generationAxis = '세대';
 /** @param {number} lowest */
-export const distanceAxis = (lowest) => `J − ${costText(lowest)}(전체 최저)`;
+export const distanceAxis = (lowest) => `J − ${costText(lowest)}(전체 최소)`;
 /** @param {number} seed */
 export const labLine = (seed) => `실험실의 시드 ${seed}`;
 /** @param {number} seed */
@@ -87,9 +87,9 @@ export const seedLine = (seed) => `시드 ${seed}`;
 
 /** @param {SeedSurvey} survey @param {string} found */
 export const curveLabel = ({ generations, paper }, found) =>
-  `${generations}세대에 걸친 최우수 J. ${found} 논문의 EP 이득은 여기에서 J ${costText(paper.cost)}입니다.`;
+  `${generations}세대에 걸친 최소 J. ${found} 논문의 EP 이득은 여기에서 J ${costText(paper.cost)}입니다.`;
 export const emptyCurveLabel =
-  '실험실에서 실행한 진화의 세대별 최우수 J. 다른 시드는 아직 실행하지 않았습니다.';
+  '실험실에서 실행한 진화의 세대별 최소 J. 다른 시드는 아직 실행하지 않았습니다.';
 
 /** @param {SeedSurvey} survey */
 export const gainsLabel = ({ summary }) =>
@@ -119,9 +119,9 @@ export const seedColumn = '시드';
 export const costColumn = (generation) => `${generation}세대의 J`;
 export const randomColumn = '무작위 탐색의 J';
 export const quartiles = {
-  least: '최저',
+  least: '최소',
   low: '제1사분위수',
   median: '중앙값',
   high: '제3사분위수',
-  most: '최고',
+  most: '최대',
 };

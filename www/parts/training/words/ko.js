@@ -32,7 +32,7 @@ export const rowName = (name, count) =>
     hand: '직접 조정',
   })[name];
 
-export const columns = ['진화에 쓴 출발점', '학습한 곳', '처음 보는 곳', '평균 J', '출발 J'];
+export const columns = ['진화에 쓴 출발점', '학습한 곳', '처음 보는 곳', '평균 J', '출발점 J'];
 
 /** @param {number} count */
 export const unseenColumn = (count) => `처음 보는 ${grouped(count)}개 중 도착`;

@@ -57,7 +57,7 @@ export const sentences = {
     `주행 ${count}회의 모든 샘플에서 명령을 두 번 제한한 값은 한 번 제한한 값과 같습니다.`,
     '다른 속도의 수',
   ],
-  mirror: (count) => [`과제의 좌우를 뒤집어도 로봇 ${count}대의 비용은 같습니다.`, '다른 J의 수'],
+  mirror: (count) => [`주차의 좌우를 뒤집어도 로봇 ${count}대의 비용은 같습니다.`, '다른 J의 수'],
   parked: (count) => [
     `주행 ${count}회에서 Kanayama의 규칙은 목표가 멈추어 있으면 돌지 않습니다.`,
     '최대 |ω|',
@@ -109,9 +109,9 @@ export const sentences = {
     '한 세대에서 남은 개체는 σ와 함께 다음 세대의 부모가 됩니다.',
     '한 비트라도 다른 수의 개수',
   ],
-  neverWorse: (generations) => [`${generations}세대 동안 최우수 J는 한 번도 오르지 않습니다.`, '오른 횟수'],
+  neverWorse: (generations) => [`${generations}세대 동안 최소 J는 한 번도 오르지 않습니다.`, '오른 횟수'],
   optimum: (generations) => [
-    `${generations}세대 뒤의 최우수 J는 독립된 프로그램이 찾은 최적값 7.70에 가깝습니다.`,
+    `${generations}세대 뒤의 최소 J는 독립된 프로그램이 찾은 최적값 7.70에 가깝습니다.`,
     'J',
   ],
   hash: (task, preset, seed, generations) => [

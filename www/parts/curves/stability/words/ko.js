@@ -10,14 +10,14 @@ export const texts = {
   stabilityLog: '로그',
 };
 
-export const terms = termsOf({ rate: ['V̇ 로봇'], promised: ['V̇ 법칙 ='] });
+export const terms = termsOf({ rate: ['실제 V̇'], promised: ['이론 V̇ ='] });
 
 /** @param {boolean} limited */
 export const limitedText = (limited) => (limited ? '예' : '');
 
 /** @param {string} name @param {number} step */
 export const tableCaption = (name, step) =>
-  `${name}: ${threeDigits(step)}초마다 한 줄, 그리고 마지막. V̇ 법칙은 세 항의 합이고, V̇ 로봇은 제한과 외란을 거친 값입니다.`;
+  `${name}: ${threeDigits(step)}초마다 한 줄, 그리고 마지막. 이론 V̇는 세 항의 합이고, 실제 V̇는 제한과 외란을 거친 값입니다.`;
 
 export const tableColumns = [
   't s',
@@ -28,8 +28,8 @@ export const tableColumns = [
   'xₑ의 항',
   'yₑ의 항',
   'θₑ의 항',
-  'V̇ 법칙',
-  'V̇ 로봇',
+  '이론 V̇',
+  '실제 V̇',
   '제한됨',
 ];
 
@@ -43,10 +43,10 @@ export const noteText = (summary) =>
 /** @param {Summary} summary */
 function valueText({ from, to, rising, seconds }) {
   if (from === 0 && to === 0) return 'V는 0입니다. 로봇이 처음부터 목표에 있습니다.';
-  const ends = `${threeDigits(from)}에서 ${threeDigits(to)}(으)로`;
+  const ends = `${threeDigits(from)} → ${threeDigits(to)}`;
   if (rising > 0)
-    return `V는 ${ends} 변하며, ${fixed(seconds, 2)}초 중 ${fixed(rising, 2)}초 동안 커집니다(빨간색).`;
-  return to < 0.01 * from ? `V는 ${ends} 끝까지 줄어듭니다.` : `V는 커지는 일 없이 ${ends} 변합니다.`;
+    return `V는 ${fixed(seconds, 2)}초 중 ${fixed(rising, 2)}초 동안 커집니다(빨간색). 처음 → 마지막: ${ends}.`;
+  return to < 0.01 * from ? `V는 끝까지 줄어듭니다(${ends}).` : `V는 한 번도 커지지 않습니다(${ends}).`;
 }
 
 /** @param {Summary} summary */
@@ -64,10 +64,10 @@ function raisedText({ raised, negative, referenceSpeed }) {
 
 /** @param {Summary} summary */
 function limitsText({ limited, disturbed, isPromised }) {
-  const pushed = disturbed ? '외란도 V̇ 로봇을 V̇ 법칙에서 벗어나게 합니다.' : '';
+  const pushed = disturbed ? '외란도 실제 V̇를 이론 V̇에서 벗어나게 합니다.' : '';
   if (limited === 0)
-    return disturbed || !isPromised ? pushed : '명령이 제한에 걸리지 않으므로 V̇ 로봇은 V̇ 법칙과 같습니다.';
-  return `회색: ${fixed(limited, 2)}초 동안 명령이 제한에 걸려 V̇ 로봇이 V̇ 법칙과 다릅니다. ${pushed}`.trim();
+    return disturbed || !isPromised ? pushed : '명령이 제한에 걸리지 않으므로 실제 V̇는 이론 V̇와 같습니다.';
+  return `회색: ${fixed(limited, 2)}초 동안 명령이 제한에 걸려 실제 V̇가 이론 V̇와 다릅니다. ${pushed}`.trim();
 }
 
 /** @param {Summary} summary */

@@ -1,0 +1,53 @@
+// The lesson is loaded when a step of it is opened first: its steps, its words and its styles.
+/** @import { Engine, PaperResult } from '../core/engine.js' */
+/** @import { Scene } from '../run/scene.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Tools } from './page.js' */
+import { byId } from '../kit/elements.js';
+import { createWaiting } from '../lab/waiting.js';
+
+const load = () => import('./page.js');
+
+/** Begins to load it if an address opens it; whether it can be loaded is seen when it is opened. @param {string} hash */
+export function askForLesson(hash) {
+  if (hash === '' || /^#lesson\b|&lesson=/.test(hash)) load().catch(() => {});
+}
+
+/** @param {Tools & { paper: PaperResult[] }} tools */
+export function createLesson(tools) {
+  const article = byId('lesson');
+  /** @type {{ draw: (state: State, scene: Scene) => void } | null} */
+  let lesson = null;
+  /** @type {Promise<void> | null} */
+  let loading = null;
+
+  async function begin() {
+    const waiting = createWaiting();
+    article.replaceChildren(waiting.element);
+    try {
+      const { createLessonPage } = await load();
+      article.replaceChildren();
+      lesson = createLessonPage(tools);
+      tools.store.redraw();
+    } catch (error) {
+      console.warn(error);
+      waiting.fail();
+    }
+  }
+
+  return {
+    /** Loads it, unless that is done or under way or no step is open. Resolves when it is there or cannot be. @param {State} state */
+    open(state) {
+      if (state.lesson > 0) loading ??= begin();
+      return loading;
+    },
+
+    /** @param {State} state @param {Scene} scene */
+    draw(state, scene) {
+      if (lesson) return lesson.draw(state, scene);
+      const isOpen = state.lesson > 0;
+      document.body.toggleAttribute('data-lesson', isOpen);
+      article.hidden = !isOpen;
+    },
+  };
+}

@@ -1,0 +1,53 @@
+// The step “cost” in English.
+import { costText, fixed } from '../../../words/numbers.js';
+
+/** @typedef {import('../../../core/engine.js').Run} Run */
+
+export const cost = {
+  texts: {
+    parts: `Hasty drives, patient ones, some that never arrive: which is *good*? Somebody has to decide, and to say it in one number. The authors add up five prices:`,
+    each: `The *time* until the robot arrives. What is *missing at the end*. The *path*: the distance from the goal, squared, moment after moment: staying far away is dear. The *energy*: speed and turn rate, squared, moment after moment; {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}.) Point at a part: its piece of the bar lights up.`,
+    weights: `What is a second worth, and what a hard turn? The *weights* say so: {Rv} and {Rw}, together {R}, for driving and turning, {W} for the end, {kappa} for the penalty. *The paper does not give them.* We chose 1, and 1000 for {kappa}. With other weights another drive is the best: press a drive to see it, and move the weights.`,
+    ky: `And {ky}? With our weights and from the paper’s start, {kx} = 3 and {kt} = 5 cost {=none} if {ky} is 0, {=one} if it is 1, {=eight} if it is 8. Nothing needs it there, as step 3 showed: it only costs. J counts this one drive and no other. Keep that in mind.`,
+    next: `So evolution gets one number to bring down. That is all it ever learns of the robot. How does it search?`,
+  },
+  otherWeights: 'The other weights',
+  standings: {
+    caption: 'Drives and what they cost with these weights',
+    gentle: 'Gentle',
+    lowest: 'lowest',
+    nobody: 'Move a gain, and your own drive stands here.',
+  },
+  quizzes: {
+    heavier: {
+      question:
+        'With {Rv} and {Rw} at 1 the paper’s EP gains cost less than the arbitrary and the gentle ones. At 5, driving and turning cost five times as much. Who is lowest then?',
+      choices: [
+        'The EP gains again: evolution found them',
+        'The arbitrary gains: they arrive first',
+        'The gentle gains, though they arrive last',
+      ],
+      /** @param {{ runs: Run[] }} outcome */
+      why: ({ runs: [ep, arbitrary, gentle] }) =>
+        `Now J is ${costText(ep.cost.total)} for the EP gains, ${costText(arbitrary.cost.total)} for the arbitrary and ${costText(gentle.cost.total)} for the gentle ones. Energy alone is ${fixed(ep.cost.energy, 1)}, ${fixed(arbitrary.cost.energy, 1)} and ${fixed(gentle.cost.energy, 1)} of it. The drives are what they were; the prices have changed.`,
+    },
+    home: {
+      question:
+        'Both weights at 100, and a robot with all gains at 0: it stays where it is for 10 s and never arrives. The gentle one arrives. Whose J is lower?',
+      choices: ['That of the gentle one: it does its task', 'That of the robot that stays at home'],
+      /** @param {{ stays: Run, drives: Run }} outcome */
+      why: ({ stays, drives }) =>
+        `Staying costs ${costText(stays.cost.total)}: time ${fixed(stays.cost.time, 0)}, path ${fixed(stays.cost.path, 1)}, end ${fixed(stays.cost.finalError, 1)}. The gentle drive costs ${costText(drives.cost.total)}, of which energy ${fixed(drives.cost.energy, 1)}. J knows nothing of what we meant. It counts what it is told to count.`,
+    },
+  },
+  tries: {
+    cheap: 'Moving is cheap, both weights 0.1: now haste wins',
+    evolved: 'Both weights 100: what 60 generations of evolution make of it',
+    final: 'Both weights 100 and {W} 100 too: staying at home is dear again',
+    negative: 'A gain a little below zero, {ky} = −0.01: the penalty',
+  },
+  notice: [
+    'A weight changes no drive that you look at. It changes its price, and so which drive evolution will keep.',
+    'Whoever arrives pays almost nothing for the end: here, arriving means within 5 cm and 0.05 rad.',
+  ],
+};

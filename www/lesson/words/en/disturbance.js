@@ -1,0 +1,76 @@
+// The step “disturbance” in English.
+import { fixed } from '../../../words/numbers.js';
+
+export const disturbance = {
+  texts: {
+    slip: `Until now the wheels did exactly what they were told. Now the ground slips: {=push}\u00a0m/s is added to whatever speed the robot drives. It runs past the goal, and there it stands, {=distance}\u00a0m away, for good.`,
+    why: `Why just there? At this place the law commands {=command}\u00a0m/s: backwards, as fast as the ground slides forwards. Nearer to the goal its command {kx} {xe} cos {te} is weaker than the ground.`,
+    theorem: `Must one know how the ground pushes? No: Theorem 2 asks only for a *bound*. The push {d1} on the speed never exceeds {e1}, the push {d2} on the turn rate never exceeds {e2}. As long as these three inequalities hold, {V} falls:`,
+    sets: `Near the goal they cannot all hold: the right sides grow without end. So an error may remain. Solved for the error, each gives a *set* around zero: a coloured band under the curves, a strip in the small picture. *Larger gains, smaller sets*: so, says the paper, one chooses gains for an error that one allows.`,
+    unknown: `What does the theorem not know? *Limits* and *samples*: with gains of 250 a robot that looks 100 times a second trembles. And *time*: without a push the error goes to 0, but how soon? With {ky} = {=ky}, from {=starts} other starts, up to {=left}\u00a0m of {ye} are left in the last two of {=horizon} seconds.`,
+    next: `So much for what can be proved. Now for the paper’s own numbers: do ours agree with them?`,
+  },
+  near: {
+    again: 'Drive again',
+    /** @param {number} across @param {number} time @param {number} distance */
+    caption: (across, time, distance) =>
+      `Seen from above, ${metres(across)} m wide. After ${fixed(time, 2)} s the robot is ${fixed(distance, 3)} m from the goal.`,
+    /** @param {number} across @param {number} distance */
+    label: (across, distance) =>
+      `The goal from above, ${metres(across)} m wide. In the end the robot is ${fixed(distance, 3)} m from it.`,
+  },
+  holds: {
+    /** @param {boolean} holds @param {string} formula @param {string} size @param {string | null} set Null: nothing pushes against it. */
+    one: (holds, formula, size, set) =>
+      set === null
+        ? 'holds: nothing pushes'
+        : holds
+          ? `holds: ${formula} is ${size}, outside its set of ${set}`
+          : `does not hold: ${formula} is ${size}, in its set of ${set}`,
+    /** @param {number} time @param {number} count */
+    all: (time, count) =>
+      count === 3
+        ? `After ${fixed(time, 2)} s all three hold: by the theorem, V falls.`
+        : `After ${fixed(time, 2)} s not all three hold: the theorem promises nothing here.`,
+  },
+  quizzes: {
+    double: {
+      question: 'All three gains twice as large. Where does the robot stand then?',
+      choices: [
+        'In the same place: the ground slips as before',
+        'About half as far from the goal',
+        'On the goal',
+      ],
+      /** @param {{ before: number, after: number }} outcome */
+      why: ({ before, after }) =>
+        `${fixed(after, 3)} m away instead of ${fixed(before, 3)} m. With twice the gain, half the error is enough for the same command. But no gain makes it zero: without an error there is no command, and the ground slips on.`,
+    },
+    random: {
+      question:
+        'Now *random pushes*: 100 times a second a new one, anything between −0.1 and 0.1 m/s. How far from the goal does the robot of the paper stay in the end?',
+      choices: [
+        'Further than with the slip: nobody can get used to them',
+        'As far: they are as strong as the slip',
+        'Nearer than with the slip',
+      ],
+      /** @param {{ steady: number, random: number }} outcome */
+      why: ({ steady, random }) =>
+        `Within ${fixed(random, 3)} m in the last two seconds; with the slip it was ${fixed(steady, 3)} m. Pushes to and fro largely cancel each other, a slip adds up. It is the steady disturbance that is the hard one.`,
+    },
+  },
+  tries: {
+    turning: 'A slip that turns the robot, too: 0.2 rad/s',
+    aside: 'From a start to the side: do the three hold?',
+    evolved: 'The turning slip and the gains evolved on one start',
+    huge: 'Gains of 250, and the slip of 0.1 m/s',
+  },
+  notice: [
+    'Under the slip straight ahead the robot ends just on the edge of the set of (6): a smaller one would be wrong.',
+    'Under the slip that turns, |sin θₑ| stays a little outside its set, and it may: the theorem promises something only outside *all three*.',
+    'With {ky} near zero the set of (7) is metres wide. What evolution saved is missing here.',
+    'Random pushes stay far inside the sets. The theorem reckons with the worst.',
+  ],
+};
+
+/** @param {number} value */
+const metres = (value) => String(Number(value.toFixed(1)));

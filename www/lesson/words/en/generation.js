@@ -1,0 +1,49 @@
+// The step “generation” in English.
+import { costText } from '../../../words/numbers.js';
+
+/** @typedef {{ stays: boolean, cost: number, wins: number, place: number }} Fate */
+
+export const generation = {
+  texts: {
+    begin: `You tried one set of gains after another. Evolution keeps {=count} sets at a time: a *population* of robots, drawn at random in the beginning. Then it repeats four moves; each round is a *generation*. Press the moves one by one. The numbers in the text are those of the robot chosen in the figure; press any other.`,
+    mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: a *step size* {s} times a draw {N} from the bell curve, which is rarely beyond −2 or 2.`,
+    select: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.
+
+*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* All {=all}, parents and offspring, meet {=bouts} others each, drawn by lot. Whoever has the lower J, or the same, wins the bout. {=chosen} wins {=wins} of {=bouts}.
+
+*4. [Survive](generation&generation=1&phase=survivors&individual=26).* The {=count} with the most wins stay as parents of the next generation, with their gains, step sizes and J. {=fate}`,
+    next: `The four moves are the paper’s. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
+  },
+  /** @param {string} name @param {string} fate */
+  fate: (name, fate) => `${name[0].toUpperCase()}${name.slice(1)} ${fate}.`,
+  quizzes: {
+    luck: {
+      question: 'In generation 1 offspring 6 drives better than parent 12. Who of the two stays?',
+      choices: ['Only offspring 6', 'Only parent 12', 'Both', 'Neither'],
+      /** @param {{ better: Fate, worse: Fate, bouts: number }} outcome */
+      why: ({ better, worse, bouts }) =>
+        `Offspring 6 has J ${costText(better.cost)} and wins ${better.wins} of ${bouts}: it ${better.stays ? 'stays' : 'falls'}. Parent 12 has J ${costText(worse.cost)} and wins ${worse.wins}: it ${worse.stays ? 'stays' : 'falls'}. By J alone they are number ${better.place} and number ${worse.place}. What counts is wins, and these depend on whom one meets.`,
+    },
+    best: {
+      question: 'And the very best robot: can the best J get worse from one generation to the next?',
+      choices: [
+        'Yes, when it has bad luck in the tournament',
+        'Yes, when its offspring drives worse',
+        'No, never',
+      ],
+      /** @param {{ rose: number, fell: number, generations: number }} outcome */
+      why: ({ rose, fell, generations }) =>
+        `In these ${generations} generations the best J fell ${fell} times and rose ${rose === 0 ? 'never' : `${rose} times`}. Nobody has a lower J than the best: it wins every bout, whomever it meets. And it does not give way to its offspring; both stand in the same tournament.`,
+    },
+  },
+  tries: {
+    lucky: 'Seed 3: parent 13 has a high J and stays. Whom did it meet?',
+    below: 'Offspring 15 took one step too far: what does J charge it for?',
+    bouts: '200 bouts for each instead of 10: is there still luck?',
+    late: 'Generation 60: how many offspring drive better than their parent now?',
+  },
+  notice: [
+    'A generation costs 20 drives, not 40: the parents have driven already.',
+    'Offspring are made with the step sizes of their parent. They get new step sizes too, but use them only for their own offspring.',
+  ],
+};

@@ -1,0 +1,63 @@
+// The step “landscape” in English.
+import { costText, fixed, threeDigits } from '../../../words/numbers.js';
+
+/** @typedef {import('../../../core/engine.js').Run} Run */
+/** @typedef {import('../common.js').Lowest} Lowest */
+
+export const landscape = {
+  texts: {
+    map: `Every point of this map is a robot: {kx} grows to the right, {kt} upwards, {ky} is the same everywhere. The colour is its {J}; dark is good. {=drives} robots have driven for the picture. *Press anywhere, and that robot drives.*
+
+The white dots are the population. *Press Run* and watch it walk: the line is the way of its best. It is in generation {=generation} now, after {=spent} drives. And it *never sees the map*. Evolution knows {J} only where one of its robots stands.`,
+    shape: `Three things deserve a name. The *valley* is dark: {=floor}\u00a0% of this map cost at most 5 % more than its lowest point, so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes zero just when the law looks, one huge command costs energy.
+
+A method that follows the slope stumbles over edges and ripples. Evolution needs no slope: it only compares.`,
+    next: `Here evolution finds what there is to find, the lowest point of *one* landscape. But a landscape belongs to one start and one goal. Has the robot learned to park, or only to park from there?`,
+  },
+  quizzes: {
+    turn: {
+      question:
+        'The goal turns on the spot, from 45° to 90°. Nothing else changes. What becomes of the lowest point?',
+      choices: [
+        'It stays: good gains are good gains',
+        'It moves, but with the old gains the robot still arrives',
+        'It moves, and with the old gains the robot does not arrive any more',
+      ],
+      /** @param {{ old: Lowest, now: Lowest, left: Run }} outcome */
+      why: ({ old, now, left }) =>
+        `At 45° it was at ${place(old)}, with J ${costText(old.cost)}. Now it is at ${place(now)}, with J ${costText(now.cost)}. With the old gains J is ${costText(left.cost.total)}: the robot ${arrival(left)}. The wide valley has become a gorge between two edges. Drag the goal and watch the land change.`,
+    },
+    ky: {
+      question: 'Back to 45°, and now {ky} goes upwards. Where along {ky} is the lowest point?',
+      choices: [
+        'In the middle: the law needs all three gains',
+        'At the lower border: {ky} is best at zero',
+        'At the upper border: more correction is better',
+      ],
+      /** @param {{ lowest: Lowest, middle: Run, wall: Run }} outcome */
+      why: ({ lowest, middle, wall }) =>
+        `The lowest point of the map is at ky ${fixed(lowest.gains[1], 2)}, with J ${costText(lowest.cost)}; straight above, at ky ${threeDigits(lowest.most / 2)}, J is ${costText(middle.cost.total)}. So the best walks down to the border. Beyond it stands a wall, the penalty for negative gains: at ky −0.01 J is ${costText(wall.cost.total)}.`,
+    },
+  },
+  tries: {
+    walked: 'A hundred generations later',
+    smooth: 'The same map with {ky} = 0: no ripples',
+    deep: '{ky} upwards, as a logarithm: how small does it get?',
+    stuck: 'The goal at 0°, seed 3: stuck in a gorge',
+  },
+  notice: [
+    'Most of the time the best stands still. Now and then an offspring lands on better ground, and the line jumps.',
+    'The thin cross through a dot shows its step sizes σ. In the gorge they have shrunk to nothing: the robots see no way on, though {J} falls on the left.',
+    'The dots have a {ky} of their own, so the colour under a dot is not quite its {J}.',
+    'The gains of the paper lie in our valley too, though the paper does not tell its weights.',
+  ],
+};
+
+/** @param {Lowest} lowest */
+const place = ({ gains: [kx, , ktheta] }) => `kx ${fixed(kx, 2)}, kθ ${fixed(ktheta, 2)}`;
+
+/** @param {Run} run */
+const arrival = (run) =>
+  run.arrived
+    ? `arrives after ${fixed(run.finalTime, 2)} s`
+    : `has not arrived after ${fixed(run.finalTime, 0)} s`;

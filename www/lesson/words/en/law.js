@@ -1,0 +1,64 @@
+// The step “law” in English.
+import { degreesText, fixed } from '../../../words/numbers.js';
+
+/** @typedef {import('../../../core/engine.js').Posture} Posture */
+
+export const law = {
+  texts: {
+    one: `This robot starts below the goal, so all three errors are there. *Only {kx} is on*; the other two gains are 0. It drives until {xe} is gone and stays there: {=side} m to the side, and turned wrong by {=turned}.
+
+A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. What lies in the grey the wheels cannot do.`,
+    written: `Stop the clock where the bars are long, and move a slider. The formula says the same: point at a term, and its slider, its bars and its errors light up.`,
+    each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. Now two of them together.`,
+    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. Hardly turned at all, it would have to do the impossible: from below the goal 3, 8, 5 ask for up to {=most} rad/s, and the limits leave {=leaves}.`,
+    next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and no limit stands in the way.`,
+  },
+  pushes: {
+    tableLabel: 'What each term of the law adds now',
+    speed: 'in m/s',
+    turnRate: 'in rad/s',
+    moving: 'from the moving goal',
+    asked: 'asked for',
+    left: 'after the limits',
+    otherLaw: 'Now Kanayama’s rule drives, so the terms of (5) are not shown.',
+  },
+  quizzes: {
+    beside: {
+      question: '{kx} is 3, {kt} is 5, {ky} is 0: nothing looks after {ye}. Where does the robot end?',
+      choices: [
+        'On the goal: the other two bring it there',
+        'Beside the goal, pointing the right way',
+        'Near the goal, pointing the wrong way',
+      ],
+      /** @param {{ arrived: boolean, error: Posture, time: number }} outcome */
+      why: ({ arrived, error, time }) =>
+        arrived
+          ? `It arrives after ${fixed(time, 2)} s.`
+          : `It parks ${fixed(Math.hypot(error.x, error.y), 2)} m from the goal: {xe} is ${fixed(error.x, 2)} m, {te} is ${degreesText(error.theta)}, and {ye} is ${fixed(error.y, 2)} m. With {xe} and sin {te} at zero, every push is zero.`,
+    },
+    ahead: {
+      question: 'The same gains, {ky} still 0, but from the paper’s own start: 0 m, 0 m, 0°. And now?',
+      choices: ['It arrives', 'It parks beside the goal again', 'It comes near, pointing the wrong way'],
+      /** @param {{ arrived: boolean, error: Posture, time: number, farthest: number }} outcome */
+      why: ({ arrived, error, time, farthest }) =>
+        arrived
+          ? `It arrives after ${fixed(time, 2)} s, ${fixed(Math.abs(error.y), 2)} m to the side. This start lies straight behind the goal. Turning takes the robot ${fixed(farthest, 2)} m off that line, no more, and the {kx} term of {w} steers it back. Nobody misses {ky} here. Remember that.`
+          : `It ends with {xe} at ${fixed(error.x, 2)} m, {ye} at ${fixed(error.y, 2)} m and {te} at ${degreesText(error.theta)}.`,
+    },
+  },
+  tries: {
+    onlyKx: '{kx} alone: 3, 0, 0',
+    onlyKt: '{kt} alone: 0, 0, 5. It turns on the spot, for {v} has no such term',
+    onlyKy: '{ky} alone: 0, 8, 0. It minds {ye} and nothing else',
+    all: 'All three: 3, 8, 5',
+    stuck: 'Start beside the goal with {ky} = 0: nothing moves',
+    shuffle: 'The same with {ky} = 8: it shuffles over, as one does in a parking space',
+    unlimited: 'All three on wheels without limits: the robot spins',
+  },
+  notice: [
+    'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',
+    'A bar with an arrow leaves the picture: then the limits drive, not the law.',
+    'In {w} each gain has a term, in {v} only two.',
+    'What to do at sin {te} = 0 the paper does not say. We never divide by less than 0.000001.',
+  ],
+};

@@ -1,0 +1,118 @@
+// The step “lecturers” in English.
+
+export const lecturers = {
+  texts: {
+    begin: `Everything on this page is in its link: what you set up before the lecture opens on any machine as you left it, with the same numbers to the last digit. *Share* gives the link, the pictures and the tables. *Settings* holds every number of the experiment. Keys: press *?*.
+
+*Share* also makes an exercise: a link with a task in your words, in which you lock or hide what your students shall leave alone. Nothing in it is secret: they can always open the whole page.`,
+    cite: `*How to cite.* The method: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. This program: ep-locomotion, version {=version}; its CITATION.cff holds the entry. What the paper leaves open and we chose stands in [the step before](lesson&step=13).`,
+  },
+  show: 'set it up',
+  answer: 'Answer',
+  sheets: {
+    demonstration: {
+      title: 'Ten minutes, for a lecture',
+      items: {
+        park: {
+          text: '*0 min.* Ask: who can park it? Let somebody call out numbers for the three sliders.',
+          seen: 'The robot stops beside the goal. The best of the class is the mark to beat.',
+        },
+        random: {
+          text: '*2 min.* Twenty robots with random numbers. Ask: how many will arrive?',
+          seen: 'Most of them do; the best is better than the paper’s arbitrary gains.',
+        },
+        run: {
+          text: '*3 min.* Press Reset and Run, and watch J fall; or set up generation 50.',
+          seen: 'By generation 50 the best J is below that of the paper’s EP gains.',
+        },
+        open: {
+          text: '*4 min.* How? One generation, opened: who met whom, who won, who stays.',
+          seen: 'Every robot meets ten others, drawn by lot. Wins decide, not J alone.',
+        },
+        steps: {
+          text: '*5 min.* The step sizes σ. Ask: what will they do when nothing gets better any more?',
+          seen: 'They shrink by many powers of ten: evolution stands still, whether or not it is at the best place.',
+        },
+        landscape: {
+          text: '*6 min.* What was climbed: each point a robot. Drag the goal and watch the valley.',
+          seen: 'The population sits in the dark valley.',
+        },
+        elsewhere: {
+          text: '*7 min.* Ask: from how many other starts does this champion arrive? Press a hatched place.',
+          seen: 'From far fewer than all. It learned one start, not the task.',
+        },
+        training: {
+          text: '*8 min.* Evolve on many starts: press “Evolve all three”.',
+          seen: 'On starts never seen, gains evolved on many starts arrive more often than those evolved on one.',
+        },
+        close: {
+          text: '*9 min.* And when the ground pushes? Theorem 2 says how near the robot stays.',
+          seen: 'An optimiser gives what the cost asks for. Nothing more.',
+        },
+      },
+    },
+    lab: {
+      title: 'Fifty minutes, for a lab',
+      note: 'Students work in pairs, write down a prediction before each “set it up”, and pin what they compare.',
+      items: {
+        beside: {
+          text: 'The robot stands beside the goal and points the right way; {ky} is 0. Predict what it does. Then find a {ky} that moves it.',
+          seen: 'It does not move at all: with {ye} as the only error, only {ky} could ask for anything.',
+        },
+        works: {
+          text: 'Driving fast counts four times as much (R of v is 4). Which gains does evolution find now, compared with before?',
+          seen: 'Smaller {kx} and {kt}: the robot drives more slowly and arrives later.',
+        },
+        seeds: {
+          text: 'Evolve 100 generations with seeds 1 to 5. How much do J and the gains differ?',
+          seen: 'J agrees within one percent, {kx} and {kt} differ by more than a tenth: the valley is flat. {ky} is near 0 each time.',
+        },
+        population: {
+          text: 'Six robots instead of twenty: how many drives until J is below 7.8? Then sixty.',
+          seen: 'Here the small population needs fewer drives. One seed proves nothing: use [Luck](luck&population=6).',
+        },
+        kanayama: {
+          text: 'Kanayama’s rule instead of the paper’s law. Let it evolve. Why does nobody arrive?',
+          seen: 'With a goal at rest it never turns (ω = 0). No gains can mend that.',
+        },
+        acceleration: {
+          text: 'Gains 10, 10, 10 with limited acceleration. Explain the swings of θ from the curves of v and ω.',
+          seen: 'The wheels answer late; the robot overshoots again and again and arrives much later.',
+        },
+        unseen: {
+          text: 'How often do gains arrive from 1000 starts they have never seen: evolved on one start, on a circle, on a grid, the paper’s, the arbitrary ones? Explain the order.',
+          seen: 'Those evolved on one start and the paper’s are the worst: that start never asked for {ky}.',
+        },
+      },
+    },
+    exam: {
+      title: 'Questions for an exam',
+      items: {
+        negative: {
+          text: 'In V̇ = −kx x_e² cos² θ_e − ky y_e⁴ − kθ sin² θ_e, let ky be below zero. Which errors can then grow?',
+          seen: 'The second part becomes positive: V can grow while y_e is large, so the robot may be driven away sideways. Lemma and theorem need all three gains above zero.',
+        },
+        best: {
+          text: 'Why can the best J of the paper’s EP never rise from one generation to the next?',
+          seen: 'A robot wins every bout in which it is at least as good as its opponent. The best wins all ten, and ties go to the lower J. So it survives.',
+        },
+        old: {
+          text: 'The offspring’s gains are drawn with the parent’s old σ, its own σ is new. When is the new σ tested?',
+          seen: 'Only through its offspring, one generation later: a good σ is kept because it comes along with good gains.',
+        },
+        collapse: {
+          text: 'After 300 generations σ has fallen by more than seven powers of ten. What does that say about the gains found, and what would you change?',
+          seen: 'Only that no step helped for long. A lower bound for σ, a restart or a larger population keeps the search alive.',
+        },
+        ky: {
+          text: 'Evolution sends ky to zero. Is the robot better without this term?',
+          seen: 'From the one start that was driven, yes. From other starts it then stops beside the goal. The cost never asked for them.',
+        },
+        compare: {
+          text: 'Method A ends at J 7.71, method B at 7.92, one run each. What do you have to know before you prefer A?',
+          seen: 'The number of drives of each, the seeds, the spread over many seeds, and whether J counts what you want.',
+        },
+      },
+    },
+  },
+};

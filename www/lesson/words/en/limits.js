@@ -1,0 +1,48 @@
+// The step “limits” in English.
+import { costText, fixed } from '../../../words/numbers.js';
+
+/** @typedef {import('../../../core/engine.js').Run} Run */
+/** @typedef {{ run: Run, rises: number }} Driven */
+
+export const limits = {
+  texts: {
+    asked: `The law asks, the wheels answer. In this drive it asks for up to {=askedV} m/s and {=askedW} rad/s. The wheels turn out at most {=v} m/s and {=w} rad/s. In the curves the faint line is what was asked, the full one what was done: the top of {v} and {w} is cut off, and the robot drives at full speed for most of the way.
+
+Would it be better without limits? The proof of the last step knows none.`,
+    theory: `The proof has a gap where it meets a real robot: it wants the law to act *at every instant*, but a computer decides once in a hundredth of a second and holds on until the next. A huge command that is held turns the robot much too far. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples.
+
+Speed limits heal that: whatever the law asks, the robot only moves so far in a hundredth of a second. With them {V} rises at {=limitedRises} samples. Limits of *acceleration* do the opposite: the robot answers late. It cannot brake where the law wants it to brake.`,
+    next: `So there is no gain that is best by theory. What is best depends on the wheels, on the start, and on what one calls “good”. That word comes next.`,
+  },
+  quizzes: {
+    free: {
+      question: 'The paper’s EP gains without any limit of speed or turning: what does J do?',
+      choices: ['It falls: the robot may do all it wants', 'It stays about the same', 'It rises'],
+      /** @param {{ free: Driven, limited: Driven }} outcome */
+      why: ({ free, limited }) =>
+        `J is ${costText(free.run.cost.total)} instead of ${costText(limited.run.cost.total)}, and the robot ${arrival(free.run)}. Near the goal θe is almost 0, the law divides by its sine, and the robot spins: the largest turn rate is ${fixed(Math.max(...free.run.angular.map(Math.abs)), 0)} rad/s, and energy counts its square.`,
+    },
+    brakes: {
+      question:
+        'Gains 10, 10, 10 arrive early with speed limits. Now acceleration is limited as well. When do they arrive?',
+      choices: ['Earlier', 'A little later', 'Much later, or never'],
+      /** @param {{ limited: Driven, sluggish: Driven }} outcome */
+      why: ({ limited, sluggish }) =>
+        `With speed limits the robot ${arrival(limited.run)}; with acceleration limits it ${arrival(sluggish.run)}, and V rises at ${sluggish.rises} samples (before: ${limited.rises}). Bold gains need quick wheels. J: ${costText(limited.run.cost.total)} and ${costText(sluggish.run.cost.total)}.`,
+    },
+  },
+  tries: {
+    figure4: 'Figure 4: EP’s gains and the arbitrary ones, speed limits',
+    figure5: 'Figure 5: the same against time',
+    figure6: 'Figure 6: EP’s gains for acceleration limits',
+    figure7: 'Figure 7: the same against time',
+  },
+  notice: [
+    'With acceleration limits the speed begins at 0 and climbs along a straight line: no command can start the wheels at once.',
+    'In Figure 7 the dotted robot turns far beyond its goal and back. It never arrives.',
+    'Where the full line lies on the faint one, the law itself drives; elsewhere the limit does.',
+  ],
+};
+
+/** @param {Run} run */
+const arrival = (run) => (run.arrived ? `arrives after ${fixed(run.finalTime, 2)} s` : 'does not arrive');

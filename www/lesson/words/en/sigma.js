@@ -1,0 +1,45 @@
+// The step “sigma” in English.
+import { costText, fixed } from '../../../words/numbers.js';
+
+export const sigma = {
+  texts: {
+    begin: `Too short a step gets nowhere. Too long a step misses. And what was right at the beginning is too long near the end. So nobody sets the *step size*: every robot has its own {s} for each gain, and hands it to its offspring, a little changed:`,
+    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt} change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. Two times in three a new {s} lies between half and twice the old one.
+
+Nobody judges {s} itself. Steps of a good length make good offspring, and these inherit it. The figure shows the mean {s} of each gain, on an axis on which equal distances are equal factors: after {=generation} generations {=sx} for {kx}, {=sy} for {ky}, {=st} for {kt}.`,
+    collapse: `In the long run {s} falls. A short step cannot spoil much, so its offspring survive more often and hand it on. Nothing stops this: *the step sizes collapse*. [After 300 generations](lab&generation=300&curve=sigmas) they are below a millionth, and evolution stands still, whether it has found the best place or not. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none.`,
+    next: `A method with weaknesses, then. Is it any better than you?`,
+  },
+  quizzes: {
+    small: {
+      question:
+        'What if every robot begins with {s} = 0.01 instead of 1? The same robots, the same seed: where is the best J after 60 generations?',
+      choices: [
+        'Lower: small steps are careful',
+        'At the same J: {s} adapts itself anyway',
+        'Higher: with such steps it hardly gets away',
+      ],
+      /** @param {{ own: number, usual: number, generation: number, sigma: number }} outcome */
+      why: ({ own, usual, generation, sigma }) =>
+        `After ${generation} generations the best J is ${costText(own)}; with σ = 1 at the start it is ${costText(usual)}. A new σ is seldom more than twice the old one, so it takes many generations to make ${sigma} large.`,
+    },
+    further: {
+      question:
+        'Evolution goes on from generation 150 to generation 300: as many drives again as before. How far does the best J still fall?',
+      choices: ['About as far as before', 'Less, but one sees it', 'By less than 0.01'],
+      /** @param {{ before: number, after: number, half: number, generation: number, sigmas: string[] }} outcome */
+      why: ({ before, after, half, generation, sigmas }) =>
+        `In the first ${half} generations it fell by ${fixed(before, 3)}, in the next ${generation - half} by ${fixed(after, 5)}. At the end the mean σ are ${sigmas.join(', ')}.`,
+    },
+  },
+  tries: {
+    stuck: 'Seed 7: {s} has collapsed at a J that other seeds get below',
+    none: 'No steps at all: {s} = 0. Only the tournament is left',
+    large: 'Far too large: {s} = 100',
+    late: 'Generation 300, a mutation: can you see the gains change?',
+  },
+  notice: [
+    'At the beginning the curves rise, though {s} is halved as often as doubled: doubling adds more to a mean than halving takes away.',
+    'With this seed the step of {ky} collapses first. The best {ky} is close to 0, and J charges every gain below 0 dearly.',
+  ],
+};

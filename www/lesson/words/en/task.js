@@ -1,0 +1,64 @@
+// The step “task” in English.
+import { costText, fixed, grouped } from '../../../words/en/numbers.js';
+
+/** @typedef {import('../../../core/engine.js').Run} Run */
+/** @typedef {import('../common.js').Share} Share */
+/** How gains fare: from how many starts they arrive. @typedef {{ gains: readonly number[], training: Fares, unseen: Fares, own: number }} Result */
+/** @typedef {{ starts: readonly unknown[], arrived: Uint8Array, count: number, cost: number }} Fares */
+
+export const task = {
+  texts: {
+    good: `Generation {=generation}. The best robot arrives after {=time}\u00a0s at J {=cost}; the gains of the paper come to {=paper} here. There is little left to find. *So has this robot learned to park?*
+
+Put it to the test: the same gains, other starts. {=places} places on a square of {=side}\u00a0m around the goal, in each {=headings} headings, make {=starts} starts.`,
+    beside: `Press a hatched place of [the map](robustness&generation=100), and watch. The robot drives up, turns the right way, and stops *beside* the goal. All that fail end like this: {xe} and {te} are gone, {ye} is left. The gain against {ye} is {ky}, and evolution has left it at {=ky}.`,
+    asked: `Why so small? From the one start that evolution was given, the goal lies straight ahead, along its own direction: there {ye} is {=ye}\u00a0m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and that drive it made cheap.
+
+*An optimiser gives what the cost asks for, not what you meant.*`,
+    many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. In [Training](training&generation=100) press *Evolve all three*: on one start, on 32 on a circle, on 36 on a grid. Each is then tested on 1000 starts that none has seen.`,
+    next: `This holds far beyond robots: look at what a cost does *not* ask for. Ours has never asked for a floor that pushes.`,
+  },
+  quizzes: {
+    share: {
+      question: 'From how many of these starts does it arrive?',
+      choices: [
+        'From nearly all',
+        'From about three quarters',
+        'From about half',
+        'From a quarter, or fewer',
+      ],
+      /** @param {Share} outcome */
+      why: ({ count, starts, share }) =>
+        `From ${grouped(count)} of ${grouped(starts)}, that is ${percent(share)}. They are in the map: where it is dark, every heading arrives; where it is hatched, none.`,
+    },
+    arbitrary: {
+      question:
+        'The arbitrary gains of the paper, 10, 10, 10, drive far dearer from its start. From how many starts do they arrive?',
+      choices: ['From fewer', 'From about as many', 'From more'],
+      /** @param {{ own: Share, other: Share, best: Run, dear: Run }} outcome */
+      why: ({ own, other, best, dear }) =>
+        `They arrive from ${percent(other.share)} of the starts, the evolved ones from ${percent(own.share)}. From the start of the paper it was J ${costText(dear.cost.total)} against ${costText(best.cost.total)}. Whoever is best in one place need not be good in others.`,
+    },
+    price: {
+      question: 'Evolved on 32 starts instead of one: what becomes of {J} from the one start of the paper?',
+      choices: ['It falls: more practice helps everywhere', 'It stays as it is', 'It rises'],
+      /** @param {{ one: Result, many: Result }} outcome */
+      why: ({ one, many }) =>
+        `From ${costText(one.own)} to ${costText(many.own)}. In return the robot arrives from ${many.unseen.count} of the ${many.unseen.starts.length} starts that it never saw, instead of ${one.unseen.count}. And ky is ${fixed(many.gains[1], 2)} now, not ${fixed(one.gains[1], 4)}: asked for, it came back. Press *Evolve all three* to see them all.`,
+    },
+  },
+  tries: {
+    beside: 'A start that fails: watch where it ends',
+    withKy: 'The same start with {ky} = 10',
+    training: 'Press “Evolve all three”: one start, 32, 36, tested on 1000 others',
+    cheap: 'The same with seed 3: evolve, and look at the grid',
+  },
+  notice: [
+    'The map has an axis: the direction in which the goal points. The robot arrives from behind and from ahead, and hardly ever from the sides.',
+    'Even after many starts a part is missed. {J} asks for cheap drives, not for arrivals: with seed 3 the gains of the grid arrive less often than the arbitrary ones, at a far lower mean {J}.',
+    'Gains look best where they were evolved: compare “trained on” with “never seen”.',
+  ],
+};
+
+/** @param {number} share */
+const percent = (share) => `${fixed(100 * share, 1)} %`;

@@ -1,0 +1,45 @@
+// The step “drive” in Korean.
+import { costText, fixed } from '../../../words/numbers.js';
+
+/** @typedef {import('../../../core/engine.js').Run} Run */
+
+export const drive = {
+  texts: {
+    begin: `이 로봇은 바퀴 두 개로 달립니다. 오른쪽 위의 화살표에 주차하려고 합니다. 바로 그 자리에, 화살표와 같은 방향을 보고 서야 합니다. 숫자 세 개가 주행을 결정합니다. 3, 0, 0으로는 목표에서 {=miss} m 떨어진 곳에 멈추어 다시 움직이지 않습니다.
+
+그림 아래의 슬라이더 세 개를 움직여 보십시오. 숫자가 바뀔 때마다 로봇이 다시 달립니다. 큰 숫자 *J*는 이 주행의 비용입니다. 걸린 시간, 목표에서 얼마나 멀리 얼마나 오래 떨어져 있었는지, 바퀴를 얼마나 빨리 돌렸는지를 모두 더한 값입니다. *낮을수록 좋습니다.*
+
+*J를 {=arbitrary} 아래로 낮출 수 있습니까?* 이 방법을 만든 저자들이 진화 없이 고른 숫자의 J입니다.`,
+    next: `방금 한 일이 바로 이 페이지의 주제입니다. 감에 의지해 숫자를 바꾸고, 지켜보고, 더 나은 것을 남겼습니다. 진화도 똑같이 합니다. 다만 로봇 스무 대로 한꺼번에 하고, 지치지 않습니다. 그런데 이 세 숫자는 도대체 무엇입니까?`,
+  },
+  /** @param {import('../common.js').Drives} tally */
+  tally: ({ drives, best }) =>
+    best
+      ? `지금까지 가장 좋은 결과: J ${costText(best.cost)}, 숫자 ${best.gains.map((gain) => fixed(gain, 2)).join(', ')}. 주행 ${drives}번.`
+      : drives > 0
+        ? `주행 ${drives}번, 아직 한 번도 도착하지 못했습니다.`
+        : '아직 몰아 보지 않았습니다.',
+  quizzes: {
+    bolder: {
+      question: '세 숫자를 모두 5로 했다가 모두 10으로 올리면 무엇이 달라집니까?',
+      choices: ['더 빨리 도착하고 J도 낮아진다', '더 빨리 도착하지만 J는 높아진다', '더 늦게 도착한다'],
+      /** @param {{ gentle: Run, bold: Run }} outcome */
+      why: ({ gentle, bold }) =>
+        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. J에서 에너지의 몫은 ${fixed(gentle.cost.energy, 2)} → ${fixed(bold.cost.energy, 2)}, 경로의 몫은 ${fixed(gentle.cost.path, 2)} → ${fixed(bold.cost.path, 2)}입니다.`,
+    },
+  },
+  tries: {
+    onlySecond: '둘째 숫자만: 0, 5, 0',
+    noDrive: '셋째 숫자만: 0, 0, 5',
+    negative: '첫째를 0보다 작게: −1, 1, 5',
+    paper: '논문에서 진화가 찾은 숫자',
+  },
+  notice: [
+    '같은 시각에 도착해도 J는 다를 수 있습니다. 비용이 더 든 주행은 무엇에 비용을 썼습니까? J 아래의 막대가 알려 줍니다.',
+    '숫자를 조금 바꾸면 주행도 대개 조금 바뀝니다. 그러다가 어느 순간 갑자기 달라지기도 합니다.',
+  ],
+};
+
+/** @param {Run} run */
+const arrival = (run) =>
+  run.arrived ? `${fixed(run.finalTime, 2)}초 뒤에 도착하고` : '끝내 도착하지 못하고';

@@ -1,0 +1,48 @@
+// The step “generation” in Korean.
+import { costText } from '../../../words/numbers.js';
+
+/** @typedef {{ stays: boolean, cost: number, wins: number, place: number }} Fate */
+
+export const generation = {
+  texts: {
+    begin: `지금까지는 이득을 한 벌씩 시험했습니다. 진화는 {=count}벌을 한꺼번에 다룹니다. 처음에 무작위로 뽑은 로봇들의 *개체군*입니다. 그다음에는 네 가지 일을 되풀이하며, 그 한 바퀴가 한 *세대*입니다. 네 가지를 차례로 눌러 보십시오. 글 속의 수치는 그림에서 고른 로봇의 것입니다. 다른 로봇을 골라도 됩니다.`,
+    mutate: `*1. [돌연변이](generation&generation=1&phase=mutation&individual=26).* 부모마다 *자손*을 하나씩 만듭니다. 자손의 이득은 각각 부모의 이득에서 무작위로 한 걸음 옮긴 값입니다. 한 걸음은 *변이 폭* {s}에 난수 {N}을 곱한 것입니다. {N}은 표준정규분포(종 모양)에서 뽑으며, −2나 2를 벗어나는 일이 드뭅니다.`,
+    select: `*2. [주행](generation&generation=1&phase=drive&individual=26).* {=child}의 J는 {=childCost}, 그 부모의 J는 {=parentCost}입니다. 자손 로봇 {=count}대 가운데 {=better}대가 부모보다 잘 주행합니다. 대개는 부모보다 못합니다. 무작위 걸음은 좋을 때보다 나쁠 때가 많기 때문입니다.
+
+*3. [토너먼트](generation&generation=1&phase=tournament&individual=26).* 부모와 자손을 합친 로봇 {=all}대가 각각 무작위로 뽑은 로봇 {=bouts}대와 겨룹니다. J가 상대보다 낮거나 같으면 이깁니다. {=chosen}의 성적은 {=bouts}전 {=wins}승입니다.
+
+*4. [생존](generation&generation=1&phase=survivors&individual=26).* 승수가 많은 로봇 {=count}대가 이득과 변이 폭과 J를 그대로 지닌 채 다음 세대의 부모가 됩니다. {=fate}`,
+    next: `네 가지 일은 논문 그대로입니다. 로봇이 스무 대라는 것과, 승수가 같으면 J가 낮은 쪽이 앞선다는 것은 이 페이지가 정했습니다. 그런데 한 걸음은 얼마나 커야 할까요? 모든 로봇이 {s} = 1로 시작하고, 그 뒤로는 아무도 정해 주지 않습니다.`,
+  },
+  /** @param {string} name @param {string} fate */
+  fate: (name, fate) => `${name}: ${fate}.`,
+  quizzes: {
+    luck: {
+      question: '1세대에서 자손 6은 부모 12보다 잘 주행합니다. 둘 가운데 누가 남습니까?',
+      choices: ['자손 6만', '부모 12만', '둘 다', '둘 다 탈락'],
+      /** @param {{ better: Fate, worse: Fate, bouts: number }} outcome */
+      why: ({ better, worse, bouts }) =>
+        `자손 6의 J는 ${costText(better.cost)}, 성적은 ${bouts}전 ${better.wins}승으로 ${fateOf(better)}입니다. 부모 12의 J는 ${costText(worse.cost)}, 성적은 ${worse.wins}승으로 ${fateOf(worse)}입니다. J로는 ${better.place}위와 ${worse.place}위입니다. 그러나 생존은 승수로 정하고, 승수는 누구를 만나느냐에 달려 있습니다.`,
+    },
+    best: {
+      question: '그렇다면 가장 좋은 로봇은 어떻습니까? 세대가 바뀌면서 최소 J가 나빠질 수 있습니까?',
+      choices: ['그렇다, 토너먼트에서 운이 나쁘면', '그렇다, 자손이 더 나쁘게 주행하면', '아니다, 절대로'],
+      /** @param {{ rose: number, fell: number, generations: number }} outcome */
+      why: ({ rose, fell, generations }) =>
+        `이 ${generations}세대 동안 최소 J는 ${fell}번 내려가고 ${rose === 0 ? '한 번도 올라가지 않았습니다' : `${rose}번 올라갔습니다`}. 최우수보다 J가 낮은 로봇은 없으므로 누구를 만나도 이깁니다. 자손에게 자리를 내주지도 않습니다. 둘은 같은 토너먼트에 나갑니다.`,
+    },
+  },
+  tries: {
+    lucky: '시드 3: 부모 13은 J가 높은데도 남는다. 누구를 만났는가?',
+    below: '자손 15는 한 걸음이 지나쳤다: J는 여기에 무엇을 매기는가?',
+    bouts: '10전 대신 각각 200전: 그래도 운이 남는가?',
+    late: '60세대: 이제 부모보다 잘 주행하는 자손은 몇 대인가?',
+  },
+  notice: [
+    '한 세대에 드는 주행은 40번이 아니라 20번입니다. 부모는 이미 주행했습니다.',
+    '자손은 부모의 변이 폭으로 만들어집니다. 새 변이 폭도 받지만, 자기 자손을 만들 때에야 씁니다.',
+  ],
+};
+
+/** @param {Fate} fate */
+const fateOf = ({ stays }) => (stays ? '생존' : '탈락');

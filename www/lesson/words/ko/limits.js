@@ -1,0 +1,47 @@
+// The step “limits” in Korean.
+import { costText, fixed } from '../../../words/numbers.js';
+
+/** @typedef {import('../../../core/engine.js').Run} Run */
+/** @typedef {{ run: Run, rises: number }} Driven */
+
+export const limits = {
+  texts: {
+    asked: `법칙이 명령하면 바퀴가 따릅니다. 이 주행에서 법칙은 {=askedV} m/s와 {=askedW} rad/s까지 명령합니다. 바퀴는 {=v} m/s와 {=w} rad/s까지만 낼 수 있습니다. 곡선에서 흐린 선이 명령, 진한 선이 실제 속도입니다. {v}와 {w}의 윗부분이 잘려 있고, 로봇은 길의 대부분을 최대 선속도으로 달립니다.
+
+제한이 없으면 더 좋을까요? 앞 단계의 증명에는 제한이 없습니다.`,
+    theory: `증명과 실제 로봇 사이에는 틈이 있습니다. 증명에서는 법칙이 *매 순간* 작용하지만, 컴퓨터는 100분의 1초에 한 번 명령을 정하고 다음 샘플까지 그 값을 유지합니다. 아주 큰 명령이 유지되면 로봇은 지나치게 많이 회전합니다. 그래서 {V}가 샘플마다 줄어든다는 보장이 없습니다. 제한 없이 이 이득으로 달리면 샘플 {=samples}개 가운데 {=rises}개에서 {V}가 커집니다.
+
+속도 제한은 이 틈을 메웁니다. 법칙이 무엇을 명령하든 로봇은 100분의 1초 동안 조금밖에 움직이지 못합니다. 이때 {V}가 커지는 샘플은 {=limitedRises}개입니다. *가속도* 제한은 그 반대입니다. 로봇이 늦게 반응합니다. 법칙이 멈추라는 곳에서 멈추지 못합니다.`,
+    next: `그러니 이론만으로 정해지는 가장 좋은 이득은 없습니다. 무엇이 가장 좋은지는 바퀴와 출발점에, 그리고 무엇을 “좋다”고 하는지에 달려 있습니다. 다음은 그 “좋다”는 말입니다.`,
+  },
+  quizzes: {
+    free: {
+      question: '논문의 EP 이득을 속도 제한 없이 달리게 하면 J는 어떻게 됩니까?',
+      choices: ['낮아진다. 로봇이 마음대로 움직일 수 있으므로', '거의 그대로다', '높아진다'],
+      /** @param {{ free: Driven, limited: Driven }} outcome */
+      why: ({ free, limited }) =>
+        `J는 ${costText(limited.run.cost.total)} → ${costText(free.run.cost.total)}입니다. 로봇은 ${arrival(free.run)}. 목표 가까이에서 θe는 거의 0인데, 법칙은 그 사인으로 나눕니다. 그래서 로봇이 빙글빙글 돕니다. 가장 큰 각속도는 ${fixed(Math.max(...free.run.angular.map(Math.abs)), 0)} rad/s이고, 에너지는 그 제곱에 비례합니다.`,
+    },
+    brakes: {
+      question: '이득 10, 10, 10은 속도 제한에서 일찍 도착합니다. 이제 가속도도 제한하면 언제 도착합니까?',
+      choices: ['더 일찍', '조금 늦게', '훨씬 늦게, 또는 도착하지 못한다'],
+      /** @param {{ limited: Driven, sluggish: Driven }} outcome */
+      why: ({ limited, sluggish }) =>
+        `속도 제한에서 로봇은 ${arrival(limited.run)}. 가속도까지 제한하면 ${arrival(sluggish.run)}. V가 커지는 샘플은 ${limited.rises}개 → ${sluggish.rises}개입니다. 큰 이득에는 빠른 바퀴가 필요합니다. J는 ${costText(limited.run.cost.total)} → ${costText(sluggish.run.cost.total)}입니다.`,
+    },
+  },
+  tries: {
+    figure4: '그림 4: 속도 제한에서 EP 이득과 임의 이득',
+    figure5: '그림 5: 같은 주행을 시간에 따라',
+    figure6: '그림 6: 가속도 제한에서 EP 이득과 임의 이득',
+    figure7: '그림 7: 같은 주행을 시간에 따라',
+  },
+  notice: [
+    '가속도를 제한하면 선속도는 0에서 시작해 직선으로 커집니다. 어떤 명령으로도 바퀴를 단번에 돌리지 못합니다.',
+    '그림 7에서 점선의 로봇은 목표 방향각을 훨씬 넘게 돌았다가 되돌아옵니다. 끝내 도착하지 못합니다.',
+    '진한 선이 흐린 선과 겹치는 곳에서는 법칙이, 그 밖에서는 제한이 로봇을 움직입니다.',
+  ],
+};
+
+/** @param {Run} run */
+const arrival = (run) => (run.arrived ? `${fixed(run.finalTime, 2)}초 뒤에 도착합니다` : '도착하지 못합니다');

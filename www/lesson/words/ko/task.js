@@ -1,0 +1,59 @@
+// The step “task” in Korean.
+import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
+
+/** @typedef {import('../../../core/engine.js').Run} Run */
+/** @typedef {import('../common.js').Share} Share */
+/** How gains fare: from how many starts they arrive. @typedef {{ gains: readonly number[], training: Fares, unseen: Fares, own: number }} Result */
+/** @typedef {{ starts: readonly unknown[], arrived: Uint8Array, count: number, cost: number }} Fares */
+
+export const task = {
+  texts: {
+    good: `{=generation}세대입니다. 최우수 로봇은 {=time}초 뒤 도착하고 J는 {=cost}입니다. 논문의 이득으로는 여기서 {=paper}입니다. 더 나아질 여지가 거의 없습니다. *그렇다면 이 로봇은 주차를 배운 것입니까?*
+
+시험해 봅시다. 이득은 그대로 두고 출발점만 바꿉니다. 목표를 둘러싼 한 변 {=side} m의 정사각형에서 {=places}곳, 한 곳마다 방향각 {=headings}개, 모두 {=starts}개의 출발점입니다.`,
+    beside: `[지도](robustness&generation=100)에서 빗금 친 곳을 누르고 지켜보십시오. 로봇은 다가와서 방향을 맞추고 멈춥니다. 그런데 목표의 *옆*입니다. 도착하지 못하는 주행은 모두 이렇게 끝납니다. {xe}와 {te}는 없어지고 {ye}가 남습니다. {ye}를 줄이는 이득은 {ky}인데, 진화는 이것을 {=ky}까지 줄여 놓았습니다.`,
+    asked: `왜 이렇게 작을까요? 진화가 받은 단 하나의 출발점은 목표의 정확히 뒤쪽, 곧 목표 방향의 연장선 위에 있습니다. 거기서 {ye}는 {=ye} m입니다. 이 주행에서 {ky}는 할 일이 거의 없고 비용만 듭니다. 그래서 진화가 없앴습니다. 진화가 실수한 것이 아닙니다. 우리가 요구한 것은 주행 *하나*였고, 진화는 그 주행의 비용을 낮추었습니다.
+
+*최적화는 우리가 뜻한 것이 아니라 비용이 요구하는 것을 내놓습니다.*`,
+    many: `그러니 더 많이 물어봅시다. {J}를 *여러 출발점의 평균*으로 바꾸어 다시 진화시킵니다. [학습](training&generation=100)에서 *“세 가지 모두 진화”*를 누르십시오. 출발점 하나로, 원 위의 32개로, 격자의 36개로 진화시킨 다음, 셋 모두 한 번도 보지 못한 출발점 1000개로 시험합니다.`,
+    next: `로봇에만 해당하는 이야기가 아닙니다. 비용이 *요구하지 않는 것*을 살펴보십시오. 이 페이지의 비용은 바닥이 미는 경우를 한 번도 다루지 않았습니다.`,
+  },
+  quizzes: {
+    share: {
+      question: '이 출발점 가운데 몇 곳에서 도착합니까?',
+      choices: ['거의 모든 곳에서', '약 4분의 3에서', '약 절반에서', '4분의 1이나 그 이하에서'],
+      /** @param {Share} outcome */
+      why: ({ count, starts, share }) =>
+        `${grouped(starts)}개 중 ${grouped(count)}개, 곧 ${percent(share)}입니다. 지도에서 볼 수 있습니다. 어두운 곳에서는 모든 방향각이 도착하고, 빗금 친 곳에서는 하나도 도착하지 못합니다.`,
+    },
+    arbitrary: {
+      question:
+        '논문의 임의 이득 10, 10, 10은 논문의 출발점에서 비용이 훨씬 큽니다. 얼마나 많은 출발점에서 도착합니까?',
+      choices: ['더 적은 곳에서', '비슷한 만큼', '더 많은 곳에서'],
+      /** @param {{ own: Share, other: Share, best: Run, dear: Run }} outcome */
+      why: ({ own, other, best, dear }) =>
+        `임의 이득은 출발점의 ${percent(other.share)}에서, 진화한 이득은 ${percent(own.share)}에서 도착합니다. 논문의 출발점에서는 J가 ${costText(dear.cost.total)} 대 ${costText(best.cost.total)}입니다. 한 곳에서 가장 좋다고 다른 곳에서도 좋은 것은 아닙니다.`,
+    },
+    price: {
+      question: '출발점 하나 대신 32개로 진화시키면, 논문의 그 출발점에서 {J}는 어떻게 됩니까?',
+      choices: ['낮아진다. 연습이 많으면 어디서나 좋아진다', '그대로이다', '높아진다'],
+      /** @param {{ one: Result, many: Result }} outcome */
+      why: ({ one, many }) =>
+        `J ${costText(one.own)} → ${costText(many.own)}. 그 대신 한 번도 보지 못한 출발점 ${many.unseen.starts.length}개 가운데 도착하는 곳이 ${one.unseen.count}개 → ${many.unseen.count}개입니다. ky는 ${fixed(one.gains[1], 4)} → ${fixed(many.gains[1], 2)}입니다. 요구하니 되살아났습니다. *“세 가지 모두 진화”*를 누르면 셋 다 볼 수 있습니다.`,
+    },
+  },
+  tries: {
+    beside: '실패하는 출발점: 어디에서 끝나는가',
+    withKy: '같은 출발점, {ky} = 10',
+    training: '“세 가지 모두 진화” 누르기: 출발점 1개, 32개, 36개, 시험은 다른 1000개',
+    cheap: '시드 3으로 다시 진화: 격자의 결과에 주목',
+  },
+  notice: [
+    '지도에는 축이 있습니다. 목표가 보는 방향입니다. 로봇은 뒤와 앞에서는 도착하지만, 옆에서는 거의 도착하지 못합니다.',
+    '여러 출발점으로 진화시켜도 일부는 놓칩니다. {J}는 도착이 아니라 비용이 낮은 주행을 요구하기 때문입니다. 시드 3에서 격자의 이득은 임의 이득보다 덜 도착하지만 평균 {J}는 훨씬 낮습니다.',
+    '이득은 진화시킨 곳에서 가장 좋아 보입니다. “학습한 곳”과 “처음 보는 곳”을 비교해 보십시오.',
+  ],
+};
+
+/** @param {number} share */
+const percent = (share) => `${fixed(100 * share, 1)}%`;
