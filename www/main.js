@@ -7,7 +7,7 @@ import { createEmbed } from './embed/page.js';
 import { clearInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
 import { isEmbedded, standsStill } from './kit/host.js';
-import { createAccumulator, createFrameLoop } from './kit/loop.js';
+import { breathe, createAccumulator, createFrameLoop } from './kit/loop.js';
 import { createComputing } from './lab/computing.js';
 import { createDraw } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
@@ -55,7 +55,9 @@ async function start(engine) {
   const tools = { engine, store, actions: controls, paper, links };
   const go = (/** @type {string} */ link) => address?.go(link);
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
+  await breathe();
   const draw = createDraw(createViews(store, controls, links.pages, onLesson), engine, paper);
+  await breathe();
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
   pages = made;
@@ -112,6 +114,7 @@ async function start(engine) {
   }
 
   byId('plane-robots').setAttribute('aria-label', words.planeLabel);
+  clearInstead();
   byId('instrument').hidden = false;
   followSurroundings(actions, show);
   createKeys(share.openChecks);
@@ -139,9 +142,7 @@ async function begin() {
     // Side by side with the core.
     askFor(parts, location.hash);
     askForLesson(location.hash);
-    const opened = start(await createEngine());
-    clearInstead();
-    await opened;
+    await start(await createEngine());
   } catch (error) {
     showInstead(error);
     throw error;

@@ -129,6 +129,32 @@ export function within(context, frame, draw) {
   context.restore();
 }
 
+/** Where a curve has more samples than this for each pixel, most of them cannot be seen. */
+const crowded = 4;
+
+/**
+ * The samples of a curve that make its picture: all, or where they are crowded of each half pixel the first, the last, and those
+ * with the least and the largest value; none after one without a value.
+ * @param {number} first @param {number} count @param {number} width In pixels. @param {Value} value
+ */
+function seenSamples(first, count, width, value) {
+  if (count - first <= crowded * width) return Array.from({ length: count - first }, (_, i) => first + i);
+  const each = Math.ceil((count - first) / (2 * width));
+  const seen = [];
+  for (let from = first; from < count; from += each) {
+    const end = Math.min(from + each, count);
+    let [least, most, low, high] = [from, from, value(from), value(from)];
+    for (let i = from + 1; i < end; i += 1) {
+      const at = value(i);
+      if (at < low) [least, low] = [i, at];
+      else if (at > high) [most, high] = [i, at];
+      else if (Number.isNaN(at)) return [...seen, from, i];
+    }
+    seen.push(...new Set([from, Math.min(least, most), Math.max(least, most), end - 1]));
+  }
+  return seen;
+}
+
 /**
  * Where a curve goes, without the steps too small to see: from where it is a number to where it is none.
  * @param {Axes} axes @param {ArrayLike<number>} xs @param {Value} value @param {boolean} [isHeld] until the next sample
@@ -145,7 +171,7 @@ export function pointsOf({ x, y, frame }, xs, value, isHeld = false) {
   let [fromX, fromY] = [x(xs[first]), inside(y(value(first)))];
   /** @type {[number, number][]} */
   const points = [[fromX, fromY]];
-  for (let i = first + 1; i <= last; i += 1) {
+  for (const i of seenSamples(first, xs.length, frame.right - frame.left, value).slice(1)) {
     const [px, py] = [x(xs[i]), inside(y(value(i)))];
     if (Number.isNaN(py)) break;
     if (i < last && Math.abs(px - fromX) + Math.abs(py - fromY) < least) continue;

@@ -38,3 +38,6 @@ export function createAccumulator() {
     },
   };
 }
+
+/** Lets the browser do what is due meanwhile, so that nothing holds the page for long. */
+export const breathe = () => new Promise((resolve) => setTimeout(resolve));

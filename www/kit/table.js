@@ -6,7 +6,8 @@ import { create } from './elements.js';
  * @typedef {object} Table
  * @property {string} caption
  * @property {readonly string[]} columns
- * @property {readonly Row[]} rows
+ * @property {number} count How many rows there are.
+ * @property {(row: number) => Row} rowOf
  * @property {readonly Row[]} [summary] Rows of their own before the others.
  * @property {(row: number) => string} [classOf]
  * @property {() => void} [save] As a file.
@@ -20,28 +21,34 @@ export function headCell(scope, className, ...content) {
 }
 
 /** @param {readonly (Node | string)[]} names */
-export const headRow = (names) =>
+const headRow = (names) =>
   create('thead', '', create('tr', '', ...names.map((name) => headCell('col', '', name))));
 
-/** @param {Element} root @param {Table} table */
-export function fillTable(root, { caption, columns, rows, summary, classOf }) {
-  const bodyOf = (/** @type {readonly Row[]} */ some) =>
+/** More rows than these at once would take long to lay out. */
+export const mostRows = 100;
+
+/** Some of the rows. @param {Element} root @param {Table} table @param {number} [first] */
+export function fillTable(root, { caption, columns, count, rowOf, summary = [], classOf }, first = 0) {
+  /** @param {readonly Row[]} rows @param {(row: number) => string} [nameOf] */
+  const bodyOf = (rows, nameOf) =>
     create(
       'tbody',
       '',
-      ...some.map(([name, ...texts], i) =>
+      ...rows.map(([name, ...texts], i) =>
         create(
           'tr',
-          classOf?.(i) ?? '',
+          nameOf?.(first + i) ?? '',
           headCell('row', '', name),
           ...texts.map((text) => create('td', '', text)),
         ),
       ),
     );
+  const shown = Array.from({ length: Math.min(mostRows, count - first) }, (_, i) => rowOf(first + i));
   root.replaceChildren(
     create('caption', '', caption),
     headRow(columns),
-    ...[summary ?? [], rows].filter(({ length }) => length > 0).map(bodyOf),
+    ...(summary.length > 0 ? [bodyOf(summary)] : []),
+    ...(count > 0 ? [bodyOf(shown, classOf)] : []),
   );
 }
 

@@ -7,10 +7,14 @@ import { lab, tables as words } from '../words/index.js';
 export const fitnessTable = (history) => ({
   caption: words.fitnessCaption(history.length - 1),
   columns: words.fitnessColumns,
-  rows: history.map(({ generation, evaluations, best, median, worst, meanSigmas }) => [
-    String(generation),
-    String(evaluations),
-    ...[best.cost, median, worst].map(lab.costText),
-    ...meanSigmas.map(lab.threeDigits),
-  ]),
+  count: history.length,
+  rowOf(row) {
+    const { generation, evaluations, best, median, worst, meanSigmas } = history[row];
+    return [
+      String(generation),
+      String(evaluations),
+      ...[best.cost, median, worst].map(lab.costText),
+      ...meanSigmas.map(lab.threeDigits),
+    ];
+  },
 });

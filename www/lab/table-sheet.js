@@ -1,10 +1,12 @@
 // The sheet that shows what a picture shows, as a table.
 /** @import { Table } from '../kit/table.js' */
-import { html, render } from 'lit-html';
+import { html, nothing, render } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { once } from '../kit/memo.js';
-import { fillTable } from '../kit/table.js';
+import { fillTable, mostRows } from '../kit/table.js';
 import { opening, tables as words } from '../words/index.js';
+
+const { texts } = words;
 
 const dialog = once(() => {
   const made = /** @type {HTMLDialogElement} */ (create('dialog', 'sheet table-sheet'));
@@ -19,14 +21,33 @@ export function showTable(table) {
   if (!table) return;
   const rows = create('table', '');
   rows.id = 'table-rows';
-  fillTable(rows, table);
+  draw(table, rows, 0);
+  dialog().showModal();
+}
+
+/** @param {Table} table @param {HTMLElement} rows @param {number} first The row that is shown first. */
+function draw(table, rows, first) {
+  fillTable(rows, table, first);
   render(
     html`<div class="bar">
-        <button id="table-csv" type="button" class="primary" .hidden=${!table.save} @click=${() => table.save?.()}>${words.texts.tableCsv}</button>
+        <button id="table-csv" type="button" class="primary" .hidden=${!table.save} @click=${() => table.save?.()}>${texts.tableCsv}</button>
         <button id="table-close" type="button" @click=${() => dialog().close()}>${opening.texts.close}</button>
+        ${table.count > mostRows ? pager(table, rows, first) : nothing}
       </div>
-      <div class="table-scroll" tabindex="0" role="group" aria-label=${words.texts.tableButton}>${rows}</div>`,
+      <div class="table-scroll" tabindex="0" role="group" aria-label=${texts.tableButton}>${rows}</div>`,
     dialog(),
   );
-  dialog().showModal();
+}
+
+/** The way to the other rows. @param {Table} table @param {HTMLElement} rows @param {number} first */
+function pager(table, rows, first) {
+  const last = Math.min(first + mostRows, table.count);
+  const show = (/** @type {number} */ next) => () => {
+    draw(table, rows, next);
+    rows.parentElement?.scrollTo(0, 0);
+  };
+  return html`
+    <button id="table-before" type="button" .disabled=${first === 0} @click=${show(first - mostRows)}>${texts.tableBefore}</button>
+    <button id="table-after" type="button" .disabled=${last === table.count} @click=${show(first + mostRows)}>${texts.tableAfter}</button>
+    <p class="muted" role="status">${words.rowsText(first + 1, last, table.count)}</p>`;
 }

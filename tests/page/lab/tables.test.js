@@ -33,6 +33,33 @@ pageTest('the fitness curve can be read as a table', async (page) => {
   assert.equal(rows.length, 4);
 });
 
+pageTest('a long table is read a hundred rows at a time', async (page) => {
+  await page.open('#lab&v=1&generation=130');
+  await page.click('#fitness-table');
+  const shown = () =>
+    page.evaluate(() => {
+      const { rows } = /** @type {HTMLTableElement} */ (document.getElementById('table-rows'));
+      const isOff = (/** @type {string} */ id) =>
+        /** @type {HTMLButtonElement} */ (document.getElementById(id)).disabled;
+      return {
+        names: [rows[1], rows[rows.length - 1]].map((row) => row.cells[0].innerText),
+        said: /** @type {HTMLElement} */ (document.querySelector('#table [role="status"]')).innerText,
+        off: [isOff('table-before'), isOff('table-after')],
+      };
+    });
+  const first = { names: ['0', '99'], said: 'Rows 1 to 100 of 131', off: [true, false] };
+  assert.deepEqual(await shown(), first);
+  await page.click('#table-after');
+  assert.deepEqual(await shown(), {
+    names: ['100', '130'],
+    said: 'Rows 101 to 131 of 131',
+    off: [false, true],
+  });
+  await page.click('#table-before');
+  assert.deepEqual(await shown(), first);
+  assert.deepEqual(await page.obstacles('#table'), []);
+});
+
 pageTest('the landscape can be read as a table', async (page) => {
   await page.open('#landscape&v=1&drives=paper-ep&third=0.1');
   await page.until('the fine landscape is there', () =>

@@ -26,7 +26,7 @@ const roomForAll = 260;
 /** So many of its spans they may reach beyond it; a costly one would leave no room for the parts of J. */
 const reachOf = (/** @type {PlotName} */ name) => (name === 'cost' ? 1 : 2);
 
-export const inDegrees = (/** @type {number} */ radians) => (radians * 180) / Math.PI;
+const inDegrees = (/** @type {number} */ radians) => (radians * 180) / Math.PI;
 
 /** The curves of a plot: the value at each sample. @type {Readonly<Record<PlotName, readonly ((run: Run, i: number) => number)[]>>} */
 export const curvesOf = {
@@ -83,8 +83,13 @@ function domainOf(name, driving, others, limit) {
   return [name === 'cost' ? low : low - room, high + room];
 }
 
+/** Of runs that are drawn again and again, as pins are. @type {WeakMap<Run, Partial<Record<PlotName, [number, number]>>>} */
+const extents = new WeakMap();
+
 /** @param {PlotName} name @param {Run} run @returns {[number, number]} */
 function extentOf(name, run) {
+  const known = extents.get(run)?.[name];
+  if (known) return known;
   let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (const value of curvesOf[name])
     for (let i = 0; i < run.time.length; i += 1) {
@@ -93,5 +98,8 @@ function extentOf(name, run) {
       low = Math.min(low, at);
       high = Math.max(high, at);
     }
-  return low <= high ? [low, high] : [0, 1];
+  /** @type {[number, number]} */
+  const extent = low <= high ? [low, high] : [0, 1];
+  extents.set(run, { ...extents.get(run), [name]: extent });
+  return extent;
 }

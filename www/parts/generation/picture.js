@@ -8,67 +8,30 @@ import { isChord } from '../../kit/keyboard.js';
 import { sameDigits } from '../../kit/chart.js';
 import { watch } from '../../kit/memo.js';
 import words from './words/index.js';
+import { isCrowd, moveTo, place, prepare, show as showMarks } from './marks.js';
 import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
 import { isInitial } from './record.js';
 
 /** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, still: boolean }} PictureModel Still: nobody has asked for motion. */
 /** @typedef {{ model: PictureModel, size: Size, places: Place[] }} Drawn */
 
-/** More than that move too slowly, and nobody can follow them. */
-const mostMoving = 400;
 /** More lines than that hide what they lead to. */
 const mostBouts = 60;
 
 /** @param {HTMLElement} element The part. @param {{ onChoose: (number: number) => void }} on */
 export function createPicture(element, { onChoose }) {
   const root = /** @type {HTMLElement} */ (element.querySelector('#generation-picture'));
-  const picture = svg('svg', { 'aria-hidden': 'true' });
-  const layers = ['axis', 'pairs', 'bouts', 'marks', 'notes'].map((name) => svg('g', { class: name }));
-  const [axis, pairs, bouts, marks, notes] = layers;
-  const ring = svg('circle', { class: 'ring' });
-  picture.append(...layers, ring);
-  root.append(picture);
+  const show = createDrawing(root);
   const changed = watch();
-  let size = { width: 0, height: 0 };
   /** @type {Drawn | null} */
   let drawn = null;
-
-  /** @param {PictureModel} model */
-  const show = (model) => {
-    if (size.width === 0) return;
-    const { anatomy, phase, chosen } = model;
-    const places = placesOf(anatomy, phase, size);
-    fill(marks, anatomy.all.length, 'circle', { class: 'mark' });
-    fill(pairs, anatomy.record.offspring.length, 'line', { x2: '1', y2: '1', class: 'pair' });
-    const before = succeeded(drawn, anatomy);
-    const moves = before || (drawn?.model.anatomy === anatomy && drawn.model.phase !== phase);
-    const many = anatomy.all.length > mostMoving;
-    const still = model.still || !moves || many || drawn?.size !== size;
-    root.classList.add('still');
-    if (before && !still) place(marks, before);
-    // What moves sets out from where it stands by now.
-    if (!still) root.getBoundingClientRect();
-    root.classList.toggle('still', still);
-    root.dataset.phase = phase;
-    dress(marks, model, radiusOf(size, anatomy.count));
-    place(marks, places);
-    join(pairs, places, anatomy.count);
-    drawAxis(axis, model, size);
-    bouts.replaceChildren(...(phase === 'tournament' ? boutLines(model, places, size) : []));
-    notes.replaceChildren(...notesOf(model, places, size));
-    ring.setAttribute('r', String(Math.max(9, radiusOf(size, anatomy.count) * 1.25 + 4)));
-    moveTo(ring, places[chosen]);
-    drawn = { model, size, places };
-    describe(root, model);
-  };
-
-  followSize(root, (now) => {
-    size = now;
-    picture.setAttribute('viewBox', `0 0 ${size.width} ${size.height}`);
-    if (latest) show(latest);
-  });
   /** @type {PictureModel | null} */
   let latest = null;
+  const draw = () => {
+    const size = sizeOf();
+    if (latest && size.width > 0) drawn = show(latest, size, drawn);
+  };
+  const sizeOf = followSize(root, draw);
 
   root.addEventListener('click', (event) => {
     if (!drawn) return;
@@ -90,8 +53,41 @@ export function createPicture(element, { onChoose }) {
     draw(model) {
       if (!changed(model.anatomy, model.phase, model.chosen)) return;
       latest = model;
-      show(model);
+      draw();
     },
+  };
+}
+
+/** @param {HTMLElement} root @returns {(model: PictureModel, size: Size, drawn: Drawn | null) => Drawn} What draws after what it has drawn before. */
+function createDrawing(root) {
+  const picture = svg('svg', { 'aria-hidden': 'true' });
+  const layers = ['axis', 'pairs', 'bouts', 'marks', 'notes'].map((name) => svg('g', { class: name }));
+  const [axis, pairs, bouts, marks, notes] = layers;
+  const ring = svg('circle', { class: 'ring' });
+  picture.append(...layers, ring);
+  root.append(picture);
+  return (model, size, drawn) => {
+    const { anatomy, phase, chosen } = model;
+    const places = placesOf(anatomy, phase, size);
+    picture.setAttribute('viewBox', `0 0 ${size.width} ${size.height}`);
+    prepare(marks, pairs, model);
+    const before = succeeded(drawn, anatomy);
+    const moves = before || (drawn?.model.anatomy === anatomy && drawn.model.phase !== phase);
+    const still = model.still || !moves || isCrowd(model) || drawn?.size !== size;
+    root.classList.add('still');
+    if (before && !still) place(marks, before);
+    // What moves sets out from where it stands by now.
+    if (!still) root.getBoundingClientRect();
+    root.classList.toggle('still', still);
+    root.dataset.phase = phase;
+    showMarks(marks, pairs, model, places, radiusOf(size, anatomy.count));
+    drawAxis(axis, model, size);
+    bouts.replaceChildren(...(phase === 'tournament' ? boutLines(model, places, size) : []));
+    notes.replaceChildren(...notesOf(model, places, size));
+    ring.setAttribute('r', String(Math.max(9, radiusOf(size, anatomy.count) * 1.25 + 4)));
+    moveTo(ring, places[chosen]);
+    describe(root, model);
+    return { model, size, places };
   };
 }
 
@@ -134,62 +130,6 @@ function describe(root, { anatomy, phase, chosen }) {
   root.setAttribute('aria-valuemax', String(order.length));
   root.setAttribute('aria-valuenow', String(Math.max(1, order.indexOf(chosen) + 1)));
   root.setAttribute('aria-valuetext', words.chosenText(anatomy, phase, chosen));
-}
-
-/** As many elements as there are things. @param {Element} layer @param {number} count @param {string} name @param {Record<string, string>} attributes */
-function fill(layer, count, name, attributes) {
-  while (layer.childElementCount > count) layer.lastElementChild?.remove();
-  while (layer.childElementCount < count) layer.append(svg(name, attributes));
-}
-
-/** @param {Element} marks @param {Place[]} places */
-function place(marks, places) {
-  for (const [i, mark] of [...marks.children].entries()) moveTo(/** @type {SVGElement} */ (mark), places[i]);
-}
-
-/** @param {SVGElement} element @param {Place} place */
-function moveTo(element, { x, y }) {
-  element.style.transform = `translate(${x}px, ${y}px)`;
-}
-
-/** Says by classes what each mark is in this phase. @param {Element} marks @param {PictureModel} model @param {number} radius */
-function dress(marks, { anatomy, phase, chosen }, radius) {
-  const { count, ranks, record } = anatomy;
-  const met = phase === 'tournament' ? new Set(record.opponents[chosen]) : null;
-  for (const [number, mark] of [...marks.children].entries()) {
-    const fallen = ranks[number] >= count;
-    const classes = {
-      mark: true,
-      parent: number < count,
-      offspring: number >= count,
-      undriven: number >= count && phase === 'mutation',
-      unborn: number >= count && phase === 'parents',
-      faint: met !== null && number !== chosen && !met.has(number),
-      fallen: fallen && phase === 'ranking',
-      gone: fallen && phase === 'survivors' && number !== chosen,
-      falls: fallen && phase === 'survivors' && number === chosen,
-      chosen: number === chosen,
-    };
-    mark.setAttribute('r', String(number === chosen ? Math.max(5, radius * 1.25) : radius));
-    mark.id = `individual-${number}`;
-    mark.setAttribute(
-      'class',
-      Object.entries(classes)
-        .filter(([, is]) => is)
-        .map(([name]) => name)
-        .join(' '),
-    );
-  }
-}
-
-/** The lines from parents to offspring. @param {Element} pairs @param {Place[]} places @param {number} count */
-function join(pairs, places, count) {
-  for (const [i, pair] of [...pairs.children].entries()) {
-    const [from, to] = [places[i], places[i + count]];
-    const [dx, dy] = [to.x - from.x, to.y - from.y].map((d) => (Math.abs(d) < 0.01 ? 0.01 : d));
-    /** @type {SVGElement} */ (pair).style.transform =
-      `translate(${from.x}px, ${from.y}px) scale(${dx}, ${dy})`;
-  }
 }
 
 /** @param {Element} layer @param {PictureModel} model @param {Size} size */

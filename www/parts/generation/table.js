@@ -7,20 +7,25 @@ import { isInitial } from './record.js';
 export function generationTable(anatomy) {
   const { all, ranks, ranking, record, count } = anatomy;
   const initial = isInitial(record);
+  const costText = words.costWriter(anatomy);
   return {
     caption: words.tableCaption(anatomy),
     columns: words.columns,
-    rows: ranking.map((number) => [
-      String(ranks[number] + 1),
-      words.nameOf(anatomy, number),
-      String(number),
-      initial || number < count ? '' : words.nameOf(anatomy, number - count),
-      ...all[number].gains.map((gain) => words.gainText(gain)),
-      ...all[number].sigmas.map(words.sigmaText),
-      words.costWriter(anatomy)(all[number].cost),
-      initial ? '' : String(record.wins[number]),
-      ranks[number] < count ? words.yes : words.no,
-    ]),
+    count: ranking.length,
+    rowOf(row) {
+      const number = ranking[row];
+      return [
+        String(ranks[number] + 1),
+        words.nameOf(anatomy, number),
+        String(number),
+        initial || number < count ? '' : words.nameOf(anatomy, number - count),
+        ...all[number].gains.map((gain) => words.gainText(gain)),
+        ...all[number].sigmas.map(words.sigmaText),
+        costText(all[number].cost),
+        initial ? '' : String(record.wins[number]),
+        ranks[number] < count ? words.yes : words.no,
+      ];
+    },
     classOf: (row) => (ranks[ranking[row]] >= count ? 'falls' : ''),
   };
 }

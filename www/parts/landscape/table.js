@@ -11,14 +11,17 @@ export function landscapeTable({ spec, count, costs }) {
   const name = (/** @type {number} */ index) => lab.gains[index].name;
   const [across, up] = [spec.x, spec.y].map(({ gain }) => name(gainNames.indexOf(gain)));
   const columns = someOf(count);
+  // The highest row first, as in the picture.
+  const rows = someOf(count).reverse();
   /** @param {'x' | 'y'} axis @param {number} index */
   const gain = (axis, index) => lab.threeDigits(gainOn(spec[axis], spec.range, index / (count - 1)));
   return {
     caption: words.landscapeCaption(across, up, name(thirdOf(spec)), Number(spec.third.toPrecision(3))),
     columns: [words.corner(up, across), ...columns.map((column) => gain('x', column))],
-    // The highest row first, as in the picture.
-    rows: someOf(count)
-      .reverse()
-      .map((row) => [gain('y', row), ...columns.map((column) => lab.costText(costs[row * count + column]))]),
+    count: rows.length,
+    rowOf: (i) => [
+      gain('y', rows[i]),
+      ...columns.map((column) => lab.costText(costs[rows[i] * count + column])),
+    ],
   };
 }

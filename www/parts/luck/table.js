@@ -27,12 +27,16 @@ export function seedTable(survey) {
       ...summary.gains.map((one) => gainText(one[name])),
       costText(summary.finalRandom[name]),
     ]),
-    rows: runs.map(({ best, champion, random }, i) => [
-      String(first + i),
-      ...shown.map((generation) => costText(best[generation])),
-      ...champion.gains.map(gainText),
-      costText(random[generations]),
-    ]),
+    count: runs.length,
+    rowOf(row) {
+      const { best, champion, random } = runs[row];
+      return [
+        String(first + row),
+        ...shown.map((generation) => costText(best[generation])),
+        ...champion.gains.map(gainText),
+        costText(random[generations]),
+      ];
+    },
     save: () => download(words.fileName(survey), 'text/csv', csvOf(survey)),
   };
 }

@@ -8,14 +8,14 @@ import { startOf } from './grid.js';
 /** @param {Survey} survey @returns {Table} */
 export function robustnessTable({ grid, tally }) {
   const columns = someOf(grid.x.count);
+  const rows = someOf(grid.y.count).reverse();
   return {
     caption: words.robustnessCaption(grid.headings),
     columns: [words.corner('y', 'x'), ...columns.map((column) => lab.fixed(startOf(grid, column, 0).x, 2))],
-    rows: someOf(grid.y.count)
-      .reverse()
-      .map((row) => [
-        lab.fixed(startOf(grid, row * grid.x.count, 0).y, 2),
-        ...columns.map((column) => String(tally.count[row * grid.x.count + column])),
-      ]),
+    count: rows.length,
+    rowOf: (i) => [
+      lab.fixed(startOf(grid, rows[i] * grid.x.count, 0).y, 2),
+      ...columns.map((column) => String(tally.count[rows[i] * grid.x.count + column])),
+    ],
   };
 }

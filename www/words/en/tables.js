@@ -2,8 +2,13 @@
 
 export const texts = {
   tableButton: 'Table',
+  tableBefore: 'Rows before',
+  tableAfter: 'Rows after',
   tableCsv: 'Download CSV',
 };
+
+/** @param {number} from @param {number} to @param {number} count */
+export const rowsText = (from, to, count) => `Rows ${from} to ${to} of ${count}`;
 
 /** @param {number} newest */
 export const fitnessCaption = (newest) => `The fitness curve, generations 0 to ${newest}`;

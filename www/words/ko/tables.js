@@ -2,8 +2,13 @@
 
 export const texts = {
   tableButton: '표',
+  tableBefore: '이전 행',
+  tableAfter: '다음 행',
   tableCsv: 'CSV 내려받기',
 };
+
+/** @param {number} from @param {number} to @param {number} count */
+export const rowsText = (from, to, count) => `전체 ${count}행 중 ${from}~${to}행`;
 
 /** @param {number} newest */
 export const fitnessCaption = (newest) => `적합도 곡선, 0세대부터 ${newest}세대까지`;

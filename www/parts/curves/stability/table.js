@@ -9,15 +9,19 @@ export function stabilityTable(name, run) {
   return {
     caption: words.tableCaption(name, every * (run.time[1] ?? 0)),
     columns: words.tableColumns,
-    rows: samples.map((i) => [
-      words.timeText(run.time[i]),
-      ...[run.errorX, run.errorY].map((values) => words.amount(values[i])),
-      words.angleText(run.errorTheta[i]),
-      words.amount(run.lyapunov[i]),
-      ...[run.promisedX, run.promisedY, run.promisedTheta].map((values) => words.amount(values[i])),
-      words.amount(run.promisedX[i] + run.promisedY[i] + run.promisedTheta[i]),
-      words.amount(run.rate[i]),
-      words.limitedText(run.limited[i] === 1),
-    ]),
+    count: samples.length,
+    rowOf(row) {
+      const i = samples[row];
+      return [
+        words.timeText(run.time[i]),
+        ...[run.errorX, run.errorY].map((values) => words.amount(values[i])),
+        words.angleText(run.errorTheta[i]),
+        words.amount(run.lyapunov[i]),
+        ...[run.promisedX, run.promisedY, run.promisedTheta].map((values) => words.amount(values[i])),
+        words.amount(run.promisedX[i] + run.promisedY[i] + run.promisedTheta[i]),
+        words.amount(run.rate[i]),
+        words.limitedText(run.limited[i] === 1),
+      ];
+    },
   };
 }

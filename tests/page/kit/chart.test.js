@@ -1,0 +1,94 @@
+// Where the lines of a chart go: of many samples, only those that are seen.
+import assert from 'node:assert/strict';
+import fc from 'fast-check';
+import { scaleLinear } from 'd3-scale';
+import { pointsOf } from '../../../www/kit/chart.js';
+import { test } from '../harness/once.js';
+
+const frame = { left: 40, right: 140, top: 10, bottom: 210 };
+
+/** Axes that show all of a curve. @param {readonly number[]} values */
+const axesOf = (values) => ({
+  frame,
+  x: scaleLinear([0, values.length - 1], [frame.left, frame.right]),
+  y: scaleLinear([-1, 1], [frame.bottom, frame.top]),
+});
+
+/** A curve of many samples, which trembles. @param {number} count @param {readonly number[]} some */
+const tremblingOf = (count, some) =>
+  Array.from({ length: count }, (_, i) => 0.8 * Math.sin(i / 700) + 0.2 * some[(i * 7) % some.length]);
+
+/** The least and the greatest height within each pixel from the left. @param {readonly (readonly [number, number])[]} points */
+function reachOf(points) {
+  /** @type {Map<number, [number, number]>} */
+  const reach = new Map();
+  for (const [px, py] of points) {
+    const [low, high] = reach.get(Math.floor(px)) ?? [py, py];
+    reach.set(Math.floor(px), [Math.min(low, py), Math.max(high, py)]);
+  }
+  return reach;
+}
+
+const amplitudes = fc.array(fc.double({ min: -1, max: 1, noNaN: true }), { minLength: 5, maxLength: 40 });
+
+test('of many samples the points reach as high and as low as all do, and are few', () => {
+  fc.assert(
+    fc.property(fc.integer({ min: 401, max: 30_000 }), amplitudes, (count, some) => {
+      const values = tremblingOf(count, some);
+      const { x, y } = axesOf(values);
+      const points = pointsOf(
+        axesOf(values),
+        values.map((_, i) => i),
+        (i) => values[i],
+      );
+      const all = values.map((value, i) => /** @type {const} */ ([x(i), y(value)]));
+      const places = new Set(all.map(String));
+      assert.ok(
+        points.every((point) => places.has(String(point))),
+        'every point is a sample',
+      );
+      const seen = reachOf(points);
+      for (const [px, [low, high]] of reachOf(all)) {
+        // What lies less than half a pixel from a point that is drawn is left out, also over the edge of its pixel.
+        const near = [px - 1, px, px + 1].flatMap((one) => seen.get(one) ?? []);
+        assert.ok(Math.min(...near) <= low + 0.5, `pixel ${px} of ${count}`);
+        assert.ok(Math.max(...near) >= high - 0.5, `pixel ${px} of ${count}`);
+      }
+      assert.ok(points.length <= 8 * (frame.right - frame.left) + 2, `${points.length} of ${count}`);
+      const last = values.length - 1;
+      assert.deepEqual(points[0], [x(0), y(values[0])]);
+      assert.deepEqual(points.at(-1), [x(last), y(values[last])]);
+    }),
+    { numRuns: 60 },
+  );
+});
+
+test('a curve goes from its first number to where it has none', () => {
+  for (const count of [50, 5000]) {
+    const values = tremblingOf(count, [0.3, -0.3]);
+    values.fill(Number.NaN, 0, 10);
+    values[40] = Number.NaN;
+    const { x } = axesOf(values);
+    const points = pointsOf(
+      axesOf(values),
+      values.map((_, i) => i),
+      (i) => values[i],
+    );
+    assert.equal(points[0][0], x(10));
+    assert.ok(points.every(([px]) => px < x(40)));
+    assert.ok(points.every(([, py]) => Number.isFinite(py)));
+  }
+});
+
+test('a value that is held until the next sample makes steps', () => {
+  const values = [-0.5, 0.5, 0];
+  const { x, y } = axesOf(values);
+  const points = pointsOf(axesOf(values), [0, 1, 2], (i) => values[i], true);
+  assert.deepEqual(points, [
+    [x(0), y(-0.5)],
+    [x(1), y(-0.5)],
+    [x(1), y(0.5)],
+    [x(2), y(0.5)],
+    [x(2), y(0)],
+  ]);
+});

@@ -1,0 +1,111 @@
+// The individuals of the picture as marks, and the lines between parents and offspring.
+/** @import { Place } from './places.js' */
+/** @import { PictureModel } from './picture.js' */
+import { svg } from '../../kit/elements.js';
+
+/** More than that move too slowly, and nobody can follow them: they have no elements of their own. */
+const mostMoving = 400;
+
+/** @param {PictureModel} model */
+export const isCrowd = ({ anatomy }) => anatomy.all.length > mostMoving;
+
+/** As many elements as there are things. @param {Element} layer @param {number} count @param {string} name @param {Record<string, string>} attributes */
+function fill(layer, count, name, attributes) {
+  if (layer.firstElementChild?.localName !== name) layer.replaceChildren();
+  while (layer.childElementCount > count) layer.lastElementChild?.remove();
+  while (layer.childElementCount < count) layer.append(svg(name, attributes));
+}
+
+/** @param {Element} marks @param {Element} pairs @param {PictureModel} model */
+export function prepare(marks, pairs, model) {
+  if (isCrowd(model)) return;
+  fill(marks, model.anatomy.all.length, 'circle', { class: 'mark' });
+  fill(pairs, model.anatomy.record.offspring.length, 'line', { x2: '1', y2: '1', class: 'pair' });
+}
+
+/** @param {Element} marks @param {Element} pairs @param {PictureModel} model @param {Place[]} places @param {number} radius */
+export function show(marks, pairs, model, places, radius) {
+  if (isCrowd(model)) showCrowd(marks, pairs, model, places, radius);
+  else {
+    dress(marks, model, radius);
+    place(marks, places);
+    join(pairs, places, model.anatomy.count);
+  }
+}
+
+/** @param {Element} marks @param {Place[]} places */
+export function place(marks, places) {
+  for (const [i, mark] of [...marks.children].entries()) moveTo(/** @type {SVGElement} */ (mark), places[i]);
+}
+
+/** @param {SVGElement} element @param {Place} place */
+export function moveTo(element, { x, y }) {
+  element.style.transform = `translate(${x}px, ${y}px)`;
+}
+
+/** The lines from parents to offspring. @param {Element} pairs @param {Place[]} places @param {number} count */
+function join(pairs, places, count) {
+  for (const [i, pair] of [...pairs.children].entries()) {
+    const [from, to] = [places[i], places[i + count]];
+    const [dx, dy] = [to.x - from.x, to.y - from.y].map((d) => (Math.abs(d) < 0.01 ? 0.01 : d));
+    /** @type {SVGElement} */ (pair).style.transform =
+      `translate(${from.x}px, ${from.y}px) scale(${dx}, ${dy})`;
+  }
+}
+
+/** Says by classes what each mark is in this phase. @param {Element} marks @param {PictureModel} model @param {number} radius */
+function dress(marks, model, radius) {
+  const classOf = classesIn(model);
+  for (const [number, mark] of [...marks.children].entries()) {
+    mark.setAttribute('r', String(radiusOf(number, model, radius)));
+    mark.id = `individual-${number}`;
+    mark.setAttribute('class', classOf(number));
+  }
+}
+
+/** All that look alike are one outline. @param {Element} marks @param {Element} pairs @param {PictureModel} model @param {Place[]} places @param {number} radius */
+function showCrowd(marks, pairs, model, places, radius) {
+  const classOf = classesIn(model);
+  /** @type {Map<string, string>} */
+  const outlines = new Map();
+  for (const [number, { x, y }] of places.entries()) {
+    const kind = classOf(number);
+    const r = radiusOf(number, model, radius);
+    const outline = `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0z`;
+    outlines.set(kind, (outlines.get(kind) ?? '') + outline);
+  }
+  marks.replaceChildren(...[...outlines].map(([kind, d]) => svg('path', { class: kind, d })));
+  const { count, record } = model.anatomy;
+  const lines = record.offspring.map((_, i) => {
+    const [from, to] = [places[i], places[i + count]];
+    return `M${from.x} ${from.y}L${to.x} ${to.y}`;
+  });
+  pairs.replaceChildren(svg('path', { class: 'pair', d: lines.join('') }));
+}
+
+/** @param {number} number @param {PictureModel} model @param {number} radius */
+const radiusOf = (number, { chosen }, radius) => (number === chosen ? Math.max(5, radius * 1.25) : radius);
+
+/** @param {PictureModel} model @returns {(number: number) => string} */
+function classesIn({ anatomy: { count, ranks, record }, phase, chosen }) {
+  const met = phase === 'tournament' ? new Set(record.opponents[chosen]) : null;
+  return (number) => {
+    const isFallen = ranks[number] >= count;
+    const classes = {
+      mark: true,
+      parent: number < count,
+      offspring: number >= count,
+      undriven: number >= count && phase === 'mutation',
+      unborn: number >= count && phase === 'parents',
+      faint: met !== null && number !== chosen && !met.has(number),
+      fallen: isFallen && phase === 'ranking',
+      gone: isFallen && phase === 'survivors' && number !== chosen,
+      falls: isFallen && phase === 'survivors' && number === chosen,
+      chosen: number === chosen,
+    };
+    return Object.entries(classes)
+      .filter(([, is]) => is)
+      .map(([name]) => name)
+      .join(' ');
+  };
+}
