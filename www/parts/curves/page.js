@@ -3,6 +3,8 @@
 /** @import { State } from '../../run/state.js' */
 /** @import { Page, Tools } from '../part.js' */
 /** @import { CurvesView } from './state.js' */
+import './style.css';
+import './stability/style.css';
 import { html, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';
 import { choicesOf } from '../../kit/segmented.js';

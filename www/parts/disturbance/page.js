@@ -2,6 +2,7 @@
 /** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Page, Tools } from '../part.js' */
+import './style.css';
 import { html, render } from 'lit-html';
 import { remember, watch } from '../../kit/memo.js';
 import words from './words/index.js';

@@ -4,6 +4,7 @@
 /** @import { Page, Tools } from '../part.js' */
 /** @import { DetailsModel } from './details.js' */
 /** @import { Anatomy, Phase } from './record.js' */
+import './style.css';
 import { html, render } from 'lit-html';
 import { choicesOf } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';

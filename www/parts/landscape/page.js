@@ -7,6 +7,7 @@
 /** @import { AxisChoice, Spec } from './request.js' */
 /** @import { LandscapeState } from './state.js' */
 /** @import { MapModel, Point } from './view.js' */
+import './style.css';
 import { html, noChange, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { gainNames, landscapeSlice } from './state.js';

@@ -6,6 +6,7 @@
 /** @import { Page } from '../part.js' */
 /** @import { SeedSurvey } from './request.js' */
 /** @import { Events } from './sight.js' */
+import './style.css';
 import { render } from 'lit-html';
 import { luckSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';

@@ -7,6 +7,7 @@
 /** @import { Shading } from './scale.js' */
 /** @import { RobustnessState } from './state.js' */
 /** @import { MapModel } from './view.js' */
+import './style.css';
 import { robustnessSlice } from './state.js';
 import { byIdIn, followSize } from '../../kit/elements.js';
 import { createSection } from '../section.js';

@@ -6,6 +6,7 @@
 /** @import { SetName } from './sets.js' */
 /** @import { TrainingState } from './state.js' */
 /** @import { Row } from './table.js' */
+import './style.css';
 import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
