@@ -20,7 +20,10 @@ export function picturesOnScreen() {
     const key = element.dataset.picture ?? '';
     if (isSeen(element)) found.set(key, [...(found.get(key) ?? []), element]);
   }
-  return [...found].map(([key, elements]) => ({ key, name: words.pictures[key], elements }));
+  return [...found].map(([key, elements]) => {
+    const named = elements.find(({ dataset }) => dataset.name);
+    return { key, name: named?.dataset.name ?? words.pictures[key], elements };
+  });
 }
 
 const isSeen = (/** @type {HTMLElement} */ element) => {

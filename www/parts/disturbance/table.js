@@ -9,7 +9,8 @@ const { texts } = words;
 
 /** @param {Summary | null} summary Nothing is in sight until there is one. */
 export const tableOf = (summary) => html`
-  <ul id="remains-legend" class="remains-legend" data-picture="disturbance" aria-hidden="true">
+  <ul id="remains-legend" class="remains-legend" data-picture="disturbance"
+    data-name=${texts.disturbancePicture} aria-hidden="true">
     ${Object.entries(words.legend).map(([name, text]) => html`<li class=${name}>${text}</li>`)}
   </ul>
   <table id="remains" class="remains${summary ? '' : ' unmeasured'}" data-picture="disturbance">

@@ -56,7 +56,8 @@ export function createGenerationPage({ engine, store, actions }) {
         </button>
         <button id="generation-next" type="button" @click=${steps.next}>${words.next}<span>${whereNext(anatomy, phase)}</span></button>
       </fieldset>
-      <div id="generation-picture" class="generation-picture" data-picture="generation" role="slider" tabindex="0"
+      <div id="generation-picture" class="generation-picture" data-picture="generation"
+        data-name=${words.texts.generationPicture} role="slider" tabindex="0"
         aria-label=${words.pictureLabel}></div>
       <div id="generation-details" class="generation-details" role="group" aria-label=${words.texts.generationDetails}>
         ${detailsOf(model, context)}

@@ -170,7 +170,7 @@ function sight(landscape, { spec, isTyping, readout }, on) {
       <label>↑ ${axisChoice('y', landscape, texts.landscapeUp, on)}</label>
       ${thirdGain(landscape, spec.third, isTyping, on)}
     </div>
-    <div id="landscape-map" class="map" data-picture="landscape" tabindex="0" role="application"
+    <div id="landscape-map" class="map" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
       aria-label=${words.mapLabel} aria-describedby="landscape-readout">
       <canvas id="landscape-picture" aria-hidden="true"></canvas>
       <canvas id="landscape-marks" aria-hidden="true"></canvas>

@@ -42,7 +42,7 @@ export function sight(state, index, fresh, on) {
     <p id="luck-status" class="luck-status" role="status">${statusText(state, fresh)}</p>
     <p id="luck-finding" class="luck-finding">${finding}</p>
     <div class="heading luck-legend">
-      <p class="muted" data-picture="luck-curve">${texts.luckCurve}</p>
+      <p class="muted" data-picture="luck-curve" data-name=${texts.luckCurvePicture}>${texts.luckCurve}</p>
       <label class="check muted"><input id="luck-log" type="checkbox" .checked=${live(log)} .disabled=${!result}
         @change=${() => on.update({ log: !log })}> <span>${texts.luckLog}</span></label>
     </div>
@@ -50,7 +50,7 @@ export function sight(state, index, fresh, on) {
       aria-label=${result ? words.curveLabel(result, finding) : words.emptyCurveLabel}></div>
     <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}</p>
       <p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>
-    <canvas id="luck-gains" class="luck-gains" data-picture="luck-gains" role="img"
+    <canvas id="luck-gains" class="luck-gains" data-picture="luck-gains" data-name=${texts.luckGainsPicture} role="img"
       aria-label=${result ? words.gainsLabel(result) : words.emptyGainsLabel}></canvas>
     ${seedInQuestion(result, index, fresh, on)}`;
 }

@@ -184,7 +184,7 @@ function sight(state, rows, titles, { choose, evolve, update }) {
       evolved ? words.lesson(evolved) : ep ? words.question(ep) : words.driving
     }</p>
     ${tableOf(rows, chosenOf(state), unseenCount, choose)}
-    <div class="training-pictures" data-picture="training">
+    <div class="training-pictures" data-picture="training" data-name=${words.texts.trainingPicture}>
       <p id="training-seen-title">${titles[0]}</p>
       <p id="training-unseen-title">${titles[1]}</p>
       <canvas id="training-seen" role="application" tabindex="0" aria-label=${words.pictureLabel(titles[0])}></canvas>

@@ -69,20 +69,11 @@ export const notOpened = (name, reason) => `“${name}” was not opened: ${reas
 export const opened = (name, generations) =>
   `“${name}” is open: all ${generations} generations came out as they were saved.`;
 
-/** What is on screen, by its data-picture. @type {Readonly<Record<string, string>>} */
+/** What of the lab is on screen, by its data-picture; parts name their own. @type {Readonly<Record<string, string>>} */
 export const pictures = {
   plane: 'The plane',
   fitness: 'The fitness curve',
   sigmas: 'The step sizes σ',
-  generation: 'The generation',
-  curves: 'The run against time',
-  stability: 'V and its rate against time',
-  landscape: 'The landscape of J',
-  robustness: 'The map of starts',
-  training: 'The starts of training',
-  disturbance: 'What remains of the error',
-  'luck-curve': 'The fitness curve of all seeds',
-  'luck-gains': 'The gains of all seeds',
 };
 
 /** @param {string} picture @param {string} kind */

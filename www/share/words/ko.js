@@ -70,20 +70,11 @@ export const notOpened = (name, reason) => `“${name}” 파일을 열지 못�
 export const opened = (name, generations) =>
   `“${name}” 파일을 열었습니다. ${generations}세대까지 모두 저장한 것과 같습니다.`;
 
-/** What is on screen, by its data-picture. @type {Readonly<Record<string, string>>} */
+/** What of the lab is on screen, by its data-picture; parts name their own. @type {Readonly<Record<string, string>>} */
 export const pictures = {
   plane: '평면',
   fitness: '적합도 곡선',
   sigmas: '변이 폭 σ',
-  generation: '세대',
-  curves: '시간에 따른 주행',
-  stability: '시간에 따른 V와 V̇',
-  landscape: 'J의 비용 지형',
-  robustness: '출발점 지도',
-  training: '학습 출발점',
-  disturbance: '남은 오차',
-  'luck-curve': '모든 시드의 적합도 곡선',
-  'luck-gains': '모든 시드의 이득',
 };
 
 /** @param {string} picture @param {string} kind */

@@ -8,6 +8,7 @@ import { costText, fixed, threeDigits } from '../../../words/en/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  curvesPicture: 'The run against time',
   curvesTitle: 'Curves',
   comparisonTable: 'Table of the pinned runs',
   numbersTable: 'Table of the run in numbers',

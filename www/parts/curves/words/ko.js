@@ -8,6 +8,7 @@ import { costText, fixed, threeDigits } from '../../../words/ko/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  curvesPicture: '시간에 따른 주행',
   curvesTitle: '곡선',
   comparisonTable: '고정한 주행의 표',
   numbersTable: '주행의 수치 표',

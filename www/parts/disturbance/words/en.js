@@ -7,6 +7,7 @@ import { fixed, threeDigits } from '../../../words/en/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  disturbancePicture: 'What remains of the error',
   disturbanceTitle: 'Disturbance',
   disturbanceControls: 'The disturbance',
   disturbanceSizes: 'Size of the disturbance',

@@ -7,6 +7,7 @@ import { fixed, threeDigits } from '../../../words/ko/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  disturbancePicture: '남은 오차',
   disturbanceTitle: '외란',
   disturbanceControls: '외란',
   disturbanceSizes: '외란의 크기',

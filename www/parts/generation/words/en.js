@@ -6,6 +6,7 @@ import { costText, fixed, powerText } from '../../../words/en/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  generationPicture: 'The generation',
   generationTable: 'Table',
   generationStep: 'Steps of the generation',
   generationBack: 'Phase before',

@@ -6,6 +6,7 @@ import { costText, fixed, powerText } from '../../../words/ko/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  generationPicture: '세대',
   generationTable: '세대 표',
   generationStep: '세대의 단계',
   generationBack: '이전 단계',

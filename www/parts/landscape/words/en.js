@@ -5,6 +5,7 @@ import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  landscapePicture: 'The landscape of J',
   landscapeTitle: 'Landscape of J',
   landscapeAcross: 'Gain on the horizontal axis',
   landscapeUp: 'Gain on the vertical axis',

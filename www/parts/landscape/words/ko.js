@@ -5,6 +5,7 @@ import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  landscapePicture: 'J의 비용 지형',
   landscapeTitle: 'J의 비용 지형',
   landscapeAcross: '가로축의 이득',
   landscapeUp: '세로축의 이득',

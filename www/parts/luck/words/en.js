@@ -7,6 +7,8 @@ import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  luckGainsPicture: 'The gains of all seeds',
+  luckCurvePicture: 'The fitness curve of all seeds',
   luckTitle: 'Luck of the seed',
   luckCount: 'How many seeds',
   luckGenerations: 'How many generations',

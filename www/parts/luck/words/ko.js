@@ -7,6 +7,8 @@ import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  luckGainsPicture: '모든 시드의 이득',
+  luckCurvePicture: '모든 시드의 적합도 곡선',
   luckTitle: '시드의 운',
   luckCount: '시드 수',
   luckGenerations: '세대 수',

@@ -7,6 +7,7 @@ import { costText, degrees, fixed, grouped } from '../../../words/en/numbers.js'
 export * from './common.js';
 
 export const texts = {
+  robustnessPicture: 'The map of starts',
   robustnessTitle: 'Robustness',
   robustnessExtent: 'Metres from the goal to the edge of the map',
   robustnessAround: 'around the goal',

@@ -7,6 +7,7 @@ import { costText, degrees, fixed, grouped } from '../../../words/ko/numbers.js'
 export * from './common.js';
 
 export const texts = {
+  robustnessPicture: '출발점 지도',
   robustnessTitle: '강인성',
   robustnessExtent: '목표에서 지도 가장자리까지의 거리(m)',
   robustnessAround: '목표 주변',

@@ -6,6 +6,7 @@ import { fixed, grouped } from '../../../words/en/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  trainingPicture: 'The starts of training',
   trainingTitle: 'Training',
   trainingGenerations: 'Generations of each evolution',
   trainingProgress: 'Evolution on all three sets of starts',

@@ -6,6 +6,7 @@ import { fixed, grouped } from '../../../words/ko/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  trainingPicture: '학습 출발점',
   trainingTitle: '학습',
   trainingGenerations: '각 진화의 세대 수',
   trainingProgress: '세 가지 출발점 집합에 대한 진화',

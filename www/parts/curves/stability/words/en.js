@@ -6,6 +6,7 @@ import { fixed, threeDigits } from '../../../../words/en/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  stabilityPicture: 'V and its rate against time',
   stabilityTable: 'Table',
   stabilityLog: 'log',
 };

@@ -6,6 +6,7 @@ import { fixed, threeDigits } from '../../../../words/ko/numbers.js';
 export * from './common.js';
 
 export const texts = {
+  stabilityPicture: '시간에 따른 V와 V̇',
   stabilityTable: '표',
   stabilityLog: '로그',
 };
