@@ -89,8 +89,9 @@ export const instead = ({ isOneFile }) => ({
     page.source = html.replace(place, (_, begin, end) => begin + (isOneFile ? inside : linked) + end);
     if (isOneFile) return;
     // Those of the lesson are loaded with it, so that no page names them.
-    const more = Object.keys(bundle)
-      .filter((name) => name.endsWith('.css') && !html.includes(name))
+    const more = Object.values(bundle)
+      .filter((file) => file.type === 'chunk' && file.moduleIds.some((id) => id.endsWith('/lesson/page.js')))
+      .flatMap((file) => [.../** @type {any} */ ((file).viteMetadata?.importedCss ?? [])])
       .map((name) => `<link rel="stylesheet" crossorigin href="./${name}">`);
     const styles = [...(html.match(looks) ?? []), ...more].join('\n  ');
     for (const { fileName, html } of pages) this.emitFile({ type: 'asset', fileName, source: html(styles) });

@@ -132,7 +132,8 @@ test('every key of a link is read as it is written', () => {
     },
     experiment,
   );
-  for (const { key } of links.keys) assert.ok(written.includes(`&${key}=`), `${key} is not written`);
+  for (const { key } of links.keys)
+    assert.ok(written.includes(`&${key}=`), `${key} is not written: it needs a value above`);
   const { opened, problems } = open(written);
   assert.deepEqual(problems, []);
   assert.equal(linkOf(linked(opened), experiment), written);
@@ -179,6 +180,7 @@ test('every experiment comes back from its link to the bit', () => {
       pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
       exercise: wildExercise(next),
       slices: {
+        ...plain.slices,
         generation: { phase: 'ranking', chosen: Math.floor(40 * next()) },
         curves: { view: 'stability', scale: 'log' },
         lab: { curve: 'sigmas' },

@@ -47,6 +47,14 @@ test('Korean has the words of English, and none of them is English', () => {
   }
 });
 
+test('every part of the page has its name and what it is for', () => {
+  for (const { lab } of [en, ko])
+    for (const name of pageNames) {
+      assert.ok(lab.pages[name], `${name} has no name`);
+      assert.ok(lab.taglines(20)[name], `nothing says what ${name} is for`);
+    }
+});
+
 const modules = readdirSync(source, { recursive: true, encoding: 'utf8' }).filter((name) =>
   name.endsWith('.js'),
 );
