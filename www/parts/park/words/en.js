@@ -59,4 +59,4 @@ export const picture = (parked, count) => `${parked} of ${count} robots have par
 
 /** What red means. @param {{ position: number, heading: number }} tolerance */
 export const missed = ({ position, heading }) =>
-  `Red has missed: more than ${fixed(100 * position, 0)} cm or ${fixed((180 / Math.PI) * heading, 0)}° off.`;
+  `Red has missed: more than ${fixed(100 * position, 0)} cm or ${fixed((180 / Math.PI) * heading, 1)}° off.`;

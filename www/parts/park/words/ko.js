@@ -59,4 +59,4 @@ export const picture = (parked, count) => `로봇 ${count}대 가운데 ${parked
 
 /** What red means. @param {{ position: number, heading: number }} tolerance */
 export const missed = ({ position, heading }) =>
-  `빨간 로봇은 주차하지 못했습니다. ${fixed(100 * position, 0)} cm 또는 ${fixed((180 / Math.PI) * heading, 0)}° 넘게 벗어나 있습니다.`;
+  `빨간 로봇은 주차하지 못했습니다. ${fixed(100 * position, 0)} cm 또는 ${fixed((180 / Math.PI) * heading, 1)}° 넘게 벗어나 있습니다.`;
