@@ -17,7 +17,7 @@ import { links } from './lesson/links.js';
 import { askForLesson, createLesson } from './lesson/load.js';
 import { createAddress } from './link/address.js';
 import { askFor, createParts } from './parts/load.js';
-import { parts, places } from './parts/parts.js';
+import { firstPage, parts, places } from './parts/parts.js';
 import { createActions } from './run/actions/actions.js';
 import { atEnd, fromStart } from './run/clock.js';
 import { firstState } from './run/first.js';
@@ -55,8 +55,9 @@ async function start(engine) {
   const tools = { engine, store, actions: controls, paper, links };
   const go = (/** @type {string} */ link) => address?.go(link);
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
+  const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
   await breathe();
-  const draw = createDraw(createViews(store, controls, links.pages, onLesson), engine, paper);
+  const draw = createDraw(createViews(store, controls, order, onLesson), engine, paper);
   await breathe();
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
@@ -119,7 +120,7 @@ async function start(engine) {
   followSurroundings(actions, show);
   createKeys(share.openChecks);
   byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get().history)));
-  address = createAddress({ ...tools, actions });
+  address = createAddress({ ...tools, actions, firstPage });
   loop.request();
   await Promise.all([made.open(store.get().page), lesson.open(store.get())]);
   embed?.begin();
@@ -140,7 +141,7 @@ watchCore();
 async function begin() {
   try {
     // Side by side with the core.
-    askFor(parts, location.hash);
+    askFor(parts, location.hash || `#${firstPage}`);
     askForLesson(location.hash);
     await start(await createEngine());
   } catch (error) {

@@ -29,7 +29,7 @@ export function createPages(pages, nav, tagline, onOpen, onLesson) {
       tagline.textContent = lesson ? lessonWords.tagline : strings.taglines(population)[open];
       const current = lesson ? 'lesson' : open;
       render(
-        ['lesson', ...pages].map((name) => linkTo(name, name === current)),
+        pages.map((name) => linkTo(name, name === current)),
         nav,
       );
       // Each names the pages it belongs to. Parts are made while the page is open.

@@ -7,7 +7,7 @@
 /** As large as they are drawn, in pixels. */
 export const arrow = { robot: 17, posture: 17, ghost: 9 };
 
-/** @param {CanvasRenderingContext2D} context @param {View} view */
+/** @param {CanvasRenderingContext2D} context @param {Pick<View, 'scale' | 'originX' | 'originY'>} view */
 export const inMetres = (context, { scale, originX, originY }) =>
   context.transform(scale, 0, 0, -scale, originX, originY);
 
@@ -19,7 +19,7 @@ export const referenceOf = ({ time, referenceX, referenceY, referenceTheta }) =>
   theta: referenceTheta,
 });
 
-/** A run up to a sample, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {View} view @param {Track} run @param {number} last */
+/** A run up to a sample, without the steps too small to see. @param {CanvasRenderingContext2D} context @param {Pick<View, 'scale'>} view @param {Track} run @param {number} last */
 export function trace(context, { scale }, { x, y }, last) {
   const least = 0.6 / scale;
   let drawn = 0;

@@ -10,7 +10,7 @@ const load = () => import('./page.js');
 
 /** Begins to load it if an address opens it; whether it can be loaded is seen when it is opened. @param {string} hash */
 export function askForLesson(hash) {
-  if (hash === '' || /^#lesson\b|&lesson=/.test(hash)) load().catch(() => {});
+  if (/^#lesson\b|&lesson=/.test(hash)) load().catch(() => {});
 }
 
 /** @param {Tools & { paper: PaperResult[] }} tools */

@@ -14,8 +14,8 @@ import { language, languageOfAddress } from '../words/language.js';
 /** Browsers refuse an address that changes more often. */
 const pauseMilliseconds = 400;
 
-/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links }} parts */
-export function createAddress({ engine, store, actions, links }) {
+/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, firstPage: string }} parts `firstPage`: what is opened where an address asks for nothing. */
+export function createAddress({ engine, store, actions, links, firstPage }) {
   const { pages, linkOf, linkOfStep } = links;
   const changed = watch();
   /** The host's “back” is not for what happens within a frame. */
@@ -27,7 +27,7 @@ export function createAddress({ engine, store, actions, links }) {
     // The words are chosen when the page loads.
     if (languageOfAddress() !== language) return location.reload();
     written = location.hash.slice(1);
-    const { opened, problems } = links.openLink(written || linkOfStep(1), engine);
+    const { opened, problems } = links.openLink(written || firstPage, engine);
     actions.openLinked(opened, problems);
   };
 

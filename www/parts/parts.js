@@ -6,12 +6,15 @@ import { disturbance } from './disturbance/part.js';
 import { generation } from './generation/part.js';
 import { landscape } from './landscape/part.js';
 import { luck } from './luck/part.js';
+import { park } from './park/part.js';
 import { robustness } from './robustness/part.js';
 import { training } from './training/part.js';
 
 /** @type {readonly Part[]} */
-export const parts = [generation, curves, landscape, robustness, training, disturbance, luck];
+export const parts = [park, generation, curves, landscape, robustness, training, disturbance, luck];
 
+/** What an address without a part opens. */
+export const firstPage = park.name;
 export const pageNames = ['lab', ...parts.map(({ name }) => name)];
 
 /** @param {string} page */

@@ -50,6 +50,7 @@ test('the height that is asked for depends on the width alone, and has bounds', 
 /** @type {Record<string, string[]>} */
 const essentials = {
   lab: ['#plane', '#run'],
+  park: ['.park-plane', '#park-evolve'],
   generation: ['#generation-picture', '#generation-next'],
   curves: ['#curves-picture', '#play'],
   landscape: ['#landscape-map', '#run'],
@@ -204,8 +205,10 @@ engineTest('three figures leave focus, keys and wheel to their host until they a
     assert.equal(await focused(), 'field');
 
     for (const frame of [0, 1]) {
-      const before = await page.evaluate((number) => {
+      // The browser gives a wheel to what it has drawn there.
+      const before = await page.evaluate(async (number) => {
         document.querySelectorAll('iframe')[number].scrollIntoView();
+        for (const _ of [1, 2]) await new Promise((resolve) => requestAnimationFrame(resolve));
         return scrollY;
       }, frame);
       // WebKit's driver turns no wheel over a frame. The types know nothing of wheels.

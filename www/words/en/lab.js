@@ -62,6 +62,7 @@ export const drivers = [
 /** @type {Record<string, string>} */
 export const pages = {
   lab: 'Lab',
+  park: 'Park',
   generation: 'Generation',
   curves: 'Curves',
   landscape: 'Landscape',
@@ -74,6 +75,7 @@ export const pages = {
 /** What each part is for. @param {number} population @returns {Record<string, string>} */
 export const taglines = (population) => ({
   lab: `${population} robots, each with three random gains, drive to the goal. Evolution keeps what drives well.`,
+  park: 'Robots at 32 starts, one parking place, three numbers: park them all, or let evolution try.',
   generation:
     'One generation, step by step: who had whom as a child, how each drove, whom each met in the tournament, who stays.',
   curves:

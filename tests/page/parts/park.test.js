@@ -1,0 +1,127 @@
+// The first screen: what an address without a part opens, by hand and by evolution, each number from the core.
+import assert from 'node:assert/strict';
+import { Evolution, simulate, startsOnCircle } from '../../../pkg/ep_locomotion.js';
+import { filmOf, isOver, later, parkedBy } from '../../../www/parts/park/film.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
+import { experiment } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../../../www/parts/park/task.js').Drive} Drive */
+
+const usual = experiment('velocity-limits');
+const starts = startsOnCircle({ x: 2, y: 2, radius: 2.83, count: 32, seed: 1 });
+const task = {
+  ...usual,
+  starts,
+  weights: { ...usual.weights, velocity: /** @type {[number, number]} */ ([1, 0.1]) },
+};
+
+/** @param {readonly number[]} gains */
+const parked = (gains) =>
+  starts.filter((start) => simulate({ ...task, starts: [start] }, Float64Array.from(gains)).arrived).length;
+
+/** The first generation of a seed whose best robot parks them all, found in Node. @param {number} seed */
+function bred(seed) {
+  const evolution = new Evolution({ ...task, evolution: { ...task.evolution, seed } });
+  let { generation, best, evaluations } = evolution.statistics();
+  while (parked(best.gains) < 32) ({ generation, best, evaluations } = evolution.step());
+  return { generation, gains: best.gains, evaluations };
+}
+
+/** @param {boolean} arrived @param {number} finalTime @returns {Drive} */
+const drive = (arrived, finalTime) => /** @type {any} */ ({ run: { arrived, finalTime } });
+
+test('a film ends with the last that parks, and waits a while for those that do not', () => {
+  assert.equal(filmOf([drive(true, 2), drive(true, 3)], [], 'hand').end, 3);
+  assert.equal(filmOf([drive(true, 2), drive(false, 10)], [], 'hand').end, 4);
+  assert.equal(filmOf([drive(true, 7), drive(false, 10)], [], 'hand').end, 7);
+  const film = filmOf([drive(true, 2), drive(true, 3), drive(false, 10)], [], 'hand');
+  const seen = [0, 1.9, 2, 3, 4].map((time) => parkedBy({ ...film, time }));
+  assert.deepEqual(seen, [0, 0, 1, 2, 2]);
+  assert.ok(isOver(later(film, 100)));
+});
+
+/** @param {Page} page @param {string} gain @param {number} value */
+const slide = (page, gain, value) =>
+  page.evaluate(
+    (id, to) => {
+      const slider = /** @type {HTMLInputElement} */ (document.getElementById(id));
+      slider.value = String(to);
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+    },
+    `park-${gain}`,
+    value,
+  );
+
+/** How many have parked, once the film has ended. @param {Page} page */
+async function counted(page) {
+  await page.until(
+    'the film has ended',
+    () =>
+      document.querySelector('#park-again:not(:disabled)') &&
+      document.querySelector('#park .primary, #park-lesson'),
+  );
+  return Number(await page.text('#park-count'));
+}
+
+engineTest(
+  'an address without a part opens the parking place, where evolution does what no hand does',
+  async (page) => {
+    await page.open('');
+    assert.equal(await page.evaluate(() => document.body.dataset.open), 'park');
+    assert.equal(await (await page.element('#park-evolve')).isEnabled(), false);
+    await page.setPace(8);
+    await slide(page, 'kx', 5);
+    await slide(page, 'ky', 5);
+    await slide(page, 'ktheta', 5);
+    assert.equal(await counted(page), parked([5, 5, 5]));
+    await page.click('#park-evolve');
+    await page.until('evolution has come to its end', () => document.getElementById('park-lesson'));
+    assert.equal(await counted(page), 32);
+    const found = bred(1);
+    const table = await page.text('.park-table');
+    for (const gain of [...found.gains, 5]) assert.ok(table.includes(gain.toFixed(1)), `${gain} in ${table}`);
+    assert.ok(table.includes('32 of 32') && table.includes('22 of 32'), table);
+    const climb = (await page.text('.park-climb figcaption')).replaceAll(/\s/g, '');
+    assert.ok(climb.includes(`Generation${found.generation}:32parked·${found.evaluations}drives`), climb);
+    assert.deepEqual(await page.problems(), []);
+
+    await page.click('#park-lesson');
+    await page.until('the lesson is open', () => document.querySelector('#lesson:not([hidden]) h2'));
+  },
+);
+
+pageTest('evolution is stopped by a press, and by a hand on a slider', async (page) => {
+  await page.open('#park');
+  await slide(page, 'ky', 3);
+  for (const stop of [() => page.click('#park-evolve'), () => slide(page, 'ky', 4)]) {
+    await page.until('evolution can begin', () => document.querySelector('#park-evolve:not(:disabled)'));
+    await page.click('#park-evolve');
+    await page.until('generation 1 has come', () =>
+      /Generation [1-9]/.test(document.querySelector('.park-climb figcaption')?.textContent ?? ''),
+    );
+    await stop();
+    await page.until('it rests', () => document.getElementById('park-lesson'));
+  }
+});
+
+pageTest('the evolution that was seen is opened in the lab, with the same best robot', async (page) => {
+  await page.open('#park');
+  await page.setPace(8);
+  await slide(page, 'ky', 3);
+  await page.click('#park-evolve');
+  await page.until('it has come to its end', () => document.getElementById('park-lab'));
+  await page.click('#park-lab');
+  await page.until('the lab is open', () => document.body.dataset.open === 'lab');
+  const { generation, gains } = bred(1);
+  await page.until(
+    'the generation is there',
+    (number) => document.getElementById('generation')?.textContent === number,
+    String(generation),
+  );
+  const shown = await page.evaluate(
+    () => /** @type {HTMLInputElement} */ (document.getElementById('gain-ky')).value,
+  );
+  assert.equal(Number(shown), Number(gains[1].toFixed(3)));
+});

@@ -1,0 +1,41 @@
+// Evolution of robots that park, a generation at a time.
+/** @import { Engine } from '../../core/engine.js' */
+/** @import { Bred } from './state.js' */
+import { parkedOf } from './task.js';
+
+/** It goes on until all park, at most for so many generations. */
+const mostGenerations = 100;
+
+/** @param {Engine} engine @param {ReturnType<typeof import('./task.js').createTask>} task */
+export function createBreeding(engine, task) {
+  /** @type {ReturnType<Engine['apart']> | null} */
+  let evolution = null;
+
+  return {
+    /** @param {number} seed */
+    begin(seed) {
+      const next = engine.apart(task.experiment(seed));
+      evolution?.free();
+      evolution = next;
+    },
+
+    /** The best robot of the next generation and its drives, with those of the one in the middle and of the last. @param {Bred | null} before */
+    next(before) {
+      if (!evolution) throw new Error('park: begin an evolution first');
+      const { generation, evaluations, best } = before ? evolution.step() : evolution.statistics();
+      const population = evolution.population();
+      const [drives, ...others] = task.drive(
+        [0, population.length >> 1, population.length - 1].map((i) => population[i].gains),
+      );
+      // Whoever stays the best is the same robot.
+      const gains =
+        before && best.gains.every((gain, i) => gain === before.gains[i]) ? before.gains : best.gains;
+      /** @type {Bred} */
+      const robot = { gains, parked: parkedOf(drives), generation, drives: evaluations };
+      return { drives, others: others.flat(), robot };
+    },
+
+    /** @param {readonly Bred[]} bred */
+    isDone: (bred) => bred.length > mostGenerations || bred.at(-1)?.parked === task.starts.length,
+  };
+}

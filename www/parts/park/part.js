@@ -1,0 +1,17 @@
+// The first thing to do: robots at many starts around one parking place, three sliders, and evolution, which does better.
+/** @import { Part } from '../part.js' */
+import { partOf } from '../load.js';
+import { parkSlice as slice } from './state.js';
+import { load as loadWords } from './words/load.js';
+
+/** @type {Part} */
+export const park = {
+  name: 'park',
+  slice,
+  places: {
+    gains: { lock: '#park-gains', hide: '#park-gains' },
+    run: { lock: '#park-evolve', hide: '#park-evolve' },
+  },
+  figure: [0.75, 640],
+  load: () => partOf([loadWords()], import('./page.js'), ({ createParkPage }) => createParkPage),
+};

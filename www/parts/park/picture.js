@@ -1,0 +1,170 @@
+// The parking place, and all robots on their way to it: a body, and two wheels that roll.
+/** @import { Posture } from '../../core/engine.js' */
+/** @import { Film } from './film.js' */
+/** @import { Drive } from './task.js' */
+import { createLayer } from '../../kit/canvas.js';
+import { watch } from '../../kit/memo.js';
+import { colour } from '../../kit/palette.js';
+import { inMetres, postureAt, sampleBefore, trace } from '../../lab/track.js';
+import { isOver } from './film.js';
+import { axle } from './task.js';
+
+/** @typedef {{ width: number, height: number, scale: number, originX: number, originY: number }} Plan */
+/** @typedef {{ film: Film, theme: number, size: { width: number, height: number } }} PictureModel */
+
+/** Metres around the circle of starts. */
+const margin = 0.45;
+/** Metres between two lines on a wheel. */
+const tread = 0.035;
+
+/** @param {HTMLCanvasElement} floorCanvas @param {HTMLCanvasElement} robotsCanvas @param {{ goal: Posture, radius: number }} place */
+export function createParkPicture(floorCanvas, robotsCanvas, { goal, radius }) {
+  const floor = createLayer(floorCanvas);
+  const robots = createLayer(robotsCanvas);
+  const floorChanged = watch();
+  const robotsChanged = watch();
+
+  /** @param {PictureModel} model */
+  return ({ film, theme, size }) => {
+    if (size.width === 0) return;
+    const plan = planOf(size, goal, radius);
+    if (floorChanged(film.drives, film.others, theme, size.width, size.height))
+      floor.draw(size, (context) => {
+        drawPaths(context, plan, film.others, 0.1);
+        drawPaths(context, plan, film.drives, 0.16);
+        drawBay(context, plan, goal);
+      });
+    if (robotsChanged(film, theme, size.width, size.height))
+      robots.draw(size, (context) => drawFilm(context, plan, film));
+  };
+}
+
+/** @param {{ width: number, height: number }} size @param {Posture} goal @param {number} radius @returns {Plan} */
+function planOf({ width, height }, goal, radius) {
+  const scale = Math.min(width, height) / (2 * (radius + margin));
+  return {
+    width,
+    height,
+    scale,
+    originX: width / 2 - goal.x * scale,
+    originY: height / 2 + goal.y * scale,
+  };
+}
+
+/** Whole, as thin lines. @param {CanvasRenderingContext2D} context @param {Plan} plan @param {readonly Drive[]} drives @param {number} alpha */
+function drawPaths(context, plan, drives, alpha) {
+  context.save();
+  inMetres(context, plan);
+  context.strokeStyle = colour('--ink');
+  context.globalAlpha = alpha;
+  context.lineWidth = 1 / plan.scale;
+  context.lineJoin = 'round';
+  for (const { run } of drives) {
+    context.beginPath();
+    trace(context, plan, run, run.time.length - 1);
+    context.stroke();
+  }
+  context.restore();
+}
+
+/** Three walls, open to where one comes from, and the heading on the ground. @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Posture} goal */
+function drawBay(context, plan, { x, y, theta }) {
+  const [length, width] = [0.3, 0.24];
+  context.save();
+  inMetres(context, plan);
+  context.translate(x, y);
+  context.rotate(theta);
+  context.lineWidth = 3 / plan.scale;
+  context.lineJoin = 'round';
+  context.lineCap = 'round';
+  context.strokeStyle = colour('--theta');
+  context.beginPath();
+  context.moveTo(-length, width);
+  context.lineTo(length, width);
+  context.lineTo(length, -width);
+  context.lineTo(-length, -width);
+  context.stroke();
+  context.lineWidth = 1.5 / plan.scale;
+  context.beginPath();
+  context.moveTo(-length - 0.35, 0);
+  context.lineTo(-length - 0.05, 0);
+  context.moveTo(-length - 0.13, 0.06);
+  context.lineTo(-length - 0.05, 0);
+  context.lineTo(-length - 0.13, -0.06);
+  context.stroke();
+  context.restore();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Film} film */
+function drawFilm(context, plan, film) {
+  const { drives, time } = film;
+  const over = isOver(film);
+  context.save();
+  inMetres(context, plan);
+  context.lineJoin = 'round';
+  context.lineCap = 'round';
+  context.lineWidth = 1.75 / plan.scale;
+  for (const drive of drives) {
+    const failed = over && !drive.run.arrived;
+    const { x, y } = postureAt(drive.run, time);
+    context.strokeStyle = colour(failed ? '--error' : '--ink');
+    context.globalAlpha = 0.5;
+    context.beginPath();
+    trace(context, plan, drive.run, sampleBefore(drive.run, time));
+    context.lineTo(x, y);
+    context.stroke();
+  }
+  context.globalAlpha = 1;
+  // Small on a small screen, but to be seen as robots.
+  const grown = Math.max(1, 7 / (plan.scale * (axle / 2)));
+  for (const drive of drives) {
+    const body = colour(over && !drive.run.arrived ? '--error' : '--ink');
+    drawRobot(context, drive, time, grown, { body, line: colour('--paper') });
+  }
+  context.restore();
+}
+
+/** In metres. @param {CanvasRenderingContext2D} context @param {Drive} drive @param {number} time @param {number} grown @param {{ body: string, line: string }} colours */
+function drawRobot(context, { run, left, right }, time, grown, { body, line }) {
+  const { x, y, theta } = postureAt(run, time);
+  const at = sampleBefore(run, time);
+  const half = axle / 2;
+  context.save();
+  context.translate(x, y);
+  context.rotate(theta);
+  context.scale(grown, grown);
+  for (const [side, rolled] of /** @type {const} */ ([
+    [half, left[at]],
+    [-half, right[at]],
+  ])) {
+    context.fillStyle = body;
+    context.fillRect(-0.065, side - 0.025, 0.13, 0.05);
+    context.strokeStyle = line;
+    context.lineWidth = 0.011;
+    context.beginPath();
+    // A wheel seen from above rolls forwards over the ground.
+    for (let mark = -0.065 + (((rolled % tread) + tread) % tread); mark < 0.065; mark += tread) {
+      context.moveTo(mark, side - 0.02);
+      context.lineTo(mark, side + 0.02);
+    }
+    context.stroke();
+  }
+  context.beginPath();
+  context.moveTo(-0.085, -0.075);
+  context.lineTo(0.05, -0.075);
+  context.quadraticCurveTo(0.125, -0.05, 0.125, 0);
+  context.quadraticCurveTo(0.125, 0.05, 0.05, 0.075);
+  context.lineTo(-0.085, 0.075);
+  context.closePath();
+  context.fillStyle = body;
+  context.strokeStyle = line;
+  context.lineWidth = 0.014;
+  context.fill();
+  context.stroke();
+  context.beginPath();
+  context.moveTo(0.03, -0.035);
+  context.lineTo(0.08, 0);
+  context.lineTo(0.03, 0.035);
+  context.stroke();
+  context.restore();
+}

@@ -1,0 +1,20 @@
+// What Park keeps in the state.
+/** @import { Triple } from '../../core/engine.js' */
+import { createSlice } from '../../run/store.js';
+
+/** Gains, and from how many of the starts they park. @typedef {{ gains: Triple, parked: number }} Tried */
+/** The best robot of a generation. @typedef {Tried & { generation: number, drives: number }} Bred */
+/**
+ * @typedef {object} ParkState
+ * @property {Triple | null} gains By hand; null: nobody has moved a slider.
+ * @property {Tried | null} best The best by hand.
+ * @property {readonly Bred[]} bred What evolution has shown, one a generation.
+ * @property {boolean} evolving
+ * @property {number} seed
+ * @property {string} message
+ */
+
+export const parkSlice = createSlice(
+  'park',
+  /** @type {ParkState} */ ({ gains: null, best: null, bred: [], evolving: false, seed: 1, message: '' }),
+);

@@ -1,0 +1,57 @@
+// What there is to do: to park from every start of a circle; turning is cheap.
+/** @import { Engine, Experiment, PaperResult, Run, Triple } from '../../core/engine.js' */
+
+/** A robot's drive, and how far its wheels have rolled at each sample, in metres. @typedef {{ run: Run, left: Float64Array, right: Float64Array }} Drive */
+
+const circle = { x: 2, y: 2, radius: 2.83, count: 32, seed: 1 };
+export const preset = 'velocity-limits';
+/** No hand with these sliders parks all. */
+export const sliderRange = /** @type {const} */ ([0, 12]);
+/** Between the wheels, in metres: as the robots are drawn. */
+export const axle = 0.24;
+
+/** @param {Engine} engine */
+export function createTask(engine) {
+  const starts = engine.startsOnCircle(circle);
+  const usual = engine.experiment(preset);
+  const base = engine.experiment({
+    ...usual,
+    starts,
+    weights: { ...usual.weights, velocity: [1, 0.1] },
+  });
+  const lone = starts.map((start) => engine.experiment({ ...base, starts: [start] }));
+  return {
+    starts,
+    goal: base.goal,
+    tolerance: base.tolerance,
+    radius: circle.radius,
+
+    /** @param {number} seed @returns {Experiment} */
+    experiment: (seed) => ({ ...base, evolution: { ...base.evolution, seed } }),
+
+    /** From every start, for each triple of gains. @param {readonly Triple[]} gains @returns {Drive[][]} */
+    drive(gains) {
+      const runs = lone.map((experiment) => engine.drive(experiment, gains));
+      return gains.map((_, i) => runs.map((run) => withWheels(run[i])));
+    },
+  };
+}
+
+/** The gains that the sliders begin with. @param {PaperResult[]} paper */
+export const firstGains = (paper) =>
+  /** @type {PaperResult} */ (paper.find((row) => row.preset === preset && row.method === 'ep')).gains;
+
+/** @param {readonly Drive[]} drives */
+export const parkedOf = (drives) => drives.filter(({ run }) => run.arrived).length;
+
+/** @param {Run} run @returns {Drive} */
+function withWheels(run) {
+  const [left, right] = [new Float64Array(run.time.length), new Float64Array(run.time.length)];
+  for (let i = 1; i < run.time.length; i++) {
+    const seconds = run.time[i] - run.time[i - 1];
+    const turn = (run.angular[i - 1] * axle) / 2;
+    left[i] = left[i - 1] + (run.linear[i - 1] - turn) * seconds;
+    right[i] = right[i - 1] + (run.linear[i - 1] + turn) * seconds;
+  }
+  return { run, left, right };
+}

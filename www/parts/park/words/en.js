@@ -1,0 +1,62 @@
+// Every word of Park.
+/** @import { Bred } from '../state.js' */
+/** @import { Model } from '../sight.js' */
+import { fixed, grouped } from '../../../words/en/numbers.js';
+
+export const title = 'Park them all';
+
+/** @param {number} count */
+export const invitation = (count) =>
+  `${count} robots, one parking place. All of them obey the same three numbers. Find three that park every robot.`;
+
+/** @param {Model} model @param {Bred} found */
+export function ending({ best, count }, { gains, parked, generation }) {
+  const mine = best?.parked ?? 0;
+  if (parked <= mine)
+    return `Evolution stopped at ${parked} of ${count}; you had ${mine}. It began elsewhere: try another seed.`;
+  const beyond = gains[1] / 12;
+  const where =
+    beyond > 1.5
+      ? ` Your slider for ky ends at 12; evolution, which has no slider, went to ${fixed(gains[1], 0)}.`
+      : '';
+  return parked === count
+    ? `After ${generation} generations one robot parks from all ${count} starts. Nobody told evolution how: it was given one number a robot, and kept what drove well.${where}`
+    : `After ${generation} generations evolution parks ${parked} of ${count}.${where}`;
+}
+
+/** @param {number} count */
+export const ofParked = (count) => `of ${count} parked`;
+/** @param {number} parked @param {number} count */
+export const share = (parked, count) => `${parked} of ${count}`;
+export const yours = 'with your numbers';
+/** @param {number} generation */
+export const swarm = (generation) =>
+  generation === 0 ? 'best of 20 random robots' : `best robot of generation ${generation}`;
+
+export const sliders = 'The three numbers';
+export const evolve = 'Let evolution try';
+export const stop = 'Stop';
+export const otherSeed = 'Evolve again, another seed';
+export const again = 'Drive again';
+export const first = 'Move a slider: all robots drive again at once.';
+export const ready = 'Stuck? Evolution starts from 20 random robots and knows nothing else.';
+
+/** @param {number} value */
+export const gain = (value) => fixed(value, 1);
+
+/** @param {Bred} newest */
+export const climb = ({ generation, parked, drives }) =>
+  `Generation ${generation}: ${parked} parked · ${grouped(drives)} drives so far`;
+
+export const parkedColumn = 'parked';
+export const bestByHand = 'yours';
+export const evolved = 'evolution’s';
+export const how = 'How does it do that?';
+export const openLab = 'Open this evolution in the lab';
+
+/** @param {number} parked @param {number} count */
+export const picture = (parked, count) => `${parked} of ${count} robots have parked.`;
+
+/** What red means. @param {{ position: number, heading: number }} tolerance */
+export const missed = ({ position, heading }) =>
+  `Red has missed: more than ${fixed(100 * position, 0)} cm or ${fixed((180 / Math.PI) * heading, 1)}° off.`;
