@@ -253,7 +253,7 @@ const sight = (page) =>
     for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
     const figure = /** @type {HTMLElement} */ (document.querySelector('.figure'));
     const { top, bottom } = figure.getBoundingClientRect();
-    const shown = ['plane', 'stability-picture', 'gains', 'sights'].filter((id) => {
+    const shown = ['plane', 'bowl', 'stability-picture', 'gains', 'sights'].filter((id) => {
       const box = document.getElementById(id)?.getBoundingClientRect();
       return box && box.height > 20 && box.top >= top - 1 && box.bottom <= bottom + 1;
     });
@@ -266,7 +266,7 @@ engineTest('where there is no room beside the words, what they speak of stays ov
   const atTheEnd = () =>
     page.evaluate(() => document.querySelector('.lesson-foot')?.scrollIntoView({ block: 'end' }));
   await atTheEnd();
-  assert.deepEqual(await sight(page), { shown: ['stability-picture', 'sights'], isOnTop: true, share: 5 });
+  assert.deepEqual(await sight(page), { shown: ['bowl', 'sights'], isOnTop: true, share: 5 });
   for (const [name, shown] of /** @type {const} */ ([
     ['gains', ['plane', 'gains', 'sights']],
     ['robot', ['plane', 'sights']],
@@ -281,7 +281,7 @@ engineTest('where there is no room beside the words, what they speak of stays ov
     'the next step, with what it speaks of',
     (title) =>
       document.getElementById('lesson-title')?.textContent === title &&
-      /** @type {HTMLInputElement} */ (document.getElementById('sights-part')).checked,
+      /** @type {HTMLInputElement} */ (document.getElementById('sights-stage')).checked,
     en.titles.limits,
   );
   await page.resize(1280, 900);
