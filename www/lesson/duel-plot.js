@@ -16,7 +16,7 @@ import {
 import { drawAxisNames, drawName, spread } from '../kit/names.js';
 import { colour } from '../kit/palette.js';
 import { drawMark } from '../kit/swatch.js';
-import { generationsIn, longestOf, lowestOf } from './duel.js';
+import { drivesUntil, generationAt, generationsIn, longestOf, lowestOf } from './duel.js';
 
 /** @import { Axes, Size } from '../kit/chart.js' */
 /** @import { Look } from '../kit/swatch.js' */
@@ -92,8 +92,12 @@ function drawMarks(context, { x, y, frame }, columns) {
 }
 
 /** @param {Duel} duel */
-const shownDrives = (duel) =>
-  duel.goesOn ? longestOf(duel) : Math.max(duel.costs.length, duel.experiment.evolution.population);
+function shownDrives(duel) {
+  const { population } = duel.experiment.evolution;
+  return duel.goesOn
+    ? longestOf(duel)
+    : drivesUntil(generationsIn(duel.costs.length, population), population);
+}
 
 /** The best so far after each drive, of each line; NaN where there is none. @param {Duel} duel */
 function columnsOf(duel) {
@@ -104,9 +108,7 @@ function columnsOf(duel) {
   const finite = (/** @type {number} */ cost) => (Number.isFinite(cost) ? cost : Number.NaN);
   // The first population is driven as a whole.
   const byGeneration = (/** @type {ArrayLike<number>} */ bests) =>
-    drives.map((drive) =>
-      drive < population ? Number.NaN : finite(bests[generationsIn(drive, population)]),
-    );
+    drives.map((drive) => (drive < population ? Number.NaN : finite(bests[generationAt(drive, population)])));
   let lowest = Number.POSITIVE_INFINITY;
   const own = drives.map((drive) => {
     lowest = Math.min(lowest, costs[drive - 1] ?? lowest);

@@ -1,15 +1,20 @@
-// The duel on the page: first your own drives until they are locked in, then how the three compare.
+// The duel on the page: first your own trials until they are locked in, then how the three compare.
 import { html, render } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { createSwatch } from '../kit/swatch.js';
-import { noTrial } from '../run/state.js';
+import { gainsOf } from '../run/drivers.js';
 import { messageOf } from '../words/errors.js';
+import { costText } from '../words/numbers.js';
 import { isDuelOf, judge, lockedIn, longestOf, lowestOf, nextSeed, roundOf, scoreOf } from './duel.js';
 import { createDuelPlot, looks } from './duel-plot.js';
+import { marksOf } from './marks.js';
 import { paragraphs } from './prose.js';
 import { noTally, progressSlice } from './state.js';
-import { tallyOf } from './tally.js';
+import { createSwarm } from './swarm.js';
+import { tallyOf, taskText } from './tally.js';
+import shared from './words/index.js';
+import { yardOf } from './yard.js';
 
 /** @import { Verdict } from './words/common.js' */
 /** @import { Duel } from './duel.js' */
@@ -21,29 +26,60 @@ const prediction = 'duel.ahead';
 
 const { update } = progressSlice;
 
-/** Your drives so far, and the button that locks them in. @param {Tools} tools @param {Words} words @returns {Block} */
+/** The contest is about all starts around the goal. @param {Pick<Live, 'engine' | 'state'>} live */
+export const contestOf = ({ engine, state }) => yardOf(engine).experimentOf(state.experiment);
+
+/** A drive by hand in the yard. @param {Live} live */
+export function priceInYard({ engine, state }) {
+  const yard = state.handGains && yardOf(engine).drive(state.experiment, state.handGains);
+  if (!yard) return null;
+  const { gains, cost, parked, runs, experiment } = yard;
+  return { experiment: taskText(experiment), gains, cost, arrived: parked === runs.length };
+}
+
+/** @param {Live} live */
+const tallyIn = (live) => tallyOf(progressSlice.of(live.state).tally, contestOf(live));
+
+/** What is locked in, or what the prediction locks in. @param {Live} live @returns {Duel} */
+export const duelIn = (live) => progressSlice.of(live.state).duel ?? lockedIn(tallyIn(live), contestOf(live));
+
+/** All 32 robots: with your gains, or with those of evolution. @param {Tools} tools @param {any} _words @returns {Block} */
+export function createDuelStage(tools, _words) {
+  return createSwarm(tools, shared.swarm, (live) => {
+    const { engine, state, paper } = live;
+    const { duel, sees } = progressSlice.of(state);
+    const champion = sees === 'evolution' && duel ? duel.rounds.at(-1)?.champion : null;
+    const gains = champion ?? gainsOf(state, state.driver, paper);
+    const yard = yardOf(engine).drive(state.experiment, gains);
+    return yard && { name: champion ? shared.swarm.evolution(gains) : shared.swarm.own(gains), yard };
+  });
+}
+
+/** Your trials so far, what you have beaten, and the button that locks them in. @param {Tools} tools @param {Words} words @returns {Block} */
 export function createDuelDrives({ store }, { duel: words }) {
   const element = create('section', 'duel');
   element.setAttribute('aria-label', words.drivesLabel);
   const startOver = () => {
     const { [prediction]: _, ...answers } = progressSlice.of(store.get()).answers;
-    update(store, { answers, tally: noTally, duel: null });
+    update(store, { answers, tally: noTally, duel: null, sees: 'you' });
   };
   const changed = watch();
   return {
     element,
     draw(live) {
-      const { experiment } = live.scene;
+      const experiment = contestOf(live);
       const { duel } = progressSlice.of(live.state);
       const tally = tallyIn(live);
       const { population } = live.state.experiment.evolution;
       if (!changed(duel, tally, population, experiment)) return;
       const { costs } = duel ?? tally;
+      const best = lowestOf(costs);
+      const beaten = marksOf(live).filter(({ cost }) => best < cost);
       const status = duel
         ? isDuelOf(duel, experiment)
           ? words.locked
           : words.elsewhere
-        : words.enough(costs.length, population);
+        : words.enough(costs.length);
       const lock = () => update(store, { duel: lockedIn(tally, experiment) });
       element.classList.toggle('locked', duel !== null);
       render(
@@ -53,9 +89,10 @@ export function createDuelDrives({ store }, { duel: words }) {
             </p>
             <p class="duel-number">
               <span>${words.bestName}</span
-              ><strong id="duel-best">${costs.length === 0 ? '…' : words.cost(lowestOf(costs))}</strong>
+              ><strong id="duel-best">${costs.length === 0 ? '…' : costText(best)}</strong>
             </p>
           </div>
+          <p id="duel-beaten" role="status">${shared.beaten(beaten)}</p>
           <p id="duel-status" class="muted">${status}</p>
           <div class="bar">
             <button id="duel-lock" type="button" class="primary" @click=${lock}
@@ -69,29 +106,10 @@ export function createDuelDrives({ store }, { duel: words }) {
   };
 }
 
-/** @param {Live} live */
-const tallyIn = ({ state, scene }) => tallyOf(progressSlice.of(state).tally, scene.experiment);
-
-/** What is locked in, or what the prediction locks in. @param {Live} live @returns {Duel} */
-export const duelIn = (live) =>
-  progressSlice.of(live.state).duel ?? lockedIn(tallyIn(live), live.scene.experiment);
-
 /** How the three compare, once it is predicted. @param {Tools} tools @param {Words} words @returns {Block} */
 export function createDuelResult({ store, engine, actions }, { duel: words, texts }) {
   const rounds = createRounds({ store, engine, actions });
   const goOn = (/** @type {Duel} */ duel) => update(store, { duel: { ...duel, goesOn: !duel.goesOn } });
-  const watchIt = (/** @type {Duel} */ { experiment }, /** @type {Verdict} */ { seed, generation }) => {
-    const { page, lesson, preset, handGains, found, pins, exercise } = store.get();
-    actions.openLinked(
-      {
-        ...{ page, lesson, preset, handGains, found, pins, exercise, generation, parts: {} },
-        experiment: { ...experiment, evolution: { ...experiment.evolution, seed } },
-        driver: 'evolved',
-        trial: noTrial,
-      },
-      [],
-    );
-  };
   const picture = create('div', 'duel-plot');
   picture.id = 'duel-plot';
   picture.setAttribute('role', 'img');
@@ -107,30 +125,32 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
     draw(live) {
       const { theme, evolving } = live.state;
       const progress = progressSlice.of(live.state);
+      const { sees } = progress;
       const predicted = progress.answers[prediction] !== undefined;
       if (predicted && !evolving) rounds.begin(duelIn(live));
       const { duel } = progress;
       const round = duel?.rounds.at(-1);
-      if (!changed(duel, predicted, theme)) return;
+      if (!changed(duel, predicted, theme, sees)) return;
       element.hidden = !predicted || !duel || !round;
       if (!predicted || !duel || !round) return;
       const verdict = judge(duel, round);
       const sentence = words.sentence(verdict);
       const later = duel.goesOn ? words.later(verdict) : '';
+      const other = sees === 'you' ? 'evolution' : 'you';
       render(
         html`<section class="duel" aria-label=${words.resultLabel}>
-            ${tableOf(verdict, words)}
+            ${tableOf(duel, verdict, words, live)}
             <p id="duel-sentence" class="duel-sentence" role="status">${sentence}</p>
             <p id="duel-later" role="status">${later}</p>
             ${picture}
             <div class="bar">
-              <button id="duel-further" type="button" class="primary" @click=${() => goOn(duel)}>${
-                duel.goesOn ? words.backTo(verdict.drives) : words.goOn(longestOf(duel))
+              <button id="duel-watch" type="button" class="primary" @click=${() => update(store, { sees: other })}>${
+                words.watch[other]
+              }</button>
+              <button id="duel-further" type="button" @click=${() => goOn(duel)}>${
+                duel.goesOn ? words.backTo(verdict) : words.goOn(longestOf(duel))
               }</button>
               <button id="duel-again" type="button" @click=${() => rounds.run()}>${words.anotherSeed}</button>
-              <button id="duel-watch" type="button" @click=${() => watchIt(duel, verdict)}>${words.watch(
-                verdict,
-              )}</button>
             </div>
             <p id="duel-score" class="muted">${words.score(duel.rounds.length, scoreOf(duel))}</p>
           </section>
@@ -143,9 +163,18 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
   };
 }
 
-/** The three, lowest J first. @param {Verdict} verdict @param {Words['duel']} words */
-function tableOf(verdict, words) {
+/** The three, lowest J first. @param {Duel} duel @param {Verdict} verdict @param {Words['duel']} words @param {Live} live */
+function tableOf(duel, verdict, words, { engine }) {
   const { costs, drives, given, winner } = verdict;
+  const parkedWith = (/** @type {Duel['gains']} */ gains) => {
+    const yard = gains && yardOf(engine).drive(duel.experiment, gains);
+    return yard ? String(yard.parked) : '';
+  };
+  const parked = {
+    you: parkedWith(duel.gains),
+    evolution: parkedWith(duel.rounds.at(-1)?.champion ?? null),
+    random: '',
+  };
   const rows = /** @type {const} */ (['you', 'evolution', 'random'])
     .map((name) => ({ name, cost: costs[name], driven: name === 'you' ? drives : given }))
     .sort((a, b) => a.cost - b.cost);
@@ -158,7 +187,8 @@ function tableOf(verdict, words) {
         ({ name, cost, driven }) => html`<tr class=${wins(name) ? 'wins' : ''} data-who=${name}>
           <th scope="row">${createSwatch(looks[name])}${words.names[name]}</th>
           <td>${driven}</td>
-          <td class="cost">${words.cost(cost)}</td>
+          <td class="parked">${parked[name] || '–'}</td>
+          <td class="cost">${costText(cost)}</td>
         </tr>`,
       )}
     </tbody>

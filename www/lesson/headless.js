@@ -34,7 +34,8 @@ export function liveOf(link) {
   const paper = engine.paper();
   const chosenDrives = createChosenDrives(createAnatomy(engine.record));
   const scene = createScene(engine.drive, paper, chosenDrives)(state);
-  const sample = engine.samples(scene.experiment, scene.gains).at(0);
+  const samples = engine.samples(scene.experiment, scene.gains);
+  const sample = samples.at(0);
   const gains = gainsOf(state, state.driver, paper);
-  return { engine, state, scene, paper, gains, sample, decided: sample };
+  return { engine, state, scene, paper, gains, samples, at: 0, sample, decided: sample };
 }

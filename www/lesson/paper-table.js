@@ -1,6 +1,7 @@
 // What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
 import { create } from '../kit/elements.js';
 import { headCell } from '../kit/table.js';
+import { asPrinted } from './printed.js';
 import { costText, degrees, fixed, postureText } from '../words/numbers.js';
 
 /** @import { Experiment, Individual, PaperResult } from '../core/engine.js' */
@@ -72,7 +73,8 @@ export function createPaperTable({ engine }, words) {
 export function createChoicesTable({ engine }, words) {
   const e = engine.experiment('velocity-limits');
   const a = engine.experiment('acceleration-limits');
-  const rows = words.choices(textsOf(e, a));
+  const printed = engine.paper().map((_, row) => costText(asPrinted({ engine, paper: engine.paper() }, row)));
+  const rows = words.choices({ ...textsOf(e, a), printed });
   const wrapper = create(
     'div',
     'lesson-scroll',

@@ -5,7 +5,8 @@ import { watch } from '../kit/memo.js';
 import words from './words/index.js';
 import { inline } from './prose.js';
 
-/** @import { Answer, Live } from './page.js' */
+/** @import { Live } from './page.js' */
+/** @import { Answer } from './state.js' */
 
 /**
  * The number of the right choice, and what the words tell of it.
@@ -14,21 +15,24 @@ import { inline } from './prose.js';
 /**
  * @typedef {object} Quiz
  * @property {string} [shows] The link of a run that shows it; opened when the prediction is made.
+ * @property {number} [time] Where the robots' clock then stands, in seconds; without it they drive.
+ * @property {true} [watch] The answer waits until the drive has been seen to its end.
+ * @property {readonly number[]} [order] In which the choices stand; else in that of the words.
  * @property {(live: Live) => boolean} [ready] Whether what it is answered from is there; without it, at once.
  * @property {(live: Live) => Outcome | Promise<Outcome>} answer From what runs then.
  */
 /** @typedef {{ question: string, choices: readonly string[], why: (outcome: any) => string }} QuizWords */
 
 /**
- * @param {QuizWords} text @param {(link: string) => string} hrefOf
+ * @param {QuizWords} text @param {Quiz} quiz @param {(link: string) => string} hrefOf
  * @param {{ onAnswer: (choice: number) => void, onAgain: () => void }} events
  */
-export function createQuiz(text, hrefOf, { onAnswer, onAgain }) {
+export function createQuiz(text, { order = text.choices.map((_, i) => i), watch: waits }, hrefOf, events) {
   const question = inline(text.question, hrefOf);
   const choices = text.choices.map((choice) => inline(choice, hrefOf));
   const element = create('fieldset', 'quiz');
   const again = () => {
-    onAgain();
+    events.onAgain();
     element.querySelector('button')?.focus();
   };
   const changed = watch();
@@ -37,23 +41,24 @@ export function createQuiz(text, hrefOf, { onAnswer, onAgain }) {
     /** @param {Answer | undefined} answer */
     draw(answer) {
       if (!changed(answer)) return;
-      const right = answer?.outcome?.right;
-      const button = (/** @type {(Node | string)[]} */ choice, /** @type {number} */ i) => {
+      const right = answer?.right ?? null;
+      const button = (/** @type {number} */ i) => {
         const chosen = i === answer?.choice;
-        const wrong = chosen && right !== undefined && i !== right;
+        const wrong = chosen && right !== null && i !== right;
         const mark = wrong ? words.wrong : i === right ? words.right : '';
         const look = `choice${i === right ? ' right' : ''}${wrong ? ' wrong' : ''}${chosen ? ' chosen' : ''}`;
-        return html`<button type="button" class=${look} ?aria-disabled=${answer !== undefined}
-          @click=${() => onAnswer(i)}><span class="choice-mark">${mark}</span><span>${choice}</span></button>`;
+        return html`<button type="button" class=${look} ?aria-disabled=${answer !== undefined} data-choice=${i}
+          @click=${() => events.onAnswer(i)}><span class="choice-mark">${mark}</span><span>${choices[i]}</span></button>`;
       };
-      const why = answer?.outcome
-        ? html`<strong>${answer.choice === right ? words.asPredicted : words.otherwise}</strong> ${inline(text.why(answer.outcome), hrefOf)}`
-        : answer && words.computing;
+      const why =
+        answer && right !== null
+          ? html`<strong>${answer.choice === right ? words.asPredicted : words.otherwise}</strong> ${inline(answer.why, hrefOf)}`
+          : answer && (waits ? words.watching : words.computing);
       render(
         html`<legend>${question}</legend>
-          <div class="choices">${choices.map(button)}</div>
+          <div class="choices">${order.map(button)}</div>
           <p class="quiz-why" role="status">${why}</p>
-          <button type="button" class="link" ?hidden=${right === undefined} @click=${again}>${words.askAgain}</button>`,
+          <button type="button" class="link" ?hidden=${right === null} @click=${again}>${words.askAgain}</button>`,
         element,
       );
     },

@@ -6,7 +6,7 @@ import words from './words/index.js';
 
 /** @import { Choice } from '../kit/segmented.js' */
 /** @import { Step } from './steps.js' */
-/** @typedef {'robot' | 'part' | 'gains'} Sight */
+/** @typedef {'robot' | 'stage' | 'part' | 'gains'} Sight */
 
 /** @param {HTMLFieldSetElement} fieldset */
 export function createSights(fieldset) {
@@ -20,16 +20,18 @@ export function createSights(fieldset) {
   };
   narrow.addEventListener('change', show);
   return {
-    /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {string} page */
-    open(step, page) {
+    /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {string} page @param {'instead' | 'beside' | 'under' | undefined} stage */
+    open(step, page, stage) {
       chosen = null;
       if (step) {
         const { figure } = step;
         const isPart = page !== 'lab' || figure === 'evolve';
         const hasGains = page === 'curves' || !isPart;
-        chosen = isPart ? 'part' : figure === 'drive' ? 'gains' : 'robot';
+        chosen = stage ? 'stage' : isPart ? 'part' : figure === 'drive' ? 'gains' : 'robot';
         /** @type {Choice<Sight>[]} */
-        const choices = [{ value: 'robot', text: words.sightOfRobot }];
+        const choices = [];
+        if (stage) choices.push({ value: 'stage', text: words.sightOfStage });
+        if (stage !== 'instead') choices.push({ value: 'robot', text: words.sightOfRobot });
         if (isPart)
           choices.push({
             value: 'part',

@@ -5,6 +5,7 @@ import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';
 import { lab } from '../words/index.js';
 import { costText, threeDigits } from '../words/numbers.js';
+import { createSmallDrive } from './small-drives.js';
 
 /** @import { Run, Triple } from '../core/engine.js' */
 /** @import { Block, Live, Tools } from './page.js' */
@@ -38,9 +39,12 @@ export const winnerOf = (runs) =>
   );
 
 /** @param {Tools} tools @param {Words} words @returns {Block} */
-export function createStandings({ engine, actions }, { standings: words }) {
+export function createStandings({ engine, actions, store }, { standings: words }) {
+  const pictures = entrants.map(() => createSmallDrive(store));
   /** The last gains by hand that are not the gentle ones of the table. @type {Triple | null} */
   let byHand = null;
+  /** @type {readonly (Run | null)[]} */
+  let driven = [];
   const element = create('table', 'standings');
   element.id = 'standings';
   element.setAttribute('aria-label', words.caption);
@@ -59,11 +63,14 @@ export function createStandings({ engine, actions }, { standings: words }) {
   return {
     element,
     draw(live) {
-      const { experiment, handGains, driver, preset } = live.state;
+      const { experiment, handGains, driver, preset, robot, theme } = live.state;
+      for (const [i, run] of driven.entries())
+        if (run) pictures[i].draw(experiment, run, robot.time, theme, { car: 8 });
       if (!changed(experiment, handGains, driver, preset)) return;
       if (handGains && !isGentle(handGains)) byHand = handGains;
       const gains = entrantsOf(live, byHand);
       const runs = entrants.map((name) => gains[name] && engine.drive(experiment, [gains[name]])[0]);
+      driven = runs;
       const winner = winnerOf(runs);
       const dearest = Math.max(...runs.map((run) => run?.cost.total ?? 0).filter(Number.isFinite));
       const driving =
@@ -75,6 +82,7 @@ export function createStandings({ engine, actions }, { standings: words }) {
         const text =
           triple && run ? `${triple.map(threeDigits).join(', ')} · ${lab.outcomeText(run)}` : words.nobody;
         return html`<tr class=${i === winner ? 'standing wins' : 'standing'}>
+          <td class="standing-picture">${pictures[i].element}</td>
           <th class="standing-head" scope="row">
             <button class="standing-name" type="button" aria-pressed=${name === driving} ?disabled=${!run}
               @click=${() => drive(name)}>${nameOf(name, words.gentle)}</button

@@ -3,16 +3,16 @@ import { createSlice } from '../run/store.js';
 
 /** @import { Triple } from '../core/engine.js' */
 /** @import { Duel } from './duel.js' */
-/** @import { Answer } from './page.js' */
 
-/** Drives with different gains, in the experiment with this text, the J of each, and the best that arrived. @typedef {{ experiment: string, drives: number, costs: readonly number[], best: { gains: Triple, cost: number } | null }} Tally */
+/** A prediction, and once it is known the right one and what is said of it. @typedef {{ choice: number, right: number | null, why: string }} Answer */
+/** Drives with different gains, in the experiment with this text, the J of each, and the best that arrived, or of which most did. @typedef {{ experiment: string, drives: number, costs: readonly number[], best: { gains: Triple, cost: number } | null, lowest: { gains: Triple, cost: number } | null }} Tally */
 
 /** @type {Tally} */
-export const noTally = Object.freeze({ experiment: '', drives: 0, costs: [], best: null });
+export const noTally = Object.freeze({ experiment: '', drives: 0, costs: [], best: null, lowest: null });
 
-/** @typedef {{ answers: Record<string, Answer>, tally: Tally, duel: Duel | null }} Progress */
+/** With `sees` whose robots of a contest are in sight. @typedef {{ answers: Record<string, Answer>, tally: Tally, duel: Duel | null, sees: 'you' | 'evolution' }} Progress */
 
-export const progressSlice = createSlice(
-  'progress',
-  /** @type {Progress} */ ({ answers: {}, tally: noTally, duel: null }),
-);
+/** @type {Progress} */
+export const noProgress = { answers: {}, tally: noTally, duel: null, sees: 'you' };
+
+export const progressSlice = createSlice('progress', noProgress);

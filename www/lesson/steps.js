@@ -12,20 +12,24 @@ import { landscape } from './steps/landscape.js';
 import { task } from './steps/task.js';
 import { disturbance } from './steps/disturbance.js';
 import { paper } from './steps/paper.js';
+import { build } from './steps/build.js';
 import { lecturers } from './steps/lecturers.js';
 
+/** @import { Triple } from '../core/engine.js' */
 /** @import { Formula } from './notation.js' */
 /** @import { Block, Live, Tools } from './page.js' */
 /** @import { Quiz } from './quiz.js' */
 /** @import { StepName } from './path.js' */
-/** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. */
+/** In the place of the plane, beside it or under it, while one of these parts is open, or any; with `after` once somebody has predicted that question. @typedef {{ create: (tools: Tools, words: any) => Block, place: 'instead' | 'beside' | 'under', pages?: readonly string[], after?: string }} Stage */
+/** What a drive came to: in the experiment with this text. @typedef {{ experiment: string, gains: Triple, cost: number, arrived: boolean }} Priced */
+/** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. With `after` it is not there before that question of the step is answered. */
 /**
- * @typedef {{ kind: 'text', name: string }
+ * @typedef {({ kind: 'text', name: string }
  *   | { kind: 'formula', formula: Formula }
  *   | { kind: 'notice' }
  *   | { kind: 'tries', tries: readonly (readonly [name: string, link: string])[] }
  *   | { kind: 'quiz', name: string, quiz: Quiz }
- *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block, isText?: true }} Content
+ *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block, isText?: true }) & { after?: string }} Content
  */
 /**
  * @typedef {object} Step
@@ -35,6 +39,8 @@ import { lecturers } from './steps/lecturers.js';
  * @property {number} [time] Where the robots' clock stands, in seconds; without it they drive.
  * @property {boolean} [overlay] The error posture is drawn on the plane.
  * @property {readonly Content[]} blocks
+ * @property {Stage} [stage] What the step is about, which stays in sight beside its words.
+ * @property {(live: Live) => Priced | null} [price] What a drive by hand costs in this step; without it, J of the drive on the plane.
  * @property {(live: Live) => Record<string, string>} [values] The numbers in its texts.
  */
 
@@ -53,5 +59,6 @@ export const steps = [
   task,
   disturbance,
   paper,
+  build,
   lecturers,
 ];

@@ -1,40 +1,89 @@
-// How often somebody has driven by hand, and the best that came of it.
+// How often somebody has driven by hand, and the best that came of it. A drag is one drive, however far it goes.
 import { remember } from '../kit/memo.js';
 import { noTally, progressSlice } from './state.js';
 
 /** @import { Experiment } from '../core/engine.js' */
-/** @import { Scene } from '../run/scene.js' */
-/** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
+/** @import { Live } from './page.js' */
 /** @import { Tally } from './state.js' */
+/** @import { Priced, Step } from './steps.js' */
 
 /** What a drive by hand depends on: all but evolution. @param {Experiment} experiment */
 export const taskText = (experiment) => JSON.stringify({ ...experiment, evolution: null });
 const textOf = remember(taskText);
 
+/** The drive on the plane. @param {Live} live @returns {Priced | null} */
+const driveOnPlane = ({ state, scene: { experiment, driving, chosen } }) =>
+  chosen || !state.handGains
+    ? null
+    : {
+        experiment: textOf(experiment),
+        gains: state.handGains,
+        cost: driving.cost.total,
+        arrived: driving.arrived,
+      };
+
 /** @param {Store} store */
 export function createTally(store) {
-  /** @type {Scene['driving'] | null} */
+  /** @type {string | null} */
   let last = null;
+  const hand = watchHand(store);
   return {
-    /** Counts what drives by hand, while the experiment stays the same. @param {State} state @param {Scene} scene */
-    count(state, { driving, experiment, chosen }) {
-      const { driver, handGains, page } = state;
-      if (driver !== 'hand' || !handGains || chosen || driving === last || page !== 'lab') return;
-      last = driving;
-      const text = textOf(experiment);
-      const { tally } = progressSlice.of(state);
-      const before = tally.experiment === text ? tally : { ...noTally, experiment: text };
-      const { total } = driving.cost;
-      const isBest = driving.arrived && (!before.best || total < before.best.cost);
-      progressSlice.update(store, {
-        tally: {
-          ...before,
-          drives: before.drives + 1,
-          costs: [...before.costs, total],
-          best: isBest ? { gains: handGains, cost: total } : before.best,
-        },
-      });
+    /** Counts what drives by hand, while the experiment stays the same. What a link sets up was not driven by hand. @param {Live} live @param {Step} step */
+    count(live, step) {
+      const { driver, handGains, page } = live.state;
+      if (driver !== 'hand' || !handGains || page !== 'lab' || !hand.hasMoved()) return;
+      const drive = (step.price ?? driveOnPlane)(live);
+      if (!drive) return;
+      hand.rest();
+      const name = `${drive.gains} ${drive.experiment}`;
+      if (name !== last || progressSlice.of(live.state).tally.drives === 0) record(store, drive);
+      last = name;
+    },
+  };
+}
+
+/** @param {Store} store @param {Priced} drive */
+function record(store, { experiment, gains, cost, arrived }) {
+  const { tally } = progressSlice.of(store.get());
+  const before = tally.experiment === experiment ? tally : { ...noTally, experiment };
+  const isBest = arrived && (!before.best || cost < before.best.cost);
+  const isLowest = !before.lowest || cost < before.lowest.cost;
+  progressSlice.update(store, {
+    tally: {
+      ...before,
+      drives: before.drives + 1,
+      costs: [...before.costs, cost],
+      best: isBest ? { gains, cost } : before.best,
+      lowest: isLowest ? { gains, cost } : before.lowest,
+    },
+  });
+}
+
+/** What a hand does with the gains: while it holds a slider, or a key of it, it has not moved yet. @param {Store} store */
+function watchHand(store) {
+  let held = false;
+  let moved = false;
+  const isOfGains = (/** @type {EventTarget | null} */ target) =>
+    target instanceof HTMLInputElement && target.closest('#gains') !== null;
+  const on = (/** @type {string[]} */ types, /** @type {(event: Event) => void} */ act) => {
+    for (const type of types) addEventListener(type, act, { capture: true });
+  };
+  on(['pointerdown', 'keydown'], ({ target }) => {
+    held = isOfGains(target) && /** @type {HTMLInputElement} */ (target).type === 'range';
+  });
+  on(['pointerup', 'pointercancel', 'keyup', 'blur'], () => {
+    if (held) store.redraw();
+    held = false;
+  });
+  on(['input', 'change'], ({ target, type }) => {
+    const isTyping = /** @type {HTMLInputElement} */ (target).type === 'text' && type === 'input';
+    if (isOfGains(target) && !isTyping) moved = true;
+  });
+  return {
+    hasMoved: () => moved && !held,
+    rest() {
+      moved = false;
     },
   };
 }

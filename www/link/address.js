@@ -31,10 +31,12 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
     actions.openLinked(opened, problems);
   };
 
+  const numberOf = (/** @type {string | undefined} */ step) =>
+    step === undefined ? 0 : links.stepNamed(step).number;
   /** Where the address is: the part, and the step of the lesson. */
   const place = () => ({
     page: pages.find((name) => name === written.split('&')[0]) ?? 'lab',
-    lesson: Number(/&lesson=(\d+)/.exec(written)?.[1] ?? 0),
+    lesson: numberOf(/&lesson=(\w+)/.exec(written)?.[1]),
   });
   const isElsewhere = (/** @type {State} */ state) =>
     state.page !== place().page || state.lesson !== place().lesson;

@@ -110,11 +110,13 @@ export const pinKeys = styles.map((_, slot) => ({
   }),
 }));
 
-/** @param {number} count How many steps the lesson has. @returns {Key} */
-export const lessonKey = (count) => ({
+/** How links name the steps of the lesson; one that is not there has a nearest. @typedef {{ named: (text: string) => { number: number, isThere: boolean }, textOf: (step: number) => string, linkOf: (step: number) => string }} Steps */
+
+/** @param {Steps} steps @returns {Key} */
+export const lessonKey = (steps) => ({
   key: 'lesson',
-  text: ({ lesson }) => (lesson > 0 ? String(lesson) : null),
-  read: (opened, text) => ({ ...opened, lesson: wholeNumber(text, count) }),
+  text: ({ lesson }) => (lesson > 0 ? steps.textOf(lesson) : null),
+  read: (opened, text) => ({ ...opened, lesson: steps.named(text).number }),
 });
 
 /** @type {readonly Key[]} */

@@ -6,7 +6,7 @@
 /** @import { Opened } from '../run/actions/page.js' */
 /** @import { Exercise } from '../run/exercise.js' */
 /** @import { Language } from '../words/language.js' */
-/** @import { Key, Linked, PartKey } from './keys.js' */
+/** @import { Key, Linked, PartKey, Steps } from './keys.js' */
 import { noExercise } from '../run/exercise.js';
 import { noPins } from '../run/pins.js';
 import { noTrial, presets } from '../run/state.js';
@@ -25,7 +25,7 @@ import { decoded, encoded, oneOf, pairOf } from './values.js';
  * @property {(page: string) => boolean} triesDisturbance
  * @property {readonly PartKey[]} keys Of the parts.
  * @property {(opened: Opened, refuse: (key: string, why: string) => void) => Opened} mend What goes wrong only together.
- * @property {{ count: number, linkOf: (step: number) => string }} lesson
+ * @property {Steps} lesson
  */
 /** @typedef {ReturnType<typeof createLinks>} Links */
 
@@ -72,13 +72,7 @@ const signs = [
 
 /** @param {Tables} tables */
 export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, lesson }) {
-  const keys = [
-    ...driveKeys(triesDisturbance),
-    ...partKeys,
-    ...pinKeys,
-    lessonKey(lesson.count),
-    ...exerciseKeys,
-  ];
+  const keys = [...driveKeys(triesDisturbance), ...partKeys, ...pinKeys, lessonKey(lesson), ...exerciseKeys];
   /** What the parts show when a link says nothing of it. @type {Record<string, Record<string, unknown>>} */
   const usualParts = {};
   for (const { slice, field } of partKeys)
@@ -109,6 +103,8 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     const problems = page ? [] : [words.unknownPart(short(decoded(name)), pages)];
     if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
     const given = new Map(rest.filter((text) => text !== '').map(pairOf));
+    const step = stepIn(link) ?? given.get('lesson');
+    if (step !== undefined && !lesson.named(step).isThere) problems.push(words.noStep(short(step)));
     const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
     const { opened, refused } = readAll(
       given,
@@ -133,8 +129,8 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
 
   /** A step of the lesson may be asked for alone, as lesson&step=3. @param {string} link */
   function stepLink(link) {
-    const step = /^lesson(?:&(?:v|lang)=\w+)*(?:&step=(\d+))?(?:&(?:v|lang)=\w+)*$/.exec(link);
-    return step ? lesson.linkOf(Math.min(Math.max(Number(step[1] ?? 1), 1), lesson.count)) : link;
+    const step = stepIn(link);
+    return step === undefined ? link : lesson.linkOf(Math.max(lesson.named(step).number, 1));
   }
 
   return {
@@ -144,6 +140,8 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     openLink,
     /** The link of a step of the lesson. */
     linkOfStep: lesson.linkOf,
+    /** The number of a step that a link names. */
+    stepNamed: lesson.named,
     /** Everything that a link carries, to be compared with what it was. @param {Linked} state */
     carried: ({ page, lesson: step, preset, experiment, generation, driver, ...state }) => [
       ...[page, step, preset, experiment, generation, driver],
@@ -151,6 +149,12 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
       ...partKeys.map(({ slice, field }) => slice.of(state)[field]),
     ],
   };
+}
+
+/** The step that is asked for alone. @param {string} link */
+function stepIn(link) {
+  const step = /^lesson(?:&(?:v|lang)=\w+)*(?:&step=(\w+))?(?:&(?:v|lang)=\w+)*$/.exec(link);
+  return step ? (step[1] ?? '1') : undefined;
 }
 
 /** @param {readonly [string, string]} pair */

@@ -53,6 +53,8 @@ export class Page {
     // A page that writes its address while it is being left makes WebKit's driver answer too early.
     this.#isOpen = true;
     await this.until('the page is left', (address) => location.href === address, blank);
+    // What a tab keeps is not for the next test.
+    await this.driver.executeScript('sessionStorage.clear()');
   }
 
   /** A test that has opened nothing looks at the page. */

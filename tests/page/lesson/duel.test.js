@@ -10,114 +10,144 @@ import {
   scoreOf,
   winners,
 } from '../../../www/lesson/duel.js';
+import { marksOf } from '../../../www/lesson/marks.js';
+import { duel as step } from '../../../www/lesson/steps/duel.js';
+import { yardOf } from '../../../www/lesson/yard.js';
 import { noTally } from '../../../www/lesson/state.js';
 import { taskText } from '../../../www/lesson/tally.js';
 import { duel as words } from '../../../www/lesson/words/en/duel.js';
 import { Key, pageTest } from '../harness/browsers.js';
-import { Evolution, evaluate, experiment, seedRuns, shown } from '../harness/core.js';
+import { Evolution, evaluate, fares, seedRuns, shown } from '../harness/core.js';
 import { opened } from './links.js';
 import { answered, liveOf, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../harness/core.js').Experiment} Experiment */
 
-const usual = experiment('velocity-limits');
 const { engine } = liveOf('lab');
+const yard = yardOf(engine);
+const contest = yard.experimentOf(opened(step.link).experiment);
 
-/** What was driven by hand, with these J. @param {readonly number[]} costs @param {Experiment} [from] */
-const driven = (costs, from = usual) =>
-  lockedIn({ ...noTally, experiment: taskText(from), drives: costs.length, costs }, from);
+/** What was driven by hand, with these J. @param {readonly number[]} costs */
+const driven = (costs) =>
+  lockedIn({ ...noTally, experiment: taskText(contest), drives: costs.length, costs }, contest);
 
-/** The best J of an evolution with a seed. @param {number} seed @param {number} generation */
+/** The best of an evolution with a seed. @param {number} seed @param {number} generation */
 function evolvedBest(seed, generation) {
-  const evolution = new Evolution({ ...usual, evolution: { ...usual.evolution, seed } });
+  const evolution = new Evolution({ ...contest, evolution: { ...contest.evolution, seed } });
   for (let i = 0; i < generation; i++) evolution.step();
-  return evolution.statistics().best.cost;
+  const { cost, gains } = evolution.statistics().best;
+  evolution.free();
+  return { cost, gains: /** @type {[number, number, number]} */ ([...gains]) };
 }
 
-test('evolution gets the generations that fit into as many drives, at least the first robots', () => {
+test('evolution gets the generations that fit into as many trials, at least its twenty', () => {
   for (const [drives, generation] of [
-    [1, 0],
-    [19, 0],
-    [20, 0],
-    [39, 0],
-    [40, 1],
-    [187, 8],
+    [0, 20],
+    [40, 20],
+    [420, 20],
+    [440, 21],
     [1000, 49],
   ])
-    assert.equal(generationsIn(drives, 20), generation, `${drives} drives`);
+    assert.equal(generationsIn(drives, 20), generation, `${drives} trials`);
 });
 
-test('the duel compares with the core’s evolution and random search of that seed', async () => {
-  const duel = driven(Array.from({ length: 187 }, (_, i) => 20 - i / 20));
+test('the duel compares with the core’s evolution and random search of that seed, from all starts', async () => {
+  const duel = driven(Array.from({ length: 46 }, (_, i) => 20 - i / 20));
   const round = await roundOf(engine, duel, 3);
   const verdict = judge(duel, round);
-  const [run] = seedRuns(usual, { seeds: [3, 4], generations: 49 });
-  assert.deepEqual([verdict.generation, verdict.given, verdict.longest, verdict.seed], [8, 180, 1000, 3]);
-  assert.equal(verdict.costs.evolution, evolvedBest(3, 8));
-  assert.equal(verdict.costs.random, run.random[8]);
-  assert.equal(verdict.later.evolution, evolvedBest(3, 49));
-  assert.equal(verdict.costs.you, 20 - 186 / 20);
+  const [run] = seedRuns(contest, { seeds: [3, 4], generations: 60 });
+  assert.deepEqual([verdict.generation, verdict.given, verdict.longest, verdict.seed], [20, 420, 1220, 3]);
+  assert.equal(verdict.costs.evolution, evolvedBest(3, 20).cost);
+  assert.deepEqual(round.champion, evolvedBest(3, 20).gains);
+  assert.equal(verdict.costs.random, run.random[20]);
+  assert.equal(verdict.later.evolution, evolvedBest(3, 60).cost);
+  assert.equal(verdict.costs.you, 20 - 45 / 20);
 });
 
-test('who has the lowest J wins, whether its robot arrived or not', async () => {
-  const round = { seed: 1, evolution: [9, 8.5, 8, 7.9], random: [9, 8.4, 8.4, 8.4] };
-  const winnerWith = (/** @type {number} */ best, /** @type {number} */ drives) =>
-    judge(driven([...Array(drives - 1).fill(30), best]), round).winner;
-  assert.equal(winnerWith(8.3, 40), 'you');
-  assert.equal(winnerWith(8.45, 40), 'random');
-  assert.equal(winnerWith(8.2, 60), 'evolution');
-  assert.equal(winnerWith(9.5, 30), 'both');
-  assert.equal(winnerWith(9.5, 3), 'both');
-  assert.equal(judge(driven([30]), round).given, 20);
-  assert.equal(judge(driven([8.2]), round).passed, 60);
+test('who has the lowest J wins', async () => {
+  const evolution = Array.from({ length: 61 }, (_, i) => 13 - i / 60);
+  const random = evolution.map((cost, i) => (i < 30 ? 12.8 : cost + 0.5));
+  /** @type {import('../../../www/lesson/duel.js').Round} */
+  const round = { seed: 1, evolution, random, champion: [1, 1, 1] };
+  const winnerWith = (/** @type {number} */ best) => judge(driven([30, best]), round).winner;
+  assert.equal(winnerWith(12.5), 'you');
+  assert.equal(winnerWith(12.7), 'evolution');
+  assert.equal(judge(driven([30]), { ...round, random: evolution }).winner, 'both');
+  assert.equal(judge(driven([30]), { ...round, random: evolution.map(() => 11) }).winner, 'random');
+  assert.equal(judge(driven([30]), round).given, 420);
+  assert.equal(judge(driven([12.99]), round).passed, 40);
   assert.equal(judge(driven([7]), round).passed, null);
   assert.equal(lowestOf([]), Number.POSITIVE_INFINITY);
-  assert.deepEqual(scoreOf({ ...driven([8.3, 9]), rounds: [round, round] }), {
+  assert.deepEqual(scoreOf({ ...driven([12.5, 15]), rounds: [round, round] }), {
     you: 2,
     evolution: 0,
     random: 0,
     both: 0,
   });
   const { outcome, why } = await answered('duel', 'ahead');
-  assert.deepEqual([winners[outcome.right], outcome.drives], ['both', 0]);
+  assert.deepEqual([winners[outcome.right], outcome.drives], ['evolution', 0]);
   for (const text of why) assert.doesNotMatch(text, /undefined|NaN|∞/);
 });
 
-test('a duel is about start, goal and limits, not about the seed, and the seeds follow each other', () => {
+test('a duel is about start, goal and weights, not about the seed, and the seeds follow each other', () => {
   const duel = driven([9]);
-  assert.ok(isDuelOf(duel, { ...usual, evolution: { ...usual.evolution, seed: 9 } }));
-  assert.ok(!isDuelOf(duel, opened(tryOf('duel', 'round')).experiment));
+  assert.ok(isDuelOf(duel, { ...contest, evolution: { ...contest.evolution, seed: 9 } }));
+  assert.ok(!isDuelOf(duel, yard.experimentOf(opened(tryOf('duel', 'dear')).experiment)));
   assert.equal(nextSeed(duel), 1);
-  assert.equal(nextSeed({ ...duel, rounds: [{ seed: 4, evolution: [], random: [] }] }), 5);
+  assert.equal(
+    nextSeed({ ...duel, rounds: [{ seed: 4, evolution: [], random: [], champion: [1, 1, 1] }] }),
+    5,
+  );
 });
 
-test('with a hundred drives luck decides, with a thousand evolution is ahead', () => {
-  const runs = seedRuns(usual, { seeds: [1, 31], generations: 49 });
-  const ahead = (/** @type {number} */ drives) =>
-    runs.filter(({ best, random }) => random[drives / 20 - 1] < best[drives / 20 - 1]).length;
-  assert.ok(ahead(100) > 9 && ahead(100) < 21, `${ahead(100)} of 30 with 100 drives`);
-  assert.equal(ahead(1000), 0);
-  for (const { best, random } of runs) assert.equal(best[0], random[0]);
-});
-
-test('looking away from the goal evolution is no better than drawing lots', () => {
-  const { experiment: from } = opened(tryOf('duel', 'backwards'));
-  const runs = seedRuns(from, { seeds: [1, 21], generations: 49 });
-  const lots = runs.filter(({ best, random }) => random[49] < best[49]).length;
-  assert.ok(lots >= 7 && lots <= 15, `${lots} of 20`);
-});
-
-test('evolution leaves the range of the first gains, where that is better', () => {
-  const { experiment: from } = opened(tryOf('duel', 'round'));
-  const [low, high] = from.evolution.initialRange;
-  assert.deepEqual([low, high], [0.01, 10]);
-  const runs = seedRuns(from, { seeds: [1, 6], generations: 49 });
-  for (const { champion, best, random } of runs) {
-    assert.ok(champion.gains.some((gain) => gain < low || gain > high));
-    assert.ok(best[49] < random[49]);
+test('the yard is the mean over its starts, as the core has it', () => {
+  for (const gains of /** @type {const} */ ([
+    [5, 5, 5],
+    [1, 1, 1],
+    [7, 180, 7],
+  ])) {
+    const seen = yard.drive(contest, gains);
+    assert.ok(seen);
+    assert.ok(Math.abs(seen.cost / evaluate(contest, [...gains])[0] - 1) < 1e-12);
+    const { arrived } = fares({ ...contest, evolution: { ...contest.evolution, population: 1 } }, [...gains]);
+    assert.equal(
+      seen.parked,
+      [...arrived].reduce((a, b) => a + b, 0),
+    );
   }
+});
+
+test('no hand within the sliders does what evolution does in 20 to 60 generations, at a ky beyond them', () => {
+  const steps = [0.01, 1.5, 3, 4.5, 6, 7.5, 9, 10.5, 12];
+  const grid = steps.flatMap((kx) => steps.flatMap((ky) => steps.map((kt) => [kx, ky, kt])));
+  const costs = [...evaluate(contest, grid.flat())];
+  const best = Math.min(...costs);
+  assert.ok(best > 13 && best < 13.1, `${best}`);
+  const hand = yard.drive(contest, /** @type {any} */ (grid[costs.indexOf(best)]));
+  assert.equal(hand?.parked, 26);
+  for (const seed of [1, 2, 3, 4]) {
+    assert.ok(evolvedBest(seed, 20).cost < best, `seed ${seed} after 20`);
+    const { cost, gains } = evolvedBest(seed, 60);
+    assert.ok(cost < 11.8 && gains[1] > 12 * 10, `seed ${seed}: ${cost}, ${gains}`);
+    assert.equal(yard.drive(contest, gains)?.parked, 32);
+  }
+});
+
+test('random search cannot go there: evolution is ahead of it with every seed', () => {
+  for (const seed of [1, 2, 3, 4, 5]) {
+    const [{ best, random }] = seedRuns(contest, { seeds: [seed, seed + 1], generations: 60 });
+    assert.ok(best[60] < random[60] - 1);
+    assert.equal(best[0], random[0]);
+  }
+});
+
+test('what one can beat is beaten by 5, 5, 5 last', () => {
+  const marks = marksOf(liveOf(step.link));
+  assert.deepEqual(
+    marks.map(({ name }) => name),
+    ['ep', 'arbitrary', 'fives'],
+  );
 });
 
 /** Drives by hand: so many steps of a slider, each drawn. @param {Page} page @param {string} gain @param {number} steps */
@@ -143,7 +173,8 @@ const table = (page) =>
     ].map((row) => ({
       who: row.dataset.who,
       drives: Number(row.cells[1].textContent),
-      cost: row.cells[2].textContent,
+      parked: row.cells[2].textContent,
+      cost: row.cells[3].textContent,
       wins: row.className === 'wins',
     })),
   );
@@ -153,91 +184,107 @@ const textOf = (page, id) => page.evaluate((name) => document.getElementById(nam
 
 pageTest('drive, lock in, predict; every number is the core’s', async (page) => {
   await page.open('#lesson&step=9');
-  await page.until('the first drive', () => document.getElementById('duel-drives')?.textContent === '1');
-  await drive(page, 'kx', 25);
-  await drive(page, 'ktheta', 20);
-  const driven = [
-    ...Array.from({ length: 26 }, (_, i) => [1 + i / 100, 1, 1]),
-    ...Array.from({ length: 20 }, (_, i) => [1.25, 1, 1 + (i + 1) / 100]),
+  await page.until('the robots', () => document.getElementById('swarm-parked')?.textContent === '4');
+  assert.equal(await textOf(page, 'duel-drives'), '0', 'the page’s own drive is nobody’s');
+  await drive(page, 'kx', 5);
+  await drive(page, 'ktheta', 4);
+  const gains = [
+    ...Array.from({ length: 5 }, (_, i) => [1 + (i + 1) / 100, 1, 1]),
+    ...Array.from({ length: 4 }, (_, i) => [1.05, 1, 1 + (i + 1) / 100]),
   ];
-  const costs = [...evaluate(usual, driven.flat())];
+  const costs = [...evaluate(contest, gains.flat())];
   const best = shown(Math.min(...costs));
-  assert.deepEqual([await textOf(page, 'duel-drives'), await textOf(page, 'duel-best')], ['46', best]);
+  assert.deepEqual([await textOf(page, 'duel-drives'), await textOf(page, 'duel-best')], ['9', best]);
   assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));
+  assert.match(await textOf(page, 'duel-beaten'), /You have beaten the paper’s evolved gains \(20\.\d+\)\./);
 
   await page.click('#duel-lock');
   await drive(page, 'ky', 2);
-  assert.deepEqual([await textOf(page, 'duel-drives'), await textOf(page, 'duel-best')], ['46', best]);
+  assert.deepEqual([await textOf(page, 'duel-drives'), await textOf(page, 'duel-best')], ['9', best]);
   await page.click('#quiz-ahead .choice:first-child');
   await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
-  const [run, second] = seedRuns(usual, { seeds: [1, 3], generations: 49 });
+  const [run, second] = seedRuns(contest, { seeds: [1, 3], generations: 60 });
   const rows = (/** @type {typeof run} */ { best: evolution, random }) =>
     [
-      { who: 'you', drives: 46, cost: best },
-      { who: 'evolution', drives: 40, cost: shown(evolution[1]) },
-      { who: 'random', drives: 40, cost: shown(random[1]) },
+      { who: 'you', drives: 9, cost: best },
+      { who: 'evolution', drives: 420, cost: shown(evolution[20]) },
+      { who: 'random', drives: 420, cost: shown(random[20]) },
     ].sort((a, b) => Number(a.cost) - Number(b.cost));
   const seen = async () => (await table(page)).map(({ who, drives, cost }) => ({ who, drives, cost }));
   assert.deepEqual(await seen(), rows(run));
-  assert.deepEqual(
-    (await table(page)).map(({ wins }) => wins),
-    [true, false, false],
-  );
-  const right = await page.evaluate(() =>
-    [...document.querySelectorAll('#quiz-ahead .choice')].findIndex((choice) =>
-      choice.classList.contains('right'),
-    ),
-  );
-  assert.equal(winners[right], rows(run)[0].who);
+  const champion = yard.drive(contest, evolvedBest(1, 20).gains);
+  assert.equal((await table(page))[0].parked, String(champion?.parked));
 
+  await page.click('#duel-watch');
+  await page.until(
+    'evolution’s robots',
+    (parked) => document.getElementById('swarm-parked')?.textContent === parked,
+    String(champion?.parked),
+  );
   await page.click('#duel-again');
   await page.until('the second seed', () =>
     document.querySelector('#duel-table caption')?.textContent?.startsWith('Seed 2.'),
   );
   assert.deepEqual(await seen(), rows(second));
   assert.match(await textOf(page, 'duel-score'), /^Of 2 seeds/);
-
   await page.click('#duel-further');
   const later = await page.until(
     'what comes later',
     () => document.getElementById('duel-later')?.textContent,
   );
-  assert.ok(later.includes(shown(second.best[49])) && later.includes(shown(second.random[49])), later);
-
-  await page.click('#duel-watch');
-  await page.until('evolution’s best', () => document.getElementById('seed')?.textContent === '2');
-  assert.equal(await textOf(page, 'cost-total'), shown(second.best[1]));
-  assert.equal(await textOf(page, 'duel-drives'), '46');
+  assert.ok(later.includes(shown(second.best[60])) && later.includes(shown(second.random[60])), later);
 });
 
-pageTest('a duel outlasts other steps, and can be started over elsewhere', async (page) => {
+pageTest('a drag is one trial, however far it goes', async (page) => {
   await page.open('#lesson&step=9');
-  await page.click('#quiz-ahead .choice:first-child');
-  await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
+  await page.until('the robots', () => document.getElementById('swarm-parked'));
+  await page.evaluate(async () => {
+    const slider = /** @type {HTMLInputElement} */ (document.getElementById('slider-ky'));
+    const frame = () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    const send = (/** @type {Event} */ event) => slider.dispatchEvent(event);
+    send(new PointerEvent('pointerdown', { bubbles: true }));
+    for (const value of [2, 3, 4, 5, 6]) {
+      slider.value = String(value);
+      send(new Event('input', { bubbles: true }));
+      await frame();
+    }
+    send(new PointerEvent('pointerup', { bubbles: true }));
+    send(new Event('change', { bubbles: true }));
+    await frame();
+  });
   assert.equal(await textOf(page, 'duel-drives'), '1');
-  assert.match(await textOf(page, 'duel-sentence'), /they had 20 drives each.*you had 1\./);
+  assert.equal(await textOf(page, 'duel-best'), shown(evaluate(contest, [1, 6, 1])[0]));
+});
+
+pageTest('answers, trials and a locked duel outlast a reload of the tab', async (page) => {
+  await page.open('#lesson&step=9');
+  await page.until('the robots', () => document.getElementById('swarm-parked'));
+  await drive(page, 'kx', 3);
+  await page.click('#quiz-ahead .choice:nth-child(2)');
+  await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
   const before = await table(page);
-  await page.click('.step-on');
-  await page.click('.step-back');
+  const why = await page.until(
+    'the answer',
+    () => document.querySelector('#quiz-ahead .quiz-why strong')?.parentElement?.innerText,
+  );
+  await page.driver.navigate().refresh();
+  await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
   await page.until('the table again', () => document.getElementById('duel-table')?.checkVisibility());
   assert.deepEqual(await table(page), before);
-
-  await page.click('[data-try="backwards"]');
+  assert.equal(
+    await page.evaluate(
+      () => document.querySelector('#quiz-ahead .quiz-why strong')?.parentElement?.innerText,
+    ),
+    why,
+  );
+  await page.click('[data-try="dear"]');
   await page.until(
-    'the other start',
+    'the other task',
     (text) => document.getElementById('duel-status')?.textContent === text,
     words.duel.elsewhere,
   );
-  assert.deepEqual(await table(page), before);
   await page.click('#duel-new');
   await drawn(page);
   assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));
   assert.equal(await textOf(page, 'duel-drives'), '0');
-  await drive(page, 'kx', 3);
-  const { experiment: from } = opened(tryOf('duel', 'backwards'));
-  const costs = evaluate(from, [3.01, 1, 5, 3.02, 1, 5, 3.03, 1, 5]);
-  assert.deepEqual(
-    [await textOf(page, 'duel-drives'), await textOf(page, 'duel-best')],
-    ['3', shown(Math.min(...costs))],
-  );
 });

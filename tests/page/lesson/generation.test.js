@@ -41,7 +41,8 @@ const near = (a, b, what) =>
   assert.ok(Math.abs(a - b) <= 1e-12 * Math.max(1, Math.abs(a)), `${what}: ${a}, ${b}`);
 
 test('the four moves show one generation and one pair, phase by phase', () => {
-  const links = [step.link, ...linksIn(words.texts.mutate), ...linksIn(words.texts.select)];
+  const { mutate, drive, select } = words.texts;
+  const links = [step.link, ...[mutate, drive, select].flatMap(linksIn)];
   const phases = links.map((link) => {
     const shown = shownIn(link, generationSlice);
     assert.equal(opened(link).generation, 1);

@@ -1,9 +1,13 @@
 import assert from 'node:assert/strict';
-import { hrefOf, linkOfStep } from '../../../www/lesson/path.js';
+import { progressOf, textOf } from '../../../www/lesson/keepsake.js';
+import { links } from '../../../www/lesson/links.js';
+import { hrefOf, linkOfStep, stepNamed, stepNames, textOfStep } from '../../../www/lesson/path.js';
+import { noProgress, noTally } from '../../../www/lesson/state.js';
 import { steps } from '../../../www/lesson/steps.js';
 import { en as english, ko as korean } from '../harness/words.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
-import { driven, linkOf, opened, samples } from './links.js';
+import { driven, engine, linkOf, opened, samples } from './links.js';
+import { answered } from './live.js';
 import { test } from '../harness/once.js';
 
 /** @type {any} */
@@ -23,13 +27,85 @@ const blocksOf = (kind) =>
 test('every link of the lesson opens without a complaint', () => {
   for (const [i, { link, blocks }] of steps.entries()) {
     opened(linkOfStep(i + 1));
-    assert.equal(opened(`lesson&step=${i + 1}`).lesson, i + 1);
     for (const block of blocks) {
       const links = block.kind === 'tries' ? block.tries.map(([, to]) => to) : [];
       if (block.kind === 'quiz' && block.quiz.shows) links.push(block.quiz.shows);
       for (const to of [link, ...links]) assert.equal(opened(hrefOf(to, i + 1).slice(1)).lesson, i + 1, to);
     }
   }
+});
+
+test('links of the first edition open the step that holds its content; one that is gone opens the nearest and says so', () => {
+  const first = [
+    ...['drive', 'error', 'law', 'stability', 'limits', 'cost', 'generation', 'sigma', 'duel'],
+    ...['landscape', 'task', 'disturbance', 'paper', 'lecturers'],
+  ];
+  for (const [i, name] of first.entries()) {
+    for (const link of [`lesson&step=${i + 1}`, `lab&v=1&lesson=${i + 1}`, `lab&v=1&lesson=${name}`])
+      assert.equal(stepNames[opened(link).lesson - 1], name, link);
+  }
+  for (const [i, name] of stepNames.entries()) {
+    assert.equal(opened(linkOfStep(i + 1)).lesson, i + 1, name);
+    assert.equal(stepNamed(textOfStep(i + 1)).number, i + 1, name);
+  }
+  for (const [link, name] of [
+    ['lab&v=1&lesson=15', 'build'],
+    ['lab&v=1&lesson=99', 'build'],
+    ['lesson&step=40', 'build'],
+    ['lab&v=1&lesson=gone', 'drive'],
+    ['lesson&step=gone', 'drive'],
+  ]) {
+    const { opened: run, problems } = links.openLink(link, engine);
+    assert.equal(stepNames[run.lesson - 1], name, link);
+    assert.equal(problems.length, 1, link);
+    assert.match(problems[0], /has no step (15|99|40|gone), so the nearest/);
+  }
+  assert.equal(opened('lab&v=1&lesson=0').lesson, 0);
+});
+
+test('the right choice stands anywhere: no place has more than four in ten', async () => {
+  /** @type {number[]} */
+  const places = [];
+  for (const { name, blocks } of steps)
+    for (const block of blocks) {
+      // Who wins a contest depends on who plays.
+      if (block.kind !== 'quiz' || name === 'duel') continue;
+      const count = en.steps[name].quizzes[block.name].choices.length;
+      const order = block.quiz.order ?? Array.from({ length: count }, (_, i) => i);
+      assert.deepEqual(
+        [...order].sort(),
+        Array.from({ length: count }, (_, i) => i),
+        `${name}.${block.name}`,
+      );
+      const { outcome } = await answered(name, block.name);
+      places.push(order.indexOf(outcome.right));
+    }
+  const share = (/** @type {number} */ place) => places.filter((one) => one === place).length / places.length;
+  assert.ok(Math.max(share(0), share(1), share(2)) <= 0.4, `${places}`);
+  assert.ok(Math.min(share(0), share(1), share(2)) >= 0.2, `${places}`);
+});
+
+test('what the tab keeps is read back, and nothing else is believed', () => {
+  const progress = {
+    ...noProgress,
+    answers: {
+      'drive.bolder': { choice: 1, right: 1, why: 'so' },
+      'law.beside': { choice: 0, right: null, why: '' },
+    },
+    tally: { ...noTally, experiment: '{}', drives: 2, costs: [9, Number.POSITIVE_INFINITY] },
+  };
+  const back = progressOf(textOf(progress));
+  assert.deepEqual(Object.keys(back.answers), ['drive.bolder']);
+  assert.deepEqual(back.tally, progress.tally);
+  for (const wrong of [
+    { language: 'xx', answers: {}, tally: noTally, duel: null },
+    { language: 'en', answers: { a: { choice: 'x' } }, tally: noTally, duel: null },
+  ])
+    assert.equal(progressOf(JSON.stringify(wrong)), noProgress);
+  const odd = progressOf(
+    JSON.stringify({ language: 'en', answers: {}, tally: { costs: ['x'] }, duel: { costs: 1 } }),
+  );
+  assert.deepEqual([odd.tally, odd.duel], [noTally, null]);
 });
 
 test('there are at least twelve questions, and words for all that a step shows', () => {
@@ -65,14 +141,17 @@ test('both languages have the same live values and symbols', () => {
 });
 
 test('what is said of its drives is so', () => {
-  const miss = driven(steps[0].link);
+  const [arbitrary, ep] = ['paper-arbitrary', 'paper-ep'].map((driver) => driven(`lab&drives=${driver}`));
+  assert.ok(ep.cost.total < arbitrary.cost.total);
+  assert.ok(driven('lab&drives=hand&gains=4,0,4').cost.total < ep.cost.total, 'both can be beaten by hand');
+  const opening = driven(steps[0].link);
+  assert.ok(
+    opening.cost.total > arbitrary.cost.total && Math.abs(opening.finalTime) > 1,
+    'there is something to do',
+  );
+  const miss = driven(linkOf(steps[0], 'stops'));
   assert.equal(miss.outcome, 'horizon');
   assert.ok(Math.hypot((miss.x.at(-1) ?? 0) - 2, (miss.y.at(-1) ?? 0) - 2) > 0.5);
-  assert.ok(
-    driven('lab&drives=hand&gains=4,0,4').cost.total < driven('lab&drives=paper-arbitrary').cost.total,
-  );
-  // Equal times, other J.
-  assert.equal(driven('lab&drives=paper-ep').arrived, true);
 });
 
 test('turned wrong by 90° on the goal the robot turns on the spot, and only θe changes', () => {
@@ -99,7 +178,7 @@ const pressAll = (page, selectors) =>
 
 for (const [i, { name, blocks }] of steps.entries())
   pageTest(`step ${i + 1}, ${name}: every try pressed, every question answered`, async (page) => {
-    await page.open(`#lesson&step=${i + 1}`);
+    await page.open(`#lesson&step=${name}`);
     const title = en.titles[name];
     const triesOf = blocks.flatMap((block) => (block.kind === 'tries' ? block.tries : []));
     assert.equal(
@@ -122,7 +201,7 @@ for (const [i, { name, blocks }] of steps.entries())
       const right = await page.evaluate((quiz) => document.querySelectorAll(`#${quiz} .right`).length, id);
       assert.equal(right, 1, `${name}.${block.name}`);
     }
-    await page.open(`#lesson&step=${i + 1}`);
+    await page.open(`#lesson&step=${name}`);
     await page.until('every number in the text', () =>
       [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]'))].every(
         (element) => element.textContent !== '–',
@@ -174,7 +253,7 @@ const sight = (page) =>
     for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
     const figure = /** @type {HTMLElement} */ (document.querySelector('.figure'));
     const { top, bottom } = figure.getBoundingClientRect();
-    const shown = ['plane', 'stability-picture', 'gains', 'sights'].filter((id) => {
+    const shown = ['plane', 'bowl', 'stability-picture', 'gains', 'sights'].filter((id) => {
       const box = document.getElementById(id)?.getBoundingClientRect();
       return box && box.height > 20 && box.top >= top - 1 && box.bottom <= bottom + 1;
     });
@@ -187,7 +266,7 @@ engineTest('where there is no room beside the words, what they speak of stays ov
   const atTheEnd = () =>
     page.evaluate(() => document.querySelector('.lesson-foot')?.scrollIntoView({ block: 'end' }));
   await atTheEnd();
-  assert.deepEqual(await sight(page), { shown: ['stability-picture', 'sights'], isOnTop: true, share: 5 });
+  assert.deepEqual(await sight(page), { shown: ['bowl', 'sights'], isOnTop: true, share: 5 });
   for (const [name, shown] of /** @type {const} */ ([
     ['gains', ['plane', 'gains', 'sights']],
     ['robot', ['plane', 'sights']],
@@ -202,7 +281,7 @@ engineTest('where there is no room beside the words, what they speak of stays ov
     'the next step, with what it speaks of',
     (title) =>
       document.getElementById('lesson-title')?.textContent === title &&
-      /** @type {HTMLInputElement} */ (document.getElementById('sights-part')).checked,
+      /** @type {HTMLInputElement} */ (document.getElementById('sights-stage')).checked,
     en.titles.limits,
   );
   await page.resize(1280, 900);

@@ -1,6 +1,9 @@
 import assert from 'node:assert/strict';
 import { paper as step } from '../../../www/lesson/steps/paper.js';
-import { evolve, experiment, paperGains, simulate } from '../harness/core.js';
+import { asPrinted } from '../../../www/lesson/printed.js';
+import { evolve, experiment, paper, paperGains, simulate } from '../harness/core.js';
+import { engine } from './links.js';
+import { answered } from './live.js';
 import { driven, opened } from './links.js';
 import { test } from '../harness/once.js';
 
@@ -37,6 +40,52 @@ test('with a fixed time of 3 s evolution finds another kx', () => {
   const [kx] = evolve(fixedTime, generation).gains;
   assert.ok(kx < 0.6 * paperGains('velocity-limits', 'ep')[0], `kx ${kx}`);
   assert.equal(driven(linkOf('horizon')).finalTime, 3);
+});
+
+test('with energy at a tenth the same 3 s give a kx near the paper’s: nothing follows about how its drives ended', () => {
+  const { experiment: fixedTime, generation } = opened(linkOf('shortCheap'));
+  const [kx] = evolve(fixedTime, generation).gains;
+  assert.ok(Math.abs(kx - 2.9) < 0.05 && kx / paperGains('velocity-limits', 'ep')[0] > 0.85, `kx ${kx}`);
+});
+
+test('taken literally, with the commanded velocity, J is what the page says', async () => {
+  const printed = paper().map((_, row) => asPrinted({ engine, paper: paper() }, row));
+  assert.deepEqual(
+    printed.map((cost) => Number(cost.toPrecision(3))),
+    [24.6, 209, 132, 4.32e7],
+  );
+  const { outcome } = await answered('paper', 'literal');
+  assert.deepEqual([outcome.right, outcome.literal], [2, printed[1]]);
+});
+
+test('in degrees the path alone costs more than the printed J, in the other order', () => {
+  const pathOf = (/** @type {'ep' | 'arbitrary'} */ method) => {
+    const { goal, sampleTime } = experiment('velocity-limits');
+    const run = simulate(experiment('velocity-limits'), paperGains('velocity-limits', method));
+    const turned = (/** @type {number} */ theta) => ((goal.theta - theta) * 180) / Math.PI;
+    return Array.from(run.x.slice(0, -1)).reduce(
+      (sum, x, i) =>
+        sum + 0.5 * sampleTime * ((x - goal.x) ** 2 + (run.y[i] - goal.y) ** 2 + turned(run.theta[i]) ** 2),
+      0,
+    );
+  };
+  assert.deepEqual(
+    [pathOf('ep'), pathOf('arbitrary')].map((cost) => cost.toFixed(1)),
+    ['103.9', '62.8'],
+  );
+});
+
+test('the gains of Figure 6(a) arrive at 1.25 m/s, overshoot by 11 cm, and stay from 2.07 s on', () => {
+  const arriving = simulate(experiment('acceleration-limits'), paperGains('acceleration-limits', 'ep'));
+  assert.ok(Math.abs((arriving.linear.at(-1) ?? 0) - 1.25) < 0.005);
+  const { time, x, y, theta } = driven(linkOf('speed'));
+  const away = Array.from(time, (_, i) => Math.hypot(x[i] - 2, y[i] - 2));
+  const after = away.filter((_, i) => time[i] > arriving.finalTime);
+  assert.ok(Math.abs(Math.max(...after) - 0.11) < 0.005);
+  const outside = Array.from(time).filter(
+    (_, i) => away[i] > 0.05 || Math.abs(theta[i] - Math.PI / 4) > 0.05,
+  );
+  assert.ok(Math.abs(Math.max(...outside) - 2.06) < 1e-9);
 });
 
 test('heavier weights change J, not the drive', () => {

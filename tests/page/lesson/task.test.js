@@ -1,6 +1,6 @@
 // What the lesson says of starts that evolution did not see is so.
 import assert from 'node:assert/strict';
-import { task as step } from '../../../www/lesson/steps/task.js';
+import { cheapTurns, task as step } from '../../../www/lesson/steps/task.js';
 import { gridAround, sharesBySide, tally } from '../../../www/parts/robustness/grid.js';
 import { createSets } from '../../../www/parts/training/sets.js';
 import { pageTest } from '../harness/browsers.js';
@@ -13,7 +13,8 @@ import {
   simulate,
   startsOnCircle,
 } from '../harness/core.js';
-import { driven, opened } from './links.js';
+import { yardOf } from '../../../www/lesson/yard.js';
+import { driven, engine, opened } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
@@ -141,6 +142,32 @@ test('whatever the seed, many starts serve the unseen better, and the one start 
   }
 });
 
+test('with turning at a tenth of its price nearly all unseen starts park, whatever the seed', async () => {
+  const { outcome, why } = await answered('task', 'turning');
+  assert.equal(outcome.right, 2);
+  assert.ok(outcome.before.unseen.count < 600 && outcome.after.unseen.count > 990);
+  for (const text of why) assert.match(text, /999/);
+  const cheap = opened(`lab&${cheapTurns}`).experiment;
+  for (const seed of [2, 3, 4]) {
+    const evolution = { ...cheap.evolution, seed };
+    const { gains } = champion({ ...cheap, starts: sets.circle, evolution });
+    const { arrived } = fares(
+      { ...cheap, starts: sets.unseen, evolution: { ...evolution, population: 1 } },
+      gains,
+    );
+    assert.ok([...arrived].reduce((a, b) => a + b, 0) > 990, `seed ${seed}`);
+  }
+});
+
+test('with turning dear a robot that waits beside the bay costs less than one that parks', () => {
+  const waits = fares({ ...own, starts: sets.circle }, champion({ ...own, starts: sets.circle }).gains);
+  const parks = fares({ ...own, starts: sets.circle }, [7.2, 178.7, 7]);
+  const dearer = [...waits.arrived].filter(
+    (arrives, i) => !arrives && parks.arrived[i] && waits.cost[i] < parks.cost[i],
+  );
+  assert.ok(dearer.length >= 5, `${dearer.length}`);
+});
+
 pageTest('the answer is the share that the map then shows', async (page) => {
   await page.open('#lesson&step=11');
   await page.click('#quiz-share .choice:first-child');
@@ -148,6 +175,10 @@ pageTest('the answer is the share that the map then shows', async (page) => {
     'the answer',
     () => document.querySelector('#quiz-share .quiz-why strong')?.parentElement?.innerText,
   );
+  const parked = yardOf(engine).drive(own, /** @type {any} */ ([...best.gains]))?.parked;
+  assert.ok(Number(parked) < 10);
+  assert.equal(await page.text('#swarm-parked'), String(parked), 'who fails is seen to fail');
+  await page.click('#lesson a[href*="robustness"]');
   const share = await page.until('the fine map of the same starts', () =>
     document.getElementById('robustness-note')?.textContent?.replace(/\D/g, '').startsWith('118098')
       ? document.getElementById('robustness-share')?.textContent

@@ -1,10 +1,11 @@
 import assert from 'node:assert/strict';
-import { limits } from '../../../www/lesson/steps/limits.js';
+import { limits, risesFromEverywhere } from '../../../www/lesson/steps/limits.js';
 import { stability } from '../../../www/lesson/steps/stability.js';
 import { stability as words } from '../../../www/lesson/words/en/stability.js';
 import { stability as ko } from '../../../www/lesson/words/ko/stability.js';
 import { paperGains, simulate } from '../harness/core.js';
-import { driven, linkOf, opened, samples } from './links.js';
+import { driven, engine, linkOf, opened, samples } from './links.js';
+import { answered } from './live.js';
 import { test } from '../harness/once.js';
 
 /** Every sample of the robot by hand or of the paper's EP gains. @param {string} link */
@@ -75,6 +76,31 @@ test('without limits J rises, because energy counts the square of a huge turn ra
   assert.ok(free.cost.energy > 0.9 * free.cost.total);
   assert.ok(risesOf(linkOf(limits, 'free')) > 0);
   assert.equal(risesOf(limits.link), 0);
+});
+
+test('limits of speed do not mend it: from most starts V rises at least once', async () => {
+  const { raised, starts } = risesFromEverywhere(engine, paperGains('velocity-limits', 'ep'));
+  assert.equal(starts, 100);
+  assert.ok(raised > 60, `${raised}`);
+  const { outcome, why } = await answered('limits', 'heals');
+  assert.deepEqual([outcome.right, outcome.drives], [2, raised]);
+  for (const text of why) assert.match(text, new RegExp(`\\b${raised}\\D`));
+  // What is shown is one of that kind, and the shuffle comes near all the same.
+  assert.ok(risesOf(linkOf(limits, 'heals')) > 20);
+  assert.ok(risesOf(linkOf(limits, 'raised')) > 20);
+  const all = samplesOf(linkOf(limits, 'raised'));
+  assert.ok(all[all.length - 1].lyapunov < 0.1 * all[0].lyapunov);
+  // Where the wheels can do what is asked, and samples are short, V falls.
+  assert.equal(risesOf(stability.link), 0);
+});
+
+test('on the goal, turned by 180°, it is a saddle: V rises sideways and falls by turning', () => {
+  const V = (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ theta) =>
+    0.5 * x * x + 0.5 * y * y + 1 - Math.cos(theta);
+  for (const d of [1e-3, -1e-3]) {
+    assert.ok(V(d, 0, Math.PI) > 2 && V(0, d, Math.PI) > 2);
+    assert.ok(V(0, 0, Math.PI + d) < 2);
+  }
 });
 
 test('the robot of the paper drives at full speed for most of its way', () => {

@@ -31,7 +31,7 @@ function textsOf(value, place) {
 
 /** Places that hold an identifier, which is the same in every language. @param {string} place */
 const isIdentifier = (place) =>
-  /\.(value|id|symbol|className|unit|letter|index)$|^lab\.(costParts|untils)\.\d\.0$|^keys\.single\.\d\.[02]$|^lab\.gains|^(disturbance|curves)\.units|^luck\.gainColumns|^disturbance\.(formulas|parts)/.test(
+  /\.(value|id|symbol|className|unit|letter|index)$|^lab\.(costParts|untils)\.\d\.0$|^keys\.single\.\d\.[02]$|^lab\.gains|^(disturbance|curves)\.units|^luck\.gainColumns|^disturbance\.(formulas|parts)|^lesson\.steps\.build\.program\.\w+\.\d+\.1$/.test(
     place,
   );
 

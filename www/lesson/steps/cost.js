@@ -48,18 +48,22 @@ export const cost = {
   name: 'cost',
   link: path.cost,
   figure: 'drive',
+  stage: { place: 'instead', pages: ['lab'], create: createStandings },
   blocks: [
     { kind: 'text', name: 'parts' },
     { kind: 'formula', formula: costFormula },
     { kind: 'text', name: 'each' },
     { kind: 'text', name: 'weights' },
     { kind: 'view', create: createWeights },
-    { kind: 'view', create: createStandings },
-    { kind: 'quiz', name: 'heavier', quiz: { shows: `${byHand}&${heavy}`, answer: winner } },
+    {
+      kind: 'quiz',
+      name: 'heavier',
+      quiz: { shows: `${byHand}&${heavy}`, order: [2, 0, 1], answer: winner },
+    },
     {
       kind: 'quiz',
       name: 'home',
-      quiz: { shows: `lab&drives=hand&gains=0,0,0&${heaviest}`, answer: staying },
+      quiz: { shows: `lab&drives=hand&gains=0,0,0&${heaviest}`, order: [1, 0], answer: staying },
     },
     {
       kind: 'tries',

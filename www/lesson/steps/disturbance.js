@@ -33,15 +33,16 @@ export const disturbance = {
   name: 'disturbance',
   link: path.disturbance,
   figure: 'plane',
+  stage: { place: 'instead', pages: ['disturbance'], create: createNearGoal },
   blocks: [
     { kind: 'text', name: 'slip' },
-    { kind: 'view', create: createNearGoal },
     { kind: 'text', name: 'why' },
     {
       kind: 'quiz',
       name: 'double',
       quiz: {
         shows: 'disturbance&drives=hand&gains=6.47346,0.19356,10.35782&under=slip,0.1,0,1',
+        watch: true,
         answer({ engine, state, scene, paper, gains }) {
           const { goal } = state.experiment;
           const own = gainsOf(state, 'paper-ep', paper);
@@ -60,6 +61,7 @@ export const disturbance = {
       name: 'random',
       quiz: {
         shows: 'disturbance&drives=paper-ep&under=random,0.1,0,1',
+        order: [2, 0, 1],
         answer({ engine, state, scene, gains }) {
           const { goal } = state.experiment;
           const steady = farthest(driveUnder(engine, state.experiment, gains, slip), goal);

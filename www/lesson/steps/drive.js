@@ -1,6 +1,7 @@
 // Drive it yourself. No theory yet.
+import { gainsOf } from '../../run/drivers.js';
 import { createTallyLine } from '../tally-line.js';
-import { costText, fixed } from '../../words/numbers.js';
+import { costText } from '../../words/numbers.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -17,7 +18,9 @@ export const drive = {
       kind: 'quiz',
       name: 'bolder',
       quiz: {
-        shows: 'lab&drives=hand&gains=10,10,10',
+        shows: 'lab&drives=hand&gains=10,10,10&pin1=5,5,5~5,5,5',
+        watch: true,
+        order: [1, 2, 0],
         // The drive that the prediction is about, beside a gentler one.
         answer({ engine, state, scene }) {
           const [gentle] = engine.drive(state.experiment, [[5, 5, 5]]);
@@ -31,6 +34,7 @@ export const drive = {
     {
       kind: 'tries',
       tries: [
+        ['stops', 'lab&drives=hand&gains=3,0,0'],
         ['onlySecond', 'lab&drives=hand&gains=0,5,0'],
         ['noDrive', 'lab&drives=hand&gains=0,0,5'],
         ['negative', 'lab&drives=hand&gains=-1,1,5'],
@@ -41,10 +45,12 @@ export const drive = {
     { kind: 'text', name: 'next' },
   ],
   values: ({ engine, state, paper }) => {
-    const arbitrary = paper.find(({ preset, method }) => preset === state.preset && method === 'arbitrary');
-    const [run, first] = engine.drive(state.experiment, [arbitrary?.gains ?? [10, 10, 10], [3, 0, 0]]);
-    const { goal } = state.experiment;
-    const miss = Math.hypot(first.x[first.x.length - 1] - goal.x, first.y[first.y.length - 1] - goal.y);
-    return { arbitrary: costText(run.cost.total), miss: fixed(miss, 2) };
+    const drivers = /** @type {const} */ (['paper-arbitrary', 'paper-ep']);
+    const runs = engine.drive(
+      state.experiment,
+      drivers.map((driver) => gainsOf(state, driver, paper)),
+    );
+    const [arbitrary, ep] = runs.map(({ cost }) => costText(cost.total));
+    return { arbitrary, ep };
   },
 };

@@ -1,8 +1,9 @@
-// You against evolution.
+// You against evolution, on a task that a hand loses.
 import { costText } from '../../words/numbers.js';
-import { judge, lowestOf, nextSeed, roundOf, winners } from '../duel.js';
-import { createDuelDrives, createDuelResult, duelIn } from '../duel-view.js';
+import { drivesUntil, generationsIn, judge, lowestOf, nextSeed, roundOf, winners } from '../duel.js';
+import { createDuelDrives, createDuelResult, createDuelStage, duelIn, priceInYard } from '../duel-view.js';
 import { path } from '../path.js';
+import words from '../words/index.js';
 
 /** @import { Step } from '../steps.js' */
 
@@ -10,7 +11,9 @@ import { path } from '../path.js';
 export const duel = {
   name: 'duel',
   link: path.duel,
-  figure: 'drive',
+  figure: 'plane',
+  stage: { place: 'instead', pages: ['lab'], create: createDuelStage },
+  price: priceInYard,
   blocks: [
     { kind: 'text', name: 'begin' },
     { kind: 'view', create: createDuelDrives },
@@ -30,9 +33,9 @@ export const duel = {
     {
       kind: 'tries',
       tries: [
+        ['sharp', 'lab&drives=hand&gains=12,12,6&weights.velocity=1,0.1'],
+        ['dear', 'lab&drives=hand&gains=1,1,1'],
         ['luck', 'luck'],
-        ['backwards', 'lab&drives=hand&gains=3,1,5&start=0,2,180deg'],
-        ['round', 'lab&drives=hand&gains=3,1,5&start=2,2,-135deg'],
       ],
     },
     { kind: 'notice' },
@@ -40,12 +43,16 @@ export const duel = {
   ],
   values: (live) => {
     const { costs, experiment } = duelIn(live);
+    const { population, initialRange } = experiment.evolution;
+    const generations = generationsIn(costs.length, population);
     return {
       drives: String(costs.length),
-      best: costText(lowestOf(costs)),
-      count: String(experiment.evolution.population),
-      low: String(experiment.evolution.initialRange[0]),
-      high: String(experiment.evolution.initialRange[1]),
+      best: costs.length > 0 ? costText(lowestOf(costs)) : words.steps.duel.duel.none,
+      count: String(population),
+      generations: String(generations),
+      given: String(drivesUntil(generations, population)),
+      low: String(initialRange[0]),
+      high: String(initialRange[1]),
     };
   },
 };

@@ -21,6 +21,7 @@ export const error = {
       name: 'largest',
       quiz: {
         shows: 'lab&drives=hand&gains=3,5,5&start=0,2,90deg',
+        time: 0,
         answer({ engine, scene }) {
           const { x, y, theta } = engine.samples(scene.experiment, [3, 5, 5]).at(0).error;
           const difference = Math.abs(x) - Math.abs(y);

@@ -3,6 +3,7 @@ import words from '../../parts/generation/words/index.js';
 import lesson from '../words/index.js';
 import { anatomyOf, birthOf, chosenIn, placeByCost } from '../anatomy.js';
 import { gainFormula } from '../formulas.js';
+import { createNewborn } from '../newborn.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -15,16 +16,19 @@ export const generation = {
   name: 'generation',
   link: path.generation,
   figure: 'evolve',
+  stage: { place: 'instead', pages: ['generation'], create: createNewborn },
   blocks: [
     { kind: 'text', name: 'begin' },
     { kind: 'text', name: 'mutate' },
     { kind: 'formula', formula: gainFormula },
-    { kind: 'text', name: 'select' },
+    { kind: 'text', name: 'drive' },
+    { kind: 'text', name: 'rule' },
     {
       kind: 'quiz',
       name: 'luck',
       quiz: {
         shows: 'generation&generation=1&phase=ranking&individual=25',
+        order: [1, 0, 3, 2],
         answer(live) {
           const anatomy = anatomyOf(live);
           const fate = (/** @type {number} */ number) => ({
@@ -39,11 +43,13 @@ export const generation = {
         },
       },
     },
+    { kind: 'text', name: 'select', after: 'luck' },
     {
       kind: 'quiz',
       name: 'best',
       quiz: {
         shows: 'lab&generation=60',
+        order: [0, 2, 1],
         answer({ state }) {
           const costs = state.history.slice(0, state.generation + 1).map(({ best }) => best.cost);
           const steps = costs.slice(1).map((cost, i) => cost - costs[i]);

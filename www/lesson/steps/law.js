@@ -61,9 +61,9 @@ export const law = {
   link: path.law,
   figure: 'plane',
   overlay: true,
+  stage: { place: 'under', pages: ['lab'], create: createPushes },
   blocks: [
     { kind: 'text', name: 'one' },
-    { kind: 'view', create: createPushes },
     { kind: 'text', name: 'written' },
     { kind: 'formula', formula: lawFormula },
     {
@@ -75,8 +75,16 @@ export const law = {
       ],
     },
     { kind: 'text', name: 'each' },
-    { kind: 'quiz', name: 'beside', quiz: { shows: byHand(withoutKy, below), answer: withoutKyFrom } },
-    { kind: 'quiz', name: 'ahead', quiz: { shows: byHand(withoutKy, 'start=0,0,0'), answer: withoutKyFrom } },
+    {
+      kind: 'quiz',
+      name: 'beside',
+      quiz: { shows: byHand(withoutKy, below), watch: true, order: [2, 1, 0], answer: withoutKyFrom },
+    },
+    {
+      kind: 'quiz',
+      name: 'ahead',
+      quiz: { shows: byHand(withoutKy, 'start=0,0,0'), watch: true, answer: withoutKyFrom },
+    },
     { kind: 'text', name: 'sideways' },
     {
       kind: 'tries',

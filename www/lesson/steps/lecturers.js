@@ -16,7 +16,20 @@ export const demonstration = sheet('demonstration', [
   ['close', 'disturbance'],
 ]);
 
-export const lab = sheet('lab', [
+export const plan = sheet('plan', [
+  ['play', 'lesson&step=drive'],
+  ['model', 'lesson&step=error'],
+  ['theory', 'lesson&step=stability'],
+  ['limits', 'lesson&step=limits'],
+  ['cost', 'lesson&step=cost'],
+  ['evolution', 'lesson&step=generation'],
+  ['contest', 'lesson&step=duel'],
+  ['task', 'lesson&step=task'],
+  ['end', 'lesson&step=build'],
+]);
+
+/** @type {Parameters<typeof sheet>[1]} */
+const labItems = [
   ['beside', 'lab&drives=hand&gains=3,0,5&start=1,3,45deg'],
   ['works', 'lab&weights.velocity=4,1&generation=150'],
   ['seeds', 'lab&seed=2&generation=100'],
@@ -24,22 +37,36 @@ export const lab = sheet('lab', [
   ['kanayama', 'lab&law=kanayama&generation=50'],
   ['acceleration', 'curves&preset=acceleration-limits&drives=hand&gains=10,10,10'],
   ['unseen', 'training&generation=100'],
-]);
+];
 
-export const exam = sheet('exam', [
+export const lab = sheet('lab', labItems, 'tasks');
+
+/** @type {Parameters<typeof sheet>[1]} */
+const examItems = [
   ['negative', null],
   ['best', null],
   ['old', null],
   ['collapse', null],
   ['ky', null],
   ['compare', null],
-]);
+];
+
+export const exam = sheet('exam', examItems, 'tasks');
 
 /** @type {Step} */
 export const lecturers = {
   name: 'lecturers',
   link: path.lecturers,
   figure: 'evolve',
-  blocks: [{ kind: 'text', name: 'begin' }, demonstration, lab, exam, { kind: 'text', name: 'cite' }],
+  blocks: [
+    { kind: 'text', name: 'begin' },
+    demonstration,
+    plan,
+    lab,
+    exam,
+    sheet('lab', labItems, 'answers'),
+    sheet('exam', examItems, 'answers'),
+    { kind: 'text', name: 'cite' },
+  ],
   values: ({ engine }) => ({ version: engine.version() }),
 };

@@ -1,6 +1,7 @@
 // What the wheels cannot do, and what that does to the theory. Figures 4 to 7 of the paper.
 import { remember } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
+import { createAsked } from '../asked.js';
 import { path } from '../path.js';
 
 /** @import { Samples, Triple } from '../../core/engine.js' */
@@ -8,6 +9,9 @@ import { path } from '../path.js';
 /** @import { Step } from '../steps.js' */
 
 const unlimited = 'limits.speed=off&limits.turnRate=off';
+
+/** From beside the goal, where V rises under the limits. */
+const raised = 'start=0,2,90deg';
 
 /** At how many samples V is higher than at the one before. @param {Samples} samples */
 function risesOf(samples) {
@@ -37,14 +41,40 @@ const runsWith = remember(
     return { free, limited, sluggish };
   },
 );
+/** Starts around the goal, as far as 4 m and with any heading. */
+const everywhere = 100;
+const seedOfStarts = 7;
+
+/** In how many of their drives V rises at least once, with the limits of speed. */
+export const risesFromEverywhere = remember(
+  (/** @type {Live['engine']} */ engine, /** @type {Triple} */ gains) => {
+    const experiment = engine.experiment('velocity-limits');
+    const { x, y } = experiment.goal;
+    const starts = [1, 2, 3, 4].flatMap((radius) =>
+      engine.startsOnCircle({ x, y, radius, count: everywhere / 4, seed: seedOfStarts + radius }),
+    );
+    const rising = starts.filter((start) => {
+      const { lyapunov } = engine.stability({ ...experiment, starts: [start] }, gains);
+      return lyapunov.some((value, i) => i > 0 && value > lyapunov[i - 1]);
+    });
+    return { raised: rising.length, starts: starts.length };
+  },
+);
+
 /** @param {Live} live */
 const runsOf = ({ engine, state, gains }) => runsWith(engine, state.experiment, gains);
+
+/** The drive that the text speaks of, whatever is on screen. */
+const epOf = remember((/** @type {Live['engine']} */ engine, /** @type {Triple} */ gains) => ({
+  ep: engine.drive(engine.experiment('velocity-limits'), [gains])[0],
+}));
 
 /** @type {Step} */
 export const limits = {
   name: 'limits',
   link: path.limits,
   figure: 'plane',
+  stage: { place: 'beside', pages: ['curves'], create: createAsked },
   blocks: [
     { kind: 'text', name: 'asked' },
     {
@@ -52,6 +82,8 @@ export const limits = {
       name: 'free',
       quiz: {
         shows: `curves&drives=paper-ep&${unlimited}`,
+        watch: true,
+        order: [2, 0, 1],
         answer(live) {
           const { free, limited } = runsOf(live);
           const ratio = free.run.cost.total / limited.run.cost.total;
@@ -59,12 +91,28 @@ export const limits = {
         },
       },
     },
-    { kind: 'text', name: 'theory' },
+    { kind: 'text', name: 'theory', after: 'free' },
+    {
+      kind: 'quiz',
+      name: 'heals',
+      quiz: {
+        shows: `curves&view=stability&drives=paper-ep&${raised}`,
+        watch: true,
+        order: [0, 2, 1],
+        answer({ engine, paper }) {
+          const { raised: drives, starts } = risesFromEverywhere(engine, paper[0].gains);
+          const share = drives / starts;
+          return { right: share < 0.1 ? 0 : share < 0.5 ? 1 : 2, drives, starts };
+        },
+      },
+    },
+    { kind: 'text', name: 'clipped', after: 'heals' },
     {
       kind: 'quiz',
       name: 'brakes',
       quiz: {
         shows: 'curves&preset=acceleration-limits&drives=hand&gains=10,10,10',
+        watch: true,
         answer(live) {
           const { limited, sluggish } = runsOf(live);
           const ratio = sluggish.run.finalTime / limited.run.finalTime;
@@ -75,6 +123,7 @@ export const limits = {
     {
       kind: 'tries',
       tries: [
+        ['raised', `curves&view=stability&drives=hand&gains=3,8,5&start=2.5,1.5,45deg`],
         ['figure4', 'lab&drives=paper-ep'],
         ['figure5', 'curves&drives=paper-ep'],
         ['figure6', 'lab&preset=acceleration-limits&drives=paper-ep'],
@@ -85,17 +134,16 @@ export const limits = {
     { kind: 'text', name: 'next' },
   ],
   values(live) {
-    const { commandLinear, commandAngular } = live.scene.driving;
-    const { free, limited } = runsOf(live);
-    const { speed, turnRate } = live.state.experiment.limits;
+    const usual = live.engine.experiment('velocity-limits');
+    const { ep } = epOf(live.engine, live.paper[0].gains);
+    const { free } = runsWith(live.engine, usual, live.paper[0].gains);
     return {
-      askedV: fixed(Math.max(...commandLinear.map(Math.abs)), 1),
-      askedW: fixed(Math.max(...commandAngular.map(Math.abs)), 0),
-      v: speed === null ? '∞' : fixed(speed, 1),
-      w: turnRate === null ? '∞' : fixed(turnRate, 1),
+      askedV: fixed(Math.max(...ep.commandLinear.map(Math.abs)), 1),
+      askedW: fixed(Math.max(...ep.commandAngular.map(Math.abs)), 0),
+      v: fixed(usual.limits.speed ?? 0, 1),
+      w: fixed(usual.limits.turnRate ?? 0, 1),
       rises: String(free.rises),
       samples: String(free.samples),
-      limitedRises: String(limited.rises),
     };
   },
 };

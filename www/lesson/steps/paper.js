@@ -1,5 +1,6 @@
 // The paper's numbers beside ours, and what lies between them.
 import { fixed } from '../../words/numbers.js';
+import { asPrinted } from '../printed.js';
 import { createChoicesTable, createPaperTable } from '../paper-table.js';
 import { path } from '../path.js';
 
@@ -24,14 +25,15 @@ export const paper = {
     { kind: 'text', name: 'same' },
     {
       kind: 'quiz',
-      name: 'lower',
+      name: 'literal',
       quiz: {
-        shows: 'curves&drives=paper-ep',
+        shows: 'curves&drives=paper-arbitrary',
+        watch: true,
+        order: [1, 0, 2],
         answer(live) {
-          const here = live.scene.paperEp.cost.total;
-          const there = live.paper[0].cost;
-          const ratio = here / there;
-          return { right: Math.abs(ratio - 1) < 0.005 ? 0 : ratio > 1 ? 1 : 2, here, there };
+          const [here, literal] = [runOf(live, 1).cost.total, asPrinted(live, 1)];
+          const ratio = literal / here;
+          return { right: ratio < 1.5 ? 0 : ratio < 5 ? 1 : 2, here, literal, there: live.paper[1].cost };
         },
       },
     },
@@ -41,7 +43,15 @@ export const paper = {
     {
       kind: 'tries',
       tries: [
+        [
+          'speed',
+          'curves&preset=acceleration-limits&drives=paper-ep&tolerance.position=0&tolerance.heading=0&horizon=4',
+        ],
         ['horizon', 'lab&horizon=3&tolerance.position=0&tolerance.heading=0&generation=100'],
+        [
+          'shortCheap',
+          'lab&horizon=3&tolerance.position=0&tolerance.heading=0&generation=100&weights.velocity=0.1,0.1',
+        ],
         ['weights', 'lab&drives=paper-ep&weights.velocity=2,2'],
         ['figure7', 'curves&preset=acceleration-limits&drives=paper-arbitrary'],
       ],
@@ -58,6 +68,7 @@ export const paper = {
       acceleration: fixed(costs[3] / costs[2], 2),
       paperAcceleration: fixed(live.paper[3].cost / live.paper[2].cost, 2),
       swing: `${fixed(swing, 0)}°`,
+      lowest: fixed(costs[0], 3),
     };
   },
 };

@@ -42,6 +42,7 @@ export const sigma = {
       name: 'further',
       quiz: {
         shows: 'lab&generation=300&curve=sigmas',
+        order: [0, 2, 1],
         answer({ state }) {
           const { history, generation } = state;
           const half = Math.floor(generation / 2);

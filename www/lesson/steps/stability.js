@@ -1,5 +1,8 @@
 // Why it gets there. The Lyapunov function and its rate.
 import { fixed, signed } from '../../words/numbers.js';
+import { createBowl } from '../bowl.js';
+import { createCancel } from '../cancel.js';
+import { chainFormula, errorRateFormula } from '../formulas-motion.js';
 import { lyapunovFormula, rateFormula } from '../formulas.js';
 import { path } from '../path.js';
 
@@ -17,17 +20,25 @@ export const stability = {
   name: 'stability',
   link: path.stability,
   figure: 'plane',
+  stage: { place: 'beside', pages: ['curves'], create: createBowl },
   blocks: [
     { kind: 'text', name: 'bowl' },
     { kind: 'formula', formula: lyapunovFormula },
     { kind: 'text', name: 'falls' },
+    { kind: 'formula', formula: errorRateFormula },
+    { kind: 'text', name: 'chain' },
+    { kind: 'formula', formula: chainFormula },
+    { kind: 'view', create: createCancel },
+    { kind: 'text', name: 'left' },
     { kind: 'formula', formula: rateFormula },
     { kind: 'text', name: 'parts' },
     {
       kind: 'quiz',
       name: 'negative',
       quiz: {
-        shows: 'curves&view=stability&drives=hand&gains=3,-1,5',
+        shows: `curves&view=stability&drives=hand&gains=3,-1,5&${unlimited}`,
+        watch: true,
+        order: [2, 0, 1],
         answer(live) {
           const values = valuesOf(live);
           const [first, last, most] = [values[0], values[values.length - 1], Math.max(...values)];
@@ -41,7 +52,9 @@ export const stability = {
       kind: 'quiz',
       name: 'kanayama',
       quiz: {
-        shows: 'curves&view=stability&law=kanayama&drives=hand&gains=3,5,5',
+        shows: `curves&view=stability&law=kanayama&drives=hand&gains=3,1,5&${unlimited}`,
+        watch: true,
+        order: [0, 2, 1],
         answer({ scene }) {
           const { driving, experiment } = scene;
           const end = driving.time.length - 1;

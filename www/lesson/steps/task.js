@@ -6,23 +6,46 @@ import { gainsOf } from '../../run/drivers.js';
 import { lab } from '../../words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { mapsAreDone, shareOfStarts, trainedOn } from '../robust.js';
+import { filmRuns } from '../film.js';
+import { createSwarm } from '../swarm.js';
+import shared from '../words/index.js';
+import { createWeights } from '../weights.js';
+import { yardOf } from '../yard.js';
 import { path } from '../path.js';
 
+/** @import { Engine } from '../../core/engine.js' */
+/** @import { Tools } from '../page.js' */
 /** @import { Step } from '../steps.js' */
+
+/** Turning costs a tenth. */
+export const cheapTurns = 'weights.velocity=1,0.1';
+
+/** @param {Engine} engine */
+const weightsOf = (engine) => engine.experiment('velocity-limits').weights;
+
+/** The best robot of the generation, from 32 starts at once: who fails is seen to fail. @param {Tools} tools */
+const createTaskStage = (tools) =>
+  createSwarm(tools, shared.swarm, ({ engine, state, gains }) => {
+    const yard = yardOf(engine).drive(state.experiment, gains);
+    return yard && { name: shared.swarm.own(gains), yard };
+  });
 
 /** @type {Step} */
 export const task = {
   name: 'task',
   link: path.task,
   figure: 'evolve',
+  stage: { place: 'instead', pages: ['lab'], after: 'share', create: createTaskStage },
   blocks: [
     { kind: 'text', name: 'good' },
     {
       kind: 'quiz',
       name: 'share',
       quiz: {
-        shows: 'robustness&generation=100',
-        ready: ({ state }) => mapsAreDone(state),
+        shows: 'lab&generation=100',
+        order: [1, 2, 3, 0],
+        // Who fails is seen to fail first.
+        ready: () => !filmRuns(),
         async answer({ engine, state }) {
           const found = await shareOfStarts(engine, state, state.population[0].gains);
           // The middles of the choices: all, three quarters, half, one quarter.
@@ -31,13 +54,14 @@ export const task = {
         },
       },
     },
-    { kind: 'text', name: 'beside' },
-    { kind: 'text', name: 'asked' },
+    { kind: 'text', name: 'beside', after: 'share' },
+    { kind: 'text', name: 'asked', after: 'share' },
     {
       kind: 'quiz',
       name: 'arbitrary',
       quiz: {
         shows: 'robustness&generation=100&drives=paper-arbitrary',
+        order: [2, 0, 1],
         ready: ({ state }) => mapsAreDone(state),
         async answer({ engine, state, paper }) {
           const robots = /** @type {const} */ (['evolved', 'paper-arbitrary']).map((driver) =>
@@ -50,7 +74,7 @@ export const task = {
         },
       },
     },
-    { kind: 'text', name: 'many' },
+    { kind: 'text', name: 'many', after: 'arbitrary' },
     {
       kind: 'quiz',
       name: 'price',
@@ -63,6 +87,27 @@ export const task = {
         },
       },
     },
+    { kind: 'text', name: 'half', after: 'price' },
+    { kind: 'view', create: createWeights, after: 'price' },
+    {
+      kind: 'quiz',
+      name: 'turning',
+      quiz: {
+        shows: `training&generation=100&${cheapTurns}`,
+        order: [1, 2, 0],
+        async answer({ engine, state }) {
+          const dear = { ...state, experiment: { ...state.experiment, weights: weightsOf(engine) } };
+          const [[before], [after]] = await Promise.all([
+            trainedOn(engine, dear, ['circle']),
+            trainedOn(engine, state, ['circle']),
+          ]);
+          const share = after.unseen.count / after.unseen.starts.length;
+          const right = after.unseen.count < before.unseen.count ? 0 : share < 0.9 ? 1 : 2;
+          return { right, before, after };
+        },
+      },
+    },
+    { kind: 'text', name: 'whole', after: 'turning' },
     {
       kind: 'tries',
       tries: [
@@ -70,6 +115,7 @@ export const task = {
         ['withKy', 'robustness&generation=100&drives=hand&gains=3.2,10,4.3&from=2,0,0deg'],
         ['training', 'training&generation=100'],
         ['cheap', 'training&generation=100&seed=3'],
+        ['both', 'training&generation=100&weights.velocity=0.1,0.1'],
       ],
     },
     { kind: 'notice' },

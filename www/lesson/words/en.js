@@ -12,7 +12,9 @@ import { landscape } from './en/landscape.js';
 import { task } from './en/task.js';
 import { disturbance } from './en/disturbance.js';
 import { paper } from './en/paper.js';
+import { build } from './en/build.js';
 import { lecturers } from './en/lecturers.js';
+import { costText, fixed } from '../../words/en/numbers.js';
 
 export const stepLabel = 'Step of the lesson';
 /** @param {number} number @param {number} count */
@@ -23,17 +25,53 @@ export const nextStep = (title) => `Next: ${title}`;
 export const previousStep = (title) => `Back: ${title}`;
 /** What of the figure stays in sight on a telephone. */
 export const sights = 'In sight while you read';
+export const sightOfStage = 'Picture';
 export const sightOfRobot = 'Robot';
 export const notice = 'Things to notice';
 export const tries = 'Things to try';
-export const showNumbers = 'with the numbers of now';
+export const showNumbers = 'with the current numbers';
 export const hideNumbers = 'without the numbers';
 export const formula = 'Formula';
-export const right = 'so it is';
+export const right = 'correct';
 export const wrong = 'your prediction';
-export const asPredicted = 'As you said.';
-export const otherwise = 'It is otherwise.';
+export const asPredicted = 'Right.';
+export const otherwise = 'Not quite.';
 export const computing = 'Driving …';
+export const watching = 'Watch the drive: the answer comes when it has ended.';
+export const besidePath = 'Beside the path';
+/** @param {string} title */
+export const toPath = (title) => `To the lesson: ${title}`;
+export const stage = 'What this step is about';
+
+/** @type {Record<import('./common.js').Mark['name'], string>} */
+const markNames = {
+  fives: '5, 5, 5',
+  arbitrary: 'the paper’s arbitrary gains',
+  ep: 'the paper’s evolved gains',
+};
+/** What one has beaten by hand, said aloud. @param {readonly import('./common.js').Mark[]} marks */
+export const beaten = (marks) =>
+  marks.length === 0
+    ? ''
+    : `You have beaten ${marks.map(({ name, cost }) => `${markNames[name]} (${costText(cost)})`).join(', ')}.`;
+
+/** @param {readonly number[]} gains */
+const gainsText = (gains) => gains.map((gain) => fixed(gain, gain < 10 ? 2 : 0)).join(', ');
+export const swarm = {
+  /** @param {string} name @param {number} parked @param {number} starts */
+  label: (name, parked, starts) =>
+    `${name}: robots drive from ${starts} starts around one bay. In the end ${parked} of them have parked.`,
+  parked: 'parked',
+  /** @param {number} starts */
+  ofStarts: (starts) => `of ${starts}`,
+  mean: 'mean J',
+  tooLong: 'With these settings the drives are too long to watch 32 at once.',
+  again: 'Drive again',
+  /** @param {readonly number[]} gains */
+  own: (gains) => gainsText(gains),
+  /** @param {readonly number[]} gains */
+  evolution: (gains) => `evolution: ${gainsText(gains)}`,
+};
 export const askAgain = 'Ask me again';
 
 export const steps = {
@@ -50,5 +88,6 @@ export const steps = {
   task,
   disturbance,
   paper,
+  build,
   lecturers,
 };

@@ -12,7 +12,9 @@ import { landscape } from './ko/landscape.js';
 import { task } from './ko/task.js';
 import { disturbance } from './ko/disturbance.js';
 import { paper } from './ko/paper.js';
+import { build } from './ko/build.js';
 import { lecturers } from './ko/lecturers.js';
+import { costText, fixed } from '../../words/ko/numbers.js';
 
 export const stepLabel = '수업 단계';
 /** @param {number} number @param {number} count */
@@ -23,6 +25,7 @@ export const nextStep = (title) => `다음: ${title}`;
 export const previousStep = (title) => `이전: ${title}`;
 /** What of the figure stays in sight on a telephone. */
 export const sights = '읽는 동안 보이는 것';
+export const sightOfStage = '그림';
 export const sightOfRobot = '로봇';
 export const notice = '눈여겨볼 점';
 export const tries = '해 볼 것';
@@ -34,6 +37,37 @@ export const wrong = '나의 예측';
 export const asPredicted = '예측한 대로입니다.';
 export const otherwise = '예측과 다릅니다.';
 export const computing = '주행하는 중 …';
+export const watching = '주행을 지켜보십시오. 주행이 끝나면 답이 나타납니다.';
+export const besidePath = '수업 밖의 자료';
+/** @param {string} title */
+export const toPath = (title) => `수업으로: ${title}`;
+export const stage = '이 단계의 그림';
+
+/** @type {Record<import('./common.js').Mark['name'], string>} */
+const markNames = { fives: '5, 5, 5', arbitrary: '논문의 임의 이득', ep: '논문의 진화한 이득' };
+/** What one has beaten by hand, said aloud. @param {readonly import('./common.js').Mark[]} marks */
+export const beaten = (marks) =>
+  marks.length === 0
+    ? ''
+    : `지금까지 이긴 상대: ${marks.map(({ name, cost }) => `${markNames[name]}(${costText(cost)})`).join(', ')}.`;
+
+/** @param {readonly number[]} gains */
+const gainsText = (gains) => gains.map((gain) => fixed(gain, gain < 10 ? 2 : 0)).join(', ');
+export const swarm = {
+  /** @param {string} name @param {number} parked @param {number} starts */
+  label: (name, parked, starts) =>
+    `${name}: 출발점 ${starts}개에서 로봇이 한 주차 자리로 달립니다. 마지막에 주차한 로봇은 ${parked}대입니다.`,
+  parked: '주차',
+  /** @param {number} starts */
+  ofStarts: (starts) => `/ ${starts}대`,
+  mean: '평균 J',
+  tooLong: '이 설정에서는 주행이 너무 길어 32대를 한꺼번에 볼 수 없습니다.',
+  again: '다시 주행',
+  /** @param {readonly number[]} gains */
+  own: (gains) => gainsText(gains),
+  /** @param {readonly number[]} gains */
+  evolution: (gains) => `진화: ${gainsText(gains)}`,
+};
 export const askAgain = '다시 풀기';
 
 export const steps = {
@@ -50,5 +84,6 @@ export const steps = {
   task,
   disturbance,
   paper,
+  build,
   lecturers,
 };

@@ -19,5 +19,6 @@ export const titles = {
   task: 'Did it learn the task?',
   disturbance: 'When the ground pushes',
   paper: 'The paper’s numbers and ours',
+  build: 'Build it yourself',
   lecturers: 'For lecturers',
 };

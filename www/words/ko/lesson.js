@@ -20,5 +20,6 @@ export const titles = {
   task: '주차를 배운 것인가?',
   disturbance: '바닥이 밀 때',
   paper: '논문의 수치와 이 페이지의 수치',
+  build: '직접 만들어 보기',
   lecturers: '강의하는 분께',
 };

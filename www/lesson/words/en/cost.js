@@ -6,9 +6,9 @@ import { costText, fixed } from '../../../words/numbers.js';
 export const cost = {
   texts: {
     parts: `Hasty drives, patient ones, some that never arrive: which is *good*? Somebody has to decide, and to say it in one number. The authors add up five prices:`,
-    each: `The *time* until the robot arrives. What is *missing at the end*. The *path*: the distance from the goal, squared, moment after moment: staying far away is dear. The *energy*: speed and turn rate, squared, moment after moment; {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}.) Point at a part: its piece of the bar lights up.`,
-    weights: `What is a second worth, and what a hard turn? The *weights* say so: {Rv} and {Rw}, together {R}, for driving and turning, {W} for the end, {kappa} for the penalty. *The paper does not give them.* We chose 1, and 1000 for {kappa}. With other weights another drive is the best: press a drive to see it, and move the weights.`,
-    ky: `And {ky}? With our weights and from the paper’s start, {kx} = 3 and {kt} = 5 cost {=none} if {ky} is 0, {=one} if it is 1, {=eight} if it is 8. Nothing needs it there, as step 3 showed: it only costs. J counts this one drive and no other. Keep that in mind.`,
+    each: `The *time* until the robot arrives. What is *missing at the end*. The *path*: the distance from the goal, squared, integrated over time: staying far away for long is costly. The *energy*: speed and turn rate, squared and integrated; {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}.) Point at a part: its piece of the bar lights up.`,
+    weights: `What is a second worth, and what a hard turn? The *weights* say so: {Rv} and {Rw}, together {R}, for driving and turning, {W} for the end, {kappa} for the penalty. *The paper does not give them.* We chose 1, and 1000 for {kappa}. With other weights another drive is the best. Four drives stand beside these words: press one to drive it, and move the weights.`,
+    ky: `And {ky}? With our weights and from the paper’s start, {kx} = 3 and {kt} = 5 cost {=none} if {ky} is 0, {=one} if it is 1, {=eight} if it is 8. Nothing there needs it, as step 3 showed: it only costs. J counts this one drive and no other. Keep that in mind.`,
     next: `So evolution gets one number to bring down. That is all it ever learns of the robot. How does it search?`,
   },
   otherWeights: 'The other weights',
@@ -43,11 +43,11 @@ export const cost = {
   tries: {
     cheap: 'Moving is cheap, both weights 0.1: now haste wins',
     evolved: 'Both weights 100: what 60 generations of evolution make of it',
-    final: 'Both weights 100 and {W} 100 too: staying at home is dear again',
+    final: 'Both weights 100 and {W} 100 too: staying at home is costly again',
     negative: 'A gain a little below zero, {ky} = −0.01: the penalty',
   },
   notice: [
-    'A weight changes no drive that you look at. It changes its price, and so which drive evolution will keep.',
+    'A weight changes no drive. It changes its price, and so which drive evolution will keep.',
     'Whoever arrives pays almost nothing for the end: here, arriving means within 5 cm and 0.05 rad.',
   ],
 };

@@ -5,12 +5,12 @@ import { costText, fixed } from '../../../words/numbers.js';
 
 export const drive = {
   texts: {
-    begin: `This robot has two wheels. It wants to park on the arrow at the upper right: right there, and pointing that way. Three numbers decide how it drives. With 3, 0, 0 it stops {=miss} m away, for good.
+    begin: `This robot has two wheels and should park on the arrow at the upper right: exactly there, and pointing that way. A robot of this kind, which can drive and turn but never move sideways, is called a *unicycle*. Three numbers, its *gains*, decide how it drives.
 
-Move the three sliders under the picture. At every change the robot drives again. The large number is *J*, the price of the drive: it adds up the time, how far from the goal the robot was and for how long, and how hard its wheels had to work. *Lower is better.*
+Move the three sliders under the picture. Each time you change a number, the robot drives again. The large number is *J*, the price of the drive: it adds up the time it took, how far from the goal the robot was and for how long, and how fast it drove and turned. *Lower is better.*
 
-*Can you get J below {=arbitrary}?* That is the J of the numbers that the authors of the method picked without evolution.`,
-    next: `You have just done what this page is about: you changed numbers by feel, watched, and kept what was better. Evolution does the same, with twenty robots at a time, and does not tire. But what *are* these three numbers?`,
+The authors of the method first picked gains without evolution: {=arbitrary}. Then evolution found better ones: {=ep}. *Can you get below both?*`,
+    next: `You changed numbers by feel, watched, and kept what was better. From one start that is not hard. Soon it will be: the same three numbers must park robots from everywhere, and then evolution does what you did, with twenty robots at a time, and does not tire. But what *are* these three numbers?`,
   },
   /** @param {import('../common.js').Drives} tally */
   tally: ({ drives, best }) =>
@@ -18,10 +18,10 @@ Move the three sliders under the picture. At every change the robot drives again
       ? `Your best so far: J ${costText(best.cost)} with ${best.gains.map((gain) => fixed(gain, 2)).join(', ')}. ${drives === 1 ? '1 drive' : `${drives} drives`}.`
       : drives > 0
         ? `${drives === 1 ? '1 drive' : `${drives} drives`}, and none has arrived yet.`
-        : 'You have not driven yet.',
+        : 'You have not driven yet. A drag of a slider counts as one drive.',
   quizzes: {
     bolder: {
-      question: 'All three numbers at 5, then all three at 10: what does it change?',
+      question: 'Set all three numbers to 5, then to 10. What changes?',
       choices: [
         'The robot arrives earlier, and J is lower',
         'It arrives earlier, but J is higher',
@@ -29,17 +29,18 @@ Move the three sliders under the picture. At every change the robot drives again
       ],
       /** @param {{ gentle: Run, bold: Run }} outcome */
       why: ({ gentle, bold }) =>
-        `With 5 it ${arrival(gentle)}, J ${costText(gentle.cost.total)}; with 10 it ${arrival(bold)}, J ${costText(bold.cost.total)}. The energy in it: ${fixed(gentle.cost.energy, 2)} and ${fixed(bold.cost.energy, 2)}; the path: ${fixed(gentle.cost.path, 2)} and ${fixed(bold.cost.path, 2)}.`,
+        `With 5 it ${arrival(gentle)}, J ${costText(gentle.cost.total)}; with 10 it ${arrival(bold)}, J ${costText(bold.cost.total)}. The part of energy in it: ${fixed(gentle.cost.energy, 2)} and ${fixed(bold.cost.energy, 2)}; the part of the path: ${fixed(gentle.cost.path, 2)} and ${fixed(bold.cost.path, 2)}. Both are drawn: the robot with 5 is pinned.`,
     },
   },
   tries: {
-    onlySecond: 'Only the second number: 0, 5, 0',
+    stops: 'Only the first number: 3, 0, 0. Where does it stop, and why there?',
+    onlySecond: 'Only the second: 0, 5, 0',
     noDrive: 'Only the third: 0, 0, 5',
     negative: 'The first below zero: −1, 1, 5',
     paper: 'The numbers that evolution found in the paper',
   },
   notice: [
-    'Two drives can arrive at the same time and still differ in J. What did the dearer one pay for? The bar under J says it.',
+    'Two drives may take equally long and still differ in J. What did the costlier one pay for? The bar under J shows it.',
     'A small change of a number mostly changes the drive a little, and now and then all at once.',
   ],
 };

@@ -4,53 +4,48 @@ import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 /** @typedef {import('../common.js').Verdict} Verdict */
 
 /** @param {number} count */
-const drivesText = (count) => (count === 1 ? '1 drive' : `${grouped(count)} drives`);
+const trialsText = (count) => (count === 1 ? '1 trial' : `${grouped(count)} trials`);
 
 export const duel = {
   texts: {
-    begin: `The same robot, the same start, the same goal. You go first: find good gains by hand. Every change of a slider or a number is one drive, and only J counts. When you are content, *lock in your best*.
+    begin: `One robot from one start was easy. Now the same three gains must park it *from 32 starts*, all around the bay and pointing anywhere. {J} is the mean over all 32 drives, and turning counts only a tenth as much as before ({Rw} = 0.1).
 
-Then evolution gets as many drives as you had, and so does a third player, *random search*: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing. Evolution needs {=count} drives for its first robots and {=count} for each generation after that. So do not stop too early.`,
-    after: `With few drives luck decides. Evolution begins with the very robots that random search begins with, and for the first hundred drives it is hardly better. *Its strength is that it does not stop getting better*: it goes on from what was good. Let both go on, and try other seeds, before you say who won.`,
-    next: `And yet there are starts from which evolution is no better than drawing lots. What makes it easy or hard? That depends on the ground it walks on: on J as a landscape over the gains.`,
+You go first. Move the sliders under the picture, or type numbers. Each time you let go of a slider, 32 robots drive: that is *one trial*, however far you dragged. When you are content, *lock in your best*.
+
+Then evolution has its turn: {=count} robots for {=generations} generations, {=given} trials, or as many as you had if you were more patient. A third player, *random search*, has as many: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing.`,
+    after: `Look at the gains that evolution found, and watch its robots. Its {ky} lies far beyond the slider, where no hand would look and where random search cannot go. Nobody told it to look there. *Selection goes on from what was good*: each generation starts where the last one ended, and in this task the way down is long. How much it finds in {=generations} generations still depends on luck: try other seeds, and let both go on, before you say who won.`,
+    next: `Why is one search easy and another hard? That depends on the ground it walks on: on J as a landscape over the gains.`,
   },
   duel: {
-    drivesLabel: 'Your drives',
-    drivesName: 'your drives',
-    bestName: 'your best J',
-    /** @param {number} drives @param {number} population */
-    enough: (drives, population) => {
-      const generation = Math.floor(drives / population) - 1;
-      if (generation < 0) return `Evolution needs ${population} drives for its first robots. Go on.`;
-      return generation === 0
-        ? `Enough for evolution’s first robots, which are random. ${population} drives more are one generation.`
-        : `Enough for evolution to come to generation ${generation}. ${population} drives more are one generation more.`;
-    },
+    drivesLabel: 'Your trials',
+    drivesName: 'your trials',
+    bestName: 'your best mean J',
+    /** @param {number} drives @returns {string} */
+    enough: (drives) =>
+      drives === 0 ? 'Move a slider, and 32 robots drive.' : 'Go on, or lock your best in.',
+    none: 'none yet',
     lock: 'Lock in my best',
-    locked: 'Locked in. Drive on if you like; it counts no more.',
-    elsewhere: 'Locked in, for another start, goal or setting than you see now. Start over to duel here.',
+    locked: 'Locked in. Drive on if you like; it no longer counts.',
+    elsewhere: 'Locked in for another goal or other settings than you see now. Start over to compete here.',
     startOver: 'Start over',
     resultLabel: 'How the three compare',
     names: { you: 'you', evolution: 'evolution', random: 'random search' },
-    heads: ['who', 'drives', 'best J'],
-    drivesAxis: 'drives',
+    heads: ['who', 'trials', 'parked', 'mean J'],
+    drivesAxis: 'trials',
     costSymbol: 'J',
-    cost: costText,
     /** @param {Verdict} verdict */
-    caption: ({ seed, generation, drives, given }) =>
-      `Seed ${seed}. Evolution is at generation ${generation}${given <= drives ? `, the last that fits into ${drivesText(drives)}` : ''}.`,
+    caption: ({ seed, generation }) => `Seed ${seed}. Evolution is at generation ${generation}.`,
     /** @param {Verdict} verdict */
-    sentence: (verdict) => [who(verdict), caution(verdict)].filter(Boolean).join(' '),
+    sentence: (verdict) => who(verdict),
     later,
     /** @param {string} sentence */
-    plotLabel: (sentence) => `The best J so far of all three against the number of drives. ${sentence}`,
-    /** @param {number} drives */
-    goOn: (drives) => `Let both go on to ${drivesText(drives)}`,
-    /** @param {number} drives */
-    backTo: (drives) => `Back to your ${drivesText(drives)}`,
-    anotherSeed: 'Again with another seed',
+    plotLabel: (sentence) => `The best mean J so far of all three against the number of trials. ${sentence}`,
+    /** @param {number} drives @returns {string} */
+    goOn: (drives) => `Let both go on to ${trialsText(drives)}`,
     /** @param {Verdict} verdict */
-    watch: ({ generation }) => `Show evolution’s best of generation ${generation}`,
+    backTo: ({ given }) => `Back to ${trialsText(given)}`,
+    anotherSeed: 'Again with another seed',
+    watch: { evolution: 'Watch evolution’s robots', you: 'Watch your robots' },
     /** @param {number} rounds @param {Record<'you' | 'evolution' | 'random' | 'both', number>} score */
     score: (rounds, { you, evolution, random, both }) =>
       rounds === 1
@@ -60,27 +55,25 @@ Then evolution gets as many drives as you had, and so does a third player, *rand
   quizzes: {
     ahead: {
       question:
-        'Drives so far: {=drives}. Your best J: {=best}. Who will have the lowest J after as many drives? (Your prediction locks your best in.)',
+        'Trials so far: {=drives}. Your best: {=best}. Who will have the lowest mean {J} in the end? (Your prediction locks your best in.)',
       choices: ['I will', 'Evolution', 'Random search', 'Evolution and random search, with the same J'],
       /** @param {Verdict} verdict */
-      why: (verdict) => {
-        const { costs, drives, given, generation, seed } = verdict;
+      why: ({ costs, drives, given, generation, seed }) => {
         const you =
-          drives === 0
-            ? 'You have not driven.'
-            : `You: J ${costText(costs.you)} after ${drivesText(drives)}.`;
-        return `${you} Evolution: J ${costText(costs.evolution)} at generation ${generation}, after ${drivesText(given)}. Random search: J ${costText(costs.random)} after as many. Seed ${seed}. ${caution(verdict)}`;
+          drives === 0 ? 'You have not driven.' : `You: ${costText(costs.you)} after ${trialsText(drives)}.`;
+        return `${you} Evolution: ${costText(costs.evolution)} at generation ${generation}, after ${trialsText(given)}. Random search: ${costText(costs.random)} after as many. Seed ${seed}.`;
       },
     },
   },
   tries: {
-    luck: 'A hundred seeds in the luck part: how often does random search stay ahead?',
-    backwards: 'A start that looks away from the goal: another duel',
-    round: 'A start on the goal, pointing the wrong way: another duel',
+    luck: 'A hundred seeds of the easy task in the part Luck: how often does random search stay ahead there?',
+    dear: 'The same contest with turning as costly as driving: {Rw} = 1',
+    sharp: 'Start from 12, 12, 6, near the best that the sliders allow',
   },
   notice: [
-    'You look at the robot and think. Evolution knows nothing of the robot: all it ever sees is J.',
+    'You look at the robots and think. Evolution knows nothing of robots: all it ever sees is J.',
     'Evolution can leave the range in which the first gains are drawn. This random search cannot.',
+    'You had few trials, evolution had hundreds. That is its deal: it does not think, but it does not tire.',
   ],
 };
 
@@ -88,23 +81,18 @@ Then evolution gets as many drives as you had, and so does a third player, *rand
 function who({ winner, costs }) {
   const { you, evolution, random } = costs;
   const by = (/** @type {number} */ less, /** @type {number} */ more) => fixed(more - less, 3);
+  const rivals = Math.min(evolution, random);
   return {
-    you: `You win: ${by(you, Math.min(evolution, random))} below the second.`,
+    you: Number.isFinite(you) ? `You win: ${by(you, rivals)} below the second.` : '',
     evolution: `Evolution wins: ${by(evolution, Math.min(you, random))} below the second.`,
     random: `Random search wins: ${by(random, Math.min(you, evolution))} below the second.`,
     both: 'Evolution and random search win, with the same J.',
   }[winner];
 }
 
-/** What makes it less than a fair contest. @param {Verdict} verdict */
-function caution({ drives, population, generation }) {
-  if (drives < population)
-    return `But they had ${population} drives each, for with fewer evolution cannot begin, and you had ${drives}.`;
-  return generation === 0 ? 'Nothing has evolved yet: these are the first robots of both.' : '';
-}
-
 /** @param {Verdict} verdict */
 function later({ costs, longest, later: { evolution, random }, passed }) {
-  const ends = `After ${drivesText(longest)} evolution is at J ${costText(evolution)}, random search at ${costText(random)}.`;
-  return `${ends} ${passed === null ? `Evolution has not come below your ${costText(costs.you)}.` : `Evolution was below your ${costText(costs.you)} after ${drivesText(passed)}.`}`;
+  const ends = `After ${trialsText(longest)} evolution is at ${costText(evolution)}, random search at ${costText(random)}.`;
+  if (!Number.isFinite(costs.you)) return ends;
+  return `${ends} ${passed === null ? `Evolution has not come below your ${costText(costs.you)}.` : `Evolution was below your ${costText(costs.you)} after ${trialsText(passed)}.`}`;
 }

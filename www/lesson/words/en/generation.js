@@ -4,15 +4,24 @@ import { costText } from '../../../words/numbers.js';
 /** @typedef {{ stays: boolean, cost: number, wins: number, place: number }} Fate */
 
 export const generation = {
+  newborn: {
+    /** @param {number} better @param {number} count */
+    title: (better, count) =>
+      `The drives of ${count} offspring. Green: better than its parent, ${better} of them. Below: J.`,
+    /** @param {number} count */
+    parents: (count) => `The drives of ${count} parents. Below: J.`,
+    /** @param {number} number @param {boolean} _isParent */
+    name: (number, _isParent) => String(number),
+  },
   texts: {
-    begin: `You tried one set of gains after another. Evolution keeps {=count} sets at a time: a *population* of robots, drawn at random in the beginning. Then it repeats four moves; each round is a *generation*. Press the moves one by one. The numbers in the text are those of the robot chosen in the figure; press any other.`,
-    mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: a *step size* {s} times a draw {N} from the bell curve, which is rarely beyond −2 or 2.`,
-    select: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.
+    begin: `You tried one set of gains after another. Evolution keeps {=count} sets at a time: a *population* of robots, drawn at random in the beginning. Then it repeats four moves; each round is a *generation*. The numbers in the text are those of the robot chosen in the figure; press any other.`,
+    mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: a *step size* {s} times a draw {N} from the standard normal distribution (the bell curve), which is rarely beyond −2 or 2.`,
+    drive: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* All offspring drive, above the figure. {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.`,
+    rule: `*3. Tournament.* All {=all} robots, parents and offspring, meet {=bouts} others each, drawn at random *with replacement*: one may meet the same opponent twice, but never itself. Whoever has the lower J, or the same, wins the bout.
 
-*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* All {=all}, parents and offspring, meet {=bouts} others each, drawn by lot. Whoever has the lower J, or the same, wins the bout. {=chosen} wins {=wins} of {=bouts}.
-
-*4. [Survive](generation&generation=1&phase=survivors&individual=26).* The {=count} with the most wins stay as parents of the next generation, with their gains, step sizes and J. {=fate}`,
-    next: `The four moves are the paper’s. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
+*4. Survive.* The {=count} with the most wins stay as parents of the next generation, with their gains, step sizes and J. Before you press: a question.`,
+    select: `*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* {=chosen} wins {=wins} of {=bouts}. *Rank*: most wins first. *4. [Survive](generation&generation=1&phase=survivors&individual=26).* {=fate} Press the moves one by one, and look at others.`,
+    next: `The four moves are the paper’s. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice. That the best always survives is called *elitism*; here nobody has to arrange it. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
   },
   /** @param {string} name @param {string} fate */
   fate: (name, fate) => `${name[0].toUpperCase()}${name.slice(1)} ${fate}.`,

@@ -11,7 +11,7 @@ export const landscape = {
 The white dots are the population. *Press Run* and watch it walk: the line is the way of its best. It is in generation {=generation} now, after {=spent} drives. And it *never sees the map*. Evolution knows {J} only where one of its robots stands.`,
     shape: `Three things deserve a name. The *valley* is dark: {=floor}\u00a0% of this map cost at most 5 % more than its lowest point, so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes zero just when the law looks, one huge command costs energy.
 
-A method that follows the slope stumbles over edges and ripples. Evolution needs no slope: it only compares.`,
+A method that follows the slope stumbles over edges and ripples, and may stop in a *local optimum*: a place that is better than all around it, but not the best. Evolution needs no slope: it only compares. That makes it sturdy, not infallible.`,
     next: `Here evolution finds what there is to find, the lowest point of *one* landscape. But a landscape belongs to one start and one goal. Has the robot learned to park, or only to park from there?`,
   },
   quizzes: {
@@ -25,7 +25,7 @@ A method that follows the slope stumbles over edges and ripples. Evolution needs
       ],
       /** @param {{ old: Lowest, now: Lowest, left: Run }} outcome */
       why: ({ old, now, left }) =>
-        `At 45° it was at ${place(old)}, with J ${costText(old.cost)}. Now it is at ${place(now)}, with J ${costText(now.cost)}. With the old gains J is ${costText(left.cost.total)}: the robot ${arrival(left)}. The wide valley has become a gorge between two edges. Drag the goal and watch the land change.`,
+        `At 45° it was at ${place(old)}, with J ${costText(old.cost)}. Now it is at ${place(now)}, with J ${costText(now.cost)}. With the gains of the old lowest point J is ${costText(left.cost.total)}: the robot ${arrival(left)}. The wide valley has become a gorge between two edges. Drag the goal and watch the land change.`,
     },
     ky: {
       question: 'Back to 45°, and now {ky} goes upwards. Where along {ky} is the lowest point?',
@@ -49,7 +49,7 @@ A method that follows the slope stumbles over edges and ripples. Evolution needs
     'Most of the time the best stands still. Now and then an offspring lands on better ground, and the line jumps.',
     'The thin cross through a dot shows its step sizes σ. In the gorge they have shrunk to nothing: the robots see no way on, though {J} falls on the left.',
     'The dots have a {ky} of their own, so the colour under a dot is not quite its {J}.',
-    'The gains of the paper lie in our valley too, though the paper does not tell its weights.',
+    'The gains of the paper lie in this valley too, though the paper does not tell its weights.',
   ],
 };
 

@@ -7,10 +7,10 @@ export const law = {
   texts: {
     one: `This robot starts below the goal, so all three errors are there. *Only {kx} is on*; the other two gains are 0. It drives until {xe} is gone and stays there: {=side} m to the side, and turned wrong by {=turned}.
 
-A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. What lies in the grey the wheels cannot do.`,
+A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. They stand under the picture. Grey: beyond what the wheels can do.`,
     written: `Stop the clock where the bars are long, and move a slider. The formula says the same: point at a term, and its slider, its bars and its errors light up.`,
-    each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. Now two of them together.`,
-    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. Hardly turned at all, it would have to do the impossible: from below the goal 3, 8, 5 ask for up to {=most} rad/s, and the limits leave {=leaves}.`,
+    each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. (Two more terms of {w} contain {ye}: the next step shows what they cancel.) Now two gains together.`,
+    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. When it has hardly turned at all, the law asks for the impossible: from this start the gains 3, 8, 5 ask for up to {=most} rad/s, and the limits leave {=leaves}.`,
     next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and no limit stands in the way.`,
   },
   pushes: {
@@ -48,12 +48,12 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
   },
   tries: {
     onlyKx: '{kx} alone: 3, 0, 0',
-    onlyKt: '{kt} alone: 0, 0, 5. It turns on the spot, for {v} has no such term',
+    onlyKt: '{kt} alone: 0, 0, 5. It turns on the spot, since {v} has no such term',
     onlyKy: '{ky} alone: 0, 8, 0. It minds {ye} and nothing else',
     all: 'All three: 3, 8, 5',
     stuck: 'Start beside the goal with {ky} = 0: nothing moves',
     shuffle: 'The same with {ky} = 8: it shuffles over, as one does in a parking space',
-    unlimited: 'All three on wheels without limits: the robot spins',
+    unlimited: 'All three on wheels without limits: look at the bar of {w}',
   },
   notice: [
     'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',

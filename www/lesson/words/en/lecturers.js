@@ -4,11 +4,13 @@ export const lecturers = {
   texts: {
     begin: `Everything on this page is in its link: what you set up before the lecture opens on any machine as you left it, with the same numbers to the last digit. *Share* gives the link, the pictures and the tables. *Settings* holds every number of the experiment. Keys: press *?*.
 
-*Share* also makes an exercise: a link with a task in your words, in which you lock or hide what your students shall leave alone. Nothing in it is secret: they can always open the whole page.`,
-    cite: `*How to cite.* The method: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. This program: ep-locomotion, version {=version}; its CITATION.cff holds the entry. What the paper leaves open and we chose stands in [the step before](lesson&step=13).`,
+*Share* also makes an exercise: a link with a task in your words, in which you lock or hide what your students should leave alone. Nothing in it is secret: they can always open the whole page.`,
+    cite: `*How to cite.* The method: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. This program: ep-locomotion, version {=version}; its CITATION.cff holds the entry. What the paper leaves open and we chose stands in [the step on the paper’s numbers](lesson&step=paper).`,
   },
   show: 'set it up',
-  answer: 'Answer',
+  print: 'Print this sheet',
+  /** @param {string} title */
+  answersTo: (title) => `${title}: what is to be seen`,
   sheets: {
     demonstration: {
       title: 'Ten minutes, for a lecture',
@@ -27,7 +29,7 @@ export const lecturers = {
         },
         open: {
           text: '*4 min.* How? One generation, opened: who met whom, who won, who stays.',
-          seen: 'Every robot meets ten others, drawn by lot. Wins decide, not J alone.',
+          seen: 'Every robot meets ten others, drawn at random. Wins decide, not J alone.',
         },
         steps: {
           text: '*5 min.* The step sizes σ. Ask: what will they do when nothing gets better any more?',
@@ -48,6 +50,48 @@ export const lecturers = {
         close: {
           text: '*9 min.* And when the ground pushes? Theorem 2 says how near the robot stays.',
           seen: 'An optimiser gives what the cost asks for. Nothing more.',
+        },
+      },
+    },
+    plan: {
+      title: 'Ninety minutes, for a class',
+      note: 'Students have the page before them. Questions are answered before they are shown.',
+      items: {
+        play: {
+          text: '*0 to 10.* Play: three numbers, one robot. Whose J is the lowest? Write the marks on the board.',
+          seen: 'Within minutes somebody is below the evolved gains of the paper: from one start it is easy.',
+        },
+        model: {
+          text: '*10 to 25.* Steps 2 and 3: three errors, two velocities, a gain for each error. Kinematics and the error posture on the board.',
+          seen: 'With {ky} = 0 the robot parks beside the goal from most places, and arrives from the paper’s start.',
+        },
+        theory: {
+          text: '*25 to 37.* Step 4: let a student do the chain rule; strike the terms out, press by press.',
+          seen: 'Two pairs cancel, three squares are left.',
+        },
+        limits: {
+          text: '*37 to 45.* Step 5: what the proof assumes. Saturation, samples, chattering.',
+          seen: 'V rises in most drives with the limits on: the proof promises nothing about saturated wheels.',
+        },
+        cost: {
+          text: '*45 to 52.* Step 6: what is good? Vote on the two questions first.',
+          seen: 'With heavy weights staying at home wins.',
+        },
+        evolution: {
+          text: '*52 to 65.* Steps 7 and 8: one generation, phase by phase; the step sizes and their collapse.',
+          seen: 'A better robot falls, a worse one stays; the best never gets worse.',
+        },
+        contest: {
+          text: '*65 to 73.* Step 9: pairs against evolution, each with a seed of their own. Collect the scores.',
+          seen: 'Hands come to 13 and park 26 of 32. Evolution comes below 13 with nearly every seed, at a {ky} that nobody tried.',
+        },
+        task: {
+          text: '*73 to 86.* Step 11: one start, many starts, another price. Predict each before it is shown.',
+          seen: 'A quarter, half, nearly all of the starts that no evolution saw.',
+        },
+        end: {
+          text: '*86 to 90.* The seven sentences; the open task is the homework.',
+          seen: 'An optimiser gives what the cost asks for.',
         },
       },
     },
@@ -89,8 +133,8 @@ export const lecturers = {
       title: 'Questions for an exam',
       items: {
         negative: {
-          text: 'In V̇ = −kx x_e² cos² θ_e − ky y_e⁴ − kθ sin² θ_e, let ky be below zero. Which errors can then grow?',
-          seen: 'The second part becomes positive: V can grow while y_e is large, so the robot may be driven away sideways. Lemma and theorem need all three gains above zero.',
+          text: 'In V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ, let ky be below zero. Which errors can then grow?',
+          seen: 'The second part becomes positive: V can grow while yₑ is large, so the robot may be driven away sideways. Lemma and theorem need all three gains above zero.',
         },
         best: {
           text: 'Why can the best J of the paper’s EP never rise from one generation to the next?',

@@ -5,13 +5,23 @@ import { costText, fixed } from '../../../words/numbers.js';
 /** @typedef {{ run: Run, rises: number }} Driven */
 
 export const limits = {
+  asked: {
+    /** @param {string} asked @param {string} done */
+    label: (asked, done) =>
+      `What the law asks for and what the wheels do, against time. The law asks for up to ${asked} rad/s, the wheels turn at up to ${done} rad/s.`,
+    linear: 'v in m/s',
+    angular: 'ω in rad/s',
+    asked: 'asked',
+    done: 'done',
+  },
   texts: {
-    asked: `The law asks, the wheels answer. In this drive it asks for up to {=askedV} m/s and {=askedW} rad/s. The wheels turn out at most {=v} m/s and {=w} rad/s. In the curves the faint line is what was asked, the full one what was done: the top of {v} and {w} is cut off, and the robot drives at full speed for most of the way.
+    asked: `The law asks, the wheels answer. In the drive of the paper’s EP gains the law asks for up to {=askedV} m/s and {=askedW} rad/s. The paper’s robot can do {=v} m/s and {=w} rad/s. Beside the plane the dotted line is what was asked, the full one what was done: what is beyond the limits is cut off. Engineers call that *saturation*. The robot drives at full speed for most of the way.
 
-Would it be better without limits? The proof of the last step knows none.`,
-    theory: `The proof has a gap where it meets a real robot: it wants the law to act *at every instant*, but a computer decides once in a hundredth of a second and holds on until the next. A huge command that is held turns the robot much too far. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples.
+Would it be better without limits? The proof of the last step assumes none.`,
+    theory: `The proof has a gap where it meets a real robot: it wants the law to act *at every instant*, but a computer decides once in a hundredth of a second and holds its command until the next. A huge command that is held turns the robot much too far. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples.
 
-Speed limits heal that: whatever the law asks, the robot only moves so far in a hundredth of a second. With them {V} rises at {=limitedRises} samples. Limits of *acceleration* do the opposite: the robot answers late. It cannot brake where the law wants it to brake.`,
+Do limits of speed mend that? From the paper’s own start it looks so: with them {V} falls at every sample.`,
+    clipped: `The terms of {v} and of {w} cancel each other only together. Limits clip {v} and {w} *apart*, each to its own size, and then what should cancel no longer does. So with limits, too, {V} may rise for a while; the proof promises nothing about a robot whose wheels are saturated. Limits of *acceleration* add to it: the robot answers late, and cannot brake where the law wants it to.`,
     next: `So there is no gain that is best by theory. What is best depends on the wheels, on the start, and on what one calls “good”. That word comes next.`,
   },
   quizzes: {
@@ -20,7 +30,15 @@ Speed limits heal that: whatever the law asks, the robot only moves so far in a 
       choices: ['It falls: the robot may do all it wants', 'It stays about the same', 'It rises'],
       /** @param {{ free: Driven, limited: Driven }} outcome */
       why: ({ free, limited }) =>
-        `J is ${costText(free.run.cost.total)} instead of ${costText(limited.run.cost.total)}, and the robot ${arrival(free.run)}. Near the goal θe is almost 0, the law divides by its sine, and the robot spins: the largest turn rate is ${fixed(Math.max(...free.run.angular.map(Math.abs)), 0)} rad/s, and energy counts its square.`,
+        `J is ${costText(free.run.cost.total)} instead of ${costText(limited.run.cost.total)}, and the robot ${arrival(free.run)}. Near the goal θe is almost 0, the law divides by its sine, and the command jumps between huge values of both signs, which engineers call *chattering*: the largest turn rate is ${fixed(Math.max(...free.run.angular.map(Math.abs)), 0)} rad/s, and energy counts its square.`,
+    },
+    heals: {
+      question:
+        'The speed limits are on, and the paper’s EP gains drive from 100 starts, up to 4 m around the goal and pointing anywhere. In how many of the drives does {V} rise at least once?',
+      choices: ['In fewer than 10', 'In 10 to 50', 'In more than half'],
+      /** @param {{ drives: number, starts: number }} outcome */
+      why: ({ drives, starts }) =>
+        `In ${drives} of ${starts}. The drive on the plane is one of that kind: look where V is red.`,
     },
     brakes: {
       question:
@@ -32,6 +50,7 @@ Speed limits heal that: whatever the law asks, the robot only moves so far in a 
     },
   },
   tries: {
+    raised: 'The shuffle of step 3 with the limits on: {V} rises, and yet the robot comes nearer',
     figure4: 'Figure 4: EP’s gains and the arbitrary ones, speed limits',
     figure5: 'Figure 5: the same against time',
     figure6: 'Figure 6: EP’s gains for acceleration limits',

@@ -10,23 +10,31 @@ The *numbers themselves* are not the paper’s, and no honest program could make
     figure7: `One picture we cannot reproduce. In Figure 7 the heading of the arbitrary gains 30, 30, 30 stays below 60°. Here it swings up to {=swing}. We know no reading of the acceleration limit that gives the paper’s picture.`,
   },
   quizzes: {
-    lower: {
+    literal: {
       question:
-        'For the drive of Figure 4(a) the paper gives J = 12.4685. With the very same gains, what does J come to here?',
-      choices: ['The same', 'More', 'Less'],
-      /** @param {{ here: number, there: number }} outcome */
-      why: ({ here, there }) =>
-        `Here it is ${costText(here)}, in the paper ${there}. The gains are printed, but not the weights inside J, nor when a drive counts as arrived: so the sum cannot be the same.`,
+        'The paper’s (9) prints the *commanded* velocity in the energy; we count what the wheels really do. Take it literally, for the arbitrary gains of Figure 4(b): what becomes of our J?',
+      choices: [
+        'Hardly anything: the command is mostly within the limits',
+        'Two to three times as much',
+        'Far more',
+      ],
+      /** @param {{ here: number, literal: number, there: number }} outcome */
+      why: ({ here, literal, there }) =>
+        `${costText(literal)} instead of ${costText(here)}; the paper prints ${there}. A few samples near the goal, where the law divides by almost nothing, outweigh the whole drive. So the paper cannot have meant it so, and one word in a formula decides what “the same J” is.`,
     },
   },
   tries: {
+    speed:
+      'Who may say that it has parked? Figure 6(a)’s gains drive on after they “arrive”: look at {v} and at the distance',
     horizon: 'Let every drive last 3 s instead of until it arrives, and evolve again',
+    shortCheap: 'The same 3 s, and energy at a tenth: {R} = 0.1, 0.1. Where is {kx} now?',
     weights: 'Let the wheels’ work count twice: J grows, the drive is the same',
     figure7: 'Figure 7, arbitrary gains: look at the heading θ',
   },
   notice: [
-    'With a fixed time of 3 s evolution finds a kx far from the paper’s. So in the paper a drive must have ended on arrival.',
-    'Gains can be compared between two programs, and so can the order of two drives. A single J cannot, unless every weight is told.',
+    'With a fixed time of 3 s *and our weights* evolution finds a kx far from the paper’s. With energy at a tenth it finds 2.9, near the paper’s 3.24. So nothing follows about how the paper’s drives ended.',
+    'Arriving looks at place and heading, not at speed: the gains of Figure 6(a) “arrive” at 1.25 m/s, overshoot by 11 cm, and stay within the tolerances only from 2.07 s on.',
+    'Gains can be compared between two programs, and so can the order of two drives. A single J cannot, unless every weight is stated.',
   ],
   /** @param {string} figure @param {'ep' | 'arbitrary'} method */
   row: (figure, method) => `Fig. ${figure}, ${method === 'ep' ? 'EP' : 'arbitrary'}`,
@@ -35,7 +43,7 @@ The *numbers themselves* are not the paper’s, and no honest program could make
   head: ['drive', 'kx, ky, kθ', 'J in the paper', 'J here'],
   choicesTitle: 'Stated, and chosen',
   choicesHead: ['', 'in the paper', 'here'],
-  /** @param {import('../common.js').Choices} e */
+  /** @param {import('../common.js').Choices & { printed: string[] }} e */
   choices: (e) => [
     ['start', 'not given; the plots begin at 0', e.start],
     ['goal', '2 m, 2 m, 45°', e.goal],
@@ -57,5 +65,22 @@ The *numbers themselves* are not the paper’s, and no honest program could make
     ['opponents', e.opponents, e.opponents],
     ['first gains, first σ', '0.01 to 10; 1', `${e.range.join(' to ')}; ${e.sigma}`],
     ['between samples', '0.01 s; motion not given', `${e.sampleTime} s; exact arcs`],
+    [
+      'energy in (9)',
+      'of q_m, the commanded velocity',
+      `of the limited velocity; as printed J would be ${e.printed.join('; ')}`,
+    ],
+    ['the integral', 'not given', 'sum of left rectangles'],
+    [
+      'heading in p',
+      '“meter meter degree”',
+      'radians: in degrees the path alone costs 103.9 and 62.8, in the other order',
+    ],
+    ['velocity on arrival', 'Theorem 1: “prespecified velocity”', 'not looked at'],
+    ['at the start', 'not given', 'the robot is at rest'],
+    ['disturbance δ', 'in (4)', 'added after the limits'],
+    ['division by sin θe', 'not given', 'by at least 0.000001, with its sign'],
+    ['draws of a mutation', 'N_i, i counts robots', 'one for each component, one more common to its σ'],
+    ['who meets whom', 'random opponents', 'with replacement, never oneself; ties by J, then by number'],
   ],
 };

@@ -3,12 +3,12 @@ import { costText, fixed } from '../../../words/numbers.js';
 
 export const sigma = {
   texts: {
-    begin: `Too short a step gets nowhere. Too long a step misses. And what was right at the beginning is too long near the end. So nobody sets the *step size*: every robot has its own {s} for each gain, and hands it to its offspring, a little changed:`,
-    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt} change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. Two times in three a new {s} lies between half and twice the old one.
+    begin: `Too short a step gets nowhere. Too long a step misses. And what was right at the beginning is too long near the end. So nobody sets the *step size*: every robot has its own {s} for each gain, a standard deviation, and hands it to its offspring, a little changed. This is *self-adaptation*. The factor is the exponential of a normal draw, so it is *log-normal* and never negative:`,
+    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt} change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In 70 % of all births a new {s} lies between half and twice the old one.
 
 Nobody judges {s} itself. Steps of a good length make good offspring, and these inherit it. The figure shows the mean {s} of each gain, on an axis on which equal distances are equal factors: after {=generation} generations {=sx} for {kx}, {=sy} for {ky}, {=st} for {kt}.`,
     collapse: `In the long run {s} falls. A short step cannot spoil much, so its offspring survive more often and hand it on. Nothing stops this: *the step sizes collapse*. [After 300 generations](lab&generation=300&curve=sigmas) they are below a millionth, and evolution stands still, whether it has found the best place or not. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none.`,
-    next: `A method with weaknesses, then. Is it any better than you?`,
+    next: `A method with a weakness, then. In the task so far that does little harm: its valley is short and wide. And where it is long? Try it yourself first.`,
   },
   quizzes: {
     small: {
@@ -26,7 +26,7 @@ Nobody judges {s} itself. Steps of a good length make good offspring, and these 
     further: {
       question:
         'Evolution goes on from generation 150 to generation 300: as many drives again as before. How far does the best J still fall?',
-      choices: ['About as far as before', 'Less, but one sees it', 'By less than 0.01'],
+      choices: ['About as far as before', 'Less, but visibly', 'By less than 0.01'],
       /** @param {{ before: number, after: number, half: number, generation: number, sigmas: string[] }} outcome */
       why: ({ before, after, half, generation, sigmas }) =>
         `In the first ${half} generations it fell by ${fixed(before, 3)}, in the next ${generation - half} by ${fixed(after, 5)}. At the end the mean σ are ${sigmas.join(', ')}.`,
@@ -40,6 +40,6 @@ Nobody judges {s} itself. Steps of a good length make good offspring, and these 
   },
   notice: [
     'At the beginning the curves rise, though {s} is halved as often as doubled: doubling adds more to a mean than halving takes away.',
-    'With this seed the step of {ky} collapses first. The best {ky} is close to 0, and J charges every gain below 0 dearly.',
+    'With this seed the step of {ky} collapses first. The best {ky} is close to 0, and J charges every gain below 0 heavily.',
   ],
 };

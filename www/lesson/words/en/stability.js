@@ -3,11 +3,30 @@ import { fixed } from '../../../words/numbers.js';
 
 export const stability = {
   texts: {
-    bowl: `Three errors are hard to watch at once. So take one number for all of them, {V}. Think of a bowl: {V} is how high the robot stands on its wall. It is zero only at the bottom, where the robot is parked. At {=time} s it is {=V}.`,
-    falls: `Now the trick. The law was *built* so that {V} can only fall. Put the law into the motion of the errors, and nearly everything cancels. What is left is the speed with which {V} changes:`,
-    parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign: while its gain is above zero, it cannot be. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit disturbs, and the two agree. So the robot only ever rolls down, to the bottom of the bowl. This is the paper’s Theorem 1, and such a {V} is called a *Lyapunov function*.`,
+    bowl: `Three errors are hard to watch at once. So take one number for all of them, {V}. Think of a bowl, the one beside the plane: {V} is how high the robot stands on its wall. It is zero only at the bottom, where the robot is parked. At {=time} s it is {=V}. Play the drive, and watch the robot roll.`,
+    falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move when the robot drives at {v} and {w}; for a goal at rest {vr} and {wr} are 0:`,
+    chain: `How fast does {V} change? By the chain rule:`,
+    left: `What is left is the rate at which {V} changes, the paper’s Theorem 1:`,
+    parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot only ever rolls down, to the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
     before: `Before this law there was a simpler one, by Kanayama and others. It follows a moving goal well. But with it the robot turns only while the goal *moves*.`,
     next: `The proof says that {V} never rises. From another start the program shows that at times it does. Both are right: the next step tells why.`,
+  },
+  bowl: {
+    /** @param {number} V */
+    label: (V) =>
+      `A bowl. The robot stands on its wall at the height V ${fixed(V, 3)}, and rolls down as it drives.`,
+    height: 'V',
+  },
+  cancel: {
+    label: 'The terms of the rate of V, with what they come to now',
+    said: [
+      'Three terms, and a law of five. Put it in:',
+      'Seven terms. The number under each is what it comes to at the robot’s clock. Two of them contain ky and a division by sin θₑ.',
+      'The two are the same, once with plus and once with minus: gone, and the division with them. That is what the second term of ω with ky is for.',
+      'The two with xₑ yₑ go the same way: that is why kx stands in ω. Three squares are left.',
+    ],
+    presses: ['Put the law in', 'Strike out the two with ky', 'Strike out the two with kx'],
+    again: 'Once more',
   },
   quizzes: {
     negative: {
@@ -22,7 +41,8 @@ export const stability = {
         `V begins at ${fixed(first, 2)} and ends at ${fixed(last, 2)}; the highest is ${fixed(most, 2)}. With ky below zero the orange part is above zero: it pushes the robot up the wall, and the farther it is to the side, the harder, with the fourth power.`,
     },
     kanayama: {
-      question: 'Kanayama’s rule, the same start, the same goal standing still. Where does the robot stop?',
+      question:
+        'Kanayama’s rule with the same gains, the same start, the same goal at rest, and again without limits. Where does the robot stop?',
       choices: [
         'At the goal, pointing the right way',
         'At the goal, pointing the wrong way',
@@ -30,7 +50,7 @@ export const stability = {
       ],
       /** @param {{ away: number, turned: number }} outcome */
       why: ({ away, turned }) =>
-        `It stops ${fixed(away, 2)} m from the goal. Its largest turn rate was ${fixed(turned, 2)} rad/s: with a goal at rest the rule never turns, and V stays where it is. This is what the paper set out to mend.`,
+        `It stops ${fixed(away, 2)} m from the goal. Its largest turn rate was ${fixed(turned, 2)} rad/s: with a goal at rest the rule never turns. (It has a V of its own, which is the one shown.) This is what the paper set out to mend.`,
     },
   },
   tries: {
@@ -41,7 +61,7 @@ export const stability = {
   },
   notice: [
     'Early the blue part is the largest: most of {V} is lost by driving ahead.',
-    'Close to the goal all parts are tiny, and the orange one the tiniest: the fourth power of a small number is very small. The last centimetres to the side take long.',
-    'One spot is flat without being the bottom: [on the goal, turned by 180°](curves&view=stability&drives=hand&gains=3,1,5&start=2,2,-135deg). There every push is zero, and {V} stays at 2, as on the top of a hill. For seconds nothing happens. Then the last digits of the computer’s numbers have tipped the robot over.',
+    'Close to the goal all parts are tiny, and the orange one the tiniest: the fourth power of a small number is very small. The last centimetres to the side take long. The dotted curve is the run that is compared.',
+    'One spot is flat without being the bottom: [on the goal, turned by 180°](curves&view=stability&drives=hand&gains=3,1,5&start=2,2,-135deg). There every term of the law is zero, and {V} stays at 2. It is no hilltop but a *saddle*: sideways the bowl rises, only turning leads down. For seconds nothing happens, until rounding in the last digits has tipped the balance.',
   ],
 };

@@ -8,14 +8,16 @@ import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 
 export const task = {
   texts: {
-    good: `Generation {=generation}. The best robot arrives after {=time}\u00a0s at J {=cost}; the gains of the paper come to {=paper} here. There is little left to find. *So has this robot learned to park?*
+    good: `The robot of steps 7, 8 and 10 was evolved from *one* start. Generation {=generation}: it arrives after {=time} s at J {=cost}; the gains of the paper come to {=paper} here. There is little left to find. *So has this robot learned to park?*
 
-Put it to the test: the same gains, other starts. {=places} places on a square of {=side}\u00a0m around the goal, in each {=headings} headings, make {=starts} starts.`,
-    beside: `Press a hatched place of [the map](robustness&generation=100), and watch. The robot drives up, turns the right way, and stops *beside* the goal. All that fail end like this: {xe} and {te} are gone, {ye} is left. The gain against {ye} is {ky}, and evolution has left it at {=ky}.`,
-    asked: `Why so small? From the one start that evolution was given, the goal lies straight ahead, along its own direction: there {ye} is {=ye}\u00a0m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and that drive it made cheap.
+Put it to the test: the same gains, other starts. {=places} places on a square of {=side} m around the goal, in each {=headings} headings, make {=starts} starts.`,
+    beside: `Watch those that fail, here or on [the map](robustness&generation=100), where a press on a hatched place drives from there. The robot drives up, turns the right way, and stops *beside* the goal: {xe} and {te} are gone, {ye} is left. The gain against {ye} is {ky}, and evolution has left it at {=ky}.`,
+    asked: `Why so small? From the one start that evolution was given, the goal lies straight ahead, along its own direction: there {ye} is {=ye} m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and it made that drive cheap. Fitting what one is asked so closely that it fails elsewhere is called *overfitting*; doing well where one was not asked, *generalisation*.
 
 *An optimiser gives what the cost asks for, not what you meant.*`,
     many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. In [Training](training&generation=100) press *Evolve all three*: on one start, on 32 on a circle, on 36 on a grid. Each is then tested on 1000 starts that none has seen.`,
+    half: `Better, and still only half of the unseen starts. More starts alone do not mend it, so look at what the cost *asks for*. Who starts beside the bay must turn away, drive, and turn back. Turning is energy, and at {Rw} = 1 it is so costly that a robot which stops near the bay and waits is cheaper than one which parks. (You saw such a robot in step 6.) The price of turning was our choice. Here it is: *make it a tenth*, 0.1 in the place of 1.`,
+    whole: `Now press *Evolve all three* yourself, and then watch any start of the table. Nothing about the robot, the law, the starts or evolution has changed. *What was asked for has.* This is what you played in step 9.`,
     next: `This holds far beyond robots: look at what a cost does *not* ask for. Ours has never asked for a floor that pushes.`,
   },
   quizzes: {
@@ -29,15 +31,27 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
       ],
       /** @param {Share} outcome */
       why: ({ count, starts, share }) =>
-        `From ${grouped(count)} of ${grouped(starts)}, that is ${percent(share)}. They are in the map: where it is dark, every heading arrives; where it is hatched, none.`,
+        `From ${grouped(count)} of ${grouped(starts)}, that is ${percent(share)}. Here you see 32 other starts, those of the contest.`,
     },
     arbitrary: {
       question:
-        'The arbitrary gains of the paper, 10, 10, 10, drive far dearer from its start. From how many starts do they arrive?',
+        'The arbitrary gains of the paper, 10, 10, 10, cost much more from its start. From how many starts do they arrive?',
       choices: ['From fewer', 'From about as many', 'From more'],
       /** @param {{ own: Share, other: Share, best: Run, dear: Run }} outcome */
       why: ({ own, other, best, dear }) =>
-        `They arrive from ${percent(other.share)} of the starts, the evolved ones from ${percent(own.share)}. From the start of the paper it was J ${costText(dear.cost.total)} against ${costText(best.cost.total)}. Whoever is best in one place need not be good in others.`,
+        `They arrive from ${percent(other.share)} of the starts, the evolved ones from ${percent(own.share)}. From the start of the paper it was J ${costText(dear.cost.total)} against ${costText(best.cost.total)}. What is best in one place need not be good in others.`,
+    },
+    turning: {
+      question:
+        'With turning at a tenth of its price, evolved again on the same 32 starts: from how many of the 1000 unseen starts do the robots park?',
+      choices: [
+        'From fewer: robots that turn cheaply waste their time turning',
+        'From somewhat more than half',
+        'From nearly all of them',
+      ],
+      /** @param {{ before: Result, after: Result }} outcome */
+      why: ({ before, after }) =>
+        `From ${after.unseen.count} of ${after.unseen.starts.length}, instead of ${before.unseen.count}. The gains were ${gainsText(before.gains)} and are ${gainsText(after.gains)} now.`,
     },
     price: {
       question: 'Evolved on 32 starts instead of one: what becomes of {J} from the one start of the paper?',
@@ -52,13 +66,17 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
     withKy: 'The same start with {ky} = 10',
     training: 'Press “Evolve all three”: one start, 32, 36, tested on 1000 others',
     cheap: 'The same with seed 3: evolve, and look at the grid',
+    both: 'Driving at a tenth, too: {R} = 0.1, 0.1. Do you still reach all?',
   },
   notice: [
     'The map has an axis: the direction in which the goal points. The robot arrives from behind and from ahead, and hardly ever from the sides.',
-    'Even after many starts a part is missed. {J} asks for cheap drives, not for arrivals: with seed 3 the gains of the grid arrive less often than the arbitrary ones, at a far lower mean {J}.',
+    'Even after many starts a part is missed. With {Rw} = 1 {J} asks for cheap drives, not for arrivals: with seed 3 the gains of the grid arrive less often than the arbitrary ones, at a far lower mean {J}.',
     'Gains look best where they were evolved: compare “trained on” with “never seen”.',
   ],
 };
 
 /** @param {number} share */
 const percent = (share) => `${fixed(100 * share, 1)} %`;
+
+/** @param {readonly number[]} gains */
+const gainsText = (gains) => gains.map((gain) => fixed(gain, gain < 10 ? 2 : 0)).join(', ');

@@ -3,52 +3,50 @@ import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 
 /** @typedef {import('../common.js').Verdict} Verdict */
 
+/** @param {number} count */
+const trialsText = (count) => `시도 ${grouped(count)}번`;
+
 export const duel = {
   texts: {
-    begin: `로봇도, 출발점도, 목표도 같습니다. 먼저 손으로 좋은 이득을 찾으십시오. 슬라이더나 숫자를 한 번 바꿀 때마다 주행 한 번이고, J만 셈합니다. 만족스러우면 *최고 기록을 확정*하십시오.
+    begin: `출발점 하나에서 주차하기는 쉬웠습니다. 이제는 같은 이득 세 개로 *출발점 32개*에서 주차해야 합니다. 출발점은 주차 자리를 둘러싸고 있고 방향도 제각각입니다. {J}는 주행 32번의 평균이며, 회전의 비용은 전의 10분의 1입니다({Rw} = 0.1).
 
-그다음 진화가 같은 횟수만큼 주행합니다. 셋째 선수인 *무작위 탐색*도 그만큼 주행합니다. 무작위 탐색은 {=low}~{=high} 범위에서 이득을 균등하게 뽑아 가장 좋은 것을 남길 뿐, 아무것도 배우지 않습니다. 진화는 첫 로봇들에 주행 {=count}번, 그 뒤로 한 세대마다 {=count}번이 필요합니다. 그러니 너무 일찍 멈추지 마십시오.`,
-    after: `주행이 적으면 운이 결정합니다. 진화는 무작위 탐색과 똑같은 로봇들로 시작하고, 처음 백 번쯤은 거의 낫지 않습니다. *진화의 힘은 계속 나아진다는 데 있습니다.* 좋았던 곳에서 이어 가기 때문입니다. 누가 이겼는지 말하기 전에 둘을 더 진행해 보고, 다른 시드로도 겨루어 보십시오.`,
-    next: `그런데 어떤 출발점에서는 진화가 무작위로 뽑는 것보다 나을 것이 없습니다. 무엇이 문제를 쉽게도 어렵게도 만들까요? 진화가 걷는 땅, 곧 이득 위에 펼쳐진 J의 지형에 달려 있습니다.`,
+먼저 손으로 찾아보십시오. 그림 아래의 슬라이더를 움직이거나 숫자를 입력합니다. 슬라이더를 놓을 때마다 로봇 32대가 달립니다. 얼마나 멀리 끌었든 이것이 *시도 한 번*입니다. 만족스러우면 *최고 기록을 확정*하십시오.
+
+그다음은 진화의 차례입니다. 로봇 {=count}대로 {=generations}세대, 곧 {=given}번 시도하며, 직접 시도한 횟수가 더 많으면 그만큼 시도합니다. 셋째 선수인 *무작위 탐색*도 같은 횟수를 씁니다. {=low}~{=high} 범위에서 이득을 균등하게 뽑아 가장 좋은 것을 남길 뿐, 아무것도 배우지 않습니다.`,
+    after: `진화가 찾은 이득을 보고, 그 로봇들이 달리는 모습을 지켜보십시오. {ky}는 슬라이더의 끝을 훨씬 넘어, 손으로는 찾지 않을 곳이자 무작위 탐색은 갈 수 없는 곳에 있습니다. 그곳을 찾으라고 알려 준 사람은 없습니다. *선택은 좋았던 곳에서 이어집니다.* 각 세대는 앞 세대가 끝난 곳에서 시작하고, 이 문제에서는 내려가는 길이 깁니다. 그래도 {=generations}세대 안에 얼마나 찾는지는 운에 달려 있습니다. 누가 이겼는지 말하기 전에 다른 시드로도 겨루고, 둘을 더 진행해 보십시오.`,
+    next: `어떤 탐색은 왜 쉽고 어떤 탐색은 왜 어려울까요? 탐색이 걷는 땅, 곧 이득 위에 펼쳐진 J의 지형에 달려 있습니다.`,
   },
   duel: {
-    drivesLabel: '나의 주행',
-    drivesName: '나의 주행 횟수',
-    bestName: '나의 최저 J',
-    /** @param {number} drives @param {number} population */
-    enough: (drives, population) => {
-      const generation = Math.floor(drives / population) - 1;
-      if (generation < 0) return `진화의 첫 로봇들에 주행 ${population}번이 필요합니다. 계속하십시오.`;
-      return generation === 0
-        ? `진화의 첫 로봇들에 충분합니다. 이들은 무작위입니다. ${population}번 더 주행하면 한 세대가 됩니다.`
-        : `진화가 ${generation}세대에 이르기에 충분합니다. ${population}번 더 주행하면 한 세대가 늘어납니다.`;
-    },
+    drivesLabel: '나의 시도',
+    drivesName: '나의 시도 횟수',
+    bestName: '나의 최소 평균 J',
+    /** @param {number} drives @returns {string} */
+    enough: (drives) =>
+      drives === 0 ? '슬라이더를 움직이면 로봇 32대가 달립니다.' : '계속하거나, 최고 기록을 확정하십시오.',
+    none: '아직 없음',
     lock: '최고 기록 확정',
-    locked: '확정했습니다. 더 몰아 보아도 되지만 셈하지 않습니다.',
+    locked: '확정했습니다. 더 몰아 보아도 되지만 기록에는 들어가지 않습니다.',
     elsewhere:
-      '지금 보이는 것과 다른 출발, 목표, 설정에서 확정한 기록입니다. 여기서 겨루려면 처음부터 다시 시작하십시오.',
+      '지금 보이는 것과 다른 목표나 설정에서 확정한 기록입니다. 여기서 겨루려면 처음부터 다시 시작하십시오.',
     startOver: '처음부터 다시',
     resultLabel: '셋의 비교',
     names: { you: '나', evolution: '진화', random: '무작위 탐색' },
-    heads: ['누구', '주행', '최저 J'],
-    drivesAxis: '주행',
+    heads: ['누구', '시도', '주차', '평균 J'],
+    drivesAxis: '시도',
     costSymbol: 'J',
-    cost: costText,
     /** @param {Verdict} verdict */
-    caption: ({ seed, generation, drives, given }) =>
-      `시드 ${seed}. 진화는 ${given <= drives ? `주행 ${grouped(drives)}번에 들어가는 마지막 세대인 ` : ''}${generation}세대.`,
+    caption: ({ seed, generation }) => `시드 ${seed}. 진화는 ${generation}세대.`,
     /** @param {Verdict} verdict */
-    sentence: (verdict) => [who(verdict), caution(verdict)].filter(Boolean).join(' '),
+    sentence: (verdict) => who(verdict),
     later,
     /** @param {string} sentence */
-    plotLabel: (sentence) => `주행 횟수에 따른 셋의 최저 J. ${sentence}`,
-    /** @param {number} drives */
-    goOn: (drives) => `둘을 ${grouped(drives)}번까지 진행`,
-    /** @param {number} drives */
-    backTo: (drives) => `내 주행 ${grouped(drives)}번으로 돌아가기`,
-    anotherSeed: '다른 시드로 다시',
+    plotLabel: (sentence) => `시도 횟수에 따른 셋의 최소 평균 J. ${sentence}`,
+    /** @param {number} drives @returns {string} */
+    goOn: (drives) => `둘을 ${trialsText(drives)}까지 진행`,
     /** @param {Verdict} verdict */
-    watch: ({ generation }) => `${generation}세대 최우수 로봇 보기`,
+    backTo: ({ given }) => `${trialsText(given)}으로 돌아가기`,
+    anotherSeed: '다른 시드로 다시',
+    watch: { evolution: '진화의 로봇 보기', you: '나의 로봇 보기' },
     /** @param {number} rounds @param {Record<'you' | 'evolution' | 'random' | 'both', number>} score */
     score: (rounds, { you, evolution, random, both }) =>
       rounds === 1
@@ -58,27 +56,25 @@ export const duel = {
   quizzes: {
     ahead: {
       question:
-        '지금까지 {=drives}번 주행했고 최저 J는 {=best}입니다. 모두 같은 횟수를 주행하면 누구의 J가 가장 낮겠습니까? (예측하면 최고 기록이 확정됩니다.)',
+        '지금까지 시도한 횟수: {=drives}. 최소 평균 J: {=best}. 마지막에 누구의 평균 {J}가 가장 낮겠습니까? (예측하면 최고 기록이 확정됩니다.)',
       choices: ['나', '진화', '무작위 탐색', '진화와 무작위 탐색이 같은 J로'],
       /** @param {Verdict} verdict */
-      why: (verdict) => {
-        const { costs, drives, given, generation, seed } = verdict;
+      why: ({ costs, drives, given, generation, seed }) => {
         const you =
-          drives === 0
-            ? '아직 주행하지 않았습니다.'
-            : `나: 주행 ${grouped(drives)}번에 J ${costText(costs.you)}.`;
-        return `${you} 진화: ${generation}세대, 주행 ${grouped(given)}번에 J ${costText(costs.evolution)}. 무작위 탐색: 같은 횟수에 J ${costText(costs.random)}. 시드 ${seed}. ${caution(verdict)}`;
+          drives === 0 ? '아직 시도하지 않았습니다.' : `나: ${trialsText(drives)}에 ${costText(costs.you)}.`;
+        return `${you} 진화: ${generation}세대, ${trialsText(given)}에 ${costText(costs.evolution)}. 무작위 탐색: 같은 횟수에 ${costText(costs.random)}. 시드 ${seed}.`;
       },
     },
   },
   tries: {
-    luck: '운 화면에서 시드 백 개: 무작위 탐색은 얼마나 자주 앞서 있는가?',
-    backwards: '목표를 등지고 출발: 또 다른 대결',
-    round: '목표 위에서 반대 방향을 보고 출발: 또 다른 대결',
+    luck: '쉬운 문제로 시드 백 개(“운” 화면): 무작위 탐색은 얼마나 자주 앞서 있는가?',
+    dear: '같은 대결, 회전의 비용을 주행과 같게: {Rw} = 1',
+    sharp: '슬라이더 안에서 거의 가장 좋은 12, 12, 6에서 시작',
   },
   notice: [
     '사람은 로봇을 보고 생각합니다. 진화는 로봇을 모릅니다. 진화가 보는 것은 J뿐입니다.',
-    '진화는 처음 이득을 뽑는 범위를 벗어날 수 있습니다. 이 무작위 탐색은 그럴 수 없습니다.',
+    '진화는 초기 이득을 뽑는 범위를 벗어날 수 있습니다. 이 무작위 탐색은 그럴 수 없습니다.',
+    '사람은 몇 번, 진화는 수백 번 시도했습니다. 진화는 생각하지 않는 대신 지치지 않습니다.',
   ],
 };
 
@@ -86,23 +82,18 @@ export const duel = {
 function who({ winner, costs }) {
   const { you, evolution, random } = costs;
   const by = (/** @type {number} */ less, /** @type {number} */ more) => fixed(more - less, 3);
+  const rivals = Math.min(evolution, random);
   return {
-    you: `내가 이겼습니다. 2위보다 ${by(you, Math.min(evolution, random))} 낮습니다.`,
+    you: Number.isFinite(you) ? `내가 이겼습니다. 2위보다 ${by(you, rivals)} 낮습니다.` : '',
     evolution: `진화가 이겼습니다. 2위보다 ${by(evolution, Math.min(you, random))} 낮습니다.`,
     random: `무작위 탐색이 이겼습니다. 2위보다 ${by(random, Math.min(you, evolution))} 낮습니다.`,
     both: '진화와 무작위 탐색이 같은 J로 이겼습니다.',
   }[winner];
 }
 
-/** What makes it less than a fair contest. @param {Verdict} verdict */
-function caution({ drives, population, generation }) {
-  if (drives < population)
-    return `다만 이보다 적으면 진화를 시작할 수 없어 둘은 ${population}번씩 주행했고, 나는 ${drives}번 주행했습니다.`;
-  return generation === 0 ? '아직 아무것도 진화하지 않았습니다. 둘 다 첫 로봇들뿐입니다.' : '';
-}
-
 /** @param {Verdict} verdict */
 function later({ costs, longest, later: { evolution, random }, passed }) {
-  const ends = `주행 ${grouped(longest)}번 뒤 진화의 J는 ${costText(evolution)}, 무작위 탐색의 J는 ${costText(random)}입니다.`;
-  return `${ends} ${passed === null ? `진화는 나의 ${costText(costs.you)}보다 낮아지지 못했습니다.` : `진화는 주행 ${grouped(passed)}번 만에 나의 ${costText(costs.you)}보다 낮아졌습니다.`}`;
+  const ends = `${trialsText(longest)} 뒤 진화는 ${costText(evolution)}, 무작위 탐색은 ${costText(random)}입니다.`;
+  if (!Number.isFinite(costs.you)) return ends;
+  return `${ends} ${passed === null ? `진화는 아직 나의 ${costText(costs.you)}보다 낮아지지 못했습니다.` : `진화는 ${trialsText(passed)}째부터 나의 ${costText(costs.you)}보다 낮았습니다.`}`;
 }

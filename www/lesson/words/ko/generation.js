@@ -4,15 +4,23 @@ import { costText } from '../../../words/numbers.js';
 /** @typedef {{ stays: boolean, cost: number, wins: number, place: number }} Fate */
 
 export const generation = {
+  newborn: {
+    /** @param {number} better @param {number} count */
+    title: (better, count) => `자손 로봇 ${count}대의 주행. 초록색: 부모보다 나음, ${better}대. 아래: J.`,
+    /** @param {number} count */
+    parents: (count) => `부모 로봇 ${count}대의 주행. 아래: J.`,
+    /** @param {number} number @param {boolean} _isParent */
+    name: (number, _isParent) => String(number),
+  },
   texts: {
-    begin: `지금까지는 이득을 한 벌씩 시험했습니다. 진화는 {=count}벌을 한꺼번에 다룹니다. 처음에 무작위로 뽑은 로봇들의 *개체군*입니다. 그다음에는 네 가지 일을 되풀이하며, 그 한 바퀴가 한 *세대*입니다. 네 가지를 차례로 눌러 보십시오. 글 속의 수치는 그림에서 고른 로봇의 것입니다. 다른 로봇을 골라도 됩니다.`,
+    begin: `지금까지는 이득을 한 벌씩 시험했습니다. 진화는 {=count}벌을 한꺼번에 다룹니다. 처음에 무작위로 뽑은 로봇들의 *개체군*입니다. 그다음에는 네 가지 일을 되풀이하며, 그 한 바퀴가 한 *세대*입니다. 글 속의 수치는 그림에서 고른 로봇의 것입니다. 다른 로봇을 골라도 됩니다.`,
     mutate: `*1. [돌연변이](generation&generation=1&phase=mutation&individual=26).* 부모마다 *자손*을 하나씩 만듭니다. 자손의 이득은 각각 부모의 이득에서 무작위로 한 걸음 옮긴 값입니다. 한 걸음은 *변이 폭* {s}에 난수 {N}을 곱한 것입니다. {N}은 표준정규분포(종 모양)에서 뽑으며, −2나 2를 벗어나는 일이 드뭅니다.`,
-    select: `*2. [주행](generation&generation=1&phase=drive&individual=26).* {=child}의 J는 {=childCost}, 그 부모의 J는 {=parentCost}입니다. 자손 로봇 {=count}대 가운데 {=better}대가 부모보다 잘 주행합니다. 대개는 부모보다 못합니다. 무작위 걸음은 좋을 때보다 나쁠 때가 많기 때문입니다.
+    drive: `*2. [주행](generation&generation=1&phase=drive&individual=26).* 자손이 모두 달립니다(그림 위). {=child}의 J는 {=childCost}, 그 부모의 J는 {=parentCost}입니다. 자손 로봇 {=count}대 가운데 {=better}대가 부모보다 잘 주행합니다. 대개는 부모보다 못합니다. 무작위 걸음은 좋을 때보다 나쁠 때가 많기 때문입니다.`,
+    rule: `*3. 토너먼트.* 부모와 자손을 합친 로봇 {=all}대가 각각 무작위로 *복원 추출*한 로봇 {=bouts}대와 겨룹니다. 같은 상대를 두 번 만날 수 있지만 자기 자신과는 만나지 않습니다. J가 상대보다 낮거나 같으면 이깁니다.
 
-*3. [토너먼트](generation&generation=1&phase=tournament&individual=26).* 부모와 자손을 합친 로봇 {=all}대가 각각 무작위로 뽑은 로봇 {=bouts}대와 겨룹니다. J가 상대보다 낮거나 같으면 이깁니다. {=chosen}의 성적은 {=bouts}전 {=wins}승입니다.
-
-*4. [생존](generation&generation=1&phase=survivors&individual=26).* 승수가 많은 로봇 {=count}대가 이득과 변이 폭과 J를 그대로 지닌 채 다음 세대의 부모가 됩니다. {=fate}`,
-    next: `네 가지 일은 논문 그대로입니다. 로봇이 스무 대라는 것과, 승수가 같으면 J가 낮은 쪽이 앞선다는 것은 이 페이지가 정했습니다. 그런데 한 걸음은 얼마나 커야 할까요? 모든 로봇이 {s} = 1로 시작하고, 그 뒤로는 아무도 정해 주지 않습니다.`,
+*4. 생존.* 승수가 많은 로봇 {=count}대가 이득과 변이 폭과 J를 그대로 지닌 채 다음 세대의 부모가 됩니다. 눌러 보기 전에 문제가 하나 있습니다.`,
+    select: `*3. [토너먼트](generation&generation=1&phase=tournament&individual=26).* {=chosen}의 성적은 {=bouts}전 {=wins}승입니다. *순위*는 승수가 많은 순서입니다. *4. [생존](generation&generation=1&phase=survivors&individual=26).* {=fate} 네 가지 일을 차례로 눌러 보고, 다른 로봇도 골라 보십시오.`,
+    next: `네 가지 일은 논문 그대로입니다. 로봇이 스무 대라는 것과, 승수가 같으면 J가 낮은 쪽이 앞선다는 것은 이 페이지가 정했습니다. 가장 좋은 것이 언제나 살아남는 것을 *엘리트주의(elitism)*라고 하는데, 여기서는 저절로 그렇게 됩니다. 그런데 한 걸음은 얼마나 커야 할까요? 모든 로봇이 {s} = 1로 시작하고, 그 뒤로는 아무도 정해 주지 않습니다.`,
   },
   /** @param {string} name @param {string} fate */
   fate: (name, fate) => `${name}: ${fate}.`,

@@ -5,10 +5,12 @@ export const lecturers = {
     begin: `이 페이지의 모든 것은 링크에 들어 있습니다. 강의 전에 준비해 둔 화면은 어느 컴퓨터에서나 그대로, 마지막 자릿수까지 같은 수치로 열립니다. *공유*에서 링크와 그림과 표를 얻고, *설정*에서 실험의 모든 수치를 바꿉니다. 단축키는 *?*를 누르면 나옵니다.
 
 *공유*에서 과제도 만들 수 있습니다. 직접 쓴 과제를 링크에 담고, 학생이 건드리지 않을 조작은 잠그거나 숨깁니다. 비밀은 아닙니다. 학생은 언제든 전체 페이지를 열 수 있습니다.`,
-    cite: `*인용하기.* 방법: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. 프로그램: ep-locomotion, 버전 {=version}. 인용 정보는 CITATION.cff에 있습니다. 논문이 정하지 않아 이 페이지가 고른 것은 [앞 단계](lesson&step=13)에 있습니다.`,
+    cite: `*인용하기.* 방법: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. 프로그램: ep-locomotion, 버전 {=version}. 인용 정보는 CITATION.cff에 있습니다. 논문이 정하지 않아 이 페이지가 고른 것은 [논문의 수치를 다룬 단계](lesson&step=paper)에 있습니다.`,
   },
   show: '화면 준비',
-  answer: '답',
+  print: '이 자료 인쇄',
+  /** @param {string} title */
+  answersTo: (title) => `${title}: 보게 될 것`,
   sheets: {
     demonstration: {
       title: '강의용, 10분',
@@ -51,6 +53,48 @@ export const lecturers = {
         },
       },
     },
+    plan: {
+      title: '수업용, 90분',
+      note: '학생마다 이 페이지를 봅니다. 문제는 화면으로 확인하기 전에 답하게 합니다.',
+      items: {
+        play: {
+          text: '*0~10분.* 놀이: 숫자 세 개, 로봇 하나. 누구의 J가 가장 낮습니까? 기록을 칠판에 적습니다.',
+          seen: '몇 분 안에 논문의 진화한 이득보다 낮은 기록이 나옵니다. 출발점이 하나이면 쉽습니다.',
+        },
+        model: {
+          text: '*10~25분.* 2, 3단계: 오차 셋, 속도 둘, 오차마다 이득 하나. 기구학과 오차 자세를 칠판에 적습니다.',
+          seen: '{ky} = 0이면 로봇은 대부분의 곳에서 목표 옆에 멈추고, 논문의 출발점에서는 도착합니다.',
+        },
+        theory: {
+          text: '*25~37분.* 4단계: 학생이 연쇄 법칙을 적용하게 하고, 항을 하나씩 눌러 소거합니다.',
+          seen: '두 쌍이 소거되고 제곱 세 개가 남습니다.',
+        },
+        limits: {
+          text: '*37~45분.* 5단계: 증명이 가정하는 것. 포화, 샘플링, 채터링.',
+          seen: '제한이 있으면 대부분의 주행에서 V가 커집니다. 포화된 바퀴에 대해 증명은 아무것도 보장하지 않습니다.',
+        },
+        cost: {
+          text: '*45~52분.* 6단계: 무엇이 좋은가? 두 문제를 먼저 손을 들어 답하게 합니다.',
+          seen: '가중치가 크면 제자리에 머무는 로봇이 이깁니다.',
+        },
+        evolution: {
+          text: '*52~65분.* 7, 8단계: 한 세대를 단계별로. 변이 폭과 그 무너짐.',
+          seen: '더 나은 로봇이 탈락하고 못한 로봇이 남습니다. 최우수는 결코 나빠지지 않습니다.',
+        },
+        contest: {
+          text: '*65~73분.* 9단계: 둘씩 짝을 지어 각자의 시드로 진화와 겨룹니다. 결과를 모읍니다.',
+          seen: '손으로는 13까지 낮추고 로봇 32대 중 26대를 주차합니다. 진화는 거의 모든 시드에서 13보다 낮추며, 그 {ky}는 아무도 해 보지 않은 값입니다.',
+        },
+        task: {
+          text: '*73~86분.* 11단계: 출발점 하나, 여러 출발점, 다른 비용. 보기 전에 매번 예측합니다.',
+          seen: '진화에 쓰지 않은 출발점의 4분의 1, 절반, 거의 모두.',
+        },
+        end: {
+          text: '*86~90분.* 일곱 문장. 열린 과제는 숙제입니다.',
+          seen: '최적화는 비용이 요구하는 것을 내놓습니다.',
+        },
+      },
+    },
     lab: {
       title: '실습용, 50분',
       note: '둘씩 짝을 지어, “화면 준비”를 누르기 전에 예측을 적고, 비교할 것은 고정해 둡니다.',
@@ -89,8 +133,8 @@ export const lecturers = {
       title: '시험 문제',
       items: {
         negative: {
-          text: 'V̇ = −kx x_e² cos² θ_e − ky y_e⁴ − kθ sin² θ_e에서 ky가 0보다 작다고 합시다. 어떤 오차가 커질 수 있습니까?',
-          seen: '둘째 부분이 양수가 됩니다. y_e가 클 때 V가 커질 수 있어 로봇이 옆으로 밀려날 수 있습니다. 보조정리와 정리는 세 이득이 모두 0보다 클 것을 요구합니다.',
+          text: 'V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ에서 ky가 0보다 작다고 합시다. 어떤 오차가 커질 수 있습니까?',
+          seen: '둘째 부분이 양수가 됩니다. yₑ가 클 때 V가 커질 수 있어 로봇이 옆으로 밀려날 수 있습니다. 보조정리와 정리는 세 이득이 모두 0보다 클 것을 요구합니다.',
         },
         best: {
           text: '논문의 EP에서 최소 J는 왜 다음 세대에서 나빠질 수 없습니까?',

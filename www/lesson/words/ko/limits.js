@@ -5,13 +5,23 @@ import { costText, fixed } from '../../../words/numbers.js';
 /** @typedef {{ run: Run, rises: number }} Driven */
 
 export const limits = {
+  asked: {
+    /** @param {string} asked @param {string} done */
+    label: (asked, done) =>
+      `시간에 따른 법칙의 명령과 바퀴의 실제 속도. 법칙은 ${asked} rad/s까지 명령하고, 바퀴는 ${done} rad/s까지 냅니다.`,
+    linear: 'v, m/s',
+    angular: 'ω, rad/s',
+    asked: '명령',
+    done: '실제',
+  },
   texts: {
-    asked: `법칙이 명령하면 바퀴가 따릅니다. 이 주행에서 법칙은 {=askedV} m/s와 {=askedW} rad/s까지 명령합니다. 바퀴는 {=v} m/s와 {=w} rad/s까지만 낼 수 있습니다. 곡선에서 흐린 선이 명령, 진한 선이 실제 속도입니다. {v}와 {w}의 윗부분이 잘려 있고, 로봇은 길의 대부분을 최대 선속도으로 달립니다.
+    asked: `법칙이 명령하면 바퀴가 따릅니다. 논문의 EP 이득으로 달릴 때 법칙은 {=askedV} m/s와 {=askedW} rad/s까지 명령합니다. 논문의 로봇은 {=v} m/s와 {=w} rad/s까지만 낼 수 있습니다. 평면 옆의 그림에서 점선이 명령, 굵은 선이 실제 속도입니다. 제한을 넘는 부분은 잘립니다. 이를 *포화(saturation)*라고 합니다. 로봇은 길의 대부분을 최대 선속도로 달립니다.
 
-제한이 없으면 더 좋을까요? 앞 단계의 증명에는 제한이 없습니다.`,
+제한이 없으면 더 좋을까요? 앞 단계의 증명은 제한을 가정하지 않습니다.`,
     theory: `증명과 실제 로봇 사이에는 틈이 있습니다. 증명에서는 법칙이 *매 순간* 작용하지만, 컴퓨터는 100분의 1초에 한 번 명령을 정하고 다음 샘플까지 그 값을 유지합니다. 아주 큰 명령이 유지되면 로봇은 지나치게 많이 회전합니다. 그래서 {V}가 샘플마다 줄어든다는 보장이 없습니다. 제한 없이 이 이득으로 달리면 샘플 {=samples}개 가운데 {=rises}개에서 {V}가 커집니다.
 
-속도 제한은 이 틈을 메웁니다. 법칙이 무엇을 명령하든 로봇은 100분의 1초 동안 조금밖에 움직이지 못합니다. 이때 {V}가 커지는 샘플은 {=limitedRises}개입니다. *가속도* 제한은 그 반대입니다. 로봇이 늦게 반응합니다. 법칙이 멈추라는 곳에서 멈추지 못합니다.`,
+속도 제한이 이 틈을 메울까요? 논문의 출발점만 보면 그렇게 보입니다. 제한이 있으면 {V}는 모든 샘플에서 줄어듭니다.`,
+    clipped: `{v}의 항과 {w}의 항은 함께 있어야만 소거됩니다. 그런데 제한은 {v}와 {w}를 *따로* 자르므로, 소거되어야 할 것이 소거되지 않습니다. 그래서 제한이 있어도 {V}는 잠시 커질 수 있습니다. 바퀴가 포화된 로봇에 대해 증명은 아무것도 보장하지 않습니다. *가속도* 제한이 더해지면 로봇이 늦게 반응하여, 법칙이 멈추라는 곳에서 멈추지 못합니다.`,
     next: `그러니 이론만으로 정해지는 가장 좋은 이득은 없습니다. 무엇이 가장 좋은지는 바퀴와 출발점에, 그리고 무엇을 “좋다”고 하는지에 달려 있습니다. 다음은 그 “좋다”는 말입니다.`,
   },
   quizzes: {
@@ -20,7 +30,15 @@ export const limits = {
       choices: ['낮아진다. 로봇이 마음대로 움직일 수 있으므로', '거의 그대로다', '높아진다'],
       /** @param {{ free: Driven, limited: Driven }} outcome */
       why: ({ free, limited }) =>
-        `J는 ${costText(limited.run.cost.total)} → ${costText(free.run.cost.total)}입니다. 로봇은 ${arrival(free.run)}. 목표 가까이에서 θe는 거의 0인데, 법칙은 그 사인으로 나눕니다. 그래서 로봇이 빙글빙글 돕니다. 가장 큰 각속도는 ${fixed(Math.max(...free.run.angular.map(Math.abs)), 0)} rad/s이고, 에너지는 그 제곱에 비례합니다.`,
+        `J는 ${costText(limited.run.cost.total)} → ${costText(free.run.cost.total)}입니다. 로봇은 ${arrival(free.run)}. 목표 가까이에서 θe는 거의 0인데, 법칙은 그 사인으로 나눕니다. 그래서 명령이 큰 양수와 큰 음수 사이를 오갑니다. 이를 *채터링(chattering)*이라고 합니다. 가장 큰 각속도는 ${fixed(Math.max(...free.run.angular.map(Math.abs)), 0)} rad/s이고, 에너지는 그 제곱에 비례합니다.`,
+    },
+    heals: {
+      question:
+        '속도 제한을 두고, 목표 둘레 4 m 안에서 아무 방향이나 보는 출발점 100개에서 논문의 EP 이득으로 달립니다. {V}가 한 번이라도 커지는 주행은 몇 개입니까?',
+      choices: ['10개 미만', '10개에서 50개', '절반이 넘는다'],
+      /** @param {{ drives: number, starts: number }} outcome */
+      why: ({ drives, starts }) =>
+        `${starts}개 중 ${drives}개입니다. 평면의 주행이 그런 주행입니다. V가 빨간 곳을 보십시오.`,
     },
     brakes: {
       question: '이득 10, 10, 10은 속도 제한에서 일찍 도착합니다. 이제 가속도도 제한하면 언제 도착합니까?',
@@ -31,6 +49,7 @@ export const limits = {
     },
   },
   tries: {
+    raised: '3단계의 앞뒤로 오가는 주차, 제한이 있을 때: {V}가 커지지만 그래도 점점 가까워진다',
     figure4: '그림 4: 속도 제한에서 EP 이득과 임의 이득',
     figure5: '그림 5: 같은 주행을 시간에 따라',
     figure6: '그림 6: 가속도 제한에서 EP 이득과 임의 이득',

@@ -1,0 +1,109 @@
+// What one takes along to build it oneself is right.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
+import { checkValues } from '../../../www/lesson/check-values.js';
+import { rateAmounts } from '../../../www/lesson/formulas-motion.js';
+import { build as en } from '../../../www/lesson/words/en/build.js';
+import { build as ko } from '../../../www/lesson/words/ko/build.js';
+import { phases } from '../../../www/parts/generation/state.js';
+import { findProgram } from '../harness/engines.js';
+import { pageTest } from '../harness/browsers.js';
+import { experiment, lawTerms, paper, paperGains, simulate } from '../harness/core.js';
+import { engine } from './links.js';
+import { test } from '../harness/once.js';
+
+const files = new URL('../../../www/lesson/files/', import.meta.url);
+const ep = simulate(experiment('velocity-limits'), paperGains('velocity-limits', 'ep'));
+const arbitrary = simulate(experiment('velocity-limits'), paperGains('velocity-limits', 'arbitrary'));
+
+/** The numbers that a program prints. @param {string} command @param {string} file */
+function printedBy(command, file) {
+  const text = execFileSync(command, [fileURLToPath(new URL(file, files))], { encoding: 'utf8' });
+  return [...text.matchAll(/\d+\.\d+(?:e-?\d+)?/g)].map(([number]) => Number(number));
+}
+
+/** Whether what a program prints is what the core says. @param {readonly number[]} numbers */
+function agrees([cost, time, other, otherTime, ...evolved]) {
+  for (const [own, core] of [
+    [cost, ep.cost.total],
+    [time, ep.finalTime],
+    [other, arbitrary.cost.total],
+    [otherTime, arbitrary.finalTime],
+  ])
+    assert.ok(Math.abs(own / core - 1) < 1e-9, `${own} for ${core}`);
+  assert.ok(
+    evolved.some((number) => number > 7.6 && number < 8.5),
+    `evolution came to ${evolved}`,
+  );
+}
+
+test('the file in JavaScript drives and evolves as the core does', () =>
+  agrees(printedBy(process.execPath, 'park.mjs')));
+
+const python = findProgram(['python3', 'python']);
+test(
+  'the file in Python drives and evolves as the core does',
+  { skip: !python && 'there is no Python' },
+  () => agrees(printedBy(String(python), 'park.py')),
+);
+
+test('the numbers to check with are the core’s', () => {
+  const usual = experiment('velocity-limits');
+  const gains = paperGains('velocity-limits', 'ep');
+  const { linear, angular } = Object.values(
+    lawTerms(usual, gains, { x: 2 * Math.SQRT2, y: 0, theta: Math.PI / 4 }).command,
+  ).reduce((a, b) => ({ linear: a.linear + b.linear, angular: a.angular + b.angular }), {
+    linear: 0,
+    angular: 0,
+  });
+  const [v, w, time, cost, other] = checkValues(engine, paper());
+  assert.ok(Math.abs(v - linear) < 1e-9 && Math.abs(w - angular) < 1e-9, `${v} ${linear} ${w} ${angular}`);
+  assert.deepEqual([time, cost, other], [ep.finalTime, ep.cost.total, arbitrary.cost.total]);
+  for (const { values } of [en, ko]) assert.equal(values.rows.length, 5);
+});
+
+test('every phase has its lines, the same in both languages', () => {
+  for (const part of /** @type {const} */ (['drive', 'generation']))
+    assert.deepEqual(
+      ko.program[part].map(([depth, phase]) => [depth, phase]),
+      en.program[part].map(([depth, phase]) => [depth, phase]),
+    );
+  const named = new Set([...en.program.drive, ...en.program.generation].map(([, phase]) => phase));
+  for (const phase of phases) assert.ok(named.has(phase), phase);
+});
+
+test('the seven terms of the rate of V come to what the law promises, pair by pair', () => {
+  for (const [gains, error] of /** @type {const} */ ([
+    [[3, 1, 5], { x: 2, y: 0.5, theta: 0.4 }],
+    [[2, 7, 0.3], { x: -1, y: 1.5, theta: -2 }],
+  ])) {
+    const [kx, steep, cross, ky, kt, lessSteep, lessCross] = rateAmounts(gains, error);
+    assert.equal(steep + lessSteep, 0);
+    assert.equal(cross + lessCross, 0);
+    const { promised } = lawTerms(experiment('velocity-limits'), [...gains], error);
+    for (const [own, core] of [
+      [kx, promised?.x],
+      [ky, promised?.y],
+      [kt, promised?.theta],
+    ])
+      assert.ok(Math.abs(Number(own) - Number(core)) < 1e-9 * (1 + Math.abs(Number(own))));
+  }
+});
+
+pageTest('the phase that the figure shows lights its lines', async (page) => {
+  await page.open('#lesson&step=build');
+  const lit = () =>
+    page.evaluate(() => [
+      ...new Set(
+        [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#program .now'))].map(
+          ({ dataset }) => dataset.phase,
+        ),
+      ),
+    ]);
+  await page.until('the program', () => document.querySelector('#program .now'));
+  assert.deepEqual(await lit(), ['parents']);
+  await page.click('#generation-step button:last-child');
+  await page.until('the next phase', () => document.querySelector('#program .now[data-phase="mutation"]'));
+  assert.deepEqual(await lit(), ['mutation']);
+});

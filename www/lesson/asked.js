@@ -1,0 +1,129 @@
+// What the law asks for against what the wheels do, on an axis on which both have room.
+import { scaleLinear, scaleSymlog } from 'd3-scale';
+import {
+  createChart,
+  drawCurve,
+  drawGrid,
+  drawNumbersBelow,
+  drawUpright,
+  pointsOf,
+  ticksOn,
+  within,
+} from '../kit/chart.js';
+import { create } from '../kit/elements.js';
+import { strongFont } from '../kit/fonts.js';
+import { colour } from '../kit/palette.js';
+import { fixed } from '../words/numbers.js';
+
+/** @import { Axes, Size } from '../kit/chart.js' */
+/** @import { Run } from '../core/engine.js' */
+/** @import { Block, Live, Tools } from './page.js' */
+/** @typedef {{ asked: { label: (asked: string, done: string) => string, linear: string, angular: string, asked: string, done: string } }} AskedWords */
+/** @typedef {{ run: Run, time: number, theme: number }} Model */
+
+const gap = 34;
+
+/** Of the axis: 0, ±1, ±10, … @param {number} most */
+const powers = (most) => {
+  const ticks = [0];
+  for (let power = 1; power <= most; power *= 10) ticks.push(power, -power);
+  return ticks.sort((a, b) => a - b);
+};
+
+/** @param {ArrayLike<number>} values */
+const largest = (values) => Array.from(values).reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+
+/** @param {Tools} _tools @param {AskedWords} words @returns {Block} */
+export function createAsked(_tools, { asked: words }) {
+  const element = create('div', 'asked');
+  element.id = 'asked';
+  element.setAttribute('role', 'img');
+  const chart = createChart(element, (context, size, /** @type {Model} */ model) => {
+    const half = (size.height - gap) / 2;
+    const { run } = model;
+    drawHalf(
+      context,
+      { ...size, height: half },
+      0,
+      run,
+      [run.commandLinear, run.linear],
+      '--energy',
+      words.linear,
+      model,
+    );
+    drawHalf(
+      context,
+      { ...size, height: half },
+      half,
+      run,
+      [run.commandAngular, run.angular],
+      '--omega',
+      words.angular,
+      model,
+    );
+    drawSigns(context, size, words);
+  });
+  return {
+    element,
+    draw(/** @type {Live} */ { state, scene: { driving } }) {
+      const drawn = chart.draw({
+        run: driving,
+        time: Math.min(state.robot.time, driving.finalTime),
+        theme: state.theme,
+      });
+      if (!drawn) return;
+      const [asked, done] = [driving.commandAngular, driving.angular].map((all) => fixed(largest(all), 0));
+      element.setAttribute('aria-label', words.label(asked, done));
+    },
+  };
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {Run} run @param {readonly [ArrayLike<number>, ArrayLike<number>]} values @param {string} token @param {string} name @param {Model} model */
+function drawHalf(context, { width, height }, top, run, [asked, done], token, name, { time }) {
+  const most = 1.4 * Math.max(2, largest(asked), largest(done));
+  const frame = { left: 52, right: width - 12, top: top + 22, bottom: top + height - 4 };
+  /** @type {Axes} */
+  const axes = {
+    frame,
+    x: scaleLinear([0, run.finalTime || 1], [frame.left, frame.right]),
+    y: scaleSymlog([-most, most], [frame.bottom, frame.top]).constant(1),
+  };
+  const ticks = {
+    x: ticksOn(axes.x, 70),
+    y: powers(most).filter((_, i, all) => all.length < 8 || i % 2 === (all.length >> 1) % 2),
+  };
+  drawGrid(
+    context,
+    axes,
+    ticks,
+    ticks.y.map((tick) => fixed(tick, 0)),
+  );
+  if (top > 0)
+    drawNumbersBelow(
+      context,
+      axes.x,
+      frame.bottom,
+      ticks.x,
+      ticks.x.map((tick) => `${fixed(tick, 1)} s`),
+    );
+  within(context, frame, () => {
+    const line = (/** @type {ArrayLike<number>} */ all) =>
+      pointsOf(axes, run.time, (i) => all[Math.min(i, all.length - 1)], true);
+    drawCurve(context, line(asked), { token, width: 1.5, dash: [2, 3] });
+    drawCurve(context, line(done), { token, width: 3 });
+  });
+  drawUpright(context, axes.x(time), frame, { token: '--muted', width: 1 });
+  context.font = strongFont;
+  context.fillStyle = colour(token);
+  context.textAlign = 'left';
+  context.textBaseline = 'alphabetic';
+  context.fillText(name, frame.left, top + 15);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {AskedWords['asked']} words */
+function drawSigns(context, { width }, words) {
+  context.font = strongFont;
+  context.fillStyle = colour('--muted');
+  context.textAlign = 'right';
+  context.fillText(`· · · ${words.asked}   ━ ${words.done}`, width - 12, 15);
+}

@@ -1,0 +1,167 @@
+// What a step holds, made of its words: texts, formulas, things to try, questions, views.
+import { html, nothing, render } from 'lit-html';
+import { keyed } from 'lit-html/directives/keyed.js';
+import { create, write } from '../kit/elements.js';
+import { watch } from '../kit/memo.js';
+import { disturbanceSlice } from '../parts/disturbance/state.js';
+import { generationSlice } from '../parts/generation/state.js';
+import { landscapeSlice } from '../parts/landscape/state.js';
+import { lesson as first } from '../words/index.js';
+import { createFormula } from './formula.js';
+import { hrefOf, linkOfStep, pathLength, stepNames } from './path.js';
+import { inline, list, paragraphs } from './prose.js';
+import { createQuiz } from './quiz.js';
+import { progressSlice } from './state.js';
+import words from './words/index.js';
+
+/** @import { TemplateResult } from 'lit-html' */
+/** @import { Answer } from './state.js' */
+/** @import { Block, Live, Part, Tools } from './page.js' */
+/** @import { Content, Step } from './steps.js' */
+
+/** @param {Step} step @param {string} name of a question of it */
+export const keyOf = (step, name) => `${step.name}.${name}`;
+
+/** Whether a question of the step has been answered. @param {Live['state']} state @param {Step} step @param {string} name */
+export const isAnswered = (state, step, name) =>
+  (progressSlice.of(state).answers[keyOf(step, name)]?.right ?? null) !== null;
+
+/** Whether somebody has said what they expect. @param {Live['state']} state @param {Step} step @param {string} name */
+export const isPredicted = (state, step, name) =>
+  progressSlice.of(state).answers[keyOf(step, name)] !== undefined;
+
+/** @param {HTMLElement} article @param {Step} step @param {number} number @param {Tools} tools @returns {Part[]} */
+export function createStep(article, step, number, tools) {
+  const text = words.steps[step.name];
+  const href = (/** @type {string} */ link) => hrefOf(link, number);
+  const blocks = step.blocks.map((block) => masked(createBlock(block, step, text, href, tools), block, step));
+  render(
+    keyed(
+      number,
+      html`${head(number, tools.go)}
+        <h2 id="lesson-title">${titleOf(number)}</h2>
+        ${blocks.map(({ element }) => element)} ${foot(number)}`,
+    ),
+    article,
+  );
+  return [...blocks, createValues(article, step)];
+}
+
+/** What would give an answer away is not there before it. @param {Part} part @param {Content} block @param {Step} step @returns {Part} */
+function masked(part, { after }, step) {
+  if (!after) return part;
+  const element = create('div', 'after');
+  element.hidden = true;
+  render(html`${part.element}`, element);
+  return {
+    element,
+    draw(live) {
+      element.hidden = !isAnswered(live.state, step, after);
+      part.draw(live);
+    },
+  };
+}
+
+/** The numbers in the texts. @param {HTMLElement} article @param {Step} step @returns {Block} */
+function createValues(article, step) {
+  const changed = watch();
+  return {
+    element: article,
+    draw(live) {
+      const { state, scene, sample } = live;
+      const parts = [
+        generationSlice.of(state),
+        landscapeSlice.of(state).result,
+        disturbanceSlice.of(state).measured,
+      ];
+      if (!changed(scene.driving, sample, state.history, state.generation, progressSlice.of(state), ...parts))
+        return;
+      const known = step.values?.(live) ?? {};
+      for (const element of /** @type {NodeListOf<HTMLElement>} */ (article.querySelectorAll('[data-value]')))
+        write(element, known[element.dataset.value ?? ''] ?? '–');
+    },
+  };
+}
+
+/** @param {Content} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools @returns {Part} */
+function createBlock(block, step, text, href, tools) {
+  const still = (/** @type {TemplateResult} */ element) => ({ element, draw() {} });
+  switch (block.kind) {
+    case 'text':
+      return still(html`<div class="prose">${paragraphs(text.texts[block.name], href)}</div>`);
+    case 'formula':
+      return createFormula(block.formula);
+    case 'notice':
+      return still(
+        html`<section class="notice"><h3>${words.notice}</h3>${list(text.notice, href)}</section>`,
+      );
+    case 'tries': {
+      const tries = block.tries.map(
+        ([name, link]) =>
+          html`<li><a class="try" href=${href(link)} data-try=${name}><span>${inline(text.tries[name], href)}</span></a></li>`,
+      );
+      return still(html`<section class="tries"><h3>${words.tries}</h3><ul>${tries}</ul></section>`);
+    }
+    case 'quiz':
+      return createQuestion(block, step, text, href, tools);
+    case 'view':
+      return block.create(tools, text, href);
+  }
+}
+
+/** @param {Extract<Content, { kind: 'quiz' }>} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools */
+function createQuestion({ name, quiz }, step, text, href, { store, actions, go }) {
+  const key = keyOf(step, name);
+  const keep = (/** @type {Answer | undefined} */ answer) => {
+    const { [key]: _, ...others } = progressSlice.of(store.get()).answers;
+    progressSlice.update(store, { answers: answer ? { ...others, [key]: answer } : others });
+  };
+  const view = createQuiz(text.quizzes[name], quiz, href, {
+    onAnswer(choice) {
+      if (progressSlice.of(store.get()).answers[key]) return;
+      if (quiz.shows) go(href(quiz.shows).slice(1));
+      if (quiz.time !== undefined) actions.standAt(quiz.time);
+      keep({ choice, right: null, why: '' });
+    },
+    onAgain: () => keep(undefined),
+  });
+  view.element.id = `quiz-${name}`;
+  return {
+    element: view.element,
+    draw: (/** @type {Live} */ { state }) => view.draw(progressSlice.of(state).answers[key]),
+  };
+}
+
+/** @param {number} number */
+const titleOf = (number) => first.titles[stepNames[number - 1]];
+
+/** Where one is, and a way to every step. @param {number} number @param {Tools['go']} go */
+function head(number, go) {
+  const options = (/** @type {number} */ from, /** @type {number} */ to) =>
+    stepNames.slice(from, to).map((_, i) => {
+      const one = from + i + 1;
+      const text = one > pathLength ? titleOf(one) : `${one}  ${titleOf(one)}`;
+      return html`<option value=${one} ?selected=${one === number}>${text}</option>`;
+    });
+  return html`<div class="lesson-head">
+    <p class="muted">${number > pathLength ? words.besidePath : words.stepOf(number, pathLength)}</p>
+    <select id="lesson-step" aria-label=${words.stepLabel}
+      @change=${(/** @type {{ target: HTMLSelectElement }} */ { target }) => go(linkOfStep(Number(target.value)))}>
+      ${options(0, pathLength)}<optgroup label=${words.besidePath}>${options(pathLength, stepNames.length)}</optgroup>
+    </select>
+  </div>`;
+}
+
+/** @param {number} number */
+function foot(number) {
+  const to = (
+    /** @type {number} */ other,
+    /** @type {string} */ look,
+    /** @type {(title: string) => string} */ text,
+  ) =>
+    other < 1 || other > pathLength
+      ? nothing
+      : html`<a class=${look} href=${`#${linkOfStep(other)}`}>${text(titleOf(other))}</a>`;
+  if (number > pathLength) return html`<nav class="lesson-foot">${to(1, 'step-back', words.toPath)}</nav>`;
+  return html`<nav class="lesson-foot">${to(number - 1, 'step-back', words.previousStep)}${to(number + 1, 'step-on', words.nextStep)}</nav>`;
+}

@@ -1,0 +1,68 @@
+// Answers and drives outlast a reload of the tab: the browser keeps them for this tab alone, and forgets them with it.
+import { language } from '../words/language.js';
+import { noProgress, noTally, progressSlice } from './state.js';
+
+/** @import { Store } from '../run/store.js' */
+/** @import { Answer, Progress } from './state.js' */
+
+const key = 'ep-locomotion lesson';
+const mostCharacters = 200_000;
+
+/** A browser may keep nothing, or not for a figure in another page. @template T @param {(storage: Storage) => T} use @returns {T | null} */
+function withStorage(use) {
+  try {
+    return use(sessionStorage);
+  } catch {
+    return null;
+  }
+}
+
+/** What outlasts: answers that are there, in the language in which they were said, and what was driven. @param {Progress} progress */
+export function textOf({ answers, tally, duel }) {
+  const settled = Object.entries(answers).filter(([, { right }]) => right !== null);
+  return JSON.stringify({
+    language,
+    answers: Object.fromEntries(settled),
+    tally,
+    duel: duel && { ...duel, rounds: [] },
+  });
+}
+
+/** What a text says of it; nothing of it is trusted. @param {string} text @returns {Progress} */
+export function progressOf(text) {
+  const { answers, tally, duel, language: told } = JSON.parse(text);
+  const isAnswer = (/** @type {Answer} */ one) =>
+    Number.isInteger(one.choice) && Number.isInteger(one.right) && typeof one.why === 'string';
+  const isDriven = (/** @type {{ costs: unknown }} */ one) =>
+    Array.isArray(one.costs) && one.costs.every((cost) => cost === null || typeof cost === 'number');
+  if (told !== language || !Object.values(answers).every(isAnswer)) return noProgress;
+  /** JSON knows no infinity. @template {{ costs: readonly number[] }} T @param {T} one @returns {T} */
+  const whole = (one) => ({ ...one, costs: one.costs.map((cost) => cost ?? Number.POSITIVE_INFINITY) });
+  return {
+    ...noProgress,
+    answers,
+    tally:
+      isDriven(tally) && typeof tally.experiment === 'string' ? whole({ ...noTally, ...tally }) : noTally,
+    duel: duel && isDriven(duel) && duel.experiment ? whole({ ...duel, rounds: [] }) : null,
+  };
+}
+
+/** Brings back what there was, and keeps what comes. @param {Store} store */
+export function createKeepsake(store) {
+  let kept = progressSlice.of(store.get());
+  const before = withStorage((storage) => storage.getItem(key));
+  if (before && before.length <= mostCharacters && kept === noProgress)
+    try {
+      progressSlice.update(store, progressOf(before));
+    } catch {
+      // It was written by somebody else.
+    }
+  return {
+    /** @param {Progress} progress */
+    follow(progress) {
+      if (progress === kept) return;
+      kept = progress;
+      withStorage((storage) => storage.setItem(key, textOf(progress)));
+    },
+  };
+}

@@ -1,0 +1,59 @@
+// Answers what was predicted, once what shows it has been seen.
+import { language } from '../words/language.js';
+import { keyOf } from './blocks.js';
+import { progressSlice } from './state.js';
+import words from './words/index.js';
+
+/** @import { Run } from '../core/engine.js' */
+/** @import { Store } from '../run/store.js' */
+/** @import { Live } from './page.js' */
+/** @import { Answer } from './state.js' */
+/** @import { Step } from './steps.js' */
+
+/** What moves less than this from here on is at rest, in metres and radians. */
+const seen = 2e-3;
+/** One sees for so long that it does not move. */
+const pause = 0.6;
+
+/** When nothing of a run moves any more. @param {Run} run */
+export function restOf({ time, x, y, theta }) {
+  const last = time.length - 1;
+  const isThere = (/** @type {number} */ i) =>
+    Math.abs(x[i] - x[last]) < seen &&
+    Math.abs(y[i] - y[last]) < seen &&
+    Math.abs(theta[i] - theta[last]) < seen;
+  let at = last;
+  while (at > 0 && isThere(at - 1)) at -= 1;
+  return Math.min(time[last], time[at] + pause);
+}
+
+/** Whether the drive has been seen to its end. @param {Live} live */
+export const isSeen = ({ state: { robot }, scene: { driving } }) =>
+  !robot.playing || robot.time >= restOf(driving);
+
+/** @type {WeakSet<Answer>} */
+const pending = new WeakSet();
+
+/** @param {Live} live @param {Step} step @param {Store} store */
+export function settle(live, step, store) {
+  if (live.state.evolving) return;
+  for (const block of step.blocks) {
+    if (block.kind !== 'quiz') continue;
+    const { name, quiz } = block;
+    const key = keyOf(step, name);
+    const answer = progressSlice.of(live.state).answers[key];
+    if (!answer || answer.right !== null || pending.has(answer)) continue;
+    if (quiz.ready && !quiz.ready(live)) continue;
+    if (quiz.watch && !isSeen(live)) continue;
+    // What it needs may still be under way: then it is asked again.
+    const found = quiz.answer(live);
+    pending.add(answer);
+    const { why } = /** @type {any} */ (words.steps[step.name]).quizzes[name];
+    Promise.resolve(found).then((outcome) => {
+      const { answers } = progressSlice.of(store.get());
+      if (answers[key] !== answer) return;
+      const told = { ...answer, right: outcome.right, why: why(outcome), language };
+      progressSlice.update(store, { answers: { ...answers, [key]: told } });
+    });
+  }
+}

@@ -1,0 +1,119 @@
+// Robots with the same gains drive from 32 starts at once: who parks is seen, and counted.
+import { html, render } from 'lit-html';
+import { postureAt, trace } from '../lab/track.js';
+import { createLayer } from '../kit/canvas.js';
+import { create, followSize } from '../kit/elements.js';
+import { watch } from '../kit/memo.js';
+import { colour } from '../kit/palette.js';
+import { boxAround } from '../kit/transform.js';
+import { costText } from '../words/numbers.js';
+import { drawBay, drawCar } from './car.js';
+import { createFilm } from './film.js';
+import { restOf } from './settle.js';
+
+/** @import { Block, Live, Tools } from './page.js' */
+/** @import { Yard } from './yard.js' */
+/** @typedef {{ label: (name: string, parked: number, starts: number) => string, parked: string, ofStarts: (starts: number) => string, mean: string, tooLong: string, again: string }} SwarmWords */
+/** @typedef {{ name: string, yard: Yard } | null} Seen */
+
+/** @typedef {{ width: number, height: number, scale: number, originX: number, originY: number }} View */
+
+const margin = 28;
+const car = 8.5;
+
+/** @param {Yard} yard @param {{ width: number, height: number }} size @returns {View} */
+function viewOf({ experiment }, { width, height }) {
+  const { left, right, top, bottom } = boxAround([...experiment.starts, experiment.goal]);
+  const scale = Math.min((width - 2 * margin) / (right - left), (height - 2 * margin) / (top - bottom));
+  return {
+    width,
+    height,
+    scale,
+    originX: width / 2 - (scale * (left + right)) / 2,
+    originY: height / 2 + (scale * (bottom + top)) / 2,
+  };
+}
+
+/** @param {Tools} tools @param {SwarmWords} words @param {(live: Live) => Seen} seenIn @returns {Block} */
+export function createSwarm({ store }, words, seenIn) {
+  const canvas = /** @type {HTMLCanvasElement} */ (create('canvas', ''));
+  canvas.setAttribute('role', 'img');
+  const picture = create('div', 'swarm-picture', canvas);
+  const head = create('div', 'swarm-head');
+  const element = create('div', 'swarm', head, picture);
+  element.id = 'swarm';
+  const sizeOf = followSize(picture, () => store.redraw());
+  const layer = createLayer(canvas);
+  const film = createFilm(store);
+  const begun = watch();
+  const changed = watch();
+  const again = () => {
+    begun(null);
+    store.redraw();
+  };
+
+  return {
+    element,
+    leave: film.leave,
+    draw(live) {
+      const seen = seenIn(live);
+      if (!seen) {
+        if (changed(null)) render(html`<p class="muted">${words.tooLong}</p>`, head);
+        return;
+      }
+      const { name, yard } = seen;
+      if (begun(yard)) film.begin(Math.max(...yard.runs.map(restOf)));
+      const time = film.now();
+      const size = sizeOf();
+      if (!changed(yard, name, time, size.width, size.height, live.state.theme) || size.width === 0) return;
+      const starts = yard.runs.length;
+      const parked = yard.runs.filter(({ arrived, finalTime }) => arrived && finalTime <= time).length;
+      canvas.setAttribute('aria-label', words.label(name, yard.parked, starts));
+      render(
+        html`<p class="swarm-name">${name}</p>
+          <p class="swarm-count"><span>${words.parked}</span>
+            <strong id="swarm-parked">${parked}</strong> <span>${words.ofStarts(starts)}</span></p>
+          <p class="swarm-cost"><span>${words.mean}</span> <strong id="swarm-cost">${costText(yard.cost)}</strong></p>
+          <button type="button" class="link" @click=${again} ?disabled=${!film.isOver}>${words.again}</button>`,
+        head,
+      );
+      layer.draw(size, (context) => drawYard(context, viewOf(yard, size), yard, time));
+    },
+  };
+}
+
+/** @param {CanvasRenderingContext2D} context @param {View} view @param {Yard} yard @param {number} time */
+function drawYard(context, view, { experiment, runs }, time) {
+  const { scale, originX, originY } = view;
+  const onCanvas = (/** @type {{ x: number, y: number, theta: number }} */ { x, y, theta }) => ({
+    x: originX + x * scale,
+    y: originY - y * scale,
+    theta,
+  });
+  const isOver = (/** @type {typeof runs[number]} */ run) => time >= restOf(run);
+  context.lineWidth = 1 / scale;
+  context.save();
+  context.transform(scale, 0, 0, -scale, originX, originY);
+  for (const run of runs) {
+    context.strokeStyle = colour(isOver(run) && !run.arrived ? '--error' : '--muted');
+    context.globalAlpha = 0.45;
+    context.beginPath();
+    trace(context, /** @type {any} */ ({ scale }), run, lastBefore(run, time));
+    context.stroke();
+  }
+  context.restore();
+  drawBay(context, onCanvas(experiment.goal), car + 4, colour('--ink'));
+  for (const run of [...runs].sort((a, b) => Number(a.arrived) - Number(b.arrived))) {
+    const isParked = run.arrived && time >= run.finalTime;
+    const body = colour(isParked ? '--theta' : isOver(run) ? '--error' : '--ink');
+    drawCar(context, onCanvas(postureAt(run, time)), car, {
+      body,
+      wheel: colour('--muted'),
+      nose: colour('--paper'),
+    });
+  }
+}
+
+/** @param {Yard['runs'][number]} run @param {number} time */
+const lastBefore = ({ time: times }, time) =>
+  Math.min(times.length - 1, Math.max(1, Math.floor(time / (times[1] || 1))));

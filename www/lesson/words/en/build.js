@@ -1,0 +1,82 @@
+// The step “build” in English.
+
+/** @typedef {import('../../program.js').Line} Line */
+
+export const build = {
+  texts: {
+    begin: `Everything you have seen fits into about sixty lines. This step says what they must hold, and gives you five numbers by which you know that yours are right.`,
+    motion: `*The robot.* Its posture changes with {v} and {w}, and with nothing else. A program keeps both for one sample of 0.01 s; then the robot drives an exact arc, which needs no approximation. The law (5) commands them, for a goal at rest:`,
+    errors: `*Its errors* follow from that. You need not integrate them, (3) gives them at every sample; but with them you can check the proof of step 4 by pencil:`,
+    program: `*The program.* One drive, and one generation. Press the phases of the figure: the lines that do it light up.`,
+    check: `*Is it right?* Check the law first, then one drive, then another. All digits come from the program of this page as it runs now; yours may differ in the last two or three.`,
+    task: `*An open task.* In step 11 one price made the difference. Now leave the prices alone, {R} = 1, 1, and find another way to make more than 95 % of unseen starts park: a longer horizon, a price for each start that is missed, other starts to evolve on, a floor for {s} … Evolve, test on starts that you did not evolve on, and with five seeds. Say what it costs. And does it hold elsewhere?`,
+    recap: `*The lesson in seven sentences.*
+
+*1.* Parking means bringing three errors to zero by choosing two velocities.
+
+*2.* The law gives each error a gain, and its terms cancel so that one number, {V}, can only fall, as long as the wheels can do what is asked.
+
+*3.* Real wheels saturate and computers wait between samples, so which gains are good is not a question for the proof alone.
+
+*4.* {J} decides what “good” means, and its weights are a choice.
+
+*5.* Evolution needs nothing but {J}: mutate, drive, compete, survive; the steps adapt themselves because good steps have good offspring.
+
+*6.* Selection finds what no hand would try, but it stops where its steps collapse, and luck is part of it: one seed proves nothing.
+
+*7.* An optimiser gives what the cost asks for, not what you meant, so test where you did not ask.`,
+  },
+  program: {
+    label: 'One drive and one generation as pseudo-code',
+    drive: /** @type {Line[]} */ ([
+      [0, '', 'drive(gains):'],
+      [1, '', 'posture ← start; t ← 0; integral ← 0'],
+      [1, 'drive', 'repeat every 0.01 s:'],
+      [2, 'drive', 'xₑ, yₑ, θₑ ← error(posture)          (3), θₑ wrapped to ±π'],
+      [2, 'drive', 'stop if √(xₑ²+yₑ²) ≤ 0.05 m and |θₑ| ≤ 0.05, or t ≥ 10 s'],
+      [2, 'drive', 'v, ω ← law(gains, xₑ, yₑ, θₑ)        (5), |sin θₑ| at least 10⁻⁶'],
+      [2, 'drive', 'v ← clamp(v, ±2); ω ← clamp(ω, ±2π)'],
+      [2, 'drive', 'integral ← integral + (xₑ²+yₑ²+θₑ² + R_v v² + R_ω ω²)·0.01'],
+      [2, 'drive', 'posture ← along the arc of v, ω      (2); t ← t + 0.01'],
+      [1, 'drive', 'J ← t + xₑ²+yₑ²+θₑ² + ½ integral + 1000 Σ max(0, −kᵢ)'],
+    ]),
+    generation: /** @type {Line[]} */ ([
+      [0, 'parents', 'parents ← N = 20 of (gains, σ, J), at first gains ∈ [0.01, 10], σ = 1'],
+      [0, '', 'repeat for each generation:'],
+      [1, 'mutation', 'for each parent, one offspring:'],
+      [2, 'mutation', 'gainsⱼ ← parent’s gainsⱼ + σⱼ · normal()'],
+      [2, 'mutation', 'σⱼ ← parent’s σⱼ · exp(τ′·common + τ·normal())'],
+      [2, 'drive', 'J ← drive(gains)'],
+      [1, 'tournament', 'for each of the 2N:'],
+      [2, 'tournament', 'repeat 10 times: meet another at random'],
+      [3, 'tournament', 'a win if own J ≤ its J'],
+      [1, 'ranking', 'sort by wins, then by J'],
+      [1, 'survivors', 'parents ← the first N'],
+    ]),
+  },
+  values: {
+    label: 'Five numbers to check a program with',
+    heads: ['gains 3.23673, 0.09678, 5.17891 from (0, 0, 0) to (2, 2, 45°)', 'value'],
+    rows: [
+      'v that the law asks for at t = 0, in m/s',
+      'ω that the law asks for at t = 0, in rad/s',
+      'arrives after, in s',
+      'J',
+      'J of the gains 10, 10, 10',
+    ],
+  },
+  downloads: {
+    python: 'Save it in Python',
+    javascript: 'Save it in JavaScript',
+    about: 'About 70 lines each, without any library. The tests of this page run both against its own core.',
+  },
+  tries: {
+    other: 'The task of step 11 with the goal at 0°: the same gains?',
+    accelerate: 'The same with limits of acceleration: what changes?',
+    few: 'With six robots instead of twenty: does luck grow?',
+  },
+  notice: [
+    'Random numbers of your own will not give this page’s evolutions digit by digit. Compare medians over many seeds instead.',
+    'If the first two numbers are right and J is not, look at the order: is arrival tested before the command, and is the *limited* velocity in the integral?',
+  ],
+};
