@@ -91,7 +91,7 @@ export const instead = ({ isOneFile }) => ({
     // Those of the lesson are loaded with it, so that no page names them.
     const more = Object.values(bundle)
       .filter((file) => file.type === 'chunk' && file.moduleIds.some((id) => id.endsWith('/lesson/page.js')))
-      .flatMap((file) => [.../** @type {any} */ ((file).viteMetadata?.importedCss ?? [])])
+      .flatMap((file) => [.../** @type {any} */ (file.viteMetadata?.importedCss ?? [])])
       .map((name) => `<link rel="stylesheet" crossorigin href="./${name}">`);
     const styles = [...(html.match(looks) ?? []), ...more].join('\n  ');
     for (const { fileName, html } of pages) this.emitFile({ type: 'asset', fileName, source: html(styles) });
