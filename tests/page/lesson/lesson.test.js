@@ -213,7 +213,7 @@ for (const [i, { name, blocks }] of steps.entries())
   });
 
 pageTest('the lesson leads on and back, and a link of it opens there again', async (page) => {
-  await page.open('');
+  await page.open('#lesson');
   const stands = (/** @type {string} */ title) =>
     page.until(title, (wanted) => document.getElementById('lesson-title')?.textContent === wanted, title);
   await stands(en.titles.drive);

@@ -1,0 +1,36 @@
+// Whatever somebody presses without a thought: nothing is thrown, the page goes on, and no number is none.
+//
+//   npm run monkey -- [rounds] [first seed]   so many rounds in each engine; what fails is told with its seed
+import assert from 'node:assert/strict';
+import { engineTest } from '../harness/browsers.js';
+import { links as corpus } from '../link/fuzz.js';
+import { monkey } from './monkey.js';
+
+const [rounds, first] = [Number(process.env.MONKEY_ROUNDS ?? 1), Number(process.env.MONKEY_SEED ?? 1)];
+const actions = 100;
+/** Another language loads the page again. */
+const links = corpus.filter((link) => !link.includes('lang'));
+
+for (let seed = first; seed < first + rounds; seed++)
+  engineTest(
+    `a hundred thoughtless actions, seed ${seed}`,
+    async (page) => {
+      await page.open(seed % 2 === 1 ? '' : '#lab');
+      /** @type {string[]} */
+      const done = [];
+      for (let part = 0; part < 4; part++) {
+        done.push(...(await page.evaluate(monkey, 1000 * seed + part, actions / 4, links)));
+        const problems = await page.problems();
+        assert.deepEqual(problems, [], `after\n${done.join('\n')}`);
+      }
+      const { text, works } = await page.evaluate(() => ({
+        text: document.body.innerText,
+        works: !document.getElementById('instead')?.checkVisibility(),
+      }));
+      assert.ok(works, `the page has given up after\n${done.join('\n')}`);
+      assert.doesNotMatch(text, /\bNaN\b(?!”)|undefined|\[object/, `after\n${done.join('\n')}`);
+      await page.open('#lab');
+      assert.equal(await page.text('#generation'), '0');
+    },
+    { moves: true },
+  );
