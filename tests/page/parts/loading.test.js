@@ -45,7 +45,7 @@ pageTest('Share and the checks are loaded when they are opened, and open at once
     return { isOpen: dialog.open, said: dialog.textContent };
   });
   assert.ok(isOpen);
-  assert.match(String(said), /이 실행 보관.*불러오는 중/s);
+  assert.match(String(said), /이 실험의 공유와 저장.*불러오는 중/s);
   assert.match(await page.text('#keep-status'), /지문/);
   const more = (await asked(page)).slice(first.length);
   assert.ok(more.length >= 2 && more.length <= 4, `for Share ${more.join(', ')} were loaded`);

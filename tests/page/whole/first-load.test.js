@@ -4,10 +4,11 @@ import { readFile } from 'node:fs/promises';
 import { gzipSync } from 'node:zlib';
 import { pageTest } from '../harness/browsers.js';
 
-const budget = 236_000;
+/** Where the page opens with the lesson, that too. */
+const budgets = { '': 252_000, '#lab': 236_000, '#lab&v=1&lang=ko': 236_000 };
 
 pageTest('a first visit loads no more than it may', async (page) => {
-  for (const fragment of ['', '#lab', '#lab&v=1&lang=ko']) {
+  for (const [fragment, budget] of Object.entries(budgets)) {
     await page.open(fragment);
     const paths = await page.evaluate(() =>
       [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')].map(
