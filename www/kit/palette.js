@@ -2,7 +2,7 @@
 
 const tokens = [
   ...['paper', 'panel', 'hairline', 'ink', 'muted', 'error'],
-  ...['x', 'y', 'theta', 'energy', 'omega'],
+  ...['x', 'y', 'theta', 'energy', 'omega', 'path', 'final'],
   ...['pin-1', 'pin-2', 'pin-3', 'pin-4'],
 ].map((name) => `--${name}`);
 

@@ -21,6 +21,8 @@ export function createProgram(_tools, { program: words }) {
   const element = create('ol', 'program', ...lines);
   element.id = 'program';
   element.setAttribute('aria-label', words.label);
+  // On a small screen it scrolls, also by keyboard.
+  element.tabIndex = 0;
   const changed = watch();
   return {
     element,

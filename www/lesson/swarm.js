@@ -19,7 +19,8 @@ import { restOf } from './settle.js';
 /** @typedef {{ width: number, height: number, scale: number, originX: number, originY: number }} View */
 
 const margin = 28;
-const car = 8.5;
+/** Half its length: 11 cm, as far as that can be seen, and no more than looks well. @param {number} scale Pixels a metre. */
+const carOf = (scale) => Math.min(8.5, Math.max(4.5, 0.11 * scale));
 
 /** @param {Yard} yard @param {{ width: number, height: number }} size @returns {View} */
 function viewOf({ experiment }, { width, height }) {
@@ -85,6 +86,7 @@ export function createSwarm({ store }, words, seenIn) {
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Yard} yard @param {number} time */
 function drawYard(context, view, { experiment, runs }, time) {
   const { scale, originX, originY } = view;
+  const car = carOf(scale);
   const onCanvas = (/** @type {{ x: number, y: number, theta: number }} */ { x, y, theta }) => ({
     x: originX + x * scale,
     y: originY - y * scale,

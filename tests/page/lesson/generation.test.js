@@ -179,6 +179,9 @@ pageTest(
       for (const [j, value] of exact.entries()) assert.ok(Math.abs(printed[j] - value) < 6e-4, line[i] ?? '');
     }
 
+    // What would give an answer away is not there before it.
+    await page.click('#quiz-luck .choice:first-child');
+    await page.until('the moves that follow', () => document.querySelector('#quiz-luck .right'));
     await page.click('#lesson .prose a[href*="phase=tournament"]');
     await page.until('the tournament', () => document.querySelector('#generation-phases-tournament:checked'));
     await page.focus('#generation-picture');

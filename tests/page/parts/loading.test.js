@@ -2,7 +2,6 @@
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
 import { serve } from '../harness/server.js';
-import * as ko from '../../../www/words/ko/index.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -46,8 +45,8 @@ pageTest('Share and the checks are loaded when they are opened, and open at once
     return { isOpen: dialog.open, said: dialog.textContent };
   });
   assert.ok(isOpen);
-  assert.ok(said?.includes(ko.opening.texts.keepTitle) && said.includes(ko.opening.waits), String(said));
-  assert.match(await page.text('#keep-status'), /[0-9a-f]{16}/);
+  assert.match(String(said), /이 실험의 공유와 저장.*불러오는 중/s);
+  assert.match(await page.text('#keep-status'), /지문/);
   const more = (await asked(page)).slice(first.length);
   assert.ok(more.length >= 2 && more.length <= 4, `for Share ${more.join(', ')} were loaded`);
   await page.click('#keep-checks');

@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { gzipSync } from 'node:zlib';
 import { pageTest } from '../harness/browsers.js';
 
-/** The address alone opens the lesson beside the lab. @type {readonly (readonly [fragment: string, bytes: number])[]} */
+/** The address alone opens the parking place. @type {readonly (readonly [fragment: string, bytes: number])[]} */
 const budgets = [
   ['', 233_000],
   ['#lab', 184_000],

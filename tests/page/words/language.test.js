@@ -249,7 +249,10 @@ pageTest('what is opened, refused and computed is Korean', async (page) => {
   await page.until('the gain is refused', () => document.querySelector('#gains [aria-invalid="true"]'));
   await isKorean(page, 'a refused gain');
   await page.open('#lab&v=1&lang=ko&goal.x=1000000&evolution.population=0.5');
-  assert.match(await page.text('#message'), /goal\.x: 허용되는 값은 -1000 이상 1000 m 이하의 수입니다/);
+  assert.match(
+    await page.text('#message'),
+    /goal\.x 항목은 쓰지 않았습니다\. 허용되는 값은 -1000 이상 1000 m 이하의 수입니다/,
+  );
   assert.match(await page.text('#message'), /허용되는 값은 1 이상 2000 이하의 정수입니다/);
 });
 

@@ -55,7 +55,7 @@ const commands = {
 /** The parts of J that are paid on the way, from the bottom. @type {readonly (readonly [string, string, Value])[]} */
 const parts = [
   ['time', '--ink', (run, i) => run.time[i]],
-  ['path', '--x', (run, i) => run.time[i] + run.pathCost[i]],
+  ['path', '--path', (run, i) => run.time[i] + run.pathCost[i]],
   ['energy', '--energy', curvesOf.cost[0]],
 ];
 
@@ -211,7 +211,7 @@ function drawParts(context, layout, plot, run) {
   }
   let paid = parts[parts.length - 1][2](run, last);
   for (const [token, due] of /** @type {const} */ ([
-    ['--y', run.cost.finalError],
+    ['--final', run.cost.finalError],
     ['--error', run.cost.penalty],
   ])) {
     if (!(due > 0)) continue;

@@ -91,7 +91,7 @@ export const textNotCopied =
   '이 브라우저는 페이지의 복사를 허용하지 않습니다. 코드를 선택해 두었으니 키보드로 복사하십시오.';
 
 /** What a screen reader says of the frame. @param {string} part */
-export const frameTitle = (part) => `로봇 제어기의 진화: ${part}`;
+export const frameTitle = (part) => `진화로 찾는 로봇 제어기: ${part}`;
 
 /** @type {readonly import('../../kit/segmented.js').Choice<import('../../words/common/kinds.js').Way>[]} */
 export const ways = [

@@ -1,6 +1,6 @@
 // What the element <ep-locomotion> says to the author of a page that has it wrong; in Korean.
 
-export const label = '로봇 제어기의 진화';
+export const label = '진화로 찾는 로봇 제어기';
 
 /** @param {string} src */
 export const noAddress = (src) => `src는 페이지의 주소여야 하며, 받은 값은 “${src}”입니다`;

@@ -9,7 +9,7 @@ export * from './numbers.js';
 
 /** Texts of elements with data-text, labels of elements with data-label. */
 export const texts = {
-  pageTitle: '로봇 제어기의 진화',
+  pageTitle: '진화로 찾는 로봇 제어기',
   pageDescription:
     '진화 프로그래밍이 이동 로봇 자세 제어기의 이득을 찾아 가는 과정을 보여 줍니다(Kim과 Shim, 1995).',
   pages: '이 페이지의 구성',

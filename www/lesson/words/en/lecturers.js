@@ -58,39 +58,39 @@ export const lecturers = {
       note: 'Students have the page before them. Questions are answered before they are shown.',
       items: {
         play: {
-          text: '*0 to 10.* Play: three numbers, one robot. Whose J is the lowest? Write the marks on the board.',
+          text: '*0 to 10 min.* Play: three numbers, one robot. Whose J is the lowest? Write the marks on the board.',
           seen: 'Within minutes somebody is below the evolved gains of the paper: from one start it is easy.',
         },
         model: {
-          text: '*10 to 25.* Steps 2 and 3: three errors, two velocities, a gain for each error. Kinematics and the error posture on the board.',
+          text: '*10 to 25 min.* Steps 2 and 3: three errors, two velocities, a gain for each error. Kinematics and the error posture on the board.',
           seen: 'With {ky} = 0 the robot parks beside the goal from most places, and arrives from the paper’s start.',
         },
         theory: {
-          text: '*25 to 37.* Step 4: let a student do the chain rule; strike the terms out, press by press.',
+          text: '*25 to 37 min.* Step 4: let a student do the chain rule; strike the terms out, press by press.',
           seen: 'Two pairs cancel, three squares are left.',
         },
         limits: {
-          text: '*37 to 45.* Step 5: what the proof assumes. Saturation, samples, chattering.',
+          text: '*37 to 45 min.* Step 5: what the proof assumes. Saturation, samples, chattering.',
           seen: 'V rises in most drives with the limits on: the proof promises nothing about saturated wheels.',
         },
         cost: {
-          text: '*45 to 52.* Step 6: what is good? Vote on the two questions first.',
+          text: '*45 to 52 min.* Step 6: what is good? Vote on the two questions first.',
           seen: 'With heavy weights staying at home wins.',
         },
         evolution: {
-          text: '*52 to 65.* Steps 7 and 8: one generation, phase by phase; the step sizes and their collapse.',
+          text: '*52 to 65 min.* Steps 7 and 8: one generation, phase by phase; the step sizes and their collapse.',
           seen: 'A better robot falls, a worse one stays; the best never gets worse.',
         },
         contest: {
-          text: '*65 to 73.* Step 9: pairs against evolution, each with a seed of their own. Collect the scores.',
+          text: '*65 to 73 min.* Step 9: pairs against evolution, each with a seed of their own. Collect the scores.',
           seen: 'Hands come to 13 and park 26 of 32. Evolution comes below 13 with nearly every seed, at a {ky} that nobody tried.',
         },
         task: {
-          text: '*73 to 86.* Step 11: one start, many starts, another price. Predict each before it is shown.',
+          text: '*73 to 86 min.* Step 11: one start, many starts, another price. Predict each before it is shown.',
           seen: 'A quarter, half, nearly all of the starts that no evolution saw.',
         },
         end: {
-          text: '*86 to 90.* The seven sentences; the open task is the homework.',
+          text: '*86 to 90 min.* The seven sentences; the open task is the homework.',
           seen: 'An optimiser gives what the cost asks for.',
         },
       },
