@@ -14,7 +14,7 @@ import { colour } from './palette.js';
  * @property {boolean} [isStrong]
  */
 
-const labelHeight = 17;
+export const labelHeight = 17;
 const [padding, high] = [3, 13];
 
 /** Where a chart is narrower, the names of its lines stand within it. */

@@ -17,7 +17,7 @@ import {
   through,
   within,
 } from '../../kit/chart.js';
-import { spread } from '../../kit/names.js';
+import { labelHeight, spread } from '../../kit/names.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
@@ -229,7 +229,18 @@ function drawNames(context, plot, run) {
   const { name, frame } = plot;
   const px = frame.right + 8;
   const half = 8;
-  const names = namesOf(plot, run).map(({ y, ...rest }) => ({
+  const all = namesOf(plot, run);
+  const isLow = all.length * labelHeight > frame.bottom - frame.top;
+  // Where there is no room for all, the letter of what is drawn stands within.
+  if (isLow && name === 'cost') {
+    context.font = symbolFont;
+    context.fillStyle = colour('--ink');
+    context.textAlign = 'left';
+    context.textBaseline = 'middle';
+    context.fillText(lab.costSymbol, frame.left + 5, frame.top + half);
+  }
+  const beside = isLow && name === 'cost' ? all.filter((one) => one.font !== symbolFont) : all;
+  const names = beside.map(({ y, ...rest }) => ({
     ...rest,
     y: Math.min(Math.max(y, frame.top + half), frame.bottom - half),
   }));

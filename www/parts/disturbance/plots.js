@@ -86,7 +86,11 @@ function drawLines(context, axes, measured, part, isLast) {
   drawAxes(context, axes, isLast ? spec.seconds : null);
   if (isLast) {
     context.textAlign = 'center';
-    context.fillText(words.lastText(spec.seconds), (since + frame.right) / 2, frame.bottom + 12);
+    const text = words.lastText(spec.seconds);
+    // Narrow, it would be cut at the edge.
+    const half = context.measureText(text).width / 2;
+    const px = Math.min((since + frame.right) / 2, frame.right + margin.right - half);
+    context.fillText(text, px, frame.bottom + 12);
   }
   drawSet(context, axes, measured, part);
 
@@ -130,7 +134,8 @@ function drawAxes(context, axes, seconds) {
     const px = Math.round(axes.x(time)) + 0.5;
     context.moveTo(px, frame.top);
     context.lineTo(px, frame.bottom);
-    if (seconds !== null && time < axes.horizon - seconds)
+    // Not into what is written at the end.
+    if (seconds !== null && px < axes.x(axes.horizon - seconds) - 34)
       context.fillText(`${time} s`, px, frame.bottom + 12);
   }
   context.stroke();
