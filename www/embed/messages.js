@@ -40,7 +40,7 @@ import { version } from './frame.js';
  */
 
 /** At once, so that the answer is not long in coming. */
-export const mostGenerations = 10_000;
+const mostGenerations = 10_000;
 /** As long as a frame that still looks smooth. */
 const sliceMilliseconds = 12;
 

@@ -5,7 +5,7 @@
 /** @typedef {ReturnType<typeof createView>} View */
 
 /** From a posture to the knob that turns it, in pixels. */
-export const knobDistance = 52;
+const knobDistance = 52;
 const smallestSpan = 1.2;
 
 /** The pixels that start and goal keep free at each edge, so that no handle lies under a note or outside. @param {{ width: number, height: number }} size */

@@ -4,9 +4,9 @@
 
 /** Where evolution pauses by itself. By default at every so many generations, so that a forgotten page comes to rest. @typedef {{ kind: 'every' | 'generation' | 'cost', value: number }} Until */
 
-export const generationsPerRun = 100;
+const generationsPerRun = 100;
 /** The pace at which each phase of a generation is shown. */
-export const phaseByPhase = 0;
+const phaseByPhase = 0;
 export const paces = [phaseByPhase, 1, 8, 60, Number.POSITIVE_INFINITY];
 
 /** Whether evolution runs as a play of phases. @param {State} state */

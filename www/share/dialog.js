@@ -80,6 +80,12 @@ export function createKeep(tools, sheet) {
   };
 
   const on = {
+    savePicture,
+    /** @param {string} value */
+    chooseFrame(value) {
+      frame = frames.find((one) => one.value === value) ?? frame;
+      draw();
+    },
     copyLink: () => copy('keep-link', words.copied, words.notCopied).then(say),
     copyFrame: () => copy('embed-text', words.textCopied, words.textNotCopied).then(say),
     makeExercise() {
@@ -105,61 +111,62 @@ export function createKeep(tools, sheet) {
     },
   };
 
-  const draw = () =>
-    sheet.draw(html`
-      <h3>${texts.keepLink}</h3>
-      <p class="muted">${texts.keepLinkHelp}</p>
-      <div class="bar">
-        <input id="keep-link" type="text" readonly aria-label=${texts.keepLink} .value=${live(address())} @focus=${selectAll}>
-        <button id="keep-copy" type="button" class="primary" @click=${on.copyLink}>${texts.keepCopy}</button>
-      </div>
-      <h3>${texts.embedTitle}</h3>
-      <p class="muted">${texts.embedHelp}</p>
-      <div class="bar">
-        <fieldset id="embed-size" class="segmented">${choicesOf(
-          'embed-size',
-          words.sizeLegend,
-          frames,
-          frame.value,
-          (value) => {
-            frame = frames.find((one) => one.value === value) ?? frame;
-            draw();
-          },
-        )}</fieldset>
-        <button id="embed-copy" type="button" @click=${on.copyFrame}>${texts.embedCopy}</button>
-      </div>
-      <textarea id="embed-text" rows="4" readonly spellcheck="false" aria-label=${texts.embedText}
-        .value=${live(frameOf(store.get(), linkNow(), frame.size))} @focus=${selectAll}></textarea>
-      <p id="embed-disk" class="muted" .hidden=${!isOnDisk()}>${texts.embedDisk}</p>
-      <h3>${texts.keepExerciseTitle}</h3>
-      <p class="muted">${texts.keepExerciseHelp}</p>
-      <div class="bar">
-        <button id="keep-exercise" type="button" @click=${on.makeExercise}>${texts.keepExercise}</button>
-      </div>
-      <h3>${texts.keepFile}</h3>
-      <p class="muted">${texts.keepFileHelp}</p>
-      <div class="bar">
-        <button id="keep-save" type="button" @click=${on.saveRun}>${texts.keepSave}</button>
-        <button id="keep-open" type="button" @click=${() => document.getElementById('keep-file')?.click()}>${texts.keepOpen}</button>
-        <input id="keep-file" type="file" accept="application/json,.json" hidden @change=${on.choose}>
-      </div>
-      <h3>${texts.keepPictures}</h3>
-      <p class="muted">${texts.keepPicturesHelp}</p>
-      <ul id="keep-pictures" class="keep-pictures">${pictures.map(
-        (picture) =>
-          html`<li><span>${picture.name}</span>${kinds.map(
-            (kind) =>
-              html`<button type="button" aria-label=${words.savePicture(picture.name, kind[0])}
-                @click=${() => savePicture(picture, kind)}>${words.kindName(kind[0])}</button>`,
-          )}</li>`,
-      )}</ul>
-      <h3>${texts.keepTables}</h3>
-      <div class="bar">
-        <button id="keep-generations" type="button" @click=${on.saveGenerations}>${texts.keepGenerations}</button>
-        <button id="keep-drive" type="button" @click=${on.saveDrive}>${texts.keepDrive}</button>
-      </div>
-      <p id="keep-status" class="keep-status" role="status">${status}</p>
-      <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>`);
+  const draw = () => {
+    const frameText = frameOf(store.get(), linkNow(), frame.size);
+    sheet.draw(contentOf({ address: address(), frame, frameText, pictures, status }, on));
+  };
 
   return { show, open, drawMaker: maker.draw };
 }
+
+/**
+ * @typedef {Record<'copyLink' | 'copyFrame' | 'makeExercise' | 'saveRun' | 'saveGenerations' | 'saveDrive' | 'check', () => void>
+ *   & { chooseFrame: (value: string) => void, choose: (event: Event) => void, savePicture: (picture: Picture, kind: typeof kinds[number]) => void }} Events
+ */
+
+/** @param {{ address: string, frame: typeof frames[number], frameText: string, pictures: readonly Picture[], status: string }} shown @param {Events} on */
+const contentOf = ({ address, frame, frameText, pictures, status }, on) => html`
+  <h3>${texts.keepLink}</h3>
+  <p class="muted">${texts.keepLinkHelp}</p>
+  <div class="bar">
+    <input id="keep-link" type="text" readonly aria-label=${texts.keepLink} .value=${live(address)} @focus=${selectAll}>
+    <button id="keep-copy" type="button" class="primary" @click=${on.copyLink}>${texts.keepCopy}</button>
+  </div>
+  <h3>${texts.embedTitle}</h3>
+  <p class="muted">${texts.embedHelp}</p>
+  <div class="bar">
+    <fieldset id="embed-size" class="segmented">${choicesOf('embed-size', words.sizeLegend, frames, frame.value, on.chooseFrame)}</fieldset>
+    <button id="embed-copy" type="button" @click=${on.copyFrame}>${texts.embedCopy}</button>
+  </div>
+  <textarea id="embed-text" rows="4" readonly spellcheck="false" aria-label=${texts.embedText}
+    .value=${live(frameText)} @focus=${selectAll}></textarea>
+  <p id="embed-disk" class="muted" .hidden=${!isOnDisk()}>${texts.embedDisk}</p>
+  <h3>${texts.keepExerciseTitle}</h3>
+  <p class="muted">${texts.keepExerciseHelp}</p>
+  <div class="bar">
+    <button id="keep-exercise" type="button" @click=${on.makeExercise}>${texts.keepExercise}</button>
+  </div>
+  <h3>${texts.keepFile}</h3>
+  <p class="muted">${texts.keepFileHelp}</p>
+  <div class="bar">
+    <button id="keep-save" type="button" @click=${on.saveRun}>${texts.keepSave}</button>
+    <button id="keep-open" type="button" @click=${() => document.getElementById('keep-file')?.click()}>${texts.keepOpen}</button>
+    <input id="keep-file" type="file" accept="application/json,.json" hidden @change=${on.choose}>
+  </div>
+  <h3>${texts.keepPictures}</h3>
+  <p class="muted">${texts.keepPicturesHelp}</p>
+  <ul id="keep-pictures" class="keep-pictures">${pictures.map(
+    (picture) =>
+      html`<li><span>${picture.name}</span>${kinds.map(
+        (kind) =>
+          html`<button type="button" aria-label=${words.savePicture(picture.name, kind[0])}
+            @click=${() => on.savePicture(picture, kind)}>${words.kindName(kind[0])}</button>`,
+      )}</li>`,
+  )}</ul>
+  <h3>${texts.keepTables}</h3>
+  <div class="bar">
+    <button id="keep-generations" type="button" @click=${on.saveGenerations}>${texts.keepGenerations}</button>
+    <button id="keep-drive" type="button" @click=${on.saveDrive}>${texts.keepDrive}</button>
+  </div>
+  <p id="keep-status" class="keep-status" role="status">${status}</p>
+  <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>`;

@@ -12,7 +12,7 @@ export const languageNames = ['en', 'ko'];
 export const usualLanguage = 'en';
 
 /** @param {string} name @returns {name is Language} */
-export const isLanguage = (name) => Object.hasOwn(languages, name);
+const isLanguage = (name) => Object.hasOwn(languages, name);
 
 /**
  * A link is shown as it was written. Where there is none, in the language of the browser.

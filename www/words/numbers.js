@@ -11,7 +11,7 @@ export const fixed = (value, digits) => typed(value, digits).replace('-', '−')
 export const threeDigits = (value) => String(Number(value.toPrecision(3))).replace('-', '−');
 
 /** As an exponent is written. @param {number | string} whole */
-export const superscript = (whole) =>
+const superscript = (whole) =>
   Array.from(String(whole), (letter) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(letter)]).join('');
 
 /** 10 to a power, in full where it is short. @param {number} power @param {number} [least] */

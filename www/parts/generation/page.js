@@ -28,41 +28,11 @@ export function createGenerationPage({ engine, store, actions }) {
     generationSlice.update(store, { chosen });
     actions.driveAgain();
   };
-  const context = { rates: engine.learningRates(), choose };
   const onTable = () => showTable(generationTable(anatomyOf(store.get())));
+  const on = { rates: engine.learningRates(), choose, steps, onTable };
   const changed = watch();
   /** @type {ReturnType<typeof createPicture> | null} */
   let picture = null;
-
-  /** @param {DetailsModel} model @param {boolean} hurries Evolution runs, and not phase by phase: then there is too much to say. */
-  const contentOf = (model, hurries) => {
-    const { anatomy, phase } = model;
-    const initial = isInitial(anatomy.record);
-    return html`
-      <div class="heading">
-        <h2 id="generation-title">${words.title(anatomy.record.generation)}</h2>
-        <p id="generation-key" class="generation-key muted" data-picture="generation" .hidden=${initial}><span
-          class="key parent">${words.parentKey}</span><span class="key offspring">${words.offspringKey}</span></p>
-        <button id="generation-table" type="button" class="link muted" @click=${onTable}>${words.texts.generationTable}</button>
-      </div>
-      <fieldset id="generation-phases" class="segmented">
-        ${choicesOf('generation-phases', words.phaseLegend, phasesOf(initial), phase, steps.show)}
-      </fieldset>
-      <fieldset id="generation-step" class="bar generation-step" aria-label=${words.texts.generationStep}>
-        <p id="generation-sentence" aria-live=${hurries ? 'off' : 'polite'}>${words.sentence(anatomy, phase)}</p>
-        <button id="generation-back" type="button" class="icon" aria-label=${words.texts.generationBack}
-          .disabled=${initial && phase === 'parents'} @click=${steps.back}>
-          <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>
-        </button>
-        <button id="generation-next" type="button" @click=${steps.next}>${words.next}<span>${whereNext(anatomy, phase)}</span></button>
-      </fieldset>
-      <div id="generation-picture" class="generation-picture" data-picture="generation"
-        data-name=${words.texts.generationPicture} role="slider" tabindex="0"
-        aria-label=${words.pictureLabel}></div>
-      <div id="generation-details" class="generation-details" role="group" aria-label=${words.texts.generationDetails}>
-        ${detailsOf(model, context)}
-      </div>`;
-  };
 
   return {
     element,
@@ -78,11 +48,44 @@ export function createGenerationPage({ engine, store, actions }) {
       const starts = state.experiment.starts.length;
       // Only in one phase the drive itself is told.
       if (changed(anatomy, phase, chosen, hurries, starts, phase === 'drive' ? scene.driving : null))
-        render(contentOf({ anatomy, phase, chosen, run: scene.driving, starts }, hurries), element);
+        render(contentOf({ anatomy, phase, chosen, run: scene.driving, starts }, hurries, on), element);
       picture ??= createPicture(element, { onChoose: choose });
       picture.draw({ anatomy, phase, chosen, still: hurries });
     },
   };
+}
+
+/**
+ * @param {DetailsModel} model @param {boolean} hurries Evolution runs, and not phase by phase: then there is too much to say.
+ * @param {Parameters<typeof detailsOf>[1] & { steps: ReturnType<typeof createSteps>, onTable: () => void }} on
+ */
+function contentOf(model, hurries, { steps, onTable, ...context }) {
+  const { anatomy, phase } = model;
+  const initial = isInitial(anatomy.record);
+  return html`
+    <div class="heading">
+      <h2 id="generation-title">${words.title(anatomy.record.generation)}</h2>
+      <p id="generation-key" class="generation-key muted" data-picture="generation" .hidden=${initial}><span
+        class="key parent">${words.parentKey}</span><span class="key offspring">${words.offspringKey}</span></p>
+      <button id="generation-table" type="button" class="link muted" @click=${onTable}>${words.texts.generationTable}</button>
+    </div>
+    <fieldset id="generation-phases" class="segmented">
+      ${choicesOf('generation-phases', words.phaseLegend, phasesOf(initial), phase, steps.show)}
+    </fieldset>
+    <fieldset id="generation-step" class="bar generation-step" aria-label=${words.texts.generationStep}>
+      <p id="generation-sentence" aria-live=${hurries ? 'off' : 'polite'}>${words.sentence(anatomy, phase)}</p>
+      <button id="generation-back" type="button" class="icon" aria-label=${words.texts.generationBack}
+        .disabled=${initial && phase === 'parents'} @click=${steps.back}>
+        <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>
+      </button>
+      <button id="generation-next" type="button" @click=${steps.next}>${words.next}<span>${whereNext(anatomy, phase)}</span></button>
+    </fieldset>
+    <div id="generation-picture" class="generation-picture" data-picture="generation"
+      data-name=${words.texts.generationPicture} role="slider" tabindex="0"
+      aria-label=${words.pictureLabel}></div>
+    <div id="generation-details" class="generation-details" role="group" aria-label=${words.texts.generationDetails}>
+      ${detailsOf(model, context)}
+    </div>`;
 }
 
 /** The first generation has only two. @param {boolean} initial */

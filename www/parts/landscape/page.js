@@ -57,14 +57,7 @@ export function createLandscapePage({ engine, store, actions, paper }) {
   };
   const first = store.get();
   show(first, specOf(first), null, first.population[0].gains);
-  const map = createMap(
-    {
-      picture: byIdIn(element, 'landscape-picture'),
-      marks: byIdIn(element, 'landscape-marks'),
-      legend: byIdIn(element, 'landscape-legend'),
-    },
-    redraw,
-  );
+  const map = createMapIn(element, redraw);
   const size = followSize(byIdIn(element, 'landscape-map'), redraw);
 
   /** @returns {MapModel} */
@@ -96,6 +89,14 @@ export function createLandscapePage({ engine, store, actions, paper }) {
       show(state, spec, cursor ? read(state.experiment, gains) : scene.driving, gains);
     },
   };
+}
+
+/** Where the templates have made room for it. @param {HTMLElement} element @param {() => void} redraw */
+function createMapIn(element, redraw) {
+  const [picture, marks, legend] = /** @type {HTMLCanvasElement[]} */ (
+    ['picture', 'marks', 'legend'].map((name) => byIdIn(element, `landscape-${name}`))
+  );
+  return createMap({ picture, marks, legend }, redraw);
 }
 
 /** The points that have a name. @param {State} state @param {PaperResult[]} paper @returns {Point[]} */

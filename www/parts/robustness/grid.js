@@ -59,7 +59,7 @@ export function headingOf(grid, cell, posture) {
 }
 
 /** Of a cell, the heading that does worst: the highest J of those that do not arrive, if there are any. @param {Robustness} result @param {number} cell */
-export function worstHeading({ cost, arrived }, cell) {
+function worstHeading({ cost, arrived }, cell) {
   const first = cell * headings;
   let worst = first;
   for (let i = first + 1; i < first + headings; i += 1)

@@ -1,4 +1,5 @@
 // The part of the page that shows from where one set of gains arrives, and what its controls do.
+/** @import { Page, Tools } from '../part.js' */
 /** @import { Actions } from '../../run/actions/actions.js' */
 /** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
@@ -22,7 +23,7 @@ import { createRose } from './rose.js';
 import { createShading } from './scale.js';
 import { axesOf, createMap } from './view.js';
 
-/** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
+/** @param {Tools} parts @returns {Page} */
 export function createRobustnessPage({ engine, store, actions, paper }) {
   const element = createSection('robustness');
   const specOf = createSpec(paper);
@@ -35,24 +36,7 @@ export function createRobustnessPage({ engine, store, actions, paper }) {
   const angle = remember((/** @type {number | null} */ heading) =>
     heading === null ? null : angleOf(heading),
   );
-  /** What is drawn by hand, where the templates have made room for it. */
-  const views = once(() => {
-    const root = byIdIn(element, 'robustness-map');
-    const size = followSize(root, store.redraw);
-    followCursor(root, store, actions, size);
-    return {
-      size,
-      map: createMap({
-        picture: byIdIn(element, 'robustness-picture'),
-        marks: byIdIn(element, 'robustness-marks'),
-      }),
-      legend: createLegend(byIdIn(element, 'robustness-legend')),
-      rose: createRose(byIdIn(element, 'robustness-rose'), {
-        chosen: () => robustnessSlice.of(store.get()).heading,
-        onChoose: (heading) => robustnessSlice.update(store, { heading }),
-      }),
-    };
-  });
+  const views = once(() => createViews(element, store, actions));
 
   return {
     element,
@@ -84,6 +68,25 @@ export function createRobustnessPage({ engine, store, actions, paper }) {
       const cell = cellNear(grid, cursor ?? watched);
       rose.draw({ heading, parts: survey && shading ? partsOf(survey, shading, quantity, cell) : noParts });
     },
+  };
+}
+
+/** What is drawn by hand, where the templates have made room for it. @param {HTMLElement} element @param {Tools['store']} store @param {Tools['actions']} actions */
+function createViews(element, store, actions) {
+  const root = byIdIn(element, 'robustness-map');
+  const size = followSize(root, store.redraw);
+  followCursor(root, store, actions, size);
+  return {
+    size,
+    map: createMap({
+      picture: byIdIn(element, 'robustness-picture'),
+      marks: byIdIn(element, 'robustness-marks'),
+    }),
+    legend: createLegend(byIdIn(element, 'robustness-legend')),
+    rose: createRose(byIdIn(element, 'robustness-rose'), {
+      chosen: () => robustnessSlice.of(store.get()).heading,
+      onChoose: (heading) => robustnessSlice.update(store, { heading }),
+    }),
   };
 }
 

@@ -28,35 +28,7 @@ export function createTrainingPage({ engine, store, actions, paper }) {
   const update = (/** @type {Partial<TrainingState>} */ patch) => trainingSlice.update(store, patch);
   const rowsOf = createRows();
 
-  /** Drives with the gains of a row, from the start that is tried now. @param {RowName} name */
-  const choose = (name) => {
-    const state = store.get();
-    const row = rowsOf(state).find((one) => one.name === name);
-    update({ chosen: name });
-    if (!row?.result) return;
-    if (name === 'paper-ep' || name === 'paper-arbitrary') actions.chooseDriver(name);
-    else {
-      update({ byHand: handOf(state) });
-      actions.driveGains(row.result.gains, isSet(name) ? 'training' : 'hand');
-    }
-    actions.tryStart(store.get().trial.start);
-  };
-
-  /** @param {Posture} start */
-  const tryFrom = (start) => {
-    choose(chosenOf(store.get()));
-    actions.tryStart(start);
-  };
-
-  const evolve = async () => {
-    if (trainingSlice.of(store.get()).progress !== null) return training.cancel();
-    if (!(await training.evolve())) return;
-    // The newest gains drive, unless those of somebody else were chosen.
-    const { chosen } = trainingSlice.of(store.get());
-    const next = chosen ?? 'circle';
-    if (store.get().page === 'training' && isSet(next)) choose(next);
-  };
-
+  const { choose, tryFrom, evolve } = createEvents({ store, actions }, training, rowsOf);
   const changed = watch();
   /** @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles */
   const show = (state, rows, titles) => {
@@ -96,6 +68,40 @@ export function createTrainingPage({ engine, store, actions, paper }) {
         pictures[i].draw({ starts, arrived, goal, tried: state.trial.start, theme: state.theme });
     },
   };
+}
+
+/** @param {Pick<import('../part.js').Tools, 'store' | 'actions'>} tools @param {ReturnType<typeof createTraining>} training @param {(state: State) => Row[]} rowsOf */
+function createEvents({ store, actions }, training, rowsOf) {
+  /** Drives with the gains of a row, from the start that is tried now. @param {RowName} name */
+  const choose = (name) => {
+    const state = store.get();
+    const row = rowsOf(state).find((one) => one.name === name);
+    trainingSlice.update(store, { chosen: name });
+    if (!row?.result) return;
+    if (name === 'paper-ep' || name === 'paper-arbitrary') actions.chooseDriver(name);
+    else {
+      trainingSlice.update(store, { byHand: handOf(state) });
+      actions.driveGains(row.result.gains, isSet(name) ? 'training' : 'hand');
+    }
+    actions.tryStart(store.get().trial.start);
+  };
+
+  /** @param {Posture} start */
+  const tryFrom = (start) => {
+    choose(chosenOf(store.get()));
+    actions.tryStart(start);
+  };
+
+  const evolve = async () => {
+    if (trainingSlice.of(store.get()).progress !== null) return training.cancel();
+    if (!(await training.evolve())) return;
+    // The newest gains drive, unless those of somebody else were chosen.
+    const { chosen } = trainingSlice.of(store.get());
+    const next = chosen ?? 'circle';
+    if (store.get().page === 'training' && isSet(next)) choose(next);
+  };
+
+  return { choose, tryFrom, evolve };
 }
 
 /** @param {RowName} name @returns {name is SetName} */

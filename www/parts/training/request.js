@@ -64,26 +64,9 @@ export async function testRobots(engine, { one, unseen }, experiment, robots, op
   );
 }
 
-/** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
-export function createTraining(engine, store, paper) {
-  const setsOf = createSets(engine);
-  /** @type {AbortController | null} */
-  let evolution = null;
-  /** @type {ReturnType<Engine['surveys']['channel']> | null} */
-  let channel = null;
-
-  const given = createRefining({
-    counts: [1],
-    compute: async (/** @type {Spec} */ spec) => {
-      channel ??= engine.surveys.channel();
-      const { experiment, robots } = spec;
-      return { spec, results: await testRobots(engine, setsOf(experiment), experiment, robots, { channel }) };
-    },
-    onResult: (result) => trainingSlice.update(store, { given: result, message: '' }),
-    onFailure: (error) => trainingSlice.update(store, { message: messageOf(error) }),
-  });
-
-  const specOf = remember(
+/** What a state asks for; the same object while nothing that matters has changed. */
+const createSpec = () =>
+  remember(
     /** @returns {Spec} */
     (
       /** @type {Experiment} */ experiment,
@@ -107,36 +90,60 @@ export function createTraining(engine, store, paper) {
     },
   );
 
-  /** @param {Experiment} experiment @param {number} generations @param {AbortSignal} signal @returns {Promise<Evolved>} */
-  async function evolveAll(experiment, generations, signal) {
-    const began = performance.now();
-    const sets = setsOf(experiment);
-    const total = setNames.reduce((sum, name) => sum + sets[name].length, 0);
-    const done = setNames.map(() => 0);
-    const champions = await Promise.all(
-      setNames.map((name, i) =>
-        engine.surveys.evolve({ ...experiment, starts: sets[name] }, generations, {
-          signal,
-          onProgress(part) {
-            // Work goes by the number of starts.
-            done[i] = (part * sets[name].length) / total;
-            trainingSlice.update(store, { progress: done.reduce((sum, one) => sum + one, 0) });
-          },
-        }),
-      ),
-    );
-    const robots = setNames.map((name, i) => ({ name, gains: champions[i].gains, starts: sets[name] }));
-    const results = /** @type {Record<SetName, Result>} */ (
-      await testRobots(engine, sets, experiment, robots, { signal })
-    );
-    return {
-      experiment,
-      generations,
-      drives: champions.reduce((sum, { evaluations }) => sum + evaluations, 0),
-      milliseconds: performance.now() - began,
-      results,
-    };
-  }
+/**
+ * On each set of starts, side by side, and then tested.
+ * @param {Engine} engine @param {import('./sets.js').Sets} sets @param {Experiment} experiment @param {number} generations
+ * @param {{ signal: AbortSignal, onProgress: (share: number) => void }} options @returns {Promise<Evolved>}
+ */
+async function evolveAll(engine, sets, experiment, generations, { signal, onProgress }) {
+  const began = performance.now();
+  const total = setNames.reduce((sum, name) => sum + sets[name].length, 0);
+  const done = setNames.map(() => 0);
+  const champions = await Promise.all(
+    setNames.map((name, i) =>
+      engine.surveys.evolve({ ...experiment, starts: sets[name] }, generations, {
+        signal,
+        onProgress(part) {
+          // Work goes by the number of starts.
+          done[i] = (part * sets[name].length) / total;
+          onProgress(done.reduce((sum, one) => sum + one, 0));
+        },
+      }),
+    ),
+  );
+  const robots = setNames.map((name, i) => ({ name, gains: champions[i].gains, starts: sets[name] }));
+  const results = /** @type {Record<SetName, Result>} */ (
+    await testRobots(engine, sets, experiment, robots, { signal })
+  );
+  return {
+    experiment,
+    generations,
+    drives: champions.reduce((sum, { evaluations }) => sum + evaluations, 0),
+    milliseconds: performance.now() - began,
+    results,
+  };
+}
+
+/** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
+export function createTraining(engine, store, paper) {
+  const setsOf = createSets(engine);
+  /** @type {AbortController | null} */
+  let evolution = null;
+  /** @type {ReturnType<Engine['surveys']['channel']> | null} */
+  let channel = null;
+
+  const given = createRefining({
+    counts: [1],
+    compute: async (/** @type {Spec} */ spec) => {
+      channel ??= engine.surveys.channel();
+      const { experiment, robots } = spec;
+      return { spec, results: await testRobots(engine, setsOf(experiment), experiment, robots, { channel }) };
+    },
+    onResult: (result) => trainingSlice.update(store, { given: result, message: '' }),
+    onFailure: (error) => trainingSlice.update(store, { message: messageOf(error) }),
+  });
+
+  const specOf = createSpec();
 
   return {
     setsOf,
@@ -157,7 +164,10 @@ export function createTraining(engine, store, paper) {
       const { generations } = trainingSlice.of(store.get());
       trainingSlice.update(store, { progress: 0, cancelled: false, message: '' });
       try {
-        const evolved = await evolveAll(experiment, generations, signal);
+        const evolved = await evolveAll(engine, setsOf(experiment), experiment, generations, {
+          signal,
+          onProgress: (progress) => trainingSlice.update(store, { progress }),
+        });
         trainingSlice.update(store, { byHand: handOf(store.get()), progress: null });
         trainingSlice.update(store, { evolved });
         return true;
