@@ -230,7 +230,7 @@ function drawNames(context, plot, run) {
   const px = frame.right + 8;
   const half = 8;
   const all = namesOf(plot, run);
-  const isLow = all.length * labelHeight > frame.bottom - frame.top;
+  const isLow = (all.length - 1) * labelHeight > frame.bottom - frame.top;
   // Where there is no room for all, the letter of what is drawn stands within.
   if (isLow && name === 'cost') {
     context.font = symbolFont;
