@@ -231,6 +231,7 @@ pageTest('an exercise stays through parts, steps and undo, and maps hold to it',
   const opened = await read(page);
   const cost = () => page.text('#cost-total');
   const first = await cost();
+  await page.until('the map is there', () => document.getElementById('landscape-map'));
   await page.drag('#landscape-map', [
     { x: 150, y: 100 },
     { x: 200, y: 120 },

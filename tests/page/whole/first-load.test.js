@@ -6,7 +6,7 @@ import { pageTest } from '../harness/browsers.js';
 
 /** The address alone opens the parking place. @type {readonly (readonly [fragment: string, bytes: number])[]} */
 const budgets = [
-  ['', 233_000],
+  ['', 192_000],
   ['#lab', 184_000],
   ['#lab&v=1&lang=ko', 186_000],
 ];
