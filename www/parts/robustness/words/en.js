@@ -42,10 +42,14 @@ export const computing = 'the robots are driving…';
 export const failed = (message) => `The map could not be computed anew: ${message}`;
 
 /** What follows the share. @param {string} name */
-export const summary = (name) => `arrive with the ${name}`;
+export const summary = (name) => `arrive with ${withArticle(name)}`;
 
 /** @param {string} name @param {number | null} share */
-export const rivalText = (name, share) => `${share === null ? '…' : percent(share)} with the ${name}`;
+export const rivalText = (name, share) =>
+  `${share === null ? '…' : percent(share)} with ${withArticle(name)}`;
+
+/** Nobody says “the your gains”. @param {string} name */
+const withArticle = (name) => (name.startsWith('your ') ? name : `the ${name}`);
 
 /** @param {Record<'behind' | 'front' | 'left' | 'right', number>} shares */
 export const sides = ({ behind, front, left, right }) =>
