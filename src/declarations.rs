@@ -5,7 +5,7 @@ use crate::schema::{Columns, Field, Plain, Types, WordField};
 use crate::search::{GenerationRecord, Individual, LearningRates, Statistics};
 use crate::study::{
     Circle, GridOfRobot, Landscape, PartOfGrid, PartsSample, RemainingError, SeedRun, SeedRuns,
-    Stability,
+    Stability, Trial, Trials,
 };
 use crate::theory::LawTerms;
 
@@ -13,7 +13,7 @@ use crate::theory::LawTerms;
 pub fn declarations() -> String {
     let mut types = Types::default();
     type Told = fn(&mut Types) -> String;
-    const ALL: [Told; 23] = [
+    const ALL: [Told; 25] = [
         Experiment::typescript,
         Preset::typescript,
         Run::typescript,
@@ -30,6 +30,8 @@ pub fn declarations() -> String {
         Columns::<RunEnd>::typescript,
         SeedRuns::typescript,
         SeedRun::typescript,
+        Trials::typescript,
+        Trial::typescript,
         Stability::typescript,
         Columns::<PartsSample>::typescript,
         Columns::<RemainingError>::typescript,

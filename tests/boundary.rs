@@ -55,7 +55,9 @@ fn presets_have_every_field_and_partial_experiments_are_completed() {
          \"weights\":{\"final\":[1,1,1],\"velocity\":[1,1],\"penalty\":1000},\
          \"disturbance\":{\"kind\":\"none\",\"linear\":0,\"angular\":0,\"seed\":0},\
          \"evolution\":{\"population\":20,\"opponents\":10,\"seed\":1,\
-         \"initialRange\":[0.01,10],\"initialSigma\":1}}"
+         \"initialRange\":[0.01,10],\"initialSigma\":1,\
+         \"method\":\"ep\",\"step\":\"gaussian\",\"adaptation\":1,\"sigmaFloor\":0,\
+         \"selection\":\"tournament\",\"crossover\":0,\"belowZero\":\"penalty\"}}"
     );
     assert_eq!(text(&experiment(js("{}")).expect("defaults")), text(&preset));
     assert_eq!(text(&experiment(preset.clone()).expect("itself")), text(&preset));

@@ -20,7 +20,7 @@ enum Kind {
 use Kind::{Limit, Real, Whole};
 
 /// Path, smallest and largest value, unit.
-const RANGES: [(&str, f64, f64, &str, Kind); 27] = [
+const RANGES: [(&str, f64, f64, &str, Kind); 30] = [
     ("starts[].x", -1000.0, 1000.0, "m", Real),
     ("starts[].y", -1000.0, 1000.0, "m", Real),
     ("starts[].theta", -100.0, 100.0, "rad", Real),
@@ -48,6 +48,9 @@ const RANGES: [(&str, f64, f64, &str, Kind); 27] = [
     ("evolution.seed", 0.0, 4_294_967_295.0, "", Whole),
     ("evolution.initialRange[]", -1e6, 1e6, "", Real),
     ("evolution.initialSigma", 0.0, 1e6, "", Real),
+    ("evolution.adaptation", 0.0, 10.0, "", Real),
+    ("evolution.sigmaFloor", 0.0, 1e6, "", Real),
+    ("evolution.crossover", 0.0, 1.0, "", Real),
 ];
 
 /// What an experiment with this value in the last of these fields is told.

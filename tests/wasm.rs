@@ -27,5 +27,7 @@ pub mod properties;
 pub mod ranges;
 #[path = "remaining.rs"]
 pub mod remaining;
+#[path = "searches.rs"]
+pub mod searches;
 #[path = "stability.rs"]
 pub mod stability;

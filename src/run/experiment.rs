@@ -83,7 +83,7 @@ impl Experiment {
             let found = format!("{} with sampleTime {}", self.horizon, self.sample_time);
             return Err(InvalidInput::new("horizon", expected, found));
         }
-        self.evolution.check_interval()?;
+        self.evolution.check_rules()?;
         self.validate_noise()
     }
 

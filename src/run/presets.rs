@@ -6,7 +6,7 @@ use super::cost::Weights;
 use super::experiment::{Experiment, Tolerance};
 use crate::robot::{Disturbance, Gains, Law, Limits, Posture, Velocity};
 use crate::schema::{InvalidInput, record, words};
-use crate::search::EvolutionSettings;
+use crate::search::{BelowZero, EvolutionSettings, Method, Selection, Step};
 
 words! {
     /// The name of one of the paper's two experiments: Figures 4 and 5, or Figures 6 and 7.
@@ -115,6 +115,13 @@ impl Preset {
                 seed: 1,
                 initial_range: [0.01, 10.0],
                 initial_sigma: 1.0,
+                method: Method::Ep,
+                step: Step::Gaussian,
+                adaptation: 1.0,
+                sigma_floor: 0.0,
+                selection: Selection::Tournament,
+                crossover: 0.0,
+                below_zero: BelowZero::Penalty,
             },
         }
     }

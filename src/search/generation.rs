@@ -1,14 +1,35 @@
-//! One generation of evolutionary programming, steps 1 to 6 of the paper's procedure.
+//! One generation of a search: what it asks for, and what came of it.
 
-use super::individual::{Individual, drawn};
+use super::individual::Individual;
 use super::mutation::Mutation;
-use super::settings::EvolutionSettings;
 use super::tournament::{Tournament, in_order};
-use crate::number::{Purpose, stream};
 use crate::robot::Gains;
 use crate::schema::{record, told};
 
-/// One generation in full. Solutions are numbered 0 to N − 1 for the parents and N to 2N − 1 for the offspring.
+record! {
+    /// The normal distribution from which CMA-ES draws a generation.
+    pub struct Ellipse {
+        /// Its centre.
+        pub mean: Gains => "mean",
+        /// The three semi-axes of its ellipsoid of one standard deviation, the longest first.
+        pub axes: Vec<[f64; 3]> => "axes",
+    }
+}
+
+/// What made the new solutions of a generation, as far as a method draws it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Making {
+    /// The draws that made each offspring of evolutionary programming.
+    pub mutations: Vec<Mutation>,
+    /// For each new solution the numbers of the other parents in it.
+    pub donors: Vec<Vec<u32>>,
+    /// What each mutation began with, where parents are crossed.
+    pub bases: Vec<Individual>,
+    /// The distribution of CMA-ES.
+    pub ellipse: Option<Ellipse>,
+}
+
+/// One generation in full. Solutions are numbered 0 to N − 1 for the parents, and from N on for the offspring.
 ///
 /// Generation 0 has only parents, the initial population in the order of its draws; all survive.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,37 +38,51 @@ pub struct GenerationRecord {
     pub generation: u32,
     /// The survivors of the generation before.
     pub parents: Vec<Individual>,
-    /// One offspring of each parent, in their order.
+    /// One offspring of each parent, in their order; of other methods than evolutionary programming, whatever was tried.
     pub offspring: Vec<Individual>,
     /// The draws that made each offspring.
     pub mutations: Vec<Mutation>,
-    /// Whom each of the 2N solutions met, and how many bouts it won.
+    /// For each offspring the numbers of the other parents in it; empty where there are none.
+    pub donors: Vec<Vec<u32>>,
+    /// What each mutation began with, where parents are crossed; else empty.
+    pub bases: Vec<Individual>,
+    /// The distribution from which CMA-ES drew the offspring.
+    pub ellipse: Option<Ellipse>,
+    /// Whom each of the 2N solutions met, and how many bouts it won; empty without a tournament.
     pub tournament: Tournament,
     /// The numbers of all, best ranked first.
     pub ranking: Vec<u32>,
-    /// The numbers of those that survive, best ranked first: the first N of the ranking.
+    /// The numbers of those that survive, best ranked first: the first of the ranking.
     pub survivors: Vec<u32>,
 }
 
 told! {
-    /// One generation in full. Solutions are numbered 0 to N − 1 for the parents and N to 2N − 1 for the offspring.
+    /// One generation in full. Solutions are numbered 0 to N − 1 for the parents, and from N on for the offspring.
     /// Generation 0 has only parents: the initial population in the order of its draws, all of which survive.
     GenerationRecord: GenerationRecord {
         /// The generation's number.
         "generation" => |record| record.generation,
         /// The survivors of the generation before.
         "parents" => |record| &record.parents,
-        /// One offspring of each parent, in their order.
+        /// One offspring of each parent, in their order; of other methods than evolutionary programming, whatever was tried.
         "offspring" => |record| &record.offspring,
-        /// The draws behind each offspring.
+        /// The draws behind each offspring of evolutionary programming.
         "mutations" => |record| &record.mutations,
-        /// For each of the 2N solutions, whom it met.
+        /// For each offspring the numbers of the other parents in it: with whom its parent was crossed, or a, b and c of
+        /// a + F (b − c) in differential evolution. Empty where a method crosses nothing.
+        "donors" => |record| &record.donors,
+        /// What each mutation began with, where parents are crossed; else empty.
+        "bases" => |record| &record.bases,
+        /// The distribution from which CMA-ES drew the offspring; null for other methods.
+        "ellipse" => |record| record.ellipse.as_ref(),
+        /// For each of the 2N solutions, whom it met in the tournament; empty without one.
         "opponents" => |record| &record.tournament.opponents,
         /// For each of the 2N solutions, how many bouts it won.
         "wins" => |record| &record.tournament.wins,
-        /// All of them, best ranked first: most wins first, then lower J, then lower number.
+        /// All of them, best ranked first: most wins first, then lower J, then lower number. Without a tournament those that
+        /// survive come first, each part by J.
         "ranking" => |record| &record.ranking,
-        /// The N that survive, best ranked first.
+        /// Those that survive, best ranked first.
         "survivors" => |record| &record.survivors,
     }
 }
@@ -55,30 +90,31 @@ told! {
 /// A generation whose new solutions are still to be driven.
 #[derive(Clone, Debug)]
 pub struct Brood {
-    generation: u32,
-    parents: Vec<Individual>,
-    mutations: Vec<Mutation>,
-    /// In generation 0 the population that it begins with.
-    offspring: Vec<Individual>,
+    pub(super) generation: u32,
+    pub(super) parents: Vec<Individual>,
+    /// In generation 0 what the search begins with.
+    pub(super) offspring: Vec<Individual>,
+    pub(super) making: Making,
 }
 
 impl Brood {
-    /// Generation 0: N individuals with k_j uniform in the initial range and σ_j the initial σ (step 1).
-    pub fn first(e: &EvolutionSettings) -> Self {
-        let (parents, mutations) = (Vec::new(), Vec::new());
-        Self { generation: 0, parents, mutations, offspring: drawn(e, 0) }
+    /// What a search begins with.
+    pub(super) fn initial(offspring: Vec<Individual>) -> Self {
+        Self { generation: 0, parents: Vec::new(), offspring, making: Making::default() }
     }
 
-    /// One offspring of each parent (step 3). It depends on the settings, the parents and the generation's number alone.
-    ///
-    /// # Panics
-    /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION).
-    pub fn of(e: &EvolutionSettings, parents: Vec<Individual>, generation: u32) -> Self {
-        let mut rng = stream(e.seed, Purpose::Mutation, generation);
-        let mutations: Vec<_> = parents.iter().map(|_| Mutation::draw(&mut rng)).collect();
-        let pairs = mutations.iter().zip(&parents);
-        let offspring = pairs.map(|(mutation, parent)| mutation.offspring(parent)).collect();
-        Self { generation, parents, mutations, offspring }
+    /// New solutions beside those that are there.
+    pub(super) fn beside(
+        parents: &[Individual],
+        offspring: Vec<Individual>,
+        generation: u32,
+    ) -> Self {
+        Self { generation, parents: parents.to_vec(), offspring, making: Making::default() }
+    }
+
+    /// How its new solutions were made.
+    pub(super) fn made_by(self, making: Making) -> Self {
+        Self { making, ..self }
     }
 
     /// The gains that are to be driven.
@@ -86,27 +122,57 @@ impl Brood {
         self.offspring.iter().map(|individual| individual.gains).collect()
     }
 
-    /// The generation once each trial has cost so much (steps 5 and 6).
+    /// The same once each trial has cost so much.
     ///
     /// # Panics
     /// If there is not one cost for each trial.
-    pub fn driven(self, e: &EvolutionSettings, costs: &[f64]) -> GenerationRecord {
-        let Self { generation, parents, mutations, mut offspring } = self;
-        assert_eq!(costs.len(), offspring.len(), "one cost for each trial");
-        offspring.iter_mut().zip(costs).for_each(|(one, cost)| one.cost = *cost);
-        if generation == 0 {
-            return founded(offspring);
-        }
-        let costs: Vec<f64> = parents.iter().chain(&offspring).map(|i| i.cost).collect();
-        let mut rng = stream(e.seed, Purpose::Tournament, generation);
-        let tournament = Tournament::hold(&costs, e.opponents, &mut rng);
-        let ranking = tournament.ranking(&costs);
-        let survivors = ranking[..parents.len()].to_vec();
+    pub(super) fn with_costs(mut self, costs: &[f64]) -> Self {
+        assert_eq!(costs.len(), self.offspring.len(), "one cost for each trial");
+        self.offspring.iter_mut().zip(costs).for_each(|(one, cost)| one.cost = *cost);
+        self
+    }
+
+    /// What all its solutions cost, in their order.
+    pub(super) fn costs(&self) -> Vec<f64> {
+        self.parents.iter().chain(&self.offspring).map(|one| one.cost).collect()
+    }
+
+    /// Generation 0, of which all survive.
+    pub(super) fn founded(self) -> GenerationRecord {
+        let ranking = by_cost(&self.offspring);
+        let (count, none) = (self.offspring.len(), Vec::new());
+        let founders = Self { parents: self.offspring, offspring: none, ..self };
+        founders.ranked(ranking, count, Tournament::default())
+    }
+
+    /// The generation of which these survive; each part is ranked by cost.
+    pub(super) fn survived_by(self, survives: &dyn Fn(usize) -> bool) -> GenerationRecord {
+        let costs = self.costs();
+        let ranking = in_order(costs.len(), &|i, j| {
+            survives(j).cmp(&survives(i)).then(costs[i].total_cmp(&costs[j]))
+        });
+        let count = (0..costs.len()).filter(|number| survives(*number)).count();
+        self.ranked(ranking, count, Tournament::default())
+    }
+
+    /// The generation of which the first of this ranking survive.
+    pub(super) fn ranked(
+        self,
+        ranking: Vec<u32>,
+        count: usize,
+        tournament: Tournament,
+    ) -> GenerationRecord {
+        let Self { generation, parents, offspring, making } = self;
+        let Making { mutations, donors, bases, ellipse } = making;
+        let survivors = ranking[..count].to_vec();
         GenerationRecord {
             generation,
             parents,
             offspring,
             mutations,
+            donors,
+            bases,
+            ellipse,
             tournament,
             ranking,
             survivors,
@@ -115,21 +181,8 @@ impl Brood {
 }
 
 /// The numbers of these, the lowest cost first.
-fn by_cost(population: &[Individual]) -> Vec<u32> {
+pub(super) fn by_cost(population: &[Individual]) -> Vec<u32> {
     in_order(population.len(), &|i, j| population[i].cost.total_cmp(&population[j].cost))
-}
-
-fn founded(parents: Vec<Individual>) -> GenerationRecord {
-    let ranking = by_cost(&parents);
-    GenerationRecord {
-        generation: 0,
-        parents,
-        offspring: Vec::new(),
-        mutations: Vec::new(),
-        tournament: Tournament::default(),
-        survivors: ranking.clone(),
-        ranking,
-    }
 }
 
 impl GenerationRecord {
@@ -147,40 +200,9 @@ impl GenerationRecord {
     pub fn population(&self) -> Vec<Individual> {
         self.survivors.iter().map(|number| *self.solution(*number)).collect()
     }
-}
 
-record! { (Copy)
-    /// One generation in short.
-    pub struct Statistics {
-        /// The generation's number.
-        pub generation: u32 => "generation",
-        /// Drives since the start, one for each individual and start posture.
-        pub evaluations: f64 => "evaluations",
-        /// The individual with the lowest cost.
-        pub best: Individual => "best",
-        /// Median cost; with an even number of individuals the mean of the two in the middle.
-        pub median: f64 => "median",
-        /// Highest cost.
-        pub worst: f64 => "worst",
-        /// Mean strategy parameter of each gain over the population.
-        pub mean_sigmas: [f64; 3] => "meanSigmas",
-    }
-}
-
-impl Statistics {
-    /// Of a population that is left by a generation, when each trial is driven from so many starts.
-    pub(crate) fn new(generation: u32, population: &[Individual], starts: usize) -> Self {
-        let ranked = by_cost(population);
-        let n = ranked.len();
-        let at = |rank: usize| population[ranked[rank] as usize];
-        let mean = |j: usize| population.iter().map(|i| i.sigmas[j]).sum::<f64>() / n as f64;
-        Self {
-            generation,
-            evaluations: (f64::from(generation) + 1.0) * (n * starts) as f64,
-            best: at(0),
-            median: 0.5 * (at((n - 1) / 2).cost + at(n / 2).cost),
-            worst: at(n - 1).cost,
-            mean_sigmas: [0, 1, 2].map(mean),
-        }
+    /// What was driven: in generation 0 the parents, later the offspring.
+    pub fn tried(&self) -> &[Individual] {
+        if self.generation == 0 { &self.parents } else { &self.offspring }
     }
 }

@@ -12,7 +12,8 @@ record! { (Copy)
     pub struct Individual {
         /// The gains (kx, ky, kθ).
         pub gains: Gains => "gains",
-        /// The strategy parameters: the standard deviation of each gain's mutation.
+        /// The strategy parameters: the standard deviation of each gain's mutation. Of other methods than evolutionary
+        /// programming, how far the next step goes in each gain; 0 where a method has no such number.
         pub sigmas: [f64; 3] => "sigmas",
         /// J, the mean over the start postures; infinite if it is not finite or not yet known.
         pub cost: f64 => "cost",
@@ -20,11 +21,26 @@ record! { (Copy)
 }
 
 impl Individual {
+    /// Gains that are still to be driven.
+    pub(super) fn new(gains: Gains, sigmas: [f64; 3]) -> Self {
+        Self { gains, sigmas, cost: f64::INFINITY }
+    }
+
     /// An individual with k_j uniform in [low, high) and σ_j the initial σ (step 1).
-    fn random(settings: &EvolutionSettings, rng: &mut impl Rng) -> Self {
-        let [low, high] = settings.initial_range;
+    fn random(e: &EvolutionSettings, rng: &mut impl Rng) -> Self {
+        let [low, high] = e.initial_range;
         let gains = [0; 3].map(|_| low + (high - low) * rng.random::<f64>());
-        Self { gains: gains.into(), sigmas: [settings.initial_sigma; 3], cost: f64::INFINITY }
+        Self::new(e.tried(gains), [e.floored(e.initial_sigma); 3])
+    }
+
+    /// The same with other σ.
+    pub(super) fn with_sigmas(self, sigmas: [f64; 3]) -> Self {
+        Self { sigmas, ..self }
+    }
+
+    /// Whether its cost is lower.
+    pub(super) fn is_better_than(&self, other: &Self) -> bool {
+        self.cost.total_cmp(&other.cost).is_lt()
     }
 }
 
@@ -36,9 +52,13 @@ pub(super) fn drawn(e: &EvolutionSettings, number: u32) -> Vec<Individual> {
     (0..e.population).map(|_| Individual::random(e, &mut rng)).collect()
 }
 
+/// The first individual of such a population: where a method that goes from one point to the next sets out.
+pub(super) fn first_drawn(e: &EvolutionSettings, number: u32) -> Individual {
+    Individual::random(e, &mut stream(e.seed, Purpose::Initialisation, number))
+}
+
 /// The first of those with the lowest cost.
 pub(crate) fn best(population: &[Individual]) -> Individual {
-    let lower =
-        |a: Individual, b: &Individual| if b.cost.total_cmp(&a.cost).is_lt() { *b } else { a };
+    let lower = |a: Individual, b: &Individual| if b.is_better_than(&a) { *b } else { a };
     population[1..].iter().fold(population[0], lower)
 }

@@ -1,9 +1,13 @@
 //! How an offspring comes from its parent (step 3 of the paper's procedure).
 
-use rand::Rng;
+use core::f64::consts::PI;
+
+use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
 use super::individual::Individual;
+use super::settings::{EvolutionSettings, Step};
+use crate::number::{Purpose, stream};
 use crate::schema::record;
 
 record! { (Copy)
@@ -19,12 +23,18 @@ record! { (Copy)
 impl LearningRates {
     /// τ = 1 / √(2 √n) and τ' = 1 / √(2n) with n = 3 gains.
     pub const PAPER: Self = Self { own: 0.537_284_965_911_771, common: 0.408_248_290_463_863 };
+
+    /// The paper's, times a factor.
+    fn times(factor: f64) -> Self {
+        Self { own: factor * Self::PAPER.own, common: factor * Self::PAPER.common }
+    }
 }
 
 record! { (Copy)
-    /// The standard normal draws that made one offspring. One for each component is our reading of the paper's N_i(0, 1).
+    /// The draws that made one offspring, standard normal unless the steps are Cauchy's. One for each component is our reading
+    /// of the paper's N_i(0, 1).
     pub struct Mutation {
-        /// N_j(0, 1) of each gain.
+        /// N_j(0, 1) of each gain, or C_j(0, 1).
         pub gains: [f64; 3] => "gains",
         /// N(0, 1), drawn once for all three σ.
         pub common: f64 => "common",
@@ -40,18 +50,43 @@ impl Mutation {
         Self { gains: [0; 3].map(|_| normal()), common: normal(), sigmas: [0; 3].map(|_| normal()) }
     }
 
+    /// The mutations of a generation, one for each parent. Whatever the steps, the σ meet the same draws.
+    pub(super) fn all(e: &EvolutionSettings, count: usize, generation: u32) -> Vec<Self> {
+        let mut rng = stream(e.seed, Purpose::Mutation, generation);
+        let mut mutations: Vec<_> = (0..count).map(|_| Self::draw(&mut rng)).collect();
+        if e.step == Step::Cauchy {
+            let mut rng = stream(e.seed, Purpose::Steps, generation);
+            for mutation in &mut mutations {
+                mutation.gains = [0; 3].map(|_| cauchy(&mut rng));
+            }
+        }
+        mutations
+    }
+
     /// The offspring, not yet driven: k'_j = k_j + σ_j N_j(0, 1), σ'_j = σ_j exp(τ' N(0, 1) + τ N_j(0, 1)).
     ///
     /// The gains move by the parent's σ, not by the new one.
     pub fn offspring(&self, parent: &Individual) -> Individual {
-        let LearningRates { own, common } = LearningRates::PAPER;
+        let (gains, sigmas) = self.moved(parent, LearningRates::PAPER);
+        Individual::new(gains.into(), sigmas)
+    }
+
+    /// The same with the ingredients of these settings.
+    pub(super) fn offspring_in(&self, e: &EvolutionSettings, parent: &Individual) -> Individual {
+        let (gains, sigmas) = self.moved(parent, LearningRates::times(e.adaptation));
+        Individual::new(e.tried(gains), sigmas.map(|sigma| e.floored(sigma)))
+    }
+
+    fn moved(&self, parent: &Individual, rates: LearningRates) -> ([f64; 3], [f64; 3]) {
+        let LearningRates { own, common } = rates;
         let [k, sigmas] = [parent.gains.to_array(), parent.sigmas];
         let gain = |j| k[j] + sigmas[j] * self.gains[j];
         let sigma = |j| sigmas[j] * libm::exp(common * self.common + own * self.sigmas[j]);
-        Individual {
-            gains: [0, 1, 2].map(gain).into(),
-            sigmas: [0, 1, 2].map(sigma),
-            cost: f64::INFINITY,
-        }
+        ([0, 1, 2].map(gain), [0, 1, 2].map(sigma))
     }
+}
+
+/// A draw from Cauchy's distribution, density 1 / (π (1 + x²)): its quartiles are −1 and 1.
+fn cauchy(rng: &mut impl Rng) -> f64 {
+    libm::tan(PI * (rng.random::<f64>() - 0.5))
 }

@@ -1,30 +1,51 @@
-//! Random search: a new population from the initial range for each generation.
+//! Random search: as many trials, and nothing learnt from them.
 
-use super::individual::drawn;
+use super::generation::{Brood, GenerationRecord};
+use super::individual::{Individual, drawn};
+use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use crate::robot::Gains;
 
-/// What evolution is compared with: as many trials, and nothing learnt from them.
-#[derive(Clone, Debug)]
-pub struct RandomSearch {
-    settings: EvolutionSettings,
-    lowest: f64,
+/// Draws a new population from the initial range in each generation. In generation 0 it is what evolution begins with.
+#[derive(Clone, Debug, Default)]
+pub struct RandomSearch(Found);
+
+impl Search for RandomSearch {
+    fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood {
+        match generation {
+            0 => Brood::initial(drawn(e, 0)),
+            _ => Brood::beside(&self.0.population, drawn(e, generation), generation),
+        }
+    }
+
+    fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
+        let brood = brood.with_costs(costs);
+        let parents = brood.parents.len();
+        let record = match brood.generation {
+            0 => brood.founded(),
+            _ => brood.survived_by(&|number| number >= parents),
+        };
+        self.0.follow(&record);
+        record
+    }
+
+    found!(0);
 }
 
-impl RandomSearch {
-    /// A search in the initial range of these settings, which has tried nothing yet.
-    pub fn new(settings: EvolutionSettings) -> Self {
-        Self { settings, lowest: f64::INFINITY }
-    }
+/// What random search tries, without its generations.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Draws {
+    generation: u32,
+    waiting: Vec<Individual>,
+}
 
-    /// What to drive in a generation. In generation 0 it is what evolution begins with.
-    pub fn trials(&self, generation: u32) -> Vec<Gains> {
-        drawn(&self.settings, generation).iter().map(|individual| individual.gains).collect()
-    }
-
-    /// The lowest cost until now, after trials that cost this.
-    pub fn driven(&mut self, costs: &[f64]) -> f64 {
-        self.lowest = costs.iter().copied().fold(self.lowest, f64::min);
-        self.lowest
+impl Draws {
+    /// The next so many.
+    pub(crate) fn next(&mut self, e: &EvolutionSettings, count: usize) -> Vec<Gains> {
+        while self.waiting.len() < count {
+            self.waiting.extend(drawn(e, self.generation));
+            self.generation += 1;
+        }
+        self.waiting.drain(..count).map(|individual| individual.gains).collect()
     }
 }

@@ -1,11 +1,71 @@
-//! What evolutionary programming is told before it begins.
+//! What a search is told before it begins.
 
-use crate::schema::{Allowed, InvalidInput, record};
+use crate::robot::Gains;
+use crate::schema::{Allowed, InvalidInput, record, words};
+
+words! {
+    input
+    /// How gains are looked for: by the paper's evolutionary programming, or by one of its rivals.
+    pub enum Method {
+        /// Evolutionary programming, the paper's.
+        Ep = "ep",
+        /// Random search.
+        Random = "random",
+        /// Differential evolution, DE/rand/1/bin.
+        De = "de",
+        /// Covariance matrix adaptation.
+        CmaEs = "cma-es",
+        /// One parent, one offspring, and the 1/5 success rule.
+        OnePlusOneEs = "one-plus-one-es",
+        /// The simplex of Nelder and Mead, begun anew where it has shrunk to a point.
+        NelderMead = "nelder-mead",
+        /// One gain after the other, as a hand does it.
+        OneAtATime = "one-at-a-time",
+        /// Down the slope, which finite differences tell.
+        FiniteDifferences = "finite-differences",
+    }
+}
+
+words! {
+    input
+    /// How the steps of a mutation are distributed.
+    pub enum Step {
+        /// Normally, as in the paper.
+        Gaussian = "gaussian",
+        /// As Cauchy's distribution has it: often smaller, at times much larger.
+        Cauchy = "cauchy",
+    }
+}
+
+words! {
+    input
+    /// Which solutions of a generation of evolutionary programming survive.
+    pub enum Selection {
+        /// Those with the most wins in the paper's tournament.
+        Tournament = "tournament",
+        /// Those of lowest J.
+        Truncation = "truncation",
+        /// The better one of each parent and its offspring.
+        Parent = "parent",
+    }
+}
+
+words! {
+    input
+    /// What becomes of gains under 0.
+    pub enum BelowZero {
+        /// They are tried, and J counts a penalty for them.
+        Penalty = "penalty",
+        /// They are mirrored at 0 before they are tried.
+        Mirror = "mirror",
+    }
+}
 
 record! { input (Copy)
-    /// The settings of evolutionary programming (section 4 of the paper).
+    /// The settings of the search: those of evolutionary programming (section 4 of the paper), its ingredients, and its rivals.
     pub struct EvolutionSettings {
-        /// N, the number of parents.
+        /// N: the parents of evolutionary programming, the draws of random search in a generation, the members of
+        /// differential evolution (at least 4), λ of CMA-ES (at least 2). The other methods go from one point to the next.
         pub population: u32 => "population" in Allowed::whole(1, 2000),
         /// q, the number of opponents that each solution meets in the tournament.
         pub opponents: u32 => "opponents" in Allowed::whole(1, 1000),
@@ -13,19 +73,66 @@ record! { input (Copy)
         pub seed: u32 => "seed" in Allowed::SEED,
         /// The interval from which the first gains are drawn.
         pub initial_range: [f64; 2] => "initialRange" in Allowed::within("", -1e6, 1e6),
-        /// The first σ of every gain.
+        /// The first σ of every gain; of other methods the first step.
         pub initial_sigma: f64 => "initialSigma" in Allowed::within("", 0.0, 1e6),
+        /// How gains are looked for.
+        pub method: Method => "method",
+        /// How the steps of evolutionary programming are distributed.
+        pub step: Step => "step",
+        /// A factor on τ and τ′ of evolutionary programming; with 0 every σ stays.
+        pub adaptation: f64 => "adaptation" in Allowed::within("", 0.0, 10.0),
+        /// What no σ of evolutionary programming falls under.
+        pub sigma_floor: f64 => "sigmaFloor" in Allowed::within("", 0.0, 1e6),
+        /// Which solutions of evolutionary programming survive.
+        pub selection: Selection => "selection",
+        /// How probable it is that a parent of evolutionary programming is crossed with another before it is mutated: each
+        /// gain, with its σ, is then that of the one or the other.
+        pub crossover: f64 => "crossover" in Allowed::within("", 0.0, 1.0),
+        /// What becomes of gains under 0.
+        pub below_zero: BelowZero => "belowZero",
     }
 }
 
 impl EvolutionSettings {
-    /// Checks the rule between two of the fields.
-    pub(crate) fn check_interval(&self) -> Result<(), InvalidInput> {
+    /// Checks the rules between fields.
+    pub(crate) fn check_rules(&self) -> Result<(), InvalidInput> {
         let [low, high] = self.initial_range;
-        if low < high {
+        if low >= high {
+            let (expected, found) = ("[low, high] with low under high", format!("[{low}, {high}]"));
+            return Err(InvalidInput::new("evolution.initialRange", expected, found));
+        }
+        let least = match self.method {
+            Method::De => 4,
+            Method::CmaEs => 2,
+            _ => return Ok(()),
+        };
+        if self.population >= least {
             return Ok(());
         }
-        let (expected, found) = ("[low, high] with low under high", format!("[{low}, {high}]"));
-        Err(InvalidInput::new("evolution.initialRange", expected, found))
+        let expected = format!("{least} or more with the method '{}'", self.method.word());
+        Err(InvalidInput::new("evolution.population", expected, self.population.to_string()))
+    }
+
+    /// Most trials in a generation.
+    pub(crate) fn most_trials(&self) -> u32 {
+        match self.method {
+            Method::Ep | Method::Random | Method::De | Method::CmaEs => self.population,
+            Method::NelderMead => 4,
+            Method::FiniteDifferences => 3,
+            Method::OnePlusOneEs | Method::OneAtATime => 1,
+        }
+    }
+
+    /// A σ, or the floor where it is under that.
+    pub(super) fn floored(&self, sigma: f64) -> f64 {
+        if sigma < self.sigma_floor { self.sigma_floor } else { sigma }
+    }
+
+    /// The gains that are tried for these.
+    pub(super) fn tried(&self, gains: [f64; 3]) -> Gains {
+        match self.below_zero {
+            BelowZero::Penalty => gains.into(),
+            BelowZero::Mirror => gains.map(f64::abs).into(),
+        }
     }
 }

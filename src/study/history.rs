@@ -3,18 +3,18 @@
 use super::hash::Hash;
 use crate::run::{MAX_WORK, Setting};
 use crate::schema::InvalidInput;
-use crate::search::{Brood, GenerationRecord, Individual, Statistics};
+use crate::search::{Brood, GenerationRecord, Individual, Search, Statistics, search};
 
-/// A run of evolutionary programming that remembers itself.
+/// A run of evolutionary programming, or of one of its rivals, that remembers itself.
 ///
-/// It keeps the statistics of every generation, and the populations of some; any other generation is computed again,
+/// It keeps the statistics of every generation, and where the search stood in some; any other generation is computed again,
 /// to the same bits, from the last one kept before it.
 #[derive(Clone, Debug)]
 pub struct Evolution {
     setting: Setting,
-    population: Vec<Individual>,
+    search: Box<dyn Search>,
     statistics: Vec<Statistics>,
-    snapshots: Vec<Vec<Individual>>,
+    snapshots: Vec<Box<dyn Search>>,
     /// Generations from one snapshot to the next.
     snapshot_interval: u32,
     hash: Hash,
@@ -23,40 +23,51 @@ pub struct Evolution {
 /// The memory that snapshots may take before every second one is dropped.
 const SNAPSHOT_BYTES: usize = 32 << 20;
 
+/// What a snapshot takes besides its population.
+const SNAPSHOT_BASE: usize = 512;
+
 impl GenerationRecord {
     /// Generation 0: N individuals with k_j uniform in the initial range and σ_j the initial σ (steps 1 and 2).
     pub fn initial(setting: &Setting) -> Self {
-        Self::driven(setting, Brood::first(&setting.experiment().evolution))
+        let brood = Brood::first(&setting.experiment().evolution);
+        let costs = setting.totals(&brood.trials());
+        brood.driven(&setting.experiment().evolution, &costs)
     }
 
-    /// Steps 3 to 6 of the paper's procedure: one offspring of each parent, their drives, the tournament.
+    /// Steps 3 to 6 of the paper's procedure: one offspring of each parent, their drives, the tournament. This is evolutionary
+    /// programming, whatever the method of the experiment.
     ///
     /// It depends on the setting, the parents and the generation's number alone.
     ///
     /// # Panics
     /// If the generation is beyond [`LAST_GENERATION`](crate::search::LAST_GENERATION).
     pub fn next(setting: &Setting, parents: Vec<Individual>, generation: u32) -> Self {
-        Self::driven(setting, Brood::of(&setting.experiment().evolution, parents, generation))
-    }
-
-    fn driven(setting: &Setting, brood: Brood) -> Self {
+        let brood = Brood::of(&setting.experiment().evolution, parents, generation);
         let costs = setting.totals(&brood.trials());
         brood.driven(&setting.experiment().evolution, &costs)
     }
+}
+
+/// Takes a search through a generation.
+fn generation(setting: &Setting, search: &mut dyn Search, number: u32) -> GenerationRecord {
+    let e = &setting.experiment().evolution;
+    let brood = search.ask(e, number);
+    let costs = setting.totals(&brood.trials());
+    search.tell(e, brood, &costs)
 }
 
 impl Evolution {
     /// Generation 0: the random initial population, driven.
     pub fn new(setting: Setting) -> Self {
         let mut evolution = Self {
+            search: search(setting.experiment().evolution.method),
             setting,
-            population: Vec::new(),
             statistics: Vec::new(),
             snapshots: Vec::new(),
             snapshot_interval: 1,
             hash: Hash::EMPTY,
         };
-        evolution.append(GenerationRecord::initial(&evolution.setting));
+        evolution.append();
         evolution
     }
 
@@ -75,8 +86,7 @@ impl Evolution {
     /// # Panics
     /// If the newest is [`LAST_GENERATION`](crate::search::LAST_GENERATION), for which no memory suffices.
     pub fn step(&mut self) -> Statistics {
-        let parents = self.population.clone();
-        self.append(GenerationRecord::next(&self.setting, parents, self.generation() + 1));
+        self.append();
         self.newest()
     }
 
@@ -94,18 +104,17 @@ impl Evolution {
     ///
     /// It drives again what is no longer known: at most [`MAX_WORK`] samples, or one generation.
     pub fn record(&self, generation: u32) -> Result<GenerationRecord, InvalidInput> {
-        match self.validate(generation)? {
-            0 => Ok(GenerationRecord::initial(&self.setting)),
-            generation => {
-                let parents = self.population_after(generation - 1);
-                Ok(GenerationRecord::next(&self.setting, parents, generation))
-            }
-        }
+        let number = self.validate(generation)?;
+        let mut search = match number {
+            0 => search(self.setting.experiment().evolution.method),
+            _ => self.search_after(number - 1),
+        };
+        Ok(self::generation(&self.setting, search.as_mut(), number))
     }
 
     /// The population that a generation left, best ranked first; the error says which there are.
     pub fn population(&self, generation: u32) -> Result<Vec<Individual>, InvalidInput> {
-        Ok(self.population_after(self.validate(generation)?))
+        Ok(self.search_after(self.validate(generation)?).population().to_vec())
     }
 
     /// 16 hexadecimal digits over every number of the history: FNV-1a over the little-endian bytes of each generation's
@@ -132,33 +141,41 @@ impl Evolution {
         Err(self.refused(generation.to_string()))
     }
 
-    fn population_after(&self, generation: u32) -> Vec<Individual> {
-        if generation == self.generation() {
-            return self.population.clone();
+    /// Where the search stood after a generation.
+    fn search_after(&self, number: u32) -> Box<dyn Search> {
+        if number == self.generation() {
+            return self.search.clone();
         }
-        let kept = generation / self.snapshot_interval;
-        let snapshot = self.snapshots[kept as usize].clone();
-        (kept * self.snapshot_interval + 1..=generation).fold(snapshot, |parents, generation| {
-            GenerationRecord::next(&self.setting, parents, generation).population()
-        })
+        let kept = number / self.snapshot_interval;
+        let mut search = self.snapshots[kept as usize].clone();
+        for number in kept * self.snapshot_interval + 1..=number {
+            generation(&self.setting, search.as_mut(), number);
+        }
+        search
     }
 
-    fn append(&mut self, record: GenerationRecord) {
+    fn append(&mut self) {
+        let number = self.statistics.len() as u32;
+        let record = generation(&self.setting, self.search.as_mut(), number);
         self.hash.record(&record);
-        self.population = record.population();
         let starts = self.setting.experiment().starts.len();
-        self.statistics.push(Statistics::new(record.generation, &self.population, starts));
-        if record.generation.is_multiple_of(self.snapshot_interval) {
-            self.snapshots.push(self.population.clone());
+        let before = self.statistics.last().map_or(0.0, |last| last.evaluations);
+        let evaluations = before + (record.tried().len() * starts) as f64;
+        let (best, population) = (self.search.best(), self.search.population());
+        self.statistics.push(Statistics::new(number, evaluations, best, population));
+        if number.is_multiple_of(self.snapshot_interval) {
+            self.snapshots.push(self.search.clone());
             self.thin_out();
         }
     }
 
     /// Drops every second snapshot when they take much memory, unless driving again what is between two then takes too long.
     fn thin_out(&mut self) {
-        let bytes = self.snapshots.len() * size_of_val(self.population.as_slice());
+        let snapshot = SNAPSHOT_BASE + size_of_val(self.search.population());
+        let bytes = self.snapshots.len() * snapshot;
         let experiment = self.setting.experiment();
-        let drives = self.population.len() as f64 * experiment.starts.len() as f64;
+        let trials = experiment.evolution.most_trials();
+        let drives = f64::from(trials) * experiment.starts.len() as f64;
         let again =
             2.0 * f64::from(self.snapshot_interval) * drives * f64::from(self.setting.samples());
         if bytes > SNAPSHOT_BYTES && again <= MAX_WORK {

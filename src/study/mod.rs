@@ -14,6 +14,8 @@ mod history;
 
 mod seeds;
 
+mod trials;
+
 mod stability;
 
 mod remaining;
@@ -27,3 +29,4 @@ pub use robustness::{fares, robustness};
 pub use seeds::{SeedRun, SeedRuns, seed_runs};
 pub use stability::{Stability, StabilitySample, stability};
 pub use starts::{Circle, GridOfRobot, MAX_AXIS_COUNT, PartOfGrid, Range, StartGrid, on_circle};
+pub use trials::{Champion, Trial, Trials, trials};

@@ -1,11 +1,12 @@
 //! Evolution with many seeds, beside random search.
 
 use super::part::{read_part, validate_part};
+use crate::robot::Gains;
 use crate::run::{Setting, Work};
 use crate::schema::{
     Allowed, Column, Input, InvalidInput, Place, Source, read_object, record, told,
 };
-use crate::search::{Brood, EvolutionSettings, Individual, LAST_GENERATION, RandomSearch, best};
+use crate::search::{Brood, Draws, EvolutionSettings, Individual, LAST_GENERATION, Search, search};
 
 /// Which seeds [first, end) to run, and for how many generations.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,74 +65,72 @@ pub fn seed_runs(
 ) -> Result<Vec<SeedRun>, InvalidInput> {
     let [first, end] = validate_part("seeds", seeds, u32::MAX)?;
     let (experiment, settings) = (setting.experiment(), setting.experiment().evolution);
-    let (n, g) = (f64::from(settings.population), f64::from(generations) + 1.0);
+    let (n, g) = (f64::from(settings.most_trials()), f64::from(generations) + 1.0);
     let (count, starts) = (f64::from(end - first), experiment.starts.len());
     // Evolution and random search.
     let drives = 2.0 * n * g * count;
     Work { field: "the number of drives", count: drives, starts, bytes: 0.0 }.check(experiment)?;
-    let bytes = n * BYTES_OF_A_SOLUTION + g * 2.0 * size_of::<f64>() as f64;
+    let kept = f64::from(settings.population.max(settings.most_trials()));
+    let bytes = kept * BYTES_OF_A_SOLUTION + g * 2.0 * size_of::<f64>() as f64;
     Work { field: "the number of seeds", count, starts: 1, bytes }.check(experiment)?;
 
     let races = (first..end).map(|seed| Race::new(EvolutionSettings { seed, ..settings }));
     let mut races: Vec<_> = races.collect();
     for generation in 0..=generations {
-        let broods: Vec<Brood> = races.iter_mut().map(|race| race.brood(generation)).collect();
-        let mut trials: Vec<_> = broods.iter().flat_map(Brood::trials).collect();
-        if generation > 0 {
-            trials.extend(races.iter().flat_map(|race| race.random.trials(generation)));
-        }
-        let costs = setting.totals(&trials);
-        // In generation 0 both have the same population, which is driven once.
-        let (evolved, drawn) = costs.split_at(costs.len() / if generation > 0 { 2 } else { 1 });
-        let drawn = if generation > 0 { drawn } else { evolved };
-        let size = settings.population as usize;
-        let costs = evolved.chunks_exact(size).zip(drawn.chunks_exact(size));
-        for ((race, brood), (evolved, drawn)) in races.iter_mut().zip(broods).zip(costs) {
-            race.driven(brood, evolved, drawn);
+        let broods: Vec<_> = races.iter_mut().map(|race| race.asked(generation)).collect();
+        let all = broods.iter().flat_map(|(brood, drawn)| [brood.trials(), drawn.clone()].concat());
+        let costs = setting.totals(&all.collect::<Vec<_>>());
+        let mut rest = costs.as_slice();
+        for (race, (brood, drawn)) in races.iter_mut().zip(broods) {
+            let (evolved, others) = rest.split_at(brood.trials().len());
+            let (random, others) = others.split_at(drawn.len());
+            race.driven(brood, evolved, random);
+            rest = others;
         }
     }
     Ok(races.into_iter().map(Race::finished).collect())
 }
 
 /// Parents, offspring, draws, trials, costs, tournament: what a solution takes while its generation is under way.
-const BYTES_OF_A_SOLUTION: f64 = 512.0;
+pub(super) const BYTES_OF_A_SOLUTION: f64 = 512.0;
 
-/// Evolution and random search with one seed. All seeds take a step together, so that there are many runs to drive.
+/// A search and random search with one seed. All seeds take a step together, so that there are many runs to drive.
 struct Race {
     settings: EvolutionSettings,
-    population: Vec<Individual>,
-    random: RandomSearch,
+    search: Box<dyn Search>,
+    random: Draws,
+    lowest: f64,
     best: Vec<f64>,
     drawn: Vec<f64>,
-    champion: Option<Individual>,
 }
 
 impl Race {
     fn new(settings: EvolutionSettings) -> Self {
-        let (random, champion) = (RandomSearch::new(settings), None);
+        let (search, random) = (search(settings.method), Draws::default());
         let [best, drawn] = [Vec::new(), Vec::new()];
-        Self { settings, population: Vec::new(), random, best, drawn, champion }
+        Self { settings, search, random, lowest: f64::INFINITY, best, drawn }
     }
 
-    /// What evolution tries next.
-    fn brood(&mut self, generation: u32) -> Brood {
-        match generation {
-            0 => Brood::first(&self.settings),
-            _ => Brood::of(&self.settings, core::mem::take(&mut self.population), generation),
-        }
+    /// What both try next; nothing by random search where that is the same.
+    fn asked(&mut self, generation: u32) -> (Brood, Vec<Gains>) {
+        let brood = self.search.ask(&self.settings, generation);
+        let trials = brood.trials();
+        let drawn = self.random.next(&self.settings, trials.len());
+        let drawn = if drawn == trials { Vec::new() } else { drawn };
+        (brood, drawn)
     }
 
-    /// Goes on with the survivors, and notes what both have found.
+    /// Notes what both have found.
     fn driven(&mut self, brood: Brood, evolved: &[f64], drawn: &[f64]) {
-        self.population = brood.driven(&self.settings, evolved).population();
-        let best = best(&self.population);
-        self.best.push(best.cost);
-        self.drawn.push(self.random.driven(drawn));
-        self.champion = Some(best);
+        let drawn = if drawn.is_empty() { evolved } else { drawn };
+        self.lowest = drawn.iter().copied().fold(self.lowest, f64::min);
+        self.drawn.push(self.lowest);
+        self.search.tell(&self.settings, brood, evolved);
+        self.best.push(self.search.best().cost);
     }
 
     fn finished(self) -> SeedRun {
-        let champion = self.champion.expect("generation 0 was driven");
+        let champion = self.search.best();
         SeedRun { best: Column(self.best), champion, random: Column(self.drawn) }
     }
 }

@@ -92,9 +92,12 @@ export interface Disturbance {
 }
 /** The kinds of disturbance δ = (δ1, δ2). */
 export type DisturbanceKind = 'none' | 'random' | 'slip';
-/** The settings of evolutionary programming (section 4 of the paper). */
+/** The settings of the search: those of evolutionary programming (section 4 of the paper), its ingredients, and its rivals. */
 export interface EvolutionSettings {
-  /** N, the number of parents. */
+  /**
+   * N: the parents of evolutionary programming, the draws of random search in a generation, the members of
+   * differential evolution (at least 4), λ of CMA-ES (at least 2). The other methods go from one point to the next.
+   */
   population: number;
   /** q, the number of opponents that each solution meets in the tournament. */
   opponents: number;
@@ -102,9 +105,34 @@ export interface EvolutionSettings {
   seed: number;
   /** The interval from which the first gains are drawn. */
   initialRange: [number, number];
-  /** The first σ of every gain. */
+  /** The first σ of every gain; of other methods the first step. */
   initialSigma: number;
+  /** How gains are looked for. */
+  method: Method;
+  /** How the steps of evolutionary programming are distributed. */
+  step: Step;
+  /** A factor on τ and τ′ of evolutionary programming; with 0 every σ stays. */
+  adaptation: number;
+  /** What no σ of evolutionary programming falls under. */
+  sigmaFloor: number;
+  /** Which solutions of evolutionary programming survive. */
+  selection: Selection;
+  /**
+   * How probable it is that a parent of evolutionary programming is crossed with another before it is mutated: each
+   * gain, with its σ, is then that of the one or the other.
+   */
+  crossover: number;
+  /** What becomes of gains under 0. */
+  belowZero: BelowZero;
 }
+/** How gains are looked for: by the paper's evolutionary programming, or by one of its rivals. */
+export type Method = 'ep' | 'random' | 'de' | 'cma-es' | 'one-plus-one-es' | 'nelder-mead' | 'one-at-a-time' | 'finite-differences';
+/** How the steps of a mutation are distributed. */
+export type Step = 'gaussian' | 'cauchy';
+/** Which solutions of a generation of evolutionary programming survive. */
+export type Selection = 'tournament' | 'truncation' | 'parent';
+/** What becomes of gains under 0. */
+export type BelowZero = 'penalty' | 'mirror';
 /** The name of one of the paper's two experiments: Figures 4 and 5, or Figures 6 and 7. */
 export type Preset = 'velocity-limits' | 'acceleration-limits';
 /** One run: arrays with one value a sample, the first at time 0, the last where the run ended. */
@@ -200,7 +228,10 @@ export interface ErrorPosture {
 export interface Individual {
   /** The gains (kx, ky, kθ). */
   gains: [number, number, number];
-  /** The strategy parameters: the standard deviation of each gain's mutation. */
+  /**
+   * The strategy parameters: the standard deviation of each gain's mutation. Of other methods than evolutionary
+   * programming, how far the next step goes in each gain; 0 where a method has no such number.
+   */
   sigmas: [number, number, number];
   /** J, the mean over the start postures; infinite if it is not finite or not yet known. */
   cost: number;
@@ -211,7 +242,7 @@ export interface Statistics {
   generation: number;
   /** Drives since the start, one for each individual and start posture. */
   evaluations: number;
-  /** The individual with the lowest cost. */
+  /** The individual with the lowest cost of all that were driven until now. */
   best: Individual;
   /** Median cost; with an even number of individuals the mean of the two in the middle. */
   median: number;
@@ -221,7 +252,7 @@ export interface Statistics {
   meanSigmas: [number, number, number];
 }
 /**
- * One generation in full. Solutions are numbered 0 to N − 1 for the parents and N to 2N − 1 for the offspring.
+ * One generation in full. Solutions are numbered 0 to N − 1 for the parents, and from N on for the offspring.
  * Generation 0 has only parents: the initial population in the order of its draws, all of which survive.
  */
 export interface GenerationRecord {
@@ -229,27 +260,49 @@ export interface GenerationRecord {
   generation: number;
   /** The survivors of the generation before. */
   parents: Individual[];
-  /** One offspring of each parent, in their order. */
+  /** One offspring of each parent, in their order; of other methods than evolutionary programming, whatever was tried. */
   offspring: Individual[];
-  /** The draws behind each offspring. */
+  /** The draws behind each offspring of evolutionary programming. */
   mutations: Mutation[];
-  /** For each of the 2N solutions, whom it met. */
+  /**
+   * For each offspring the numbers of the other parents in it: with whom its parent was crossed, or a, b and c of
+   * a + F (b − c) in differential evolution. Empty where a method crosses nothing.
+   */
+  donors: number[][];
+  /** What each mutation began with, where parents are crossed; else empty. */
+  bases: Individual[];
+  /** The distribution from which CMA-ES drew the offspring; null for other methods. */
+  ellipse: Ellipse | null;
+  /** For each of the 2N solutions, whom it met in the tournament; empty without one. */
   opponents: number[][];
   /** For each of the 2N solutions, how many bouts it won. */
   wins: number[];
-  /** All of them, best ranked first: most wins first, then lower J, then lower number. */
+  /**
+   * All of them, best ranked first: most wins first, then lower J, then lower number. Without a tournament those that
+   * survive come first, each part by J.
+   */
   ranking: number[];
-  /** The N that survive, best ranked first. */
+  /** Those that survive, best ranked first. */
   survivors: number[];
 }
-/** The standard normal draws that made one offspring. One for each component is our reading of the paper's N_i(0, 1). */
+/**
+ * The draws that made one offspring, standard normal unless the steps are Cauchy's. One for each component is our reading
+ * of the paper's N_i(0, 1).
+ */
 export interface Mutation {
-  /** N_j(0, 1) of each gain. */
+  /** N_j(0, 1) of each gain, or C_j(0, 1). */
   gains: [number, number, number];
   /** N(0, 1), drawn once for all three σ. */
   common: number;
   /** N_j(0, 1) of each σ. */
   sigmas: [number, number, number];
+}
+/** The normal distribution from which CMA-ES draws a generation. */
+export interface Ellipse {
+  /** Its centre. */
+  mean: [number, number, number];
+  /** The three semi-axes of its ellipsoid of one standard deviation, the longest first. */
+  axes: [number, number, number][];
 }
 /** How much a σ changes by itself, τ, and how much all three change together, τ'. */
 export interface LearningRates {
@@ -370,6 +423,31 @@ export interface SeedRun {
    * initial range for each generation.
    */
   random: Float64Array;
+}
+/** Which seeds [first, end) to run, and with how many drives each. */
+export interface Trials {
+  /** The seeds [first, end). */
+  seeds: [number, number];
+  /** How many drives; one from several start postures counts once. */
+  drives: number;
+}
+/** How a search with one seed came down. */
+export interface Trial {
+  /** The seed. */
+  seed: number;
+  /** At which drives, counted from 1, the best J fell. */
+  drives: Float64Array;
+  /** To what it fell then. */
+  costs: Float64Array;
+  /** The best in the end. */
+  champion: Champion;
+}
+/** The gains that a search has found, and what they cost. */
+export interface Champion {
+  /** The gains (kx, ky, kθ). */
+  gains: [number, number, number];
+  /** J. */
+  cost: number;
 }
 /**
  * The Lyapunov function V = ½ x_e² + ½ y_e² + w (1 − cos θ_e) along one run: arrays with one value a sample, those of

@@ -100,6 +100,8 @@ of_experiment! {
     remaining_errors as "remainingErrors"(gains: "Gains", seconds: "number") -> "RemainingErrors";
     /// Evolution with many seeds, beside random search with the same number of drives.
     seed_runs as "seedRuns"(seeds: "SeedRuns") -> "SeedRun[]";
+    /// The method of the experiment with many seeds: at which drives the best J fell, and to what.
+    trials as "trials"(trials: "Trials") -> "Trial[]";
 }
 
 /// Start postures evenly on a circle, each with a random heading.

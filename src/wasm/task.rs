@@ -9,7 +9,7 @@ use super::write::plain;
 use crate::robot::Gains;
 use crate::run::{Experiment, Setting};
 use crate::schema::Columns;
-use crate::study::{self, GridOfRobot, Landscape, SeedRuns};
+use crate::study::{self, GridOfRobot, Landscape, SeedRuns, Trials};
 use crate::theory::{LawTerms, read_error};
 
 /// An experiment that is read once. Its methods are the functions of the same names without their first argument.
@@ -118,5 +118,10 @@ methods! {
     seed_runs as "seedRuns"(|setting, seeds: "SeedRuns"| -> "SeedRun[]" {
         let SeedRuns { seeds, generations } = SeedRuns::read(&Given(seeds))?;
         Ok(plain(&study::seed_runs(setting, seeds, generations)?))
+    })
+    /// The method of the experiment with many seeds: at which drives the best J fell, and to what.
+    trials as "trials"(|setting, trials: "Trials"| -> "Trial[]" {
+        let Trials { seeds, drives } = Trials::read(&Given(trials))?;
+        Ok(plain(&study::trials(setting, seeds, drives)?))
     })
 }

@@ -20,6 +20,16 @@ const isUndisturbed = ({ disturbance }) => disturbance.kind === 'none';
 /** @param {Experiment} experiment */
 const isWithoutNoise = ({ disturbance }) => disturbance.kind !== 'random';
 
+/** @param {Experiment} experiment */
+const isNoEp = ({ evolution }) => evolution.method !== 'ep';
+/** @param {Experiment} experiment */
+const isWithoutTournament = ({ evolution }) =>
+  evolution.method !== 'ep' || evolution.selection !== 'tournament';
+/** @param {Experiment} experiment */
+const goesPointByPoint = ({ evolution }) => !['ep', 'random', 'de', 'cma-es'].includes(evolution.method);
+/** @param {Experiment} experiment */
+const hasNoStep = ({ evolution }) => ['random', 'de'].includes(evolution.method);
+
 /** @type {Readonly<Record<GroupName, readonly Row[]>>} */
 export const table = {
   limits: [
@@ -60,12 +70,21 @@ export const table = {
     row('disturbance.seed', undefined, undefined, isWithoutNoise),
   ],
   evolution: [
-    row('evolution.population', symbol('N'), { from: 2, to: 100, step: 1 }),
-    row('evolution.opponents', symbol('q'), { from: 1, to: 40, step: 1 }),
+    row('evolution.population', symbol('N'), { from: 2, to: 100, step: 1 }, goesPointByPoint),
+    row('evolution.opponents', symbol('q'), { from: 1, to: 40, step: 1 }, isWithoutTournament),
     row('evolution.seed'),
     row('evolution.initialRange[0]'),
     row('evolution.initialRange[1]'),
-    row('evolution.initialSigma', symbol('σ'), { from: 0.01, to: 10, log: true }),
+    row('evolution.initialSigma', symbol('σ'), { from: 0.01, to: 10, log: true }, hasNoStep),
+  ],
+  method: [
+    row('evolution.method'),
+    row('evolution.belowZero'),
+    row('evolution.step', undefined, undefined, isNoEp),
+    row('evolution.adaptation', undefined, { from: 0, to: 3, step: 0.05 }, isNoEp),
+    row('evolution.sigmaFloor', symbol('σ', 'min'), { from: 0, to: 1, step: 0.01 }, isNoEp),
+    row('evolution.selection', undefined, undefined, isNoEp),
+    row('evolution.crossover', undefined, { from: 0, to: 1, step: 0.05 }, isNoEp),
   ],
 };
 

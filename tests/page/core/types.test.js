@@ -56,6 +56,13 @@ const task = new core.Task(e);
 const robot = new core.Simulation(e, gains, 0);
 const evolution = new core.Evolution(e);
 
+/** Generation 1 of a rival. @param {import('../../../pkg/ep_locomotion.js').Method} method */
+function record(method) {
+  const rival = new core.Evolution({ evolution: { method, crossover: 0.5 } });
+  rival.step();
+  return rival.record(1);
+}
+
 test('every object has the keys and kinds of its type', () => {
   const driving = robot.step();
   for (let i = 0; i < 300; i++) robot.step();
@@ -78,6 +85,9 @@ test('every object has the keys and kinds of its type', () => {
     ['Robustness', core.fares(e, gains)],
     ['Robustness', core.robustness(e, { gains, x: range, y: range, headings: 2 })],
     ['SeedRun[]', core.seedRuns(e, { seeds: [1, 3], generations: 1 })],
+    ['Trial[]', core.trials(e, { seeds: [1, 3], drives: 30 })],
+    ['GenerationRecord', record('cma-es')],
+    ['GenerationRecord', record('de')],
     ['Stability', core.stability(e, gains)],
     ['Stability', core.stability({ law: 'kanayama' }, [1, 0, 1])],
     ['ErrorParts[]', core.errorParts(e, gains)],
@@ -101,7 +111,7 @@ test('every object has the keys and kinds of its type', () => {
     others.filter(
       (name) =>
         text.includes(`${name} {`) &&
-        !/^(Init|Landscape|Axis|Grid|StartGrid|Range|SeedRuns|Circle)/.test(name),
+        !/^(Init|Landscape|Axis|Grid|StartGrid|Range|SeedRuns|Trials|Circle)/.test(name),
     ),
     [],
   );

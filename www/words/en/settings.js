@@ -29,6 +29,7 @@ export const groups = {
   law: 'Control law',
   disturbance: 'Disturbance',
   evolution: 'Evolution',
+  method: 'Method and ingredients',
 };
 
 /** Names and help, by the path in the experiment. @type {Readonly<Record<string, SettingWords>>} */
@@ -112,6 +113,44 @@ export const settings = {
   'evolution.initialSigma': {
     name: 'First σ',
     help: 'How far the first offspring jump from their parents; evolution adapts it.',
+  },
+  'evolution.method': {
+    name: 'Method',
+    help: 'How gains are looked for: by the paper’s evolutionary programming, or by a rival.',
+    choices: {
+      ep: 'evolutionary programming',
+      random: 'random search',
+      de: 'differential evolution',
+      'cma-es': 'CMA-ES',
+      'one-plus-one-es': '(1+1)-ES, 1/5 rule',
+      'nelder-mead': 'Nelder–Mead',
+      'one-at-a-time': 'one gain at a time',
+      'finite-differences': 'down the slope',
+    },
+  },
+  'evolution.belowZero': {
+    name: 'Gains below 0',
+    help: 'Tried, which costs a penalty, or mirrored at 0 before they are tried.',
+    choices: { penalty: 'penalty', mirror: 'mirrored' },
+  },
+  'evolution.step': {
+    name: 'Steps',
+    help: 'How mutations are distributed: Cauchy’s are often smaller, and at times much larger.',
+    choices: { gaussian: 'Gaussian', cauchy: 'Cauchy' },
+  },
+  'evolution.adaptation': {
+    name: 'Self-adaptation',
+    help: 'A factor on τ and τ′, with which every σ changes; with 0 every σ stays as it is.',
+  },
+  'evolution.sigmaFloor': { name: 'Least σ', help: 'No σ falls below this.' },
+  'evolution.selection': {
+    name: 'Survival',
+    help: 'Who survives: who wins the most bouts, who costs least, or the better of parent and child.',
+    choices: { tournament: 'tournament', truncation: 'lowest J', parent: 'child against parent' },
+  },
+  'evolution.crossover': {
+    name: 'Crossover',
+    help: 'How often a parent is mixed with another one, gain by gain, before it is mutated.',
   },
 };
 

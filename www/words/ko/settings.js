@@ -27,6 +27,7 @@ export const groups = {
   law: '제어 법칙',
   disturbance: '외란',
   evolution: '진화',
+  method: '방법과 구성 요소',
 };
 
 /** Names and help, by the path in the experiment. @type {Readonly<Record<string, import('../common/settings.js').SettingWords>>} */
@@ -98,6 +99,44 @@ export const settings = {
   'evolution.initialSigma': {
     name: '초기 σ',
     help: '첫 자손이 부모에게서 벗어나는 폭입니다. 그 뒤로는 진화가 스스로 조절합니다.',
+  },
+  'evolution.method': {
+    name: '방법',
+    help: '이득을 찾는 방법입니다. 논문의 진화 프로그래밍이나 다른 방법을 고릅니다.',
+    choices: {
+      ep: '진화 프로그래밍',
+      random: '무작위 탐색',
+      de: '차분 진화',
+      'cma-es': 'CMA-ES(공분산 적응)',
+      'one-plus-one-es': '(1+1)-ES, 1/5 규칙',
+      'nelder-mead': '넬더–미드',
+      'one-at-a-time': '이득을 하나씩',
+      'finite-differences': '기울기를 따라',
+    },
+  },
+  'evolution.belowZero': {
+    name: '0보다 작은 이득',
+    help: '벌점을 매기고 그대로 시험하거나, 시험하기 전에 0을 기준으로 뒤집습니다.',
+    choices: { penalty: '벌점', mirror: '뒤집기' },
+  },
+  'evolution.step': {
+    name: '변이의 분포',
+    help: '변이가 따르는 분포입니다. 코시 분포의 변이는 대개 더 작지만 가끔 훨씬 큽니다.',
+    choices: { gaussian: '가우스', cauchy: '코시' },
+  },
+  'evolution.adaptation': {
+    name: '자기 적응',
+    help: 'σ를 바꾸는 τ와 τ′에 곱하는 수입니다. 0이면 σ가 바뀌지 않습니다.',
+  },
+  'evolution.sigmaFloor': { name: 'σ의 하한', help: 'σ는 이 값 아래로 내려가지 않습니다.' },
+  'evolution.selection': {
+    name: '생존 선택',
+    help: '살아남는 개체를 정하는 방식입니다. 가장 많이 이긴 개체, 비용이 가장 낮은 개체, 또는 부모와 자식 중 나은 쪽입니다.',
+    choices: { tournament: '토너먼트', truncation: '가장 낮은 J', parent: '자식 대 부모' },
+  },
+  'evolution.crossover': {
+    name: '교차',
+    help: '변이하기 전에 부모가 다른 부모와 이득을 하나씩 섞을 확률입니다.',
   },
 };
 

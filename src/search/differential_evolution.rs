@@ -1,0 +1,88 @@
+//! Differential evolution, DE/rand/1/bin (Storn and Price 1997).
+
+use rand::{Rng, RngExt};
+
+use super::generation::{Brood, GenerationRecord, Making};
+use super::individual::{Individual, drawn};
+use super::search::{Found, Search, found};
+use super::settings::EvolutionSettings;
+use crate::number::{Purpose, stream};
+
+/// F, the factor on the difference of two members.
+const FACTOR: f64 = 0.5;
+
+/// CR, how probable it is that a gain comes from the mutant.
+const CROSSOVER: f64 = 0.9;
+
+/// A population in which each member is replaced by its trial where that costs no more.
+///
+/// The trial of a member is a + F (b − c) of three others, crossed with the member gain by gain.
+#[derive(Clone, Debug, Default)]
+pub struct DifferentialEvolution(Found);
+
+impl Search for DifferentialEvolution {
+    fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood {
+        let members = &self.0.population;
+        if generation == 0 {
+            let first = drawn(e, 0).into_iter().map(|one| one.with_sigmas([0.0; 3]));
+            return Brood::initial(first.collect());
+        }
+        let mut rng = stream(e.seed, Purpose::Partners, generation);
+        let trials = (0..members.len()).map(|own| {
+            let donors = others(own, members.len(), &mut rng);
+            (donors.map(|donor| donor as u32).to_vec(), trial(e, members, own, donors, &mut rng))
+        });
+        let (donors, trials) = trials.unzip();
+        let making = Making { donors, ..Making::default() };
+        Brood::beside(members, trials, generation).made_by(making)
+    }
+
+    fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
+        let brood = brood.with_costs(costs);
+        let (costs, count) = (brood.costs(), brood.parents.len());
+        let replaced = |member: usize| costs[member + count] <= costs[member];
+        let record = match brood.generation {
+            0 => brood.founded(),
+            _ => brood.survived_by(&|number| match number.checked_sub(count) {
+                None => !replaced(number),
+                Some(member) => replaced(member),
+            }),
+        };
+        self.0.follow(&record);
+        record
+    }
+
+    found!(0);
+}
+
+/// Three members, none of them twice and none of them this one.
+fn others(own: usize, count: usize, rng: &mut impl Rng) -> [usize; 3] {
+    let mut taken = [own; 4];
+    for place in 1..4 {
+        taken[place] = loop {
+            let drawn = rng.random_range(0..count as u32) as usize;
+            if !taken[..place].contains(&drawn) {
+                break drawn;
+            }
+        };
+    }
+    [taken[1], taken[2], taken[3]]
+}
+
+/// The mutant, crossed with the member; at least one gain is the mutant's.
+fn trial(
+    e: &EvolutionSettings,
+    members: &[Individual],
+    own: usize,
+    donors: [usize; 3],
+    rng: &mut impl Rng,
+) -> Individual {
+    let [a, b, c] = donors.map(|donor| members[donor].gains.to_array());
+    let member = members[own].gains.to_array();
+    let always = rng.random_range(0..3_u32) as usize;
+    let gains = [0, 1, 2].map(|j| {
+        let is_crossed = rng.random::<f64>() < CROSSOVER;
+        if is_crossed || j == always { a[j] + FACTOR * (b[j] - c[j]) } else { member[j] }
+    });
+    Individual::new(e.tried(gains), [0.0; 3])
+}

@@ -1,0 +1,168 @@
+//! The simplex method of Nelder and Mead (1965), begun anew where the simplex has shrunk to a point.
+
+use super::generation::{Brood, GenerationRecord};
+use super::individual::{Individual, best, first_drawn};
+use super::search::{Found, Search, found};
+use super::settings::EvolutionSettings;
+use super::symmetric::{UNIT, Vector, plus};
+
+/// Four corners, of which the worst is to be replaced.
+///
+/// While a second trial is to decide over a reflected corner, that stands beside the four.
+#[derive(Clone, Debug, Default)]
+pub struct NelderMead {
+    found: Found,
+    phase: Phase,
+    /// How often it has begun.
+    begun: u32,
+}
+
+/// What is tried next.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Phase {
+    /// A new simplex.
+    #[default]
+    Begin,
+    /// The worst corner on the other side of the centre of the others.
+    Reflect,
+    /// Twice as far, for the reflected one is the best.
+    Expand,
+    /// Half as far, for the reflected one would be the worst.
+    ContractOutside,
+    /// Half of the way to the worst, for the reflected one is worse still.
+    ContractInside,
+    /// All corners but the best, half of the way to it.
+    Shrink,
+}
+
+/// A simplex whose edges are no longer than this in any gain begins anew.
+const SMALLEST: f64 = 1e-4;
+
+impl Search for NelderMead {
+    fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood {
+        let trials = match self.phase {
+            Phase::Begin => corners(e, self.begun),
+            Phase::Shrink => {
+                let [lowest, others @ ..] = self.simplex();
+                others.map(|corner| between(corner, lowest, 0.5)).to_vec()
+            }
+            Phase::Reflect => vec![self.beyond(1.0)],
+            Phase::Expand => vec![self.beyond(2.0)],
+            Phase::ContractOutside => vec![self.beyond(0.5)],
+            Phase::ContractInside => vec![self.beyond(-0.5)],
+        };
+        let new = |gains: Vector| Individual::new(e.tried(gains), [0.0; 3]);
+        let trials = trials.into_iter().map(new).collect();
+        match generation {
+            0 => Brood::initial(trials),
+            _ => Brood::beside(&self.found.population, trials, generation),
+        }
+    }
+
+    fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
+        let brood = brood.with_costs(costs);
+        let trial = best(&brood.offspring);
+        let (survives, next) = match self.phase {
+            Phase::Begin => ([false; 6], Phase::Reflect),
+            Phase::Shrink => ([true, false, false, false, false, false], Phase::Reflect),
+            _ => self.decided(&trial),
+        };
+        // What shrinks, and what begins, is taken whatever it costs.
+        let (parents, is_new) = (brood.parents.len(), costs.len() > 1);
+        let record = match brood.generation {
+            0 => brood.founded(),
+            _ => brood.survived_by(&|number| match number.checked_sub(parents) {
+                None => survives[number],
+                Some(_) => is_new || survives[5],
+            }),
+        };
+        self.begun += u32::from(self.phase == Phase::Begin);
+        self.found.follow(&record);
+        self.phase = next;
+        if next == Phase::Reflect && self.is_small() {
+            self.phase = Phase::Begin;
+        }
+        record
+    }
+
+    found!(found);
+}
+
+impl NelderMead {
+    /// Which of the five that stand, and whether the trial, survive; and what comes next.
+    fn decided(&self, trial: &Individual) -> ([bool; 6], Phase) {
+        let all = &self.found.population;
+        // A reflected corner stands among the four where it was ranked.
+        let (simplex, reflected) = self.parted();
+        let [lowest, third, worst] = [0, 2, 3].map(|rank| all[simplex[rank]]);
+        let keep = |gone: &[usize], trial_stays: bool| {
+            let mut survives = [false; 6];
+            (0..all.len()).for_each(|number| survives[number] = !gone.contains(&number));
+            survives[5] = trial_stays;
+            survives
+        };
+        let worst_number = simplex[3];
+        match (self.phase, reflected) {
+            (Phase::Expand, Some(number)) if trial.is_better_than(&all[number]) => {
+                (keep(&[worst_number, number], true), Phase::Reflect)
+            }
+            (Phase::Expand, Some(_)) => (keep(&[worst_number], false), Phase::Reflect),
+            (Phase::ContractOutside, Some(number)) if !all[number].is_better_than(trial) => {
+                (keep(&[worst_number, number], true), Phase::Reflect)
+            }
+            (Phase::ContractInside, _) if trial.is_better_than(&worst) => {
+                (keep(&[worst_number], true), Phase::Reflect)
+            }
+            (Phase::ContractOutside, Some(number)) => (keep(&[number], false), Phase::Shrink),
+            (Phase::ContractInside, _) => (keep(&[], false), Phase::Shrink),
+            _ if trial.is_better_than(&lowest) => (keep(&[], true), Phase::Expand),
+            _ if trial.is_better_than(&third) => (keep(&[worst_number], true), Phase::Reflect),
+            _ if trial.is_better_than(&worst) => (keep(&[], true), Phase::ContractOutside),
+            _ => (keep(&[], false), Phase::ContractInside),
+        }
+    }
+
+    /// The numbers of the four corners, best first, and of the reflected one, if a trial is to decide over it: that is
+    /// the best while it is expanded, and the last but one while it is contracted.
+    fn parted(&self) -> ([usize; 4], Option<usize>) {
+        match self.phase {
+            Phase::Expand => ([1, 2, 3, 4], Some(0)),
+            Phase::ContractOutside => ([0, 1, 2, 4], Some(3)),
+            _ => ([0, 1, 2, 3], None),
+        }
+    }
+
+    fn simplex(&self) -> [Vector; 4] {
+        self.parted().0.map(|number| self.found.population[number].gains.to_array())
+    }
+
+    /// From the worst corner through the centre of the others, and so far beyond.
+    fn beyond(&self, distance: f64) -> Vector {
+        let [a, b, c, worst] = self.simplex();
+        let centre = [0, 1, 2].map(|j| (a[j] + b[j] + c[j]) / 3.0);
+        between(centre, worst, -distance)
+    }
+
+    fn is_small(&self) -> bool {
+        let [lowest, others @ ..] = self.simplex();
+        let spread = self.found.population.last().map_or(0.0, |worst| worst.cost)
+            - self.found.population[0].cost;
+        let edge = |corner: &Vector| {
+            (0..3).fold(0.0, |largest: f64, j| largest.max((corner[j] - lowest[j]).abs()))
+        };
+        let largest = others.iter().map(edge).fold(0.0, f64::max);
+        // Also where no corner has a cost, for which all are infinite.
+        largest <= SMALLEST || spread.is_nan()
+    }
+}
+
+/// A draw from the initial range, and a corner one step from it in each gain.
+fn corners(e: &EvolutionSettings, begun: u32) -> Vec<Vector> {
+    let first = first_drawn(e, begun).gains.to_array();
+    let others = UNIT.map(|axis| plus(first, e.initial_sigma, axis));
+    [first].into_iter().chain(others).collect()
+}
+
+fn between(from: Vector, to: Vector, share: f64) -> Vector {
+    [0, 1, 2].map(|j| from[j] + share * (to[j] - from[j]))
+}

@@ -1,0 +1,50 @@
+//! The (1+1) evolution strategy with the 1/5 success rule (Rechenberg 1973).
+
+use rand_distr::{Distribution, StandardNormal};
+
+use super::generation::{Brood, GenerationRecord};
+use super::individual::{Individual, first_drawn};
+use super::search::{Found, Search, found};
+use super::settings::EvolutionSettings;
+use super::symmetric::plus;
+use crate::number::{Purpose, stream};
+
+/// σ after a success, as a factor.
+const GROWTH: f64 = 1.5;
+
+/// σ after a failure: GROWTH^(−1/4), so that it stays where one step of five succeeds.
+const DECAY: f64 = 0.903_602_003_609_844_8;
+
+/// One parent, one offspring a generation; the offspring stays where it costs no more.
+#[derive(Clone, Debug, Default)]
+pub struct OnePlusOne(Found);
+
+impl Search for OnePlusOne {
+    fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood {
+        let Some(parent) = self.0.population.first() else {
+            return Brood::initial(vec![first_drawn(e, 0)]);
+        };
+        let mut rng = stream(e.seed, Purpose::Steps, generation);
+        let step = [0; 3].map(|_| StandardNormal.sample(&mut rng));
+        let gains = e.tried(plus(parent.gains.to_array(), parent.sigmas[0], step));
+        let offspring = Individual::new(gains, parent.sigmas.map(|sigma| GROWTH * sigma));
+        Brood::beside(&self.0.population, vec![offspring], generation)
+    }
+
+    fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
+        let brood = brood.with_costs(costs);
+        let costs = brood.costs();
+        let record = match brood.generation {
+            0 => brood.founded(),
+            _ => brood.survived_by(&|number| (number == 1) == (costs[1] <= costs[0])),
+        };
+        self.0.follow(&record);
+        if record.survivors == [0] && record.generation > 0 {
+            let parent = &mut self.0.population[0];
+            *parent = parent.with_sigmas(parent.sigmas.map(|sigma| DECAY * sigma));
+        }
+        record
+    }
+
+    found!(0);
+}

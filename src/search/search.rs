@@ -1,0 +1,85 @@
+//! What every method of searching can do.
+
+use core::fmt::Debug;
+
+use super::generation::{Brood, GenerationRecord};
+use super::individual::Individual;
+use super::settings::EvolutionSettings;
+
+/// A search for the gains of least cost. It asks for trials, and is told what they cost.
+///
+/// What it asks for in a generation depends on where it stands, the settings with their seed and the generation's number
+/// alone; so a search that is kept can go on from there at any time, to the same bits.
+pub trait Search: Debug {
+    /// What is to be driven in a generation; the first is 0.
+    ///
+    /// # Panics
+    /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION).
+    fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood;
+
+    /// The generation once each trial has cost so much. From here on the search stands behind it.
+    ///
+    /// # Panics
+    /// If there is not one cost for each trial.
+    fn tell(&mut self, e: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord;
+
+    /// What the last generation left, best ranked first.
+    fn population(&self) -> &[Individual];
+
+    /// The first of all that were driven until now with the lowest cost.
+    ///
+    /// # Panics
+    /// If nothing was driven.
+    fn best(&self) -> Individual;
+
+    /// Another that stands where this one does.
+    fn copied(&self) -> Box<dyn Search>;
+}
+
+impl Clone for Box<dyn Search> {
+    fn clone(&self) -> Self {
+        self.copied()
+    }
+}
+
+/// What a search keeps that may lose its best again.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Found {
+    pub(super) population: Vec<Individual>,
+    best: Option<Individual>,
+}
+
+impl Found {
+    /// Takes over what a generation leaves, and its best if that is the best until now.
+    pub(super) fn follow(&mut self, record: &GenerationRecord) {
+        self.population = record.population();
+        for one in record.tried() {
+            if self.best.is_none_or(|best| one.is_better_than(&best)) {
+                self.best = Some(*one);
+            }
+        }
+    }
+
+    pub(super) fn best(&self) -> Individual {
+        self.best.expect("generation 0 was driven")
+    }
+}
+
+/// What such a search says of it.
+macro_rules! found {
+    ($field:tt) => {
+        fn population(&self) -> &[$crate::search::Individual] {
+            &self.$field.population
+        }
+
+        fn best(&self) -> $crate::search::Individual {
+            self.$field.best()
+        }
+
+        fn copied(&self) -> Box<dyn Search> {
+            Box::new(self.clone())
+        }
+    };
+}
+
+pub(super) use found;
