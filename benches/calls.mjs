@@ -55,7 +55,26 @@ function ofTasks(core, rounds) {
     'read 1000 starts': measure(() => read({ ...e, starts }), 5, rounds),
     'read 1000 starts side by side': measure(() => read({ ...e, starts: flat }), 5, rounds),
     'drive from 1000 starts': measure(() => many.evaluate(gains), 5, rounds),
+    'a contest: four methods, 51 seeds, 4000 drives': measure(contest(core), 1, 3),
+    'a survey: 100 seeds, 200 generations, and random search': measure(survey(core), 1, 3),
   };
+}
+
+/** Evolution as in the paper and three rivals, as many seeds at once as one call takes. @param {Core} core */
+function contest(core) {
+  const e = core.experiment('velocity-limits');
+  /** @type {import('../pkg/ep_locomotion.js').Method[]} */
+  const methods = ['ep', 'de', 'cma-es', 'nelder-mead'];
+  const tasks = methods.map((method) => new core.Task({ ...e, evolution: { ...e.evolution, method } }));
+  return () => tasks.map((task) => task.trials({ seeds: [1, 52], drives: 4000 }));
+}
+
+/** In four calls, for one takes no more. @param {Core} core */
+function survey(core) {
+  const task = new core.Task(core.experiment('velocity-limits'));
+  const part = (/** @type {number} */ first) =>
+    task.seedRuns({ seeds: [first, first + 25], generations: 200 });
+  return () => [1, 26, 51, 76].map(part);
 }
 
 /** Of the core in pkg/, and beside it of another build. @param {string} top @param {string | undefined} against @param {number} rounds */

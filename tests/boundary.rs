@@ -531,7 +531,7 @@ fn the_tables_are_complete() {
         let path = get(&field, "path").as_string().expect("a path").replace("[]", ".0");
         assert!(!get(&preset, &path).is_undefined(), "{path}");
     }
-    assert_eq!(fields.length(), 27);
+    assert_eq!(fields.length(), 30);
     assert_eq!(Object::keys(fields.get(0).unchecked_ref::<Object>()).length(), 6);
     let words: Vec<String> =
         Array::from(&word_fields().expect("rows")).iter().map(|field| text(&field)).collect();
@@ -540,6 +540,11 @@ fn the_tables_are_complete() {
         [
             "{\"path\":\"law\",\"words\":[\"shim-kim\",\"kanayama\"]}",
             "{\"path\":\"disturbance.kind\",\"words\":[\"none\",\"random\",\"slip\"]}",
+            "{\"path\":\"evolution.method\",\"words\":[\"ep\",\"random\",\"de\",\"cma-es\",\
+             \"one-plus-one-es\",\"nelder-mead\",\"one-at-a-time\",\"finite-differences\"]}",
+            "{\"path\":\"evolution.step\",\"words\":[\"gaussian\",\"cauchy\"]}",
+            "{\"path\":\"evolution.selection\",\"words\":[\"tournament\",\"truncation\",\"parent\"]}",
+            "{\"path\":\"evolution.belowZero\",\"words\":[\"penalty\",\"mirror\"]}",
         ]
     );
     let seeds = [random_seed(), random_seed(), random_seed()].map(|seed| seed.expect("a seed"));

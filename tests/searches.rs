@@ -323,3 +323,25 @@ fn wild_experiments_stop_no_method() {
         }
     }
 }
+
+/// Links made today must give the same runs tomorrow, on every machine.
+#[wasm_bindgen_test(unsupported = test)]
+fn every_method_and_ingredient_has_the_same_bits_everywhere() {
+    type Change = fn(&mut EvolutionSettings);
+    let known: [(Change, &str); 12] = [
+        (|e| e.method = Method::Random, "503c71ac46b4c41e"),
+        (|e| e.method = Method::De, "e331fdff507b742c"),
+        (|e| e.method = Method::CmaEs, "2dc6aef4c9a86f7e"),
+        (|e| e.method = Method::OnePlusOneEs, "520c4f0968a90745"),
+        (|e| e.method = Method::NelderMead, "08b1f831571e5acc"),
+        (|e| e.method = Method::OneAtATime, "976201fda9fd8d10"),
+        (|e| e.method = Method::FiniteDifferences, "3c25cc46d8bb8d07"),
+        (|e| e.step = Step::Cauchy, "5bed01ad4667cf1d"),
+        (|e| (e.adaptation, e.sigma_floor) = (0.5, 0.1), "1d8441e6d9bd4d72"),
+        (|e| e.selection = Selection::Truncation, "dff8e39eb9a9c3a1"),
+        (|e| (e.selection, e.crossover) = (Selection::Parent, 0.7), "949129bf9c59654d"),
+        (|e| (e.method, e.below_zero) = (Method::CmaEs, BelowZero::Mirror), "f292f38ac82f560d"),
+    ];
+    let hashes = known.map(|(change, _)| evolved(searched_by(change), 100).hash());
+    assert_eq!(hashes.each_ref().map(String::as_str), known.map(|(_, hash)| hash));
+}

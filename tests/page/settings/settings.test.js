@@ -112,7 +112,8 @@ pageTest('every number of an experiment has a row, with its unit and range', asy
     assert.equal(paths.filter((path) => path.startsWith(list)).length, length, list);
 
   await openSettings(page);
-  for (const group of ['task', 'arrival', 'law', 'disturbance', 'evolution']) await openGroup(page, group);
+  for (const group of ['task', 'arrival', 'law', 'disturbance', 'evolution', 'method'])
+    await openGroup(page, group);
   const drawn = await page.evaluate(() =>
     [...document.querySelectorAll('.setting')].map((row) => {
       const field = /** @type {HTMLInputElement} */ (row.querySelector('input[type=text], select'));
