@@ -440,3 +440,39 @@ engineTest('each phase is readable for everybody, in sight without scrolling', a
   }
   assert.deepEqual(await page.problems(), []);
 });
+
+/** Each method has its own phases, and none of them makes the page stumble. */
+const methods = /** @type {const} */ ([
+  ['evolution.method=random', ['parents', 'drive', 'survivors']],
+  ['evolution.method=de', ['parents', 'drive', 'survivors']],
+  ['evolution.method=cma-es', ['parents', 'drive', 'survivors']],
+  ['evolution.method=one-plus-one-es', ['parents', 'drive', 'survivors']],
+  ['evolution.method=nelder-mead', ['parents', 'drive', 'survivors']],
+  ['evolution.method=one-at-a-time', ['parents', 'drive', 'survivors']],
+  ['evolution.method=finite-differences', ['parents', 'drive', 'survivors']],
+  ['evolution.selection=truncation', ['parents', 'mutation', 'drive', 'ranking', 'survivors']],
+  ['evolution.crossover=1', phases],
+]);
+
+pageTest('every method of search is shown in the phases that it has', async (page) => {
+  for (const [setting, own] of methods) {
+    await page.open(`#generation&v=1&generation=5&${setting}&phase=parents`);
+    const there = await page.evaluate(() =>
+      [
+        .../** @type {NodeListOf<HTMLInputElement>} */ (
+          document.querySelectorAll('#generation-phases input:not(:disabled)')
+        ),
+      ].map(({ value }) => value),
+    );
+    assert.deepEqual(there, own, setting);
+    for (const phase of own.slice(1)) {
+      await page.click('#generation-next');
+      assert.equal((await shownOn(page)).phase, phase, setting);
+    }
+    await page.click('#generation-next');
+    assert.equal((await shownOn(page)).title, 'Generation 6', setting);
+    await page.click('#generation-table');
+    await page.press(Key.ESCAPE);
+    assert.deepEqual(await page.problems(), [], setting);
+  }
+});

@@ -42,7 +42,9 @@ const contents = {
   mutation({ anatomy, chosen }, { rates, choose }) {
     const { record, count } = anatomy;
     const pair = chosen % count;
-    const [parent, child, draws] = [record.parents[pair], record.offspring[pair], record.mutations[pair]];
+    // Where parents are crossed, it begins with what came of that.
+    const parent = record.bases[pair] ?? record.parents[pair];
+    const [child, draws] = [record.offspring[pair], record.mutations[pair]];
     const row = (/** @type {number} */ i) => html`
       ${bell(draws.gains[i])}
       ${gainEquation(parent, child, draws, i)}
@@ -90,8 +92,8 @@ const contents = {
   },
 
   ranking({ anatomy, chosen }, { choose }) {
-    const { count, ranking, ranks } = anatomy;
-    const near = ranking.map((_, rank) => rank).slice(Math.max(0, count - aroundCut), count + aroundCut);
+    const { staying, ranking, ranks } = anatomy;
+    const near = ranking.map((_, rank) => rank).slice(Math.max(0, staying - aroundCut), staying + aroundCut);
     const own = ranks[chosen];
     const rows = [...new Set([own, ...near])].sort((a, b) => a - b);
     return html`
@@ -101,10 +103,10 @@ const contents = {
   },
 
   survivors({ anatomy, chosen }) {
-    const { record, all, count, ranking } = anatomy;
+    const { record, all, staying, ranking } = anatomy;
     const write = words.costWriter(anatomy);
     const best = (/** @type {Individual[]} */ some) => Math.min(...some.map(({ cost }) => cost));
-    const after = best(ranking.slice(0, count).map((number) => all[number]));
+    const after = best(ranking.slice(0, staying).map((number) => all[number]));
     const told = () => html`<p>${words.bestText(best(record.parents), after, write)}</p>${upset(anatomy)}`;
     return html`
       ${headline(anatomy, chosen, `J ${write(all[chosen].cost)}`, words.fateText(anatomy, chosen))}
@@ -155,14 +157,14 @@ function commonEquation({ common }, rates) {
 
 /** @param {Anatomy} anatomy @param {number} rank @param {number} own @param {(number: number) => void} choose */
 function rankRow(anatomy, rank, own, choose) {
-  const { ranking, record, all, count } = anatomy;
+  const { ranking, record, all, staying } = anatomy;
   const individual = ranking[rank];
-  const classes = [rank === own && 'own', rank >= count ? 'falls' : 'stays', rank === count && 'first'];
+  const classes = [rank === own && 'own', rank >= staying ? 'falls' : 'stays', rank === staying && 'first'];
   return html`
     <li class=${classes.filter(Boolean).join(' ')}>
       <span class="rank">${rank + 1}.</span>
       ${link(anatomy, individual, choose)}
-      <span class="wins">${words.winsText(record.wins[individual])}</span>
+      <span class="wins">${record.wins.length > 0 ? words.winsText(record.wins[individual]) : nothing}</span>
       <span class="cost">J ${words.costWriter(anatomy)(all[individual].cost)}</span>
     </li>`;
 }

@@ -9,6 +9,9 @@ const mostMoving = 400;
 /** @param {PictureModel} model */
 export const isCrowd = ({ anatomy }) => anatomy.all.length > mostMoving;
 
+/** How many parents have an offspring of their own. @param {PictureModel['anatomy']} anatomy */
+const pairedIn = ({ count, record }) => (record.offspring.length === count ? count : 0);
+
 /** As many elements as there are things. @param {Element} layer @param {number} count @param {string} name @param {Record<string, string>} attributes */
 function fill(layer, count, name, attributes) {
   if (layer.firstElementChild?.localName !== name) layer.replaceChildren();
@@ -20,7 +23,7 @@ function fill(layer, count, name, attributes) {
 export function prepare(marks, pairs, model) {
   if (isCrowd(model)) return;
   fill(marks, model.anatomy.all.length, 'circle', { class: 'mark' });
-  fill(pairs, model.anatomy.record.offspring.length, 'line', { x2: '1', y2: '1', class: 'pair' });
+  fill(pairs, pairedIn(model.anatomy), 'line', { x2: '1', y2: '1', class: 'pair' });
 }
 
 /** @param {Element} marks @param {Element} pairs @param {PictureModel} model @param {Place[]} places @param {number} radius */
@@ -75,8 +78,8 @@ function showCrowd(marks, pairs, model, places, radius) {
     outlines.set(kind, (outlines.get(kind) ?? '') + outline);
   }
   marks.replaceChildren(...[...outlines].map(([kind, d]) => svg('path', { class: kind, d })));
-  const { count, record } = model.anatomy;
-  const lines = record.offspring.map((_, i) => {
+  const { count } = model.anatomy;
+  const lines = Array.from({ length: pairedIn(model.anatomy) }, (_, i) => {
     const [from, to] = [places[i], places[i + count]];
     return `M${from.x} ${from.y}L${to.x} ${to.y}`;
   });
@@ -87,10 +90,10 @@ function showCrowd(marks, pairs, model, places, radius) {
 const radiusOf = (number, { chosen }, radius) => (number === chosen ? Math.max(5, radius * 1.25) : radius);
 
 /** @param {PictureModel} model @returns {(number: number) => string} */
-function classesIn({ anatomy: { count, ranks, record }, phase, chosen }) {
+function classesIn({ anatomy: { count, staying, ranks, record }, phase, chosen }) {
   const met = phase === 'tournament' ? new Set(record.opponents[chosen]) : null;
   return (number) => {
-    const isFallen = ranks[number] >= count;
+    const isFallen = ranks[number] >= staying;
     const classes = {
       mark: true,
       parent: number < count,

@@ -14,7 +14,15 @@ import words from './words/index.js';
 import { createSection } from '../section.js';
 import { detailsOf } from './details.js';
 import { createPicture } from './picture.js';
-import { chosenOf, createAnatomy, createChosenDrives, isInitial, phaseAfter, phaseOf } from './record.js';
+import {
+  chosenOf,
+  createAnatomy,
+  createChosenDrives,
+  isInitial,
+  phaseAfter,
+  phaseOf,
+  phasesOf,
+} from './record.js';
 import { generationSlice } from './state.js';
 import { createSteps } from './steps.js';
 import { generationTable } from './table.js';
@@ -70,7 +78,7 @@ function contentOf(model, hurries, { steps, onTable, ...context }) {
       <button id="generation-table" type="button" class="link muted" @click=${onTable}>${words.texts.generationTable}</button>
     </div>
     <fieldset id="generation-phases" class="segmented">
-      ${choicesOf('generation-phases', words.phaseLegend, phasesOf(initial), phase, steps.show)}
+      ${choicesOf('generation-phases', words.phaseLegend, choices(anatomy), phase, steps.show)}
     </fieldset>
     <fieldset id="generation-step" class="bar generation-step" aria-label=${words.texts.generationStep}>
       <p id="generation-sentence" aria-live=${hurries ? 'off' : 'polite'}>${words.sentence(anatomy, phase)}</p>
@@ -88,12 +96,9 @@ function contentOf(model, hurries, { steps, onTable, ...context }) {
     </div>`;
 }
 
-/** The first generation has only two. @param {boolean} initial */
-const phasesOf = (initial) =>
-  words.phases.map((choice) => ({
-    ...choice,
-    disabled: initial && choice.value !== 'parents' && choice.value !== 'survivors',
-  }));
+/** Not each generation has all. @param {Anatomy} anatomy */
+const choices = ({ record }) =>
+  words.phases.map((choice) => ({ ...choice, disabled: !phasesOf(record).includes(choice.value) }));
 
 /** @param {Anatomy} anatomy @param {Phase} phase */
 function whereNext(anatomy, phase) {

@@ -80,11 +80,11 @@ function createDrawing(root) {
     if (!still) root.getBoundingClientRect();
     root.classList.toggle('still', still);
     root.dataset.phase = phase;
-    showMarks(marks, pairs, model, places, radiusOf(size, anatomy.count));
+    showMarks(marks, pairs, model, places, radiusOf(size, anatomy.columns));
     drawAxis(axis, model, size);
     bouts.replaceChildren(...(phase === 'tournament' ? boutLines(model, places, size) : []));
     notes.replaceChildren(...notesOf(model, places, size));
-    ring.setAttribute('r', String(Math.max(9, radiusOf(size, anatomy.count) * 1.25 + 4)));
+    ring.setAttribute('r', String(Math.max(9, radiusOf(size, anatomy.columns) * 1.25 + 4)));
     moveTo(ring, places[chosen]);
     describe(root, model);
     return { model, size, places };
@@ -169,13 +169,14 @@ function drawAxis(layer, { anatomy, phase }, size) {
 
 /** What stands below: the numbers of the pairs, or the wins. @param {Pick<PictureModel, 'anatomy' | 'phase'>} model @param {Size} size */
 function across({ anatomy, phase }, size) {
-  const { count, all, record, ranking } = anatomy;
+  const { columns, all, record, ranking } = anatomy;
   const base = size.height - 5;
   const label = (/** @type {number} */ x, /** @type {string} */ text) =>
     svg('text', { x, y: base, class: 'middle' }, text);
   const title = (/** @type {string} */ text) =>
     svg('text', { x: margin.left - 8, y: base, class: 'end' }, text);
   if (phase === 'ranking') {
+    if (record.wins.length === 0) return [];
     const { x, step } = columnsOf(size, all.length);
     const groups = groupsOf(ranking.map((number) => record.wins[number]));
     return [
@@ -192,10 +193,11 @@ function across({ anatomy, phase }, size) {
       ]),
     ];
   }
-  const { x, step } = columnsOf(size, count);
+  const { x, step } = columnsOf(size, columns);
   const every =
-    [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => n * step >= 20 + 6 * String(count).length - 12) ?? 1000;
-  const shown = Array.from({ length: count }, (_, i) => i + 1).filter((n) => n === 1 || n % every === 0);
+    [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => n * step >= 20 + 6 * String(columns).length - 12) ??
+    1000;
+  const shown = Array.from({ length: columns }, (_, i) => i + 1).filter((n) => n === 1 || n % every === 0);
   const name =
     phase === 'survivors' ? words.parentAxis : isInitial(record) ? words.robotAxis : words.pairAxis;
   return [title(name), ...shown.map((n) => label(x(n - 1), String(n)))];
@@ -238,16 +240,16 @@ function boutLines({ anatomy, chosen }, places, size) {
 /** The chosen one's ring and name, the line of the cut, and who crosses it the wrong way. @param {PictureModel} model @param {Place[]} places @param {Size} size */
 function notesOf(model, places, size) {
   const { anatomy, phase, chosen } = model;
-  const { upset, count, all } = anatomy;
+  const { upset, staying, all } = anatomy;
   const notes = [];
   const ranking = phase === 'ranking';
   if (ranking) {
     const { x, step } = columnsOf(size, all.length);
-    const cut = x(count - 1) + step / 2;
+    const cut = x(staying - 1) + step / 2;
     notes.push(
       svg('line', { x1: cut, x2: cut, y1: margin.top, y2: size.height - margin.bottom + 6, class: 'cut' }),
-      svg('text', { x: cut - 8, y: margin.top + 4, class: 'end' }, words.stay(count)),
-      svg('text', { x: cut + 8, y: margin.top + 4 }, words.fall(all.length - count)),
+      svg('text', { x: cut - 8, y: margin.top + 4, class: 'end' }, words.stay(staying)),
+      svg('text', { x: cut + 8, y: margin.top + 4 }, words.fall(all.length - staying)),
     );
   }
   const named = ranking && upset ? [upset.survivor, upset.fallen] : [];

@@ -44,18 +44,18 @@ export const radiusOf = (size, count) => Math.max(1.5, Math.min(6, 0.2 * columns
 
 /** The place of each number. @param {Anatomy} anatomy @param {Phase} phase @param {Size} size @returns {Place[]} */
 export function placesOf(anatomy, phase, size) {
-  const { all, count, ranks } = anatomy;
+  const { all, count, columns, staying, ranks } = anatomy;
   const { y } = heightOf(anatomy, size);
-  const pairs = columnsOf(size, count);
+  const pairs = columnsOf(size, columns);
   const ranked = columnsOf(size, all.length);
-  const aside = pairedAside(size, count);
+  const aside = pairedAside(size, columns);
   const byPair = (/** @type {number} */ number) =>
     number < count ? pairs.x(number) - aside : pairs.x(number - count) + aside;
   return all.map(({ cost }, number) => {
     if (phase === 'ranking') return { x: ranked.x(ranks[number]), y: y(cost) };
     if (phase === 'survivors') {
       const place = ranks[number];
-      return { x: place < count ? pairs.x(place) - aside : ranked.x(place), y: y(cost) };
+      return { x: place < staying ? pairs.x(place) - aside : ranked.x(place), y: y(cost) };
     }
     // Before its drive an offspring has no J: it waits beside its parent.
     const undriven = phase === 'parents' || phase === 'mutation';
@@ -63,14 +63,15 @@ export function placesOf(anatomy, phase, size) {
   });
 }
 
-/** How far a parent stands left of the middle of its pair, and its offspring right. @param {Size} size @param {number} count */
-const pairedAside = (size, count) => Math.min(8, 0.25 * columnsOf(size, count).step);
+/** How far a parent stands left of the middle of its pair, and its offspring right. @param {Size} size @param {number} columns */
+const pairedAside = (size, columns) => Math.min(8, 0.25 * columnsOf(size, columns).step);
 
 /** The numbers in sight, from left to right. @param {Anatomy} anatomy @param {Phase} phase @returns {number[]} */
-export function orderOf({ all, count, ranking, record }, phase) {
+export function orderOf({ all, count, columns, ranking, record }, phase) {
   if (phase === 'ranking') return ranking;
   if (phase === 'survivors') return record.survivors;
   const parents = record.parents.map((_, number) => number);
   if (phase === 'parents' || all.length === count) return parents;
-  return parents.flatMap((number) => [number, number + count]);
+  const pairs = Array.from({ length: columns }, (_, i) => [i < count ? i : -1, i + count]);
+  return pairs.flat().filter((number) => number >= 0 && number < all.length);
 }

@@ -2,7 +2,7 @@
 /** @import { Individual, Statistics } from '../../core/engine.js' */
 /** @import { ChosenDrives } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
-import { generationSlice, phases } from './state.js';
+import { generationSlice, isOtherSearch, phases } from './state.js';
 import { remember } from '../../kit/memo.js';
 import words from './words/index.js';
 
@@ -14,9 +14,11 @@ import words from './words/index.js';
 /**
  * @typedef {object} Anatomy
  * @property {GenerationRecord} record
- * @property {number} count N
+ * @property {number} count N, as many as there are parents.
+ * @property {number} columns As many as there are parents or offspring, whichever are more.
+ * @property {number} staying How many survive.
  * @property {Individual[]} all The parents, then the offspring: an individual's place here is its number.
- * @property {number[]} ranking All numbers, best ranked first; the survivors are its first half.
+ * @property {number[]} ranking All numbers, best ranked first; the survivors are its first ones.
  * @property {number[]} ranks The place in the ranking of each number, from 0.
  * @property {Upset | null} upset
  */
@@ -27,7 +29,10 @@ export function dissect(record) {
   const { ranking } = record;
   const ranks = new Array(all.length);
   for (const [place, number] of ranking.entries()) ranks[number] = place;
-  return { record, count: record.parents.length, all, ranking, ranks, upset: upsetOf(record, all) };
+  const [count, born] = [record.parents.length, record.offspring.length];
+  const columns = Math.max(count, born);
+  const staying = record.survivors.length;
+  return { record, count, columns, staying, all, ranking, ranks, upset: upsetOf(record, all) };
 }
 
 /** Generation 0 has no offspring and no tournament. @param {GenerationRecord} record */
@@ -50,14 +55,24 @@ export function createAnatomy(recordOf) {
   return ({ history, generation }) => of(history[generation]);
 }
 
-/** Generation 0 knows only the first and the last phase. @param {Anatomy} anatomy @param {Phase} phase @returns {Phase} */
-export const phaseOf = ({ record }, phase) =>
-  isInitial(record) && phase !== 'survivors' ? 'parents' : phase;
+/** What a generation goes through: generation 0 nothing, and each method of search only what it has. @param {GenerationRecord} record @returns {readonly Phase[]} */
+export function phasesOf(record) {
+  if (isInitial(record)) return ['parents', 'survivors'];
+  if (isOtherSearch(record)) return ['parents', 'drive', 'survivors'];
+  return record.opponents.length > 0 ? phases : phases.filter((phase) => phase !== 'tournament');
+}
+
+/** The next phase that the generation has. @param {Pick<Anatomy, 'record'>} anatomy @param {Phase} phase @returns {Phase} */
+export function phaseOf({ record }, phase) {
+  const there = phasesOf(record);
+  if (there.includes(phase)) return phase;
+  if (isInitial(record)) return 'parents';
+  return phases.slice(phases.indexOf(phase)).find((one) => there.includes(one)) ?? 'survivors';
+}
 
 /** The phase before or after one, among those that the generation has. @param {Anatomy} anatomy @param {Phase} phase @param {1 | -1} step @returns {Phase | undefined} */
 export function phaseAfter({ record }, phase, step) {
-  /** @type {readonly Phase[]} */
-  const there = isInitial(record) ? ['parents', 'survivors'] : phases;
+  const there = phasesOf(record);
   return there[there.indexOf(phase) + step];
 }
 
@@ -73,8 +88,11 @@ export function chosenOf(anatomy, state) {
 const bestOf = (individuals) =>
   individuals.reduce((best, { cost }, i) => (cost < individuals[best].cost ? i : best), 0);
 
-/** The offspring of a parent, the parent of an offspring. @param {Anatomy} anatomy @param {number} number */
-export const partnerOf = ({ count }, number) => (number < count ? number + count : number - count);
+/** The offspring of a parent, the parent of an offspring; where they are no pairs, the first of them. @param {Anatomy} anatomy @param {number} number */
+export function partnerOf({ count, record }, number) {
+  if (number < count) return count + (number < record.offspring.length ? number : 0);
+  return number - count < count ? number - count : 0;
+}
 
 /** What drives while the page is open; null on the other pages. @param {(state: State) => Anatomy} anatomyOf */
 export function createChosenDrives(anatomyOf) {

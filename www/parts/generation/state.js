@@ -17,3 +17,6 @@ export const generationSlice = createSlice(
   'generation',
   /** @type {GenerationState} */ ({ phase: 'parents', chosen: null }),
 );
+
+/** Whether it is no evolutionary programming. @param {import('../../core/engine.js').GenerationRecord} record */
+export const isOtherSearch = ({ mutations, offspring }) => offspring.length > 0 && mutations.length === 0;

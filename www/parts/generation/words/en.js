@@ -1,5 +1,6 @@
 // Every word of the generation part.
 /** @import { Anatomy, Phase } from '../record.js' */
+import { isOtherSearch } from '../state.js';
 import { costWriter, digitsFor } from './common.js';
 import { costText, fixed, powerText } from '../../../words/en/numbers.js';
 
@@ -51,23 +52,35 @@ export const nameOf = ({ count, record }, number) =>
 export const capital = (text) => text[0].toUpperCase() + text.slice(1);
 
 /** What happens in a phase. @param {Anatomy} anatomy @param {Phase} phase */
-export function sentence({ count, all, record }, phase) {
+export function sentence({ count, staying, all, record }, phase) {
   const { generation, offspring, parents, survivors } = record;
   if (generation === 0)
     return phase === 'survivors'
       ? `All ${count} stay, now in the order of their J: the parents of generation 1.`
       : `${count} robots with random gains, in the order of their draws. No one has competed yet.`;
+  if (isOtherSearch(record))
+    return {
+      parents: `What the search keeps after generation ${generation - 1}: ${count}, best ranked first. Lower J is better.`,
+      drive: `The search asks for ${parts(offspring.length, 'drive', 'drives')}, and is told each J.`,
+      survivors: `${parts(staying, 'stays', 'stay')}: ${staying - parentsIn(record)} of those that drove, and ${parentsIn(record)} from before.`,
+    }[/** @type {'parents' | 'drive' | 'survivors'} */ (phase)];
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
   return {
     parents: `The ${count} survivors of generation ${generation - 1}, best ranked first. Lower J is better.`,
     mutation: 'Each parent has one offspring: its gains move by the old σ times a random draw.',
     drive: `The offspring drive and get their J: ${better} of ${count} drive better than their parent.`,
-    tournament: `Each of the ${all.length} meets ${record.opponents[0].length} others drawn at random, and wins if its J is not higher.`,
-    ranking: `Most wins first; with equal wins, lower J first. The line is drawn after ${count}.`,
+    tournament: `Each of the ${all.length} meets ${record.opponents[0]?.length} others drawn at random, and wins if its J is not higher.`,
+    ranking:
+      record.wins.length > 0
+        ? `Most wins first; with equal wins, lower J first. The line is drawn after ${count}.`
+        : `Those that survive first, each part by J. The line is drawn after ${count}.`,
     survivors: `${parts(stayed, 'parent', 'parents')} and ${count - stayed} offspring stay, with their σ: the parents of generation ${generation + 1}.`,
   }[phase];
 }
+
+/** @param {Anatomy['record']} record */
+const parentsIn = ({ parents, survivors }) => survivors.filter((number) => number < parents.length).length;
 
 /** @param {number} count @param {string} one @param {string} many */
 const parts = (count, one, many) => `${count} ${count === 1 ? one : many}`;
@@ -77,12 +90,14 @@ export const winsText = (count) => parts(count, 'win', 'wins');
 
 /** One that survives though a better one fell. @param {Anatomy} anatomy */
 export function upsetText(anatomy) {
-  const { upset, all, record, count } = anatomy;
-  if (!upset) return `This time those that stay are exactly the ${count} with the lowest J.`;
+  const { upset, all, record } = anatomy;
+  if (!upset) return `This time those that stay are exactly the ${anatomy.staying} with the lowest J.`;
   const { survivor, fallen } = upset;
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
   const who = capital(nameOf(anatomy, survivor));
+  if (record.wins.length === 0)
+    return `${who} (J ${write(a)}) stays, though ${nameOf(anatomy, fallen)} (J ${write(b)}) is better: this search does not keep the best of all.`;
   return `${who} (J ${write(a)}) survives with ${winsText(record.wins[survivor])}; ${nameOf(anatomy, fallen)} (J ${write(b)}) fell with ${record.wins[fallen]}: luck in the opponents.`;
 }
 
@@ -106,9 +121,9 @@ export const pictureLabel = 'The individuals of this generation; arrow keys choo
 
 /** What is said of the one that is chosen. @param {Anatomy} anatomy @param {Phase} phase @param {number} number */
 export function chosenText(anatomy, phase, number) {
-  const { count, all, record, ranks } = anatomy;
+  const { count, staying, all, record, ranks } = anatomy;
   const undriven = phase === 'mutation' && number >= count;
-  const stays = ranks[number] < count ? 'survives' : 'falls';
+  const stays = ranks[number] < staying ? 'survives' : 'falls';
   return [
     nameOf(anatomy, number),
     undriven ? 'not driven yet' : `J ${costWriter(anatomy)(all[number].cost)}`,
@@ -117,7 +132,8 @@ export function chosenText(anatomy, phase, number) {
 
   function standing() {
     if (record.generation === 0) return [`rank ${ranks[number] + 1}`];
-    return [winsText(record.wins[number]), `rank ${ranks[number] + 1} of ${all.length}`, stays];
+    const wins = record.wins.length > 0 ? [winsText(record.wins[number])] : [];
+    return [...wins, `rank ${ranks[number] + 1} of ${all.length}`, stays];
   }
 }
 
@@ -155,9 +171,9 @@ export const sumText = (wins, bouts) => `${winsText(wins)} of ${bouts}`;
 export const moreBouts = (rest) => `and ${rest} more bouts`;
 
 /** @param {Anatomy} anatomy @param {number} number */
-export function fateText({ ranks, count, record, all }, number) {
+export function fateText({ ranks, staying, record, all }, number) {
   const rank = ranks[number] + 1;
-  if (rank > count) return `fell: rank ${rank} of ${all.length}`;
+  if (rank > staying) return `fell: rank ${rank} of ${all.length}`;
   return `survives as parent ${rank} of generation ${record.generation + 1}`;
 }
 
@@ -165,13 +181,15 @@ export function fateText({ ranks, count, record, all }, number) {
 export const bestText = (before, after, write) =>
   after < before
     ? `The best J falls from ${write(before)} to ${write(after)}.`
-    : `The best J stays ${write(after)}: the best always survives.`;
+    : after === before
+      ? `The best J stays ${write(after)}: the best always survives.`
+      : `The best J rises from ${write(before)} to ${write(after)}: this search forgets what it had.`;
 
 /** @param {Anatomy} anatomy */
-export const tableCaption = ({ record, count }) =>
+export const tableCaption = ({ record, count, all }) =>
   record.generation === 0
     ? `Generation 0: ${count} robots with random gains. The core’s record counts from 0: robot 1 is its number 0.`
-    : `Generation ${record.generation}, all ${2 * count}. The core’s record counts from 0: parent 1 is its number 0, offspring 1 its number ${count}. Most wins first.`;
+    : `Generation ${record.generation}, all ${all.length}. The core’s record counts from 0: parent 1 is its number 0, offspring 1 its number ${count}. ${record.wins.length > 0 ? 'Most wins first.' : 'Those that stay first.'}`;
 export const columns = [
   'rank',
   'who',

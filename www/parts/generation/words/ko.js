@@ -1,5 +1,6 @@
 // Every word of the generation part, in Korean.
 /** @import { Anatomy, Phase } from '../record.js' */
+import { isOtherSearch } from '../state.js';
 import { costWriter, digitsFor } from './common.js';
 import { costText, fixed, powerText } from '../../../words/ko/numbers.js';
 
@@ -51,34 +52,48 @@ export const nameOf = ({ count, record }, number) =>
 export const capital = (text) => text;
 
 /** What happens in a phase. @param {Anatomy} anatomy @param {Phase} phase */
-export function sentence({ count, all, record }, phase) {
+export function sentence({ count, staying, all, record }, phase) {
   const { generation, offspring, parents, survivors } = record;
   if (generation === 0)
     return phase === 'survivors'
       ? `로봇 ${count}대가 모두 남아 J 순서로 섭니다. 이들이 1세대의 부모입니다.`
       : `무작위 이득을 가진 로봇 ${count}대를 뽑은 순서대로 보여 줍니다. 아직 경쟁은 없었습니다.`;
+  if (isOtherSearch(record))
+    return {
+      parents: `${generation - 1}세대 뒤에 이 탐색이 가지고 있는 로봇 ${count}대를 순위가 높은 것부터 보여 줍니다. J는 낮을수록 좋습니다.`,
+      drive: `이 탐색이 주행 ${offspring.length}번을 요구하고, 주행마다 J를 받습니다.`,
+      survivors: `로봇 ${staying}대가 남습니다. 이번에 주행한 로봇 ${staying - parentsIn(record)}대와 이전 로봇 ${parentsIn(record)}대입니다.`,
+    }[/** @type {'parents' | 'drive' | 'survivors'} */ (phase)];
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
   return {
     parents: `${generation - 1}세대에서 살아남은 로봇 ${count}대를 순위가 높은 것부터 보여 줍니다. J는 낮을수록 좋습니다.`,
     mutation: '부모마다 자손을 하나씩 만듭니다. 이득은 이전 σ에 난수를 곱한 만큼 움직입니다.',
     drive: `자손이 주행하여 J를 얻습니다. 자손 로봇 ${count}대 중 ${better}대가 부모보다 잘 주행합니다.`,
-    tournament: `로봇 ${all.length}대가 각각 무작위로 뽑은 로봇 ${record.opponents[0].length}대와 겨룹니다. J가 상대보다 높지 않으면 이깁니다.`,
-    ranking: `승수가 많은 순서로, 승수가 같으면 J가 낮은 순서로 섭니다. 선은 ${count}위 아래에 긋습니다.`,
+    tournament: `로봇 ${all.length}대가 각각 무작위로 뽑은 로봇 ${record.opponents[0]?.length}대와 겨룹니다. J가 상대보다 높지 않으면 이깁니다.`,
+    ranking:
+      record.wins.length > 0
+        ? `승수가 많은 순서로, 승수가 같으면 J가 낮은 순서로 섭니다. 선은 ${count}위 아래에 긋습니다.`
+        : `살아남는 로봇부터, 각각 J가 낮은 순서로 섭니다. 선은 ${count}위 아래에 긋습니다.`,
     survivors: `부모 로봇 ${stayed}대와 자손 로봇 ${count - stayed}대가 σ와 함께 남습니다. 이들이 ${generation + 1}세대의 부모입니다.`,
   }[phase];
 }
+
+/** @param {Anatomy['record']} record */
+const parentsIn = ({ parents, survivors }) => survivors.filter((number) => number < parents.length).length;
 
 /** @param {number} count */
 export const winsText = (count) => `${count}승`;
 
 /** One that survives though a better one fell. @param {Anatomy} anatomy */
 export function upsetText(anatomy) {
-  const { upset, all, record, count } = anatomy;
-  if (!upset) return `이번에는 J가 가장 낮은 로봇 ${count}대가 그대로 남습니다.`;
+  const { upset, all, record } = anatomy;
+  if (!upset) return `이번에는 J가 가장 낮은 로봇 ${anatomy.staying}대가 그대로 남습니다.`;
   const { survivor, fallen } = upset;
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
+  if (record.wins.length === 0)
+    return `${nameOf(anatomy, survivor)}(J ${write(a)})는 남고, 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)})는 탈락합니다. 이 탐색은 가장 좋은 로봇만 남기지 않습니다.`;
   return `${nameOf(anatomy, survivor)}(J ${write(a)}): ${winsText(record.wins[survivor])}, 생존. ${nameOf(anatomy, fallen)}(J ${write(b)}): ${winsText(record.wins[fallen])}, 탈락. 상대를 잘 만난 운입니다.`;
 }
 
@@ -97,7 +112,7 @@ export const pictureLabel = '이 세대의 개체. 화살표 키로 하나를 �
 
 /** What is said of the one that is chosen. @param {Anatomy} anatomy @param {Phase} phase @param {number} number */
 export function chosenText(anatomy, phase, number) {
-  const { count, all, record, ranks } = anatomy;
+  const { count, staying, all, record, ranks } = anatomy;
   const undriven = phase === 'mutation' && number >= count;
   return [
     nameOf(anatomy, number),
@@ -109,9 +124,9 @@ export function chosenText(anatomy, phase, number) {
     const rank = ranks[number] + 1;
     if (record.generation === 0) return [`${rank}위`];
     return [
-      winsText(record.wins[number]),
+      ...(record.wins.length > 0 ? [winsText(record.wins[number])] : []),
       `로봇 ${all.length}대 중 ${rank}위`,
-      rank <= count ? '생존' : '탈락',
+      rank <= staying ? '생존' : '탈락',
     ];
   }
 }
@@ -150,9 +165,9 @@ export const sumText = (wins, bouts) => `${bouts}전 ${winsText(wins)}`;
 export const moreBouts = (rest) => `그 밖에 ${rest}전`;
 
 /** @param {Anatomy} anatomy @param {number} number */
-export function fateText({ ranks, count, record, all }, number) {
+export function fateText({ ranks, staying, record, all }, number) {
   const rank = ranks[number] + 1;
-  if (rank > count) return `탈락(로봇 ${all.length}대 중 ${rank}위)`;
+  if (rank > staying) return `탈락(로봇 ${all.length}대 중 ${rank}위)`;
   return `생존(${record.generation + 1}세대의 부모 ${rank})`;
 }
 
@@ -160,13 +175,15 @@ export function fateText({ ranks, count, record, all }, number) {
 export const bestText = (before, after, write) =>
   after < before
     ? `최우수 J가 ${write(before)}에서 ${write(after)}까지 내려갑니다.`
-    : `최우수 J는 ${write(after)} 그대로입니다. 최우수 개체는 언제나 살아남습니다.`;
+    : after === before
+      ? `최우수 J는 ${write(after)} 그대로입니다. 최우수 개체는 언제나 살아남습니다.`
+      : `최우수 J가 ${write(before)}에서 ${write(after)}까지 올라갑니다. 이 탐색은 전에 찾은 것을 잊습니다.`;
 
 /** @param {Anatomy} anatomy */
-export const tableCaption = ({ record, count }) =>
+export const tableCaption = ({ record, count, all }) =>
   record.generation === 0
     ? `0세대: 무작위 이득을 가진 로봇 ${count}대. 코어의 기록은 0부터 셉니다. 로봇 1의 번호는 0입니다.`
-    : `${record.generation}세대의 로봇 ${2 * count}대 전체. 코어의 기록은 0부터 셉니다. 부모 1의 번호는 0, 자손 1의 번호는 ${count}입니다. 승수가 많은 순서입니다.`;
+    : `${record.generation}세대의 로봇 ${all.length}대 전체. 코어의 기록은 0부터 셉니다. 부모 1의 번호는 0, 자손 1의 번호는 ${count}입니다. ${record.wins.length > 0 ? '승수가 많은' : '남는 로봇이 먼저 오는'} 순서입니다.`;
 export const columns = [
   '순위',
   '개체',
