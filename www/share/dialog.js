@@ -32,7 +32,7 @@ const frames = sizes.map((size) => ({ value: size.join('x'), text: words.sizeTex
 
 /** @param {SheetTools} tools @param {Sheet} sheet */
 export function createKeep(tools, sheet) {
-  const { engine, store, links, sceneOf, openChecks } = tools;
+  const { engine, store, links, sceneOf, openChecks, openCode } = tools;
   const maker = createMaker(tools);
   let status = '';
   let frame = frames[1];
@@ -105,6 +105,10 @@ export function createKeep(tools, sheet) {
       input.value = '';
       if (chosen) open(chosen);
     },
+    takeCode() {
+      sheet.dialog.close();
+      openCode();
+    },
     check() {
       sheet.dialog.close();
       openChecks();
@@ -120,7 +124,7 @@ export function createKeep(tools, sheet) {
 }
 
 /**
- * @typedef {Record<'copyLink' | 'copyFrame' | 'makeExercise' | 'saveRun' | 'saveGenerations' | 'saveDrive' | 'check', () => void>
+ * @typedef {Record<'copyLink' | 'copyFrame' | 'makeExercise' | 'saveRun' | 'saveGenerations' | 'saveDrive' | 'takeCode' | 'check', () => void>
  *   & { chooseFrame: (value: string) => void, choose: (event: Event) => void, savePicture: (picture: Picture, kind: typeof kinds[number]) => void }} Events
  */
 
@@ -145,6 +149,11 @@ const contentOf = ({ address, frame, frameText, pictures, status }, on) => html`
   <p class="muted">${texts.keepExerciseHelp}</p>
   <div class="bar">
     <button id="keep-exercise" type="button" @click=${on.makeExercise}>${texts.keepExercise}</button>
+  </div>
+  <h3>${texts.keepCodeTitle}</h3>
+  <p class="muted">${texts.keepCodeHelp}</p>
+  <div class="bar">
+    <button id="keep-code" type="button" @click=${on.takeCode}>${texts.keepCode}</button>
   </div>
   <h3>${texts.keepFile}</h3>
   <p class="muted">${texts.keepFileHelp}</p>
