@@ -13,7 +13,8 @@ import { selectAll } from '../kit/templates.js';
 import { messageOf } from '../words/errors.js';
 import { opening } from '../words/index.js';
 import { sizes } from '../embed/frame.js';
-import { driveCsv, generationsCsv } from './csv.js';
+import { driveCsv, driveOrigin, generationsCsv } from './csv.js';
+import { fingerprintOf } from './code/fingerprint.js';
 import { createMaker } from './exercise/maker.js';
 import { frameOf, isOnDisk } from './frame-text.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
@@ -96,7 +97,9 @@ export function createKeep(tools, sheet) {
     saveGenerations: () => saveCsv('generations', generationsCsv(store.get().history, origin())),
     saveDrive() {
       const { experiment, gains, driving } = sceneOf(store.get());
-      saveCsv('drive', driveCsv(driving, engine.stability(experiment, gains), origin()));
+      const about = [...origin(), ...driveOrigin(experiment, gains, driving)];
+      const table = driveCsv(driving, engine.stability(experiment, gains), about);
+      saveCsv(`drive-${fingerprintOf(experiment, gains)}`, table);
     },
     /** @param {Event} event */
     choose({ target }) {
