@@ -1,5 +1,5 @@
 // A run as tables for other programs. Headers carry the units; numbers have all their digits.
-/** @import { Run, Stability, Statistics } from '../core/engine.js' */
+/** @import { Experiment, Run, Stability, Statistics, Triple } from '../core/engine.js' */
 
 /** Lines that say where the numbers come from, which readers of tables can skip. @typedef {readonly string[]} Origin */
 
@@ -28,6 +28,18 @@ export function generationsCsv(history, origin) {
     ...meanSigmas,
   ]);
   return csv(origin, header, rows);
+}
+
+/** What a drive follows from and what it came to, so that its table can be read by itself. @param {Experiment} experiment @param {Triple} gains @param {Run} run @returns {Origin} */
+export function driveOrigin({ law, goal, limits, disturbance }, [kx, ky, ktheta], run) {
+  const limit = (/** @type {number | null} */ value, /** @type {string} */ unit) =>
+    value === null ? 'none' : `${value} ${unit}`;
+  return [
+    `law ${law}; kx = ${kx} 1/s, ky = ${ky} 1/(m^2 s), ktheta = ${ktheta} rad/s`,
+    `goal x = ${goal.x} m, y = ${goal.y} m, theta = ${goal.theta} rad`,
+    `limits: speed ${limit(limits.speed, 'm/s')}, turn rate ${limit(limits.turnRate, 'rad/s')}, acceleration ${limit(limits.acceleration, 'm/s^2')}, turn acceleration ${limit(limits.turnAcceleration, 'rad/s^2')}; disturbance ${disturbance.kind}`,
+    `J = ${run.cost.total}; t_f = ${run.finalTime} s; ${run.outcome}`,
+  ];
 }
 
 /** @param {Run} run @param {Stability} stability Of the same run. @param {Origin} origin */

@@ -13,7 +13,8 @@ import { selectAll } from '../kit/templates.js';
 import { messageOf } from '../words/errors.js';
 import { opening } from '../words/index.js';
 import { sizes } from '../embed/frame.js';
-import { driveCsv, generationsCsv } from './csv.js';
+import { driveCsv, driveOrigin, generationsCsv } from './csv.js';
+import { fingerprintOf } from './code/fingerprint.js';
 import { createMaker } from './exercise/maker.js';
 import { frameOf, isOnDisk } from './frame-text.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
@@ -32,7 +33,7 @@ const frames = sizes.map((size) => ({ value: size.join('x'), text: words.sizeTex
 
 /** @param {SheetTools} tools @param {Sheet} sheet */
 export function createKeep(tools, sheet) {
-  const { engine, store, links, sceneOf, openChecks } = tools;
+  const { engine, store, links, sceneOf, openChecks, openCode } = tools;
   const maker = createMaker(tools);
   let status = '';
   let frame = frames[1];
@@ -96,7 +97,9 @@ export function createKeep(tools, sheet) {
     saveGenerations: () => saveCsv('generations', generationsCsv(store.get().history, origin())),
     saveDrive() {
       const { experiment, gains, driving } = sceneOf(store.get());
-      saveCsv('drive', driveCsv(driving, engine.stability(experiment, gains), origin()));
+      const about = [...origin(), ...driveOrigin(experiment, gains, driving)];
+      const table = driveCsv(driving, engine.stability(experiment, gains), about);
+      saveCsv(`drive-${fingerprintOf(experiment, gains)}`, table);
     },
     /** @param {Event} event */
     choose({ target }) {
@@ -104,6 +107,10 @@ export function createKeep(tools, sheet) {
       const [chosen] = input.files ?? [];
       input.value = '';
       if (chosen) open(chosen);
+    },
+    takeCode() {
+      sheet.dialog.close();
+      openCode();
     },
     check() {
       sheet.dialog.close();
@@ -120,7 +127,7 @@ export function createKeep(tools, sheet) {
 }
 
 /**
- * @typedef {Record<'copyLink' | 'copyFrame' | 'makeExercise' | 'saveRun' | 'saveGenerations' | 'saveDrive' | 'check', () => void>
+ * @typedef {Record<'copyLink' | 'copyFrame' | 'makeExercise' | 'saveRun' | 'saveGenerations' | 'saveDrive' | 'takeCode' | 'check', () => void>
  *   & { chooseFrame: (value: string) => void, choose: (event: Event) => void, savePicture: (picture: Picture, kind: typeof kinds[number]) => void }} Events
  */
 
@@ -145,6 +152,11 @@ const contentOf = ({ address, frame, frameText, pictures, status }, on) => html`
   <p class="muted">${texts.keepExerciseHelp}</p>
   <div class="bar">
     <button id="keep-exercise" type="button" @click=${on.makeExercise}>${texts.keepExercise}</button>
+  </div>
+  <h3>${texts.keepCodeTitle}</h3>
+  <p class="muted">${texts.keepCodeHelp}</p>
+  <div class="bar">
+    <button id="keep-code" type="button" @click=${on.takeCode}>${texts.keepCode}</button>
   </div>
   <h3>${texts.keepFile}</h3>
   <p class="muted">${texts.keepFileHelp}</p>

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { openRunFile, runFile } from '../../../www/share/run-file.js';
 import { links } from '../../../www/lesson/links.js';
-import { driveCsv, generationsCsv } from '../../../www/share/csv.js';
+import { driveCsv, driveOrigin, generationsCsv } from '../../../www/share/csv.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evolve, experiment, simulate, Simulation, stability } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -103,6 +103,18 @@ test('the tables have units in their headers and every digit of the numbers', ()
       ...[v.promisedX, v.promisedY, v.promisedTheta, v.rate],
     ].map((column) => column[last]),
   );
+});
+
+test('the table of a drive says what it follows from, with every digit, in lines that readers of tables skip', () => {
+  const from = experiment({ goal: { x: 1 / 3, y: 2, theta: 0.1 }, limits: { speed: null } });
+  const gains = /** @type {[number, number, number]} */ ([Math.PI, 1e-7, 5]);
+  const run = simulate(from, gains);
+  const lines = driveCsv(run, stability(from, gains), driveOrigin(from, gains, run)).split('\r\n');
+  const head = lines.filter((line) => line.startsWith('# ')).join('\n');
+  for (const value of [...gains, from.goal.x, from.limits.turnRate, run.cost.total, run.finalTime])
+    assert.ok(head.includes(String(value)), `${value} is missing: ${head}`);
+  assert.match(head, /shim-kim.*\n.*\n.*speed none.*\n.*(arrived|horizon)/);
+  assert.equal(lines.length, 4 + 1 + run.time.length + 1);
 });
 
 /** Opens a file as if it had been chosen. @param {Page} page @param {string} name @param {string} text */

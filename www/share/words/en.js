@@ -26,6 +26,10 @@ export const texts = {
   keepExerciseHelp:
     'Gives students this run with a task of yours; what would distract or tell too much is locked or hidden.',
   keepExercise: 'Make an exercise',
+  keepCodeTitle: 'Code',
+  keepCodeHelp:
+    'The controller of this drive, for a robot or a simulator: in Python, C, MATLAB or Octave, JavaScript.',
+  keepCode: 'Show the code',
   makerTitle: 'Make an exercise',
   makerHelp:
     'The page shows at once what your students will see. Nothing is secret: they can open the whole page.',

@@ -26,6 +26,10 @@ export const texts = {
   keepExerciseHelp:
     '이 실행에 과제를 붙여 학생에게 줍니다. 방해가 되거나 답을 미리 알려 주는 조작은 잠그거나 숨길 수 있습니다.',
   keepExercise: '과제 만들기',
+  keepCodeTitle: '코드',
+  keepCodeHelp:
+    '이 주행의 제어기를 Python, C, MATLAB이나 Octave, JavaScript 코드로 로봇이나 시뮬레이터에 가져갑니다.',
+  keepCode: '코드 보기',
   makerTitle: '과제 만들기',
   makerHelp:
     '학생이 보게 될 모습이 페이지에 바로 나타납니다. 비밀은 아닙니다. 학생도 전체 페이지를 열 수 있습니다.',

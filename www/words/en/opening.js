@@ -10,5 +10,6 @@ export const texts = {
   keepTitle: 'Keep this run',
   checksButton: 'Check its numbers',
   checksTitle: 'Are the numbers right?',
+  codeTitle: 'The controller as code',
   close: 'Close',
 };

@@ -10,5 +10,6 @@ export const texts = {
   keepTitle: '이 실험의 공유와 저장',
   checksButton: '계산 검사',
   checksTitle: '계산이 맞습니까?',
+  codeTitle: '제어기 코드',
   close: '닫기',
 };

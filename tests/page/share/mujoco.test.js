@@ -1,0 +1,64 @@
+// The example in MuJoCo: its controllers are what the page exports, and a robot with mass parks with those that are good.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { controllerFiles, folder } from '../../../.tasks/controllers.mjs';
+import { python as examplesPython } from '../../../.tasks/examples.mjs';
+import { ask, top } from '../../../.tasks/run.mjs';
+import { links } from '../../../www/lesson/links.js';
+import { createEngine, paper } from '../harness/core.js';
+import { gainsOf } from '../../../www/run/drivers.js';
+import { test } from '../harness/once.js';
+
+const files = controllerFiles();
+const python = [examplesPython, 'python3', 'python'].find(
+  (program) => ask(program, ['-c', 'import mujoco']) !== null,
+);
+
+test("the example's controllers are those that the page exports", () => {
+  for (const { file, text } of files)
+    assert.equal(
+      readFileSync(join(folder, file), 'utf8').replaceAll('\r', ''),
+      text,
+      `${file} is another: node .tasks/controllers.mjs writes it`,
+    );
+});
+
+test("a controller's link opens its drive", () => {
+  const engine = createEngine();
+  for (const { link, gains, experiment } of files) {
+    const { opened, problems } = links.openLink(link.split('#')[1], engine);
+    assert.deepEqual(problems, []);
+    assert.deepEqual(opened.experiment, experiment);
+    if (opened.generation > 0) continue;
+    const state = /** @type {import('../../../www/run/state.js').State} */ (
+      /** @type {unknown} */ ({ ...opened, population: [] })
+    );
+    assert.deepEqual([...gainsOf(state, opened.driver, paper())], [...gains]);
+  }
+});
+
+test('in MuJoCo the gains of the paper and of evolution park, 10, 10, 10 under acceleration limits do not', {
+  skip: !python && 'there is no Python with mujoco',
+}, () => {
+  const paths = files.map(({ file }) => join(folder, file));
+  const text = execFileSync(String(python), ['-B', join(top, 'examples/mujoco/park.py'), ...paths], {
+    encoding: 'utf8',
+  });
+  const said = new Map(
+    text
+      .trim()
+      .split('\n')
+      .map((line) => /** @type {[string, string]} */ (line.trim().split(': '))),
+  );
+  for (const [name, least, most] of /** @type {const} */ ([
+    ['paper', 1.9, 2.15],
+    ['evolved', 1.91, 2.4],
+    ['ten', 1.47, 2],
+  ])) {
+    const time = Number(/^parks in (\S+) s/.exec(said.get(name) ?? '')?.[1]);
+    assert.ok(time >= least && time <= most, text);
+  }
+  assert.match(said.get('ten_accelerating') ?? '', /^does not park/);
+});

@@ -1,0 +1,80 @@
+// The sheet on which the controller of the drive on screen is taken away as code.
+/** @import { Sheet } from '../../kit/sheet.js' */
+/** @import { SheetTools } from '../load.js' */
+/** @import { LanguageName } from './languages.js' */
+import './style.css';
+import { html } from 'lit-html';
+import { tryNow } from '../../core/pending.js';
+import { copy } from '../../kit/copy.js';
+import { download } from '../../kit/download.js';
+import { addressOf } from '../../kit/host.js';
+import { choicesOf } from '../../kit/segmented.js';
+import { controllerOf } from './controller.js';
+import { languages } from './languages.js';
+import { tokensOf } from './tokens.js';
+import words from './words/index.js';
+
+const { texts } = words;
+
+/** @param {Pick<SheetTools, 'engine' | 'store' | 'links' | 'sceneOf'>} tools @param {Sheet} sheet */
+export function createCode({ engine, store, links, sceneOf }, sheet) {
+  /** @type {LanguageName} */
+  let language = 'python';
+  let status = '';
+
+  /** In which the robot drives; a trial of disturbances lets it drive on at the goal, a controller parks. */
+  const driven = () => {
+    const state = store.get();
+    const { experiment, gains } = sceneOf(state);
+    const { tolerance } = state.experiment;
+    return { experiment: state.trial.disturbance ? { ...experiment, tolerance } : experiment, gains };
+  };
+  const controller = () => {
+    const { experiment, gains } = driven();
+    const link = addressOf(location.href, links.linkOf(store.get(), engine.experiment), false);
+    return controllerOf(engine.drive, experiment, gains, { version: engine.version(), link });
+  };
+  const say = (/** @type {string} */ text) => {
+    status = text;
+    draw();
+  };
+
+  const show = () => {
+    const { ending, type, comment, write } = languages[language];
+    const taken = controller();
+    const file = `${taken.name}.${ending}`;
+    const text = write(taken, words.comments);
+    sheet.draw(html`
+      <p class="muted">${texts.codeHelp}</p>
+      <div class="bar">
+        <fieldset id="code-language" class="segmented">${choicesOf(
+          'code-language',
+          words.languageLegend,
+          words.languages,
+          language,
+          (chosen) => {
+            language = chosen;
+            say('');
+          },
+        )}</fieldset>
+        <button id="code-copy" type="button" class="primary"
+          @click=${() => copy('code-text', words.copied, words.notCopied).then(say)}>${texts.codeCopy}</button>
+        <button id="code-save" type="button" @click=${() => download(file, type, text)}>${texts.codeSave}</button>
+      </div>
+      <p class="code-file"><code id="code-file">${file}</code></p>
+      <pre id="code-text" class="code-text" tabindex="0" role="region" aria-label=${words.codeLabel(file)}>${tokensOf(
+        text,
+        comment,
+      ).map(([kind, part]) => (kind ? html`<span class=${kind}>${part}</span>` : part))}</pre>
+      <p id="code-status" role="status">${status}</p>`);
+  };
+  const draw = () => tryNow(show, draw);
+
+  return {
+    start() {
+      status = '';
+      sheet.draw(html`<p role="status">${words.computing}</p>`);
+      draw();
+    },
+  };
+}
