@@ -120,6 +120,8 @@ function createEvolution(ask, evolving) {
     /** Starts evolution over; when the core refuses the experiment, the old evolution stays. @param {Experiment} from */
     begin(from) {
       if (isLongEvolution(from)) {
+        // What is refused is refused at once.
+        experiment(from);
         const { statistics, population, hash } = ask(evolving().steps.run, 'newestGeneration', from, 0);
         return take({ experiment: from, here: null, newest: 0, hash: () => hash, population }, statistics);
       }

@@ -112,6 +112,8 @@ export async function monkey(seed, count, links) {
     };
   }
 
+  // No pointer of the browser is behind what is dispatched here.
+  Element.prototype.setPointerCapture = () => {};
   // Back beyond them would leave the page.
   let followed = 0;
   const seen = (/** @type {Element} */ element) => element.checkVisibility() && !element.closest('[inert]');
