@@ -127,7 +127,9 @@ function costNote({ comparison, paperEp }, driver) {
 /** @param {State} state */
 function evolutionNote({ history, generation, evolving, until, restart, experiment }) {
   const shown = history[generation];
-  if (history.length === 1) return strings.restartText(restart, experiment.evolution.population);
+  const { population, method, selection } = experiment.evolution;
+  const isPapers = method === 'ep' && selection === 'tournament';
+  if (history.length === 1) return strings.restartText(restart, population, isPapers);
   if (generation < history.length - 1 && !evolving)
     return strings.recordedText(generation, history.length - 1);
   if (!evolving && pausesAt(until, shown)) return strings.restText(generation);

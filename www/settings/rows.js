@@ -70,7 +70,7 @@ export function createChoice(row, values, actions) {
         model,
         choices[String(model.original)],
         html`<select id=${id} aria-describedby="${id}-error ${id}-help" aria-invalid=${String(model.error !== '')}
-          @change=${(/** @type {Event} */ event) => change(valueIn(event))}>${options(named, String(model.value))}</select>`,
+          .disabled=${row.isIdle?.(model.experiment) ?? false} @change=${(/** @type {Event} */ event) => change(valueIn(event))}>${options(named, String(model.value))}</select>`,
       ),
   };
 }

@@ -211,10 +211,12 @@ export const generationText = (generation, newest) => `generation ${generation} 
 export const recordedText = (generation, newest) =>
   `Back in generation ${generation} of ${newest}: all of it is as it was.`;
 
-/** @param {Restart} restart @param {number} population */
-export const restartText = (restart, population) =>
+/** @param {Restart} restart @param {number} population @param {boolean} isPapers Whether it is the paper's evolution. */
+export const restartText = (restart, population, isPapers) =>
   ({
-    begin: `${population} random robots. Run: each has one offspring, then a tournament keeps ${population}.`,
+    begin: isPapers
+      ? `${population} random robots. Run: each has one offspring, then a tournament keeps ${population}.`
+      : 'Generation 0 of another search than the paper’s. Run: it goes on from here.',
     moved: 'Start or goal has moved: evolution begins again at generation 0.',
     limits: 'Other limits: evolution begins again at generation 0.',
     seed: `New seed: ${population} other robots at generation 0.`,

@@ -206,10 +206,12 @@ export const generationText = (generation, newest) => `${newest}세대 중 ${gen
 export const recordedText = (generation, newest) =>
   `전체 ${newest}세대 중 ${generation}세대로 돌아왔습니다. 모두 그때 그대로입니다.`;
 
-/** @param {Restart} restart @param {number} population */
-export const restartText = (restart, population) =>
+/** @param {Restart} restart @param {number} population @param {boolean} isPapers Whether it is the paper's evolution. */
+export const restartText = (restart, population, isPapers) =>
   ({
-    begin: `무작위 로봇 ${population}대입니다. 진화를 시작하면 각각 자손을 하나씩 만들고, 토너먼트로 로봇 ${population}대가 남습니다.`,
+    begin: isPapers
+      ? `무작위 로봇 ${population}대입니다. 진화를 시작하면 각각 자손을 하나씩 만들고, 토너먼트로 로봇 ${population}대가 남습니다.`
+      : '논문과 다른 탐색의 0세대입니다. 시작하면 여기서부터 이어 갑니다.',
     moved: '출발 또는 목표가 바뀌어 진화를 0세대부터 다시 시작합니다.',
     limits: '제한이 바뀌어 진화를 0세대부터 다시 시작합니다.',
     seed: `새 시드입니다. 0세대의 다른 로봇 ${population}대로 시작합니다.`,
