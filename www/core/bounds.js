@@ -14,6 +14,9 @@ const number = 40;
 const snapshots = 8 * 2 ** 20;
 const bytes = 56;
 
+/** In samples: what workers may be asked for at one press, which takes two of them about half an hour. */
+const mostOfSurvey = 5e11;
+
 /** At most, for a robot that never arrives. @param {Experiment} experiment */
 export const samplesOfDrive = ({ horizon, sampleTime }) => horizon / sampleTime;
 
@@ -53,3 +56,6 @@ export function isLongRecord(experiment, newest, generation) {
 /** @param {Experiment} experiment @param {number} count How many robots drive from its first start. */
 export const isLongDrive = (experiment, count = 1) =>
   samplesOfDrive(experiment) > mostOfRun || count * samplesOfDrive(experiment) > mostOfDrives;
+
+/** Whether so many robots are too many for one press. @param {Experiment} experiment @param {number} robots */
+export const isTooLongSurvey = (experiment, robots) => robots * samplesOfRobot(experiment) > mostOfSurvey;

@@ -11,6 +11,7 @@ import SurveyWorker from './worker.js?worker';
 /** @typedef {import('../../pkg/ep_locomotion.js').RemainingErrors} RemainingErrors */
 /** @typedef {import('../../pkg/ep_locomotion.js').Robustness} Robustness */
 /** @typedef {import('../../pkg/ep_locomotion.js').SeedRun} SeedRun */
+/** @typedef {import('../../pkg/ep_locomotion.js').Trial} Trial */
 /** @typedef {import('../../pkg/ep_locomotion.js').Experiment} Experiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').PartialExperiment} PartialExperiment */
 /** @typedef {import('../../pkg/ep_locomotion.js').Field} Field */

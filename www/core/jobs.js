@@ -16,6 +16,7 @@ import {
   simulate,
   simulateAll,
   stability,
+  trials,
 } from '../../pkg/ep_locomotion.js';
 import { groupNames } from './checks/check.js';
 import { resultsOf } from './checks/checks.js';
@@ -38,6 +39,7 @@ export const createJobs = (tell) => ({
   seedRuns,
   simulateAll,
   stability,
+  trials,
   ...createHistory(tell),
 
   /** All samples of a run. @param {import('../../pkg/ep_locomotion.js').Experiment} experiment @param {import('../../pkg/ep_locomotion.js').Gains} gains */

@@ -76,6 +76,13 @@ export function createSurveys(pool) {
       return (await runOf(options)({ call: 'seedRuns', parts }, options)).flat();
     },
 
+    /** How the search comes down with a few seeds [first, end), drive by drive. @param {Experiment} experiment @param {import('../../pkg/ep_locomotion.js').Trials} trials @param {SurveyOptions} [options] */
+    async trials(experiment, trials, options) {
+      // Not split: who asks does so for few seeds at a time, so that those are kept that were done before a cancel.
+      const [runs] = await runOf(options)({ call: 'trials', parts: [[experiment, trials]] }, options);
+      return runs;
+    },
+
     /** One whole evolution. @param {Experiment} experiment @param {number} generations @param {SurveyOptions} [options] */
     async evolve(experiment, generations, options) {
       const [evolved] = await runOf(options)({ call: 'evolve', parts: [[experiment, generations]] }, options);

@@ -127,6 +127,7 @@ test('every key of a link is read as it is written', () => {
         curves: { view: 'stability', scale: 'log' },
         lab: { curve: 'sigmas' },
         landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: 0.25 },
+        luck: { view: 'contest', others: ['cauchy', 'de'], seeds: 15, budget: 1000, target: 7.75 },
         robustness: { quantity: 'time', half: 8, heading: 3 },
       },
     },
@@ -185,6 +186,7 @@ test('every experiment comes back from its link to the bit', () => {
         curves: { view: 'stability', scale: 'log' },
         lab: { curve: 'sigmas' },
         landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
+        luck: { view: 'contest', others: ['cauchy', 'de'], seeds: 15, budget: 1000, target: 7.75 },
         robustness: { quantity: 'time', half: 8, heading: 3 },
       },
     };

@@ -7,13 +7,15 @@
 /** @import { SeedSurvey } from './request.js' */
 /** @import { Events } from './sight.js' */
 import './style.css';
-import { render } from 'lit-html';
+import { html, render } from 'lit-html';
 import { luckSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
+import { choicesOf } from '../../kit/segmented.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
 import words from './words/index.js';
+import { createContest } from './contest-page.js';
 import { createSeedCurve } from './curve.js';
 import { createSeedRequests, isSameButSeed } from './request.js';
 import { sight } from './sight.js';
@@ -22,10 +24,23 @@ import { showTable } from '../../lab/table-sheet.js';
 import { seedTable } from './table.js';
 
 /** @typedef {import('../part.js').Tools} PageParts */
+/** @typedef {import('./state.js').LuckState['view']} View */
 
 /** @param {PageParts} parts @returns {Page} */
 export function createLuckPage({ engine, store, actions, paper }) {
-  const element = createSection('luck');
+  const section = createSection('luck');
+  const showView = (/** @type {View} */ view) =>
+    render(
+      html`<fieldset id="luck-view" class="segmented small">
+          ${choicesOf('luck-view', words.viewLegend, words.views, view, (chosen) => luckSlice.update(store, { view: chosen }))}
+        </fieldset>
+        <div class="luck-sight" .hidden=${view !== 'seeds'}></div>
+        <div class="luck-sight" .hidden=${view !== 'contest'}></div>`,
+      section,
+    );
+  showView(luckSlice.of(store.get()).view);
+  const [element, contestElement] = /** @type {HTMLElement[]} */ ([...section.children].slice(1));
+  const contest = createContest(contestElement, { engine, store });
   const requests = createSeedRequests(engine, store, paper);
   const luck = () => luckSlice.of(store.get());
 
@@ -68,9 +83,14 @@ export function createLuckPage({ engine, store, actions, paper }) {
   }));
 
   return {
-    element,
+    element: section,
     draw(state) {
-      const { result, generations, log } = luckSlice.of(state);
+      const { view, result, generations, log } = luckSlice.of(state);
+      showView(view);
+      if (view === 'contest') {
+        contest.draw(state);
+        return;
+      }
       const fresh = isFresh(state.experiment, result);
       const index = questionOf(state);
       const labSeed = state.experiment.evolution.seed;

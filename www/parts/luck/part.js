@@ -1,16 +1,35 @@
 // The same evolution with many seeds.
 /** @import { Part } from '../part.js' */
 import { partOf } from '../load.js';
-import { luckSlice as slice } from './state.js';
+import { partKey } from '../../link/keys.js';
+import { number, numberText, oneOf } from '../../link/values.js';
+import { contestants, mostOthers } from './contestants.js';
+import { budgets, contestSeeds, luckSlice as slice, views } from './state.js';
 import { load as loadWords } from './words/load.js';
+
+/** Each once, and no more than there is room for. @param {string} text */
+const othersOf = (text) =>
+  text === 'none'
+    ? []
+    : [...new Set(text.split(',').map((name) => oneOf(contestants, name)))].slice(0, mostOthers);
+
+/** @param {readonly number[]} choices @param {string} text */
+const oneNumberOf = (choices, text) => Number(oneOf(choices.map(String), text));
 
 /** @type {Part} */
 export const luck = {
   name: 'luck',
   slice,
+  keys: [
+    partKey('luck', slice, 'view', (text) => oneOf(views, text)),
+    partKey('contestants', slice, 'others', othersOf, (others) => others.join(',') || 'none'),
+    partKey('seeds', slice, 'seeds', (text) => oneNumberOf(contestSeeds, text)),
+    partKey('budget', slice, 'budget', (text) => oneNumberOf(budgets, text)),
+    partKey('target', slice, 'target', number, numberText),
+  ],
   places: {
     gains: { lock: '#luck-rank' },
-    run: { lock: '#luck-run', hide: '.luck-bar' },
+    run: { lock: '#luck-run, #contest-run', hide: '.luck-bar, .contest-bar' },
     seed: { lock: '#luck-open', hide: '#luck-open' },
   },
   figure: [0.7, 640],

@@ -106,7 +106,7 @@ function statusText(state, fresh) {
 }
 
 /** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('./words/common.js').Change[]} */
-function changesOf(then, now) {
+export function changesOf(then, now) {
   const named = /** @type {const} */ ([
     ['start', then.starts, now.starts],
     ['goal', then.goal, now.goal],

@@ -1,9 +1,24 @@
 // What Luck keeps in the state.
+/** @import { Contest } from './contest-request.js' */
+/** @import { Contestant } from './contestants.js' */
 /** @import { SeedSurvey } from './request.js' */
 import { createSlice } from '../../run/store.js';
 
+export const views = /** @type {const} */ (['seeds', 'contest']);
+export const contestSeeds = /** @type {const} */ ([15, 51, 101]);
+export const budgets = /** @type {const} */ ([1000, 4000, 20_000]);
+
 /**
  * @typedef {object} LuckState
+ * @property {typeof views[number]} view
+ * @property {readonly Contestant[]} others Who runs beside the lab's own search.
+ * @property {number} seeds With how many seeds each of them.
+ * @property {number} budget For how many drives.
+ * @property {number | null} target The J that is to be reached; null: a little above the lowest that was found.
+ * @property {string} targetError
+ * @property {Contest | null} contest
+ * @property {boolean} contestRuns
+ * @property {string} contestMessage
  * @property {number} count How many seeds to run next.
  * @property {number} generations For how many generations.
  * @property {boolean} log Costs are shown as the logarithm of their distance to the lowest.
@@ -18,6 +33,15 @@ import { createSlice } from '../../run/store.js';
 export const luckSlice = createSlice(
   'luck',
   /** @type {LuckState} */ ({
+    view: 'seeds',
+    others: ['truncation', 'fixed', 'de'],
+    seeds: 51,
+    budget: 4000,
+    target: null,
+    targetError: '',
+    contest: null,
+    contestRuns: false,
+    contestMessage: '',
     count: 100,
     generations: 200,
     log: false,
@@ -28,4 +52,5 @@ export const luckSlice = createSlice(
     cancelled: false,
     message: '',
   }),
+  ['targetError'],
 );

@@ -1,6 +1,6 @@
 // Of the luck part, what is the same in every language.
 /** @import { SeedSurvey } from '../request.js' */
-import { powerOfTen as shortPower } from '../../../words/numbers.js';
+import { fixed, powerOfTen as shortPower } from '../../../words/numbers.js';
 
 /** @typedef {'start' | 'goal' | 'limits' | 'other'} Change */
 
@@ -19,3 +19,18 @@ export const gainColumns = ['kx (1/s)', 'ky (1/(m² s))', 'kθ (rad/s)'];
 /** @param {SeedSurvey} survey */
 export const fileName = ({ first, runs, generations }) =>
   `seeds-${first}-to-${first + runs.length - 1}-${generations}-generations.csv`;
+
+/** Digits enough to see the target move. @param {number} target */
+export const targetText = (target) => fixed(target, 4);
+
+/** @param {{ seeds: number, budget: number }} contest */
+export const contestFile = ({ seeds, budget }) => `contest-${seeds}-seeds-${budget}-drives.csv`;
+
+/** @param {number} part */
+export const percent = (part) => `${Math.round(100 * part)} %`;
+
+/** As papers print it. @param {number} p */
+export const probability = (p) => (p < 0.001 ? '< 0.001' : fixed(p, 3));
+
+/** @param {number} times */
+export const timesText = (times) => (times < 10 ? fixed(times, 1) : fixed(times, 0));

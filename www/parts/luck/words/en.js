@@ -5,6 +5,7 @@ import { gainNames } from './common.js';
 import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 
 export * from './common.js';
+export * from './contest-en.js';
 
 export const texts = {
   luckGainsPicture: 'The gains of all seeds',

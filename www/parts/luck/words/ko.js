@@ -5,6 +5,7 @@ import { gainNames } from './common.js';
 import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
+export * from './contest-ko.js';
 
 export const texts = {
   luckGainsPicture: '모든 시드의 이득',

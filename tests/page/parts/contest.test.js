@@ -1,0 +1,195 @@
+// The contest: its numbers are those of the core's trials, counted here once more; it can be cancelled, linked and refused in a line.
+import assert from 'node:assert/strict';
+import { trials } from '../../../pkg/ep_locomotion.js';
+import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
+import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
+import { pageTest } from '../harness/browsers.js';
+import { experiment } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../../../www/parts/luck/contestants.js').Contestant} Contestant */
+/** @typedef {import('../../../www/parts/luck/contest-request.js').Contest} Contest */
+
+const velocityLimits = experiment('velocity-limits');
+
+/** The same contest in Node. @param {readonly Contestant[]} others @param {number} seeds @param {number} budget @returns {Contest} */
+const contestOf = (others, seeds, budget) => ({
+  experiment: velocityLimits,
+  seeds,
+  budget,
+  lines: [null, ...others].map((name) => ({
+    name,
+    trials: trials(entered(velocityLimits, name), { seeds: [1, 1 + seeds], drives: budget }),
+    error: '',
+  })),
+  cancelled: false,
+});
+/** @type {Contestant[]} */
+const others = ['truncation', 'fixed', 'de'];
+const small = contestOf(others, 15, 1000);
+
+test('every contestant runs, and every ingredient is another search', () => {
+  const [lab] = contestOf([], 1, 3000).lines;
+  for (const name of contestants) {
+    const [run] = trials(entered(velocityLimits, name), { seeds: [1, 2], drives: 3000 });
+    assert.ok(Number.isFinite(run.champion.cost), name);
+    if (ingredientNames.some((one) => one === name) && name !== 'mirror')
+      assert.notDeepEqual(run, lab.trials[0], name);
+  }
+});
+
+test('the trials of a seed are the same in whatever batch it runs', () => {
+  for (const name of [null, ...others]) {
+    const [alone] = trials(entered(velocityLimits, name), { seeds: [11, 12], drives: 1000 });
+    const line = small.lines.find((one) => one.name === name);
+    assert.deepEqual(alone, line?.trials[10]);
+  }
+});
+
+test('the usual target is 0.2 % above the lowest of all, and the standings follow from the trials', () => {
+  const { lowest, target, lines } = standingsOf(small, null);
+  const costs = small.lines.map((line) => line.trials.map(({ champion }) => champion.cost));
+  const least = Math.min(...costs.flat());
+  assert.equal(lowest?.cost, least);
+  assert.equal(target, least + 0.002 * least);
+  const winner = small.lines.find(({ name }) => name === lowest?.name)?.trials[(lowest?.seed ?? 0) - 1];
+  assert.equal(winner?.champion.cost, least);
+  for (const [i, line] of lines.entries()) {
+    const spent = small.lines[i].trials.map(({ drives, costs: fallen }) => {
+      const at = fallen.findIndex((cost) => cost <= target);
+      return at < 0 ? null : drives[at];
+    });
+    const there = spent.filter((one) => one !== null);
+    assert.equal(line.reached, there.length);
+    const sum = spent.reduce((total, one) => (total ?? 0) + (one ?? 1000), 0) ?? 0;
+    assert.equal(line.ert, there.length === 0 ? Infinity : sum / there.length);
+    assert.equal(line.median, costs[i].toSorted((a, b) => a - b)[7]);
+  }
+});
+
+test('verdicts say what the ranks say', () => {
+  const twice = {
+    ...small,
+    lines: [small.lines[0], { ...small.lines[0], name: /** @type {const} */ ('mirror') }],
+  };
+  assert.deepEqual(standingsOf(twice, null).lines[1].verdict, { kind: 'same', runs: 15 });
+  // A target that everybody meets at the first drive tells nobody apart.
+  const easy = standingsOf(small, 1e9);
+  for (const line of easy.lines.slice(1)) assert.equal(line.verdict?.kind, 'undecided');
+  const [first] = small.lines;
+  const slower = first.trials.map((trial) => ({ ...trial, drives: trial.drives.map((drive) => 3 * drive) }));
+  const late = {
+    ...small,
+    budget: 3000,
+    lines: [first, { name: /** @type {const} */ ('de'), trials: slower, error: '' }],
+  };
+  // So near that all reach it, so far that they do not at once.
+  const target = Math.max(...first.trials.map(({ champion }) => champion.cost));
+  const { verdict } = standingsOf(late, target).lines[1];
+  assert.ok(verdict?.kind === 'later' && Math.abs(verdict.times - 3) < 1e-12, JSON.stringify(verdict));
+});
+
+test('the CSV has a row for each improvement', () => {
+  const rows = contestCsv(small).trimEnd().split('\r\n');
+  assert.equal(rows[0], 'contestant,seed,drive,J');
+  const expected = small.lines.flatMap(({ name, trials: runs }) =>
+    runs.flatMap(({ seed, drives, costs }) =>
+      [...drives].map((drive, i) => `${name ?? 'lab'},${seed},${drive},${costs[i]}`),
+    ),
+  );
+  assert.deepEqual(rows.slice(1), expected);
+});
+
+const link = '#luck&v=1&luck=contest&seeds=15&budget=1000';
+
+/** @param {Page} page @param {string} address */
+async function openContest(page, address) {
+  await page.open(address);
+  await page.until('the contest is there', () => {
+    const run = document.getElementById('contest-run');
+    return run !== null && run.getBoundingClientRect().width > 0;
+  });
+}
+
+/** @param {Page} page */
+async function runContest(page) {
+  await page.click('#contest-run');
+  await page.until(
+    'it has run',
+    () =>
+      document.getElementById('contest-csv')?.hidden === false &&
+      document.getElementById('contest-run')?.textContent?.startsWith('Run'),
+  );
+}
+
+/** The cells of the table; thin spaces are none. @param {Page} page */
+const readTable = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('#contest-table tbody')].map((body) => ({
+      name: /** @type {HTMLElement} */ (body).dataset.contestant,
+      cells: [...body.querySelectorAll('tr:first-child td')].map((cell) =>
+        (cell.textContent ?? '').replaceAll('\u202f', ''),
+      ),
+      verdict: body.querySelector('.verdict')?.textContent ?? '',
+    })),
+  );
+
+/** @param {Contest} contest @param {number | null} target */
+const expectedTable = (contest, target) =>
+  standingsOf(contest, target).lines.map(({ name, reached, count, ert, median, comparison }) => ({
+    name: name ?? 'lab',
+    cells: [
+      `${reached} of ${count}`,
+      ert === Infinity ? '∞' : String(Math.round(ert)),
+      median.toFixed(4),
+      comparison?.a12.toFixed(2) ?? '',
+      comparison ? (comparison.p < 0.001 ? '< 0.001' : comparison.p.toFixed(3)) : '',
+    ],
+  }));
+
+const withoutVerdict = (/** @type {Awaited<ReturnType<typeof readTable>>} */ table) =>
+  table.map(({ name, cells }) => ({ name, cells }));
+
+pageTest('the table of the contest is what the core’s trials say, also at another target', async (page) => {
+  await openContest(page, link);
+  await runContest(page);
+  const table = await readTable(page);
+  assert.deepEqual(withoutVerdict(table), expectedTable(small, null));
+  for (const [i, { verdict }] of standingsOf(small, null).lines.entries())
+    if (verdict?.kind === 'undecided') assert.equal(table[i].verdict, '15 runs cannot tell these two apart.');
+  assert.deepEqual(await page.obstacles(), []);
+
+  await openContest(page, `${link}&target=8`);
+  await runContest(page);
+  assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 8));
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('a contestant that cannot run says so in its line, and the others run', async (page) => {
+  await openContest(page, `${link}&population=3&contestants=de,random`);
+  await runContest(page);
+  const [lab, de, random] = await readTable(page);
+  assert.match(de.verdict, /4 or more/);
+  assert.match(lab.cells[0], /of 15/);
+  assert.match(random.cells[0], /of 15/);
+});
+
+pageTest('cancel keeps what was done and says how much', async (page) => {
+  await openContest(page, '#luck&v=1&luck=contest&seeds=101&budget=20000&contestants=none');
+  await page.click('#contest-run');
+  await page.until(
+    'some have run',
+    () =>
+      document.querySelector('#contest-table td')?.textContent !== '' &&
+      document.querySelector('#contest-table tbody td') !== null,
+  );
+  await page.click('#contest-run');
+  await page.until('it is cancelled', () => document.getElementById('contest-status')?.textContent !== '');
+  const status = await page.text('#contest-status');
+  const done = Number(/after (\d+) of 101 runs/.exec(status)?.[1]);
+  assert.ok(done >= 5 && done < 101, status);
+  const [lab] = await readTable(page);
+  assert.match(lab.cells[0], new RegExp(`of ${done}$`));
+  assert.deepEqual(await page.problems(), []);
+});

@@ -1,0 +1,65 @@
+// The view of Luck in which several searches run with the same seeds and drives.
+/** @import { Experiment } from '../../core/engine.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Tools } from '../part.js' */
+/** @import { Contest } from './contest-request.js' */
+import { render } from 'lit-html';
+import { download } from '../../kit/download.js';
+import { byIdIn } from '../../kit/elements.js';
+import { remember, watch } from '../../kit/memo.js';
+import { createContestChart } from './contest-chart.js';
+import { createContestRequests } from './contest-request.js';
+import { contestSight } from './contest-sight.js';
+import { contestCsv, standingsOf } from './contest-summary.js';
+import { isSameButSeed } from './request.js';
+import { changesOf } from './sight.js';
+import { luckSlice } from './state.js';
+import words from './words/index.js';
+
+/** @param {HTMLElement} element @param {Pick<Tools, 'engine' | 'store'>} tools */
+export function createContest(element, { engine, store }) {
+  const requests = createContestRequests(engine, store);
+  const luck = () => luckSlice.of(store.get());
+  const update = (/** @type {Partial<import('./state.js').LuckState>} */ patch) =>
+    luckSlice.update(store, patch);
+  const on = {
+    update,
+    onContest: () => (luck().contestRuns ? requests.cancel() : requests.run()),
+    onCsv() {
+      const { contest } = luck();
+      if (contest) download(words.contestFile(contest), 'text/csv', contestCsv(contest));
+    },
+  };
+  const standings = remember((/** @type {Contest | null} */ contest, /** @type {number | null} */ target) =>
+    contest ? standingsOf(contest, target) : null,
+  );
+  const staleText = remember((/** @type {Contest | null} */ contest, /** @type {Experiment} */ experiment) =>
+    contest && !isSameButSeed(contest.experiment, experiment)
+      ? words.outOfDate(changesOf(contest.experiment, experiment))
+      : '',
+  );
+  const changed = watch();
+  /** @param {State} state */
+  const show = (state) => {
+    const { contest, target } = luckSlice.of(state);
+    const found = standings(contest, target);
+    if (!changed(luckSlice.of(state), state.experiment)) return found;
+    const stale = staleText(contest, state.experiment);
+    element.classList.toggle('stale', stale !== '');
+    render(contestSight(state, found, stale, on), element);
+    return found;
+  };
+  show(store.get());
+  // As many digits as the field shows.
+  const chart = createContestChart(byIdIn(element, 'contest-chart'), (target) =>
+    update({ target: Number(words.targetText(target).replace('−', '-')), targetError: '' }),
+  );
+
+  return {
+    /** @param {State} state */
+    draw(state) {
+      const { contest, budget } = luckSlice.of(state);
+      chart.draw({ contest, standings: show(state), budget, theme: state.theme });
+    },
+  };
+}

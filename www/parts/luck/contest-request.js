@@ -1,0 +1,108 @@
+// Asking the workers for a contest: a few seeds of each contestant at a time, so that what was done before a cancel is kept.
+/** @import { Engine, Experiment, Trial } from '../../core/engine.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { Contestant } from './contestants.js' */
+import { isTooLongSurvey } from '../../core/bounds.js';
+import { messageOf } from '../../words/errors.js';
+import { entered } from './contestants.js';
+import { luckSlice } from './state.js';
+import words from './words/index.js';
+
+/** A contestant: null is the lab's own search. The trials are in the order of the seeds. @typedef {{ name: Contestant | null, trials: readonly Trial[], error: string }} Line */
+/**
+ * @typedef {object} Contest
+ * @property {Experiment} experiment Its own seed does not matter.
+ * @property {number} seeds How many each was asked to run, from 1 on.
+ * @property {number} budget In drives.
+ * @property {readonly Line[]} lines The lab's own first.
+ * @property {boolean} cancelled
+ */
+
+export const firstSeed = 1;
+/** As many as drive side by side in the lanes of the core. */
+const seedsOfPart = 8;
+
+/** How many runs there are, and how many there would be in the end. @param {Contest} contest */
+export function runsOf({ lines, seeds }) {
+  const running = lines.filter(({ error }) => error === '');
+  return {
+    done: running.reduce((sum, { trials }) => sum + trials.length, 0),
+    all: running.length * seeds,
+  };
+}
+
+/** @param {Contest} contest @param {number} index @param {Partial<Line>} patch @returns {Contest} */
+const withLine = (contest, index, patch) => ({
+  ...contest,
+  lines: contest.lines.map((line, i) => (i === index ? { ...line, ...patch } : line)),
+});
+
+/** The seeds [from, to) of each part. @param {number} seeds */
+const partsOf = (seeds) =>
+  Array.from({ length: Math.ceil(seeds / seedsOfPart) }, (_, i) => {
+    const from = firstSeed + i * seedsOfPart;
+    return /** @type {[number, number]} */ ([from, Math.min(from + seedsOfPart, firstSeed + seeds)]);
+  });
+
+/** @param {Engine} engine @param {Store} store */
+export function createContestRequests(engine, store) {
+  /** @type {AbortController | null} */
+  let running = null;
+  const luck = () => luckSlice.of(store.get());
+
+  /** One part of one contestant. @param {Contest} asked @param {number} index @param {[number, number]} seeds @param {AbortController} own */
+  async function runPart({ experiment, lines, budget }, index, seeds, own) {
+    /** @param {(line: Line) => Partial<Line>} patchOf */
+    const note = (patchOf) => {
+      const { contest } = luck();
+      if (running === own && contest)
+        luckSlice.update(store, { contest: withLine(contest, index, patchOf(contest.lines[index])) });
+    };
+    try {
+      const runs = await engine.surveys.trials(
+        entered(experiment, lines[index].name),
+        { seeds, drives: budget },
+        { signal: own.signal },
+      );
+      note(({ trials }) => ({ trials: [...trials, ...runs].sort((a, b) => a.seed - b.seed) }));
+    } catch (error) {
+      if (!own.signal.aborted) note(() => ({ trials: [], error: messageOf(error) }));
+    }
+  }
+
+  return {
+    async run() {
+      running?.abort();
+      const { experiment } = store.get();
+      const { others, seeds, budget } = luck();
+      const names = [null, ...others];
+      const robots = names.length * seeds * budget;
+      if (isTooLongSurvey(experiment, robots)) {
+        luckSlice.update(store, { contestMessage: words.tooLong(robots) });
+        return;
+      }
+      const own = new AbortController();
+      running = own;
+      const lines = names.map((name) => ({ name, trials: [], error: '' }));
+      const contest = { experiment, seeds, budget, lines, cancelled: false };
+      luckSlice.update(store, { contest, contestRuns: true, contestMessage: '' });
+      // All contestants with the first seeds, then all with the next.
+      const parts = partsOf(seeds).flatMap((part) =>
+        names.map((_, index) => runPart(contest, index, part, own)),
+      );
+      await Promise.all(parts);
+      if (running !== own) return;
+      running = null;
+      luckSlice.update(store, { contestRuns: false });
+    },
+
+    /** What was done stays. */
+    cancel() {
+      const aborted = running;
+      running = null;
+      aborted?.abort();
+      const { contest } = luck();
+      luckSlice.update(store, { contestRuns: false, contest: contest && { ...contest, cancelled: true } });
+    },
+  };
+}

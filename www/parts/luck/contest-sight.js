@@ -1,0 +1,153 @@
+// What the contest shows around its picture: who runs, how much, the target, and the table with its verdicts.
+/** @import { State } from '../../run/state.js' */
+/** @import { Contest } from './contest-request.js' */
+/** @import { Standing, Standings } from './contest-summary.js' */
+/** @import { Contestant } from './contestants.js' */
+/** @import { LuckState } from './state.js' */
+import { html, nothing } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
+import { createSwatch } from '../../kit/swatch.js';
+import { options, selectAll, valueIn } from '../../kit/templates.js';
+import { styles } from '../../run/pins.js';
+import { numberOf } from '../../words/numbers.js';
+import { runsOf } from './contest-request.js';
+import { ingredientNames, mostOthers, rivalNames } from './contestants.js';
+import { budgets, contestSeeds, luckSlice } from './state.js';
+import words from './words/index.js';
+
+/**
+ * @typedef {object} ContestEvents
+ * @property {(patch: Partial<LuckState>) => void} update
+ * @property {() => void} onContest
+ * @property {() => void} onCsv
+ */
+
+const { contestTexts: texts } = words;
+const seedChoices = contestSeeds.map((count) => /** @type {const} */ ([count, words.countChoice(count)]));
+const budgetChoices = budgets.map((drives) => /** @type {const} */ ([drives, words.drivesChoice(drives)]));
+const [legend, rows] = [0, 1].map(() => styles.map(createSwatch));
+
+/** @param {State} state @param {Standings | null} standings @param {string} stale What of the lab has changed since. @param {ContestEvents} on */
+export function contestSight(state, standings, stale, on) {
+  const luck = luckSlice.of(state);
+  const { contest, contestRuns } = luck;
+  const sentences = standings?.lines.map(sentenceOf).filter((text) => text !== '') ?? [];
+  return html`
+    <div class="heading">
+      <h2 id="contest-title">${texts.title}</h2>
+      <p class="muted"><span id="contest-note">${noteText(luck)}</span>
+        <button id="contest-csv" type="button" class="link" .hidden=${!contest || contestRuns} @click=${on.onCsv}>${texts.csv}</button></p>
+    </div>
+    ${bar(luck, on)}
+    ${entrants(luck, on)}
+    <p id="contest-status" class="luck-status" role="status">${statusText(luck, stale)}</p>
+    ${contest ? nothing : html`<p id="contest-finding" class="luck-finding">${words.contestInvitation(luck)}</p>`}
+    <div id="contest-chart" class="luck-curve contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
+      aria-label=${words.contestLabel(sentences)}></div>
+    ${contest && standings?.lowest ? targetField(luck, contest, standings, on) : nothing}
+    ${standings ? table(standings) : nothing}`;
+}
+
+/** @param {LuckState} luck @param {ContestEvents} on */
+function bar({ contest, contestRuns, others, seeds, budget }, { onContest, update }) {
+  const { done, all } = contest ? runsOf(contest) : { done: 0, all: 1 };
+  return html`
+    <div class="bar luck-bar contest-bar">
+      <button id="contest-run" type="button" class="primary" @click=${onContest}>${contestRuns ? words.cancel : words.contestRunText(1 + others.length, seeds)}</button>
+      <select id="contest-seeds" aria-label=${texts.seeds} .disabled=${contestRuns}
+        @change=${(/** @type {Event} */ event) => update({ seeds: Number(valueIn(event)) })}>${options(seedChoices, seeds)}</select>
+      <select id="contest-budget" aria-label=${texts.budget} .disabled=${contestRuns}
+        @change=${(/** @type {Event} */ event) => update({ budget: Number(valueIn(event)) })}>${options(budgetChoices, budget)}</select>
+      <progress max="1" class=${contestRuns ? '' : 'visually-hidden'} aria-label=${texts.progress} .value=${contestRuns ? done / Math.max(1, all) : 0}></progress>
+    </div>`;
+}
+
+/** Who runs: the lab's own, and as many others as there are colours. @param {LuckState} luck @param {ContestEvents} on */
+function entrants({ others, contestRuns }, { update }) {
+  const choose = (/** @type {number} */ place) => (/** @type {Event} */ event) => {
+    const name = /** @type {Contestant | ''} */ (valueIn(event));
+    const chosen = Array.from({ length: mostOthers }, (_, i) => (i === place ? name : (others[i] ?? '')));
+    update({ others: [...new Set(chosen.filter((one) => one !== ''))] });
+  };
+  const named = (/** @type {readonly Contestant[]} */ names) =>
+    names.map((name) => /** @type {const} */ ([name, words.contestantName(name)]));
+  return html`<ul class="contestants">
+    <li>${legend[0]}<span>${words.asInLab}</span></li>
+    ${Array.from({ length: mostOthers }, (_, i) => {
+      const own = others[i] ?? '';
+      return html`<li>${legend[i + 1]}<select id="contestant-${i + 2}" aria-label=${words.contestantLabel(i + 2)}
+        .disabled=${contestRuns} @change=${choose(i)}>${options([/** @type {const} */ (['', texts.nobody])], own)}
+        <optgroup label=${texts.ingredients}>${options(named(ingredientNames), own)}</optgroup>
+        <optgroup label=${texts.rivals}>${options(named(rivalNames), own)}</optgroup></select></li>`;
+    })}
+  </ul>`;
+}
+
+/** @param {LuckState} luck @param {Contest} contest @param {Standings} standings @param {ContestEvents} on */
+function targetField({ target, targetError }, contest, standings, { update }) {
+  const change = (/** @type {Event} */ event) => {
+    const text = valueIn(event);
+    const value = numberOf(text);
+    update(
+      Number.isFinite(value)
+        ? { target: value, targetError: '' }
+        : { targetError: words.targetRefused(text) },
+    );
+  };
+  return html`
+    <div class="bar contest-target">
+      <label class="bar"><span>${texts.target}</span>
+        <input id="contest-target" type="text" inputmode="decimal" .value=${live(words.targetText(standings.target))}
+          @focus=${selectAll} @change=${change}></label>
+      ${
+        target === null
+          ? html`<span id="contest-usual" class="muted">${standings.lowest ? words.usualTargetText(contest, standings.lowest) : ''}</span>`
+          : html`<button id="contest-usual" type="button" class="link" @click=${() => update({ target: null, targetError: '' })}>${texts.usualTarget}</button>`
+      }
+      <span id="contest-target-error" class="contest-error" role="alert">${targetError}</span>
+    </div>`;
+}
+
+/** @param {Standing} standing */
+const sentenceOf = ({ name, error, verdict }) => error || (verdict ? words.verdictText(verdict, name) : '');
+
+/** @param {Standings} standings */
+const table = ({ lines }) => html`
+  <div class="contest-scroll"><table id="contest-table" class="contest-table" data-picture="contest">
+    <caption class="visually-hidden">${texts.caption}</caption>
+    <thead><tr><td></td>${words.contestColumns.map(({ text, hint }) => html`<th scope="col" title=${hint}>${text}</th>`)}</tr></thead>
+    ${lines.map(
+      (line, i) => html`<tbody data-contestant=${line.name ?? 'lab'}>
+        <tr><th scope="row">${rows[i]}${words.shortName(line.name)}</th>${cellsOf(line).map((text) => html`<td>${text}</td>`)}</tr>
+        ${sentenceOf(line) === '' ? nothing : html`<tr class="verdict"><td colspan="6">${sentenceOf(line)}</td></tr>`}
+      </tbody>`,
+    )}
+  </table></div>`;
+
+/** @param {Standing} line */
+function cellsOf({ count, reached, ert, median, comparison }) {
+  if (count === 0) return ['', '', '', '', ''];
+  return [
+    words.reachedText(reached, count),
+    Number.isFinite(ert) ? words.wholeNumber(Math.round(ert)) : '∞',
+    words.medianText(median),
+    comparison ? comparison.a12.toFixed(2) : '',
+    comparison ? words.probability(comparison.p) : '',
+  ];
+}
+
+/** @param {LuckState} luck */
+function noteText({ contest, contestRuns }) {
+  if (!contest) return '';
+  const { done, all } = runsOf(contest);
+  return contestRuns ? words.contestProgress(done, all) : words.drivesChoice(done * contest.budget);
+}
+
+/** @param {LuckState} luck @param {string} stale */
+function statusText({ contest, contestMessage }, stale) {
+  if (contestMessage) return contestMessage;
+  const { done, all } = contest ? runsOf(contest) : { done: 0, all: 0 };
+  return [contest?.cancelled ? words.contestCancelled(done, all) : '', stale]
+    .filter((text) => text !== '')
+    .join(' ');
+}

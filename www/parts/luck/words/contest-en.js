@@ -1,0 +1,145 @@
+// Every word of the contest.
+/** @import { Contest } from '../contest-request.js' */
+/** @import { Lowest, Verdict } from '../contest-summary.js' */
+/** @import { Contestant } from '../contestants.js' */
+import { costText, grouped } from '../../../words/en/numbers.js';
+import { percent, targetText, timesText } from './common.js';
+
+export const viewLegend = 'What is asked';
+/** @type {readonly import('../../../kit/segmented.js').Choice<'seeds' | 'contest'>[]} */
+export const views = [
+  { value: 'seeds', text: 'Seeds', hint: 'One search with many seeds' },
+  {
+    value: 'contest',
+    text: 'Contest',
+    hint: 'Several searches beside each other, with the same seeds and drives',
+  },
+];
+
+export const contestTexts = {
+  title: 'Contest',
+  csv: 'CSV',
+  picture: 'The contest',
+  seeds: 'With how many seeds',
+  budget: 'How many drives each',
+  progress: 'Runs that are done',
+  nobody: '–',
+  ingredients: 'change one ingredient',
+  rivals: 'a rival',
+  target: 'Target J',
+  usualTarget: 'usual target',
+  caption: 'In drives: who reaches the target, and when',
+};
+
+export const asInLab = 'as in the lab';
+/** @type {Readonly<Record<Contestant, string>>} */
+const names = {
+  cauchy: 'Cauchy steps',
+  fixed: 'σ fixed (no adaptation)',
+  'floor-0.01': 'σ never below 0.01',
+  'floor-0.1': 'σ never below 0.1',
+  truncation: 'no tournament: lowest J survives',
+  parent: 'child against parent',
+  crossover: 'crossover 0.5',
+  'n-6': 'N = 6',
+  'n-100': 'N = 100',
+  mirror: 'mirrored below 0',
+  random: 'random search',
+  de: 'DE (differential evolution)',
+  'cma-es': 'CMA-ES',
+  'one-plus-one-es': '(1+1)-ES',
+  'nelder-mead': 'Nelder–Mead',
+  'one-at-a-time': 'one gain at a time',
+  'finite-differences': 'finite differences',
+};
+/** At a line, where there is little room. @type {Readonly<Partial<Record<Contestant, string>>>} */
+const shortNames = {
+  fixed: 'σ fixed',
+  'floor-0.01': 'σ ≥ 0.01',
+  'floor-0.1': 'σ ≥ 0.1',
+  truncation: 'no tournament',
+  parent: 'child/parent',
+  mirror: 'mirrored',
+  random: 'random',
+  de: 'DE',
+  'one-at-a-time': 'one gain a time',
+  'finite-differences': 'differences',
+};
+
+/** @param {Contestant | null} name */
+export const contestantName = (name) => (name ? names[name] : asInLab);
+/** @param {Contestant | null} name */
+export const shortName = (name) => (name ? (shortNames[name] ?? names[name]) : asInLab);
+
+/** @param {number} place */
+export const contestantLabel = (place) => `Contestant ${place}`;
+/** @param {number} count @param {number} seeds */
+export const contestRunText = (count, seeds) => `Run ${count} × ${seeds} seeds`;
+/** @param {number} drives */
+export const drivesChoice = (drives) => `${grouped(drives)} drives`;
+export const wholeNumber = grouped;
+
+/** @param {number} done @param {number} all */
+export const contestProgress = (done, all) => `${done} of ${all} runs`;
+/** @param {number} drives */
+export const tooLong = (drives) =>
+  `That would be ${grouped(drives)} drives, far too many to wait for: take fewer seeds, drives, starts or contestants.`;
+/** @param {number} done @param {number} all */
+export const contestCancelled = (done, all) =>
+  `Cancelled after ${done} of ${all} runs: what you see is what these say.`;
+/** @param {{ seeds: number, budget: number }} asked */
+export const contestInvitation = ({ seeds, budget }) =>
+  `Which part does the work? Every contestant runs with the same ${seeds} seeds, ${grouped(budget)} drives each. Then count drives, not generations.`;
+
+/** @param {Contest} contest @param {Lowest} lowest */
+export const usualTargetText = ({ seeds }, { cost, name, seed }) =>
+  `0.2 % above ${targetText(cost)}, the lowest J of all (${shortName(name)}, seed ${seed} of ${seeds})`;
+/** @param {string} was */
+export const targetRefused = (was) => `The target must be a number; it was “${was}”.`;
+
+export const drivesAxis = 'drives';
+export const shareAxis = 'share at the target';
+/** @param {number} target */
+export const targetLine = (target) => `target ${targetText(target)}`;
+
+export const contestColumns = [
+  { text: 'reached', hint: 'How many runs reached the target' },
+  {
+    text: 'ERT',
+    hint: 'Expected running time: the drives of all runs until the target or the budget, by the number of those that reached it',
+  },
+  { text: 'median J', hint: 'The median of J at the budget' },
+  {
+    text: 'A12',
+    hint: 'How probable it is that a run of it is better than one of the first: sooner at the target, or, if neither is there, with a lower J',
+  },
+  { text: 'p', hint: 'Mann–Whitney, two-sided, of the same order; Holm’s correction for the lines' },
+];
+/** @param {number} reached @param {number} count */
+export const reachedText = (reached, count) => `${reached} of ${count}`;
+
+/** @param {Verdict} verdict @param {Contestant | null} name */
+export function verdictText(verdict, name) {
+  switch (verdict.kind) {
+    case 'same':
+      return `Run by run the same as the first: this changes nothing here.`;
+    case 'undecided':
+      return `${verdict.runs} runs cannot tell these two apart.`;
+    case 'sooner':
+      return `${shortName(name)} gets there ${timesText(verdict.times)} times sooner.`;
+    case 'later':
+      return `${shortName(name)} takes ${timesText(verdict.times)} times as many drives to get there.`;
+    case 'only-this':
+      return `${shortName(name)} gets there in ${verdict.reached} of ${verdict.runs} runs, the first in none.`;
+    case 'only-first':
+      return `${shortName(name)} never gets there; the first does in ${verdict.reached} of ${verdict.runs} runs.`;
+    default:
+      return `Of two runs the ${verdict.kind === 'better' ? 'better' : 'worse'} one is that of ${shortName(name)} in ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)} of all pairs.`;
+  }
+}
+
+/** @param {readonly string[]} sentences */
+export const contestLabel = (sentences) =>
+  `The best J over drives, and the share of runs at the target. ${sentences.join(' ')}`;
+/** @param {number} cost */
+export const medianText = (cost) => (Number.isFinite(cost) ? targetText(cost) : costText(cost));

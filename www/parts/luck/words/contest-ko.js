@@ -1,0 +1,136 @@
+// Every word of the contest, in Korean.
+/** @import { Contest } from '../contest-request.js' */
+/** @import { Lowest, Verdict } from '../contest-summary.js' */
+/** @import { Contestant } from '../contestants.js' */
+import { costText, grouped } from '../../../words/ko/numbers.js';
+import { percent, targetText, timesText } from './common.js';
+
+export const viewLegend = '무엇을 알아볼지';
+/** @type {readonly import('../../../kit/segmented.js').Choice<'seeds' | 'contest'>[]} */
+export const views = [
+  { value: 'seeds', text: '시드', hint: '한 가지 탐색을 여러 시드로' },
+  { value: 'contest', text: '겨루기', hint: '여러 탐색을 같은 시드와 같은 주행 횟수로 나란히' },
+];
+
+export const contestTexts = {
+  title: '겨루기',
+  csv: 'CSV',
+  picture: '겨루기',
+  seeds: '시드 수',
+  budget: '주행 횟수(각각)',
+  progress: '끝난 실행',
+  nobody: '–',
+  ingredients: '구성 요소 하나 바꾸기',
+  rivals: '경쟁 방법',
+  target: '목표 J',
+  usualTarget: '기본 목표로',
+  caption: '주행 횟수로 본 결과: 누가 언제 목표에 이르는가',
+};
+
+export const asInLab = '실험실 그대로';
+/** @type {Readonly<Record<Contestant, string>>} */
+const names = {
+  cauchy: '코시 변이',
+  fixed: 'σ 고정(적응 없음)',
+  'floor-0.01': 'σ 하한 0.01',
+  'floor-0.1': 'σ 하한 0.1',
+  truncation: '토너먼트 없이 가장 낮은 J 선택',
+  parent: '자식 대 부모',
+  crossover: '교차 0.5',
+  'n-6': 'N = 6',
+  'n-100': 'N = 100',
+  mirror: '0에서 뒤집기',
+  random: '무작위 탐색',
+  de: 'DE(차분 진화)',
+  'cma-es': 'CMA-ES',
+  'one-plus-one-es': '(1+1)-ES',
+  'nelder-mead': '넬더–미드',
+  'one-at-a-time': '이득을 하나씩',
+  'finite-differences': '유한 차분',
+};
+/** At a line, where there is little room. @type {Readonly<Partial<Record<Contestant, string>>>} */
+const shortNames = {
+  fixed: 'σ 고정',
+  truncation: '토너먼트 없음',
+  random: '무작위',
+  de: 'DE',
+};
+
+/** @param {Contestant | null} name */
+export const contestantName = (name) => (name ? names[name] : asInLab);
+/** @param {Contestant | null} name */
+export const shortName = (name) => (name ? (shortNames[name] ?? names[name]) : asInLab);
+
+/** @param {number} place */
+export const contestantLabel = (place) => `참가자 ${place}`;
+/** @param {number} count @param {number} seeds */
+export const contestRunText = (count, seeds) => `${count} × 시드 ${seeds}개 실행`;
+/** @param {number} drives */
+export const drivesChoice = (drives) => `주행 ${grouped(drives)}회`;
+export const wholeNumber = grouped;
+
+/** @param {number} done @param {number} all */
+export const contestProgress = (done, all) => `실행 ${all}회 중 ${done}회`;
+/** @param {number} drives */
+export const tooLong = (drives) =>
+  `주행이 ${grouped(drives)}회나 되어 너무 오래 걸립니다. 시드, 주행 횟수, 출발 자세, 참가자 가운데 무엇이든 줄여 주십시오.`;
+/** @param {number} done @param {number} all */
+export const contestCancelled = (done, all) =>
+  `실행 ${all}회 중 ${done}회를 마치고 취소했습니다. 그때까지의 결과를 보여 줍니다.`;
+/** @param {{ seeds: number, budget: number }} asked */
+export const contestInvitation = ({ seeds, budget }) =>
+  `어느 부분이 효과를 낼까요? 참가자마다 같은 시드 ${seeds}개로 ${grouped(budget)}회씩 주행합니다. 세대가 아니라 주행 횟수로 견주어 보십시오.`;
+
+/** @param {Contest} contest @param {Lowest} lowest */
+export const usualTargetText = ({ seeds }, { cost, name, seed }) =>
+  `모든 실행의 최소 J ${targetText(cost)}보다 0.2 % 높은 값(${shortName(name)}, 시드 ${seeds}개 중 ${seed}번)`;
+/** @param {string} was */
+export const targetRefused = (was) => `목표는 수여야 하는데, 입력한 값은 “${was}”입니다.`;
+
+export const drivesAxis = '주행 횟수';
+export const shareAxis = '목표에 이른 비율';
+/** @param {number} target */
+export const targetLine = (target) => `목표 ${targetText(target)}`;
+
+export const contestColumns = [
+  { text: '도달', hint: '목표에 이른 실행의 수' },
+  {
+    text: 'ERT',
+    hint: '기대 실행 시간: 모든 실행이 목표나 한도까지 쓴 주행 횟수를 목표에 이른 실행의 수로 나눈 값',
+  },
+  { text: 'J 중앙값', hint: '주행 한도에서 J의 중앙값' },
+  {
+    text: 'A12',
+    hint: '이 참가자의 실행이 첫 참가자의 실행보다 나을 확률: 목표에 더 일찍 이르거나, 둘 다 이르지 못했다면 J가 더 낮은 쪽',
+  },
+  { text: 'p', hint: '같은 순서로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정' },
+];
+/** @param {number} reached @param {number} count */
+export const reachedText = (reached, count) => `${reached}/${count}`;
+
+/** @param {Verdict} verdict @param {Contestant | null} name */
+export function verdictText(verdict, name) {
+  const who = shortName(name);
+  switch (verdict.kind) {
+    case 'same':
+      return '모든 실행이 첫 참가자와 똑같습니다. 여기에서는 아무것도 바꾸지 않습니다.';
+    case 'undecided':
+      return `${verdict.runs}번의 실행으로는 둘의 차이를 알 수 없습니다.`;
+    case 'sooner':
+      return `${who}: 목표에 ${timesText(verdict.times)}배 빨리 이릅니다.`;
+    case 'later':
+      return `${who}: 목표에 이르는 데 주행이 ${timesText(verdict.times)}배 필요합니다.`;
+    case 'only-this':
+      return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번 목표에 이르지만, 첫 참가자는 한 번도 이르지 못합니다.`;
+    case 'only-first':
+      return `${who}: 목표에 한 번도 이르지 못합니다. 첫 참가자는 실행 ${verdict.runs}번 중 ${verdict.reached}번 이릅니다.`;
+    default:
+      return `${who}: 두 실행을 짝지으면 ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)}에서 ${verdict.kind === 'better' ? '더 낫습니다' : '더 못합니다'}.`;
+  }
+}
+
+/** @param {readonly string[]} sentences */
+export const contestLabel = (sentences) =>
+  `주행 횟수에 따른 최소 J와 목표에 이른 실행의 비율. ${sentences.join(' ')}`;
+/** @param {number} cost */
+export const medianText = (cost) => (Number.isFinite(cost) ? targetText(cost) : costText(cost));
