@@ -20,7 +20,7 @@ const source = fileURLToPath(new URL('../../../www/', import.meta.url));
 const latinWord = /[A-Za-z]{3,}/;
 /** Names, keys, units and functions that stay as they are, and the title of the paper. */
 const names =
-  /Kim and H\.-S\. Shim, “Evolutionary Programming-Based [^”]*”, Proceedings [^,]*, MIT Press|\b(CITATION\.cff|self-adaptation|unicycle|nonholonomic|saturation|chattering|elitism|generalisation|overfitting|local optimum|log-normal|Python|JavaScript|MATLAB|Octave|CSV|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|CMA-ES|min|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
+  /Kim and H\.-S\. Shim, “Evolutionary Programming-Based [^”]*”, Proceedings [^,]*, MIT Press|\b(CITATION\.cff|self-adaptation|unicycle|nonholonomic|saturation|chattering|elitism|generalisation|overfitting|local optimum|log-normal|Python|JavaScript|MATLAB|Octave|CSV|ERT|PNG|SVG|Kim|Shim|Kanayama|Enter|Shift|Alt|Ctrl|Esc|Tab|CMA-ES|min|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
 
 /** Every text of a language by its place; functions are named. @param {unknown} value @param {string} place @returns {[string, string][]} */
 function textsOf(value, place) {

@@ -30,7 +30,7 @@ const steps = 160;
 /** Distances under this are shown as this. */
 const smallest = 1e-6;
 /** Where there is less height, the shares have no room. */
-const roomForBoth = 200;
+const roomForBoth = 180;
 const between = 14;
 /** In pixels, beside the lines. */
 const roomForNames = 80;

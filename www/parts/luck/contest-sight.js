@@ -1,6 +1,5 @@
 // What the contest shows around its picture: who runs, how much, the target, and the table with its verdicts.
 /** @import { State } from '../../run/state.js' */
-/** @import { Contest } from './contest-request.js' */
 /** @import { Standing, Standings } from './contest-summary.js' */
 /** @import { Contestant } from './contestants.js' */
 /** @import { LuckState } from './state.js' */
@@ -44,7 +43,7 @@ export function contestSight(state, standings, stale, on) {
     ${contest ? nothing : html`<p id="contest-finding" class="luck-finding">${words.contestInvitation(luck)}</p>`}
     <div id="contest-chart" class="luck-curve contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
       aria-label=${words.contestLabel(sentences)}></div>
-    ${contest && standings?.lowest ? targetField(luck, contest, standings, on) : nothing}
+    ${contest && standings?.lowest ? targetField(luck, standings, on) : nothing}
     ${standings ? table(standings) : nothing}`;
 }
 
@@ -83,8 +82,8 @@ function entrants({ others, contestRuns }, { update }) {
   </ul>`;
 }
 
-/** @param {LuckState} luck @param {Contest} contest @param {Standings} standings @param {ContestEvents} on */
-function targetField({ target, targetError }, contest, standings, { update }) {
+/** @param {LuckState} luck @param {Standings} standings @param {ContestEvents} on */
+function targetField({ target, targetError }, standings, { update }) {
   const change = (/** @type {Event} */ event) => {
     const text = valueIn(event);
     const value = numberOf(text);
@@ -101,7 +100,7 @@ function targetField({ target, targetError }, contest, standings, { update }) {
           @focus=${selectAll} @change=${change}></label>
       ${
         target === null
-          ? html`<span id="contest-usual" class="muted">${standings.lowest ? words.usualTargetText(contest, standings.lowest) : ''}</span>`
+          ? html`<span id="contest-usual" class="muted">${standings.lowest ? words.usualTargetText(standings.lowest) : ''}</span>`
           : html`<button id="contest-usual" type="button" class="link" @click=${() => update({ target: null, targetError: '' })}>${texts.usualTarget}</button>`
       }
       <span id="contest-target-error" class="contest-error" role="alert">${targetError}</span>

@@ -1,5 +1,4 @@
 // Every word of the contest.
-/** @import { Contest } from '../contest-request.js' */
 /** @import { Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
 import { costText, grouped } from '../../../words/en/numbers.js';
@@ -38,7 +37,7 @@ const names = {
   fixed: 'σ fixed (no adaptation)',
   'floor-0.01': 'σ never below 0.01',
   'floor-0.1': 'σ never below 0.1',
-  truncation: 'no tournament: lowest J survives',
+  truncation: 'truncation: lowest J survives',
   parent: 'child against parent',
   crossover: 'crossover 0.5',
   'n-6': 'N = 6',
@@ -57,7 +56,7 @@ const shortNames = {
   fixed: 'σ fixed',
   'floor-0.01': 'σ ≥ 0.01',
   'floor-0.1': 'σ ≥ 0.1',
-  truncation: 'no tournament',
+  truncation: 'truncation',
   parent: 'child/parent',
   mirror: 'mirrored',
   random: 'random',
@@ -91,9 +90,9 @@ export const contestCancelled = (done, all) =>
 export const contestInvitation = ({ seeds, budget }) =>
   `Which part does the work? Every contestant runs with the same ${seeds} seeds, ${grouped(budget)} drives each. Then count drives, not generations.`;
 
-/** @param {Contest} contest @param {Lowest} lowest */
-export const usualTargetText = ({ seeds }, { cost, name, seed }) =>
-  `0.2 % above ${targetText(cost)}, the lowest J of all (${shortName(name)}, seed ${seed} of ${seeds})`;
+/** @param {Lowest} lowest */
+export const usualTargetText = ({ cost, name, seed }) =>
+  `0.2 % above ${targetText(cost)}, the lowest J (${shortName(name)}, seed ${seed})`;
 /** @param {string} was */
 export const targetRefused = (was) => `The target must be a number; it was “${was}”.`;
 

@@ -1,5 +1,4 @@
 // Every word of the contest, in Korean.
-/** @import { Contest } from '../contest-request.js' */
 /** @import { Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
 import { costText, grouped } from '../../../words/ko/numbers.js';
@@ -81,9 +80,9 @@ export const contestCancelled = (done, all) =>
 export const contestInvitation = ({ seeds, budget }) =>
   `어느 부분이 효과를 낼까요? 참가자마다 같은 시드 ${seeds}개로 ${grouped(budget)}회씩 주행합니다. 세대가 아니라 주행 횟수로 견주어 보십시오.`;
 
-/** @param {Contest} contest @param {Lowest} lowest */
-export const usualTargetText = ({ seeds }, { cost, name, seed }) =>
-  `모든 실행의 최소 J ${targetText(cost)}보다 0.2 % 높은 값(${shortName(name)}, 시드 ${seeds}개 중 ${seed}번)`;
+/** @param {Lowest} lowest */
+export const usualTargetText = ({ cost, name, seed }) =>
+  `최소 J ${targetText(cost)}보다 0.2 % 높은 값(${shortName(name)}, 시드 ${seed})`;
 /** @param {string} was */
 export const targetRefused = (was) => `목표는 수여야 하는데, 입력한 값은 “${was}”입니다.`;
 
