@@ -88,7 +88,7 @@ export const taglines = (population) => ({
     'Gains that were evolved on one start have learned that start. Evolve on many, and test on starts that evolution never saw.',
   disturbance:
     'The ground pushes, the wheels slip: how far from the goal does the robot stay, and what does Theorem 2 promise?',
-  luck: 'The same evolution with a hundred seeds: how much of a good result is luck, and is it better than trying at random?',
+  luck: 'The same search with many seeds: how much of a good result is luck, and which of its parts, or which rival, does better?',
 });
 
 export const endTrial = 'Back to its own start';
