@@ -163,6 +163,7 @@ pageTest("the robot's clock never touches evolution, nor evolution a robot that 
   await arrival(page);
   await untouched('arrived');
   await page.click('#speed option[value="0.25"]');
+  await page.setPace(0.1);
   await page.click('#play');
   await page.until('the robots drive', () => document.querySelector('#play.playing'));
   await page.click('#play');
