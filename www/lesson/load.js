@@ -6,7 +6,13 @@
 import { byId } from '../kit/elements.js';
 import { createWaiting } from '../lab/waiting.js';
 
-const load = () => import('./page.js');
+/** @type {Promise<typeof import('./page.js')> | null} */
+let asked = null;
+/** Asked for once: in WebKit a second import() of what still awaits its words comes too early. */
+function load() {
+  asked ??= import('./page.js');
+  return asked;
+}
 
 /** Begins to load it if an address opens it; whether it can be loaded is seen when it is opened. @param {string} hash */
 export function askForLesson(hash) {

@@ -238,11 +238,12 @@ engineTest('a symbol that is pointed at lights up in formula and picture', async
       picture: document.querySelectorAll('#error-posture .lit').length,
     }));
   assert.deepEqual(await lit(), { formula: 0, picture: 0 });
-  await page.evaluate(() =>
+  await page.until('the formula is pointed at', () =>
     document
       .querySelector('#lesson .formula [data-term="ye"]')
       ?.dispatchEvent(new PointerEvent('pointerover', { bubbles: true })),
   );
+  await page.until('it is lit', () => document.querySelector('#lesson .formula .lit'));
   const now = await lit();
   assert.ok(now.formula >= 1 && now.picture >= 2, JSON.stringify(now));
 });
