@@ -178,13 +178,13 @@ pageTest('a long run is opened at the generation that was shown when it was save
   assert.match(await choose(page, 'long.json', text), /“long.json” is open: all 150 generations/);
   await page.click('#keep-close');
   await page.until('evolution rests', () => document.getElementById('run')?.textContent === 'Run');
+  await page.until('the link', () => /generation=60(&|$)/.test(location.hash));
   assert.deepEqual(await readEvolution(page), {
     generation: '60',
     seed: '1',
     ...evolve(many, 60).shown,
   });
   // The whole run is there, the link is that of what is shown, and how to go on is still as it was chosen.
-  await page.until('the link', () => /generation=60(&|$)/.test(location.hash));
   const { last, pace, until } = await page.evaluate(() => {
     const value = (/** @type {string} */ id) =>
       /** @type {HTMLSelectElement} */ (document.getElementById(id)).value;
