@@ -51,7 +51,7 @@ fn presets_have_every_field_and_partial_experiments_are_completed() {
          \"goal\":{\"x\":2,\"y\":2,\"theta\":0.7853981633974483},\
          \"referenceVelocity\":{\"linear\":0,\"angular\":0},\"sampleTime\":0.01,\"horizon\":10,\
          \"limits\":{\"speed\":2,\"turnRate\":6.283185307179586,\"acceleration\":null,\
-         \"turnAcceleration\":null},\"tolerance\":{\"position\":0.05,\"heading\":0.05},\
+         \"turnAcceleration\":null},\"tolerance\":{\"position\":0.05,\"heading\":0.05,\"speed\":null,\"turnRate\":null},\
          \"weights\":{\"final\":[1,1,1],\"velocity\":[1,1],\"penalty\":1000},\
          \"disturbance\":{\"kind\":\"none\",\"linear\":0,\"angular\":0,\"seed\":0},\
          \"evolution\":{\"population\":20,\"opponents\":10,\"seed\":1,\

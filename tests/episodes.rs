@@ -216,6 +216,25 @@ fn the_outcome_is_what_the_last_sample_shows() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn a_robot_that_has_to_be_slow_arrives_where_it_first_is_near_and_slow() {
+    let mut experiment = Preset::AccelerationLimits.experiment();
+    let anyhow = run(&experiment, EP_GAINS);
+    experiment.tolerance.speed = Some(0.05);
+    experiment.tolerance.turn_rate = Some(0.1);
+    let slowly = run(&experiment, EP_GAINS);
+    let passed = anyhow.len() - 1;
+    assert!(slowly.len() > anyhow.len() && slowly[passed].time == anyhow[passed].time);
+    assert!(slowly[passed - 1].velocity.linear.abs() > 0.05);
+    for (n, sample) in slowly.iter().enumerate().skip(1) {
+        let (error, before) = (sample.error, slowly[n - 1].velocity);
+        let near = error.x.hypot(error.y) <= 0.05 && error.theta.abs() <= 0.05;
+        let slow = before.linear.abs() <= 0.05 && before.angular.abs() <= 0.1;
+        assert_eq!(near && slow, sample.outcome == Some(Outcome::Arrived), "sample {n}");
+    }
+    assert_eq!(slowly.last().expect("samples").time, cost(&experiment, EP_GAINS).time);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn the_first_limited_sample_respects_the_rest_at_the_start() {
     let samples = run(&Preset::AccelerationLimits.experiment(), Gains::new(30.0, 30.0, 30.0));
     assert_close(samples[0].velocity.linear, 0.05, 1e-14);

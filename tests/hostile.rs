@@ -157,7 +157,7 @@ fn every_field_refuses_what_is_outside_its_range_by_name() {
     let valid = Preset::AccelerationLimits.experiment();
     assert_eq!(valid.validate(), Ok(()));
     type Setter = fn(&mut Experiment, f64);
-    let set: [(&str, Setter); 20] = [
+    let set: [(&str, Setter); 22] = [
         ("starts[0].x", |e, v| e.starts[0].x = v),
         ("starts[0].y", |e, v| e.starts[0].y = v),
         ("starts[0].theta", |e, v| e.starts[0].theta = v),
@@ -174,6 +174,8 @@ fn every_field_refuses_what_is_outside_its_range_by_name() {
         ("limits.turnAcceleration", |e, v| e.limits.turn_acceleration = Some(v)),
         ("tolerance.position", |e, v| e.tolerance.position = v),
         ("tolerance.heading", |e, v| e.tolerance.heading = v),
+        ("tolerance.speed", |e, v| e.tolerance.speed = Some(v)),
+        ("tolerance.turnRate", |e, v| e.tolerance.turn_rate = Some(v)),
         ("weights.final[1]", |e, v| e.weights.final_error[1] = v),
         ("weights.velocity[1]", |e, v| e.weights.velocity[1] = v),
         ("weights.penalty", |e, v| e.weights.penalty = v),

@@ -73,7 +73,11 @@ fn oracle_run(e: &Experiment, k: [f64; 3], shift: f64) -> End {
         let t = f64::from(n) * dt;
         let r = if parking { goal } else { arc(goal, [vr, wr], t) };
         let (dx, dy, te) = (r[0] - p[0], r[1] - p[1], wrapped(r[2] - p[2]));
-        let arrived = dx.hypot(dy) <= e.tolerance.position && te.abs() <= e.tolerance.heading;
+        let is_near = dx.hypot(dy) <= e.tolerance.position && te.abs() <= e.tolerance.heading;
+        let slow: [(f64, Option<f64>); 2] =
+            [(q[0], e.tolerance.speed), (q[1], e.tolerance.turn_rate)];
+        let arrived =
+            is_near && slow.iter().all(|(q, most)| !most.is_some_and(|most| q.abs() > most));
         let finite = [dx * dx, dy * dy, te].iter().all(|x| x.is_finite());
         let outcome = match () {
             () if !finite => Some(Outcome::Diverged),
@@ -118,6 +122,8 @@ fn drawn(random: &mut Random) -> Experiment {
         acceleration: limit(1.0, 20.0),
         turn_acceleration: limit(5.0, 60.0),
     };
+    (experiment.tolerance.speed, experiment.tolerance.turn_rate) =
+        (limit(0.05, 2.0), limit(0.05, 6.0));
     experiment.tolerance.position = random.within(0.01, 0.3);
     experiment.tolerance.heading = random.within(0.01, 0.3);
     experiment.weights.final_error = [0; 3].map(|_| random.within(0.0, 3.0));

@@ -20,7 +20,7 @@ enum Kind {
 use Kind::{Limit, Real, Whole};
 
 /// Path, smallest and largest value, unit.
-const RANGES: [(&str, f64, f64, &str, Kind); 30] = [
+const RANGES: [(&str, f64, f64, &str, Kind); 32] = [
     ("starts[].x", -1000.0, 1000.0, "m", Real),
     ("starts[].y", -1000.0, 1000.0, "m", Real),
     ("starts[].theta", -100.0, 100.0, "rad", Real),
@@ -37,6 +37,8 @@ const RANGES: [(&str, f64, f64, &str, Kind); 30] = [
     ("limits.turnAcceleration", 0.0, 1e6, "rad/s²", Limit),
     ("tolerance.position", 0.0, 1000.0, "m", Real),
     ("tolerance.heading", 0.0, 100.0, "rad", Real),
+    ("tolerance.speed", 0.0, 1e6, "m/s", Limit),
+    ("tolerance.turnRate", 0.0, 1e6, "rad/s", Limit),
     ("weights.final[]", 0.0, 1e6, "", Real),
     ("weights.velocity[]", 0.0, 1e6, "", Real),
     ("weights.penalty", 0.0, 1e6, "", Real),

@@ -15,7 +15,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 fn unending(disturbance: Disturbance) -> Experiment {
     Experiment {
         disturbance,
-        tolerance: Tolerance { position: 0.0, heading: 0.0 },
+        tolerance: Tolerance { position: 0.0, heading: 0.0, speed: None, turn_rate: None },
         ..Preset::VelocityLimits.experiment()
     }
 }

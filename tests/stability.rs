@@ -205,7 +205,8 @@ fn a_disturbance_adds_to_the_rate_what_theorem_2_says() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_last_sample_is_taken_as_if_the_robot_drove_on() {
     let whole = run(preset(), &EP);
-    let tolerance = ep_locomotion::run::Tolerance { position: 0.0, heading: 0.0 };
+    let tolerance =
+        ep_locomotion::run::Tolerance { position: 0.0, heading: 0.0, speed: None, turn_rate: None };
     let longer = run(Experiment { tolerance, ..preset() }, &EP);
     assert!(longer.len() > whole.len());
     assert_eq!(whole.last(), longer.get(whole.len() - 1));

@@ -93,7 +93,7 @@ impl EpisodeState {
             heading: posture.theta,
             command: Velocity::ZERO,
             n: 0,
-            outcome: setting.outcome(&robot.error, 0),
+            outcome: setting.outcome(&robot, 0),
         }
     }
 
@@ -123,7 +123,7 @@ impl EpisodeState {
             self.command = step.command;
             self.robot = step.next;
             self.n += 1;
-            self.outcome = setting.outcome(&self.robot.error, self.n);
+            self.outcome = setting.outcome(&self.robot, self.n);
             self.heading += step.arc.turn();
             if self.heading.abs() > MOST_HEADING {
                 let reference = setting.frame_at(self.n).reference;

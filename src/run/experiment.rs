@@ -11,12 +11,16 @@ pub const MAX_STARTS: u32 = 10_000;
 pub const MAX_SAMPLES: f64 = 100_000.0;
 
 record! { input (Copy)
-    /// How near to the goal counts as arrived. That no velocity is looked at is our choice.
+    /// How near to the goal, and how slow, counts as arrived. That the presets look at no velocity is our choice.
     pub struct Tolerance {
         /// Largest √(x_e² + y_e²) in metres.
         pub position: f64 => "position" in Allowed::within("m", 0.0, 1000.0),
         /// Largest |θ_e| in radians.
         pub heading: f64 => "heading" in Allowed::within("rad", 0.0, 100.0),
+        /// Largest |v| in m/s of the sample before; null means that v is not looked at.
+        pub speed: Option<f64> => "speed" in Allowed::within("m/s", 0.0, 1e6).or_null(),
+        /// Largest |ω| in rad/s of the sample before; null means that ω is not looked at.
+        pub turn_rate: Option<f64> => "turnRate" in Allowed::within("rad/s", 0.0, 1e6).or_null(),
     }
 }
 

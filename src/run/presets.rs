@@ -106,7 +106,7 @@ impl Preset {
                 acceleration,
                 turn_acceleration,
             },
-            tolerance: Tolerance { position: 0.05, heading: 0.05 },
+            tolerance: Tolerance { position: 0.05, heading: 0.05, speed: None, turn_rate: None },
             weights: Weights { final_error: [1.0; 3], velocity: [1.0; 2], penalty: 1000.0 },
             disturbance: Disturbance::NONE,
             evolution: EvolutionSettings {

@@ -29,6 +29,8 @@ pub(crate) struct Rules {
     pub(crate) sample_time: f64,
     /// The largest (x_e² + y_e², |θ_e|) that counts as arrived; none if the reference moves.
     pub(crate) arrival: Option<[f64; 2]>,
+    /// The largest (|v|, |ω|) that counts as arrived.
+    standstill: [f64; 2],
 }
 
 /// What a robot carries from one sample to the next.
@@ -69,7 +71,7 @@ impl Robot<f64> {
 
 impl Rules {
     pub(crate) fn new(e: &Experiment) -> Self {
-        let Tolerance { position, heading } = e.tolerance;
+        let Tolerance { position, heading, speed, turn_rate } = e.tolerance;
         let tracking = e.is_tracking();
         Self {
             law: e.law,
@@ -78,6 +80,7 @@ impl Rules {
             limits: e.limits,
             sample_time: e.sample_time,
             arrival: (!tracking).then_some([position * position, heading]),
+            standstill: [speed, turn_rate].map(|largest| largest.unwrap_or(f64::INFINITY)),
         }
     }
 
@@ -122,15 +125,18 @@ impl Rules {
         self.reference_arc.is_some_and(|arc| arc.turn().abs() >= SMALL_TURN)
     }
 
-    /// How a run ends here, at whatever time. That it looks at no velocity is our choice.
+    /// How a run ends here, at whatever time.
     #[inline(always)]
-    pub(crate) fn end(&self, error: &ErrorPosture) -> Option<Outcome> {
+    pub(crate) fn end(&self, robot: &Robot<f64>) -> Option<Outcome> {
+        let Robot { error, velocity, .. } = robot;
         if !error.squared_deviation().is_finite() {
             return Some(Outcome::Diverged);
         }
         let [square, heading] = self.arrival?;
-        let arrived = error.squared_distance() <= square && error.theta.abs() <= heading;
-        arrived.then_some(Outcome::Arrived)
+        let [speed, turn_rate] = self.standstill;
+        let is_near = error.squared_distance() <= square && error.theta.abs() <= heading;
+        let is_slow = velocity.linear.abs() <= speed && velocity.angular.abs() <= turn_rate;
+        (is_near && is_slow).then_some(Outcome::Arrived)
     }
 
     /// One sample: law, limits, cost, motion.

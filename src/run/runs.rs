@@ -74,7 +74,7 @@ impl<'a> Runs<'a> {
     /// Whether the run of this seat ends now; if so, how and at what cost is noted.
     pub(super) fn note_end(&mut self, seat: &Seat, robot: &Robot<f64>, now: u64) -> bool {
         let n = self.setting.samples() - (seat.horizon - now) as u32;
-        let Some(outcome) = self.setting.outcome(&robot.error, n) else { return false };
+        let Some(outcome) = self.setting.outcome(robot, n) else { return false };
         let cost = self.setting.cost_at(robot, &seat.gains, n, Some(outcome));
         self.ends[seat.run] = RunEnd { cost, outcome };
         true

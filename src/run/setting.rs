@@ -64,9 +64,9 @@ impl Setting {
 
     /// How a run has ended at sample `n`, if it has.
     #[inline(always)]
-    pub(crate) fn outcome(&self, error: &ErrorPosture, n: u32) -> Option<Outcome> {
+    pub(crate) fn outcome(&self, robot: &Robot<f64>, n: u32) -> Option<Outcome> {
         let horizon = (n >= self.samples).then_some(Outcome::Horizon);
-        self.rules.end(error).or(horizon)
+        self.rules.end(robot).or(horizon)
     }
 
     /// Time of sample `n`, where a run ended with `outcome`: t_f.

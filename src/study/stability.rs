@@ -103,7 +103,7 @@ pub fn stability(setting: &Setting, gains: &Gains, start: u32) -> Vec<StabilityS
     let mut disturbances = experiment.disturbance.sequence(start);
     let mut samples = Vec::new();
     for n in 0.. {
-        let outcome = setting.outcome(&robot.error, n);
+        let outcome = setting.outcome(&robot, n);
         let (decided, command) = rules.decided(&robot, gains);
         let disturbance = disturbances.next();
         let motion = decided.velocity + disturbance.unwrap_or(Velocity::ZERO);

@@ -60,12 +60,16 @@ export interface Limits {
   /** Largest |dω/dt| in rad/s². */
   turnAcceleration: number | null;
 }
-/** How near to the goal counts as arrived. That no velocity is looked at is our choice. */
+/** How near to the goal, and how slow, counts as arrived. That the presets look at no velocity is our choice. */
 export interface Tolerance {
   /** Largest √(x_e² + y_e²) in metres. */
   position: number;
   /** Largest |θ_e| in radians. */
   heading: number;
+  /** Largest |v| in m/s of the sample before; null means that v is not looked at. */
+  speed: number | null;
+  /** Largest |ω| in rad/s of the sample before; null means that ω is not looked at. */
+  turnRate: number | null;
 }
 /** The weights of the cost (9). The paper does not give them; ours are W = I, R = I, κ = 1000. */
 export interface Weights {

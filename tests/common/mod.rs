@@ -79,6 +79,7 @@ pub fn wild(random: &mut Random) -> Experiment {
         acceleration: limit(),
         turn_acceleration: limit(),
     };
+    let (speed, turn_rate) = (limit(), limit());
     let mut posture =
         || Posture { x: within(-1e3, 1e3), y: within(-1e3, 1e3), theta: within(-100.0, 100.0) };
     let (starts, goal) = (vec![posture(), posture()], posture());
@@ -92,6 +93,7 @@ pub fn wild(random: &mut Random) -> Experiment {
     experiment.weights.penalty = weight();
     experiment.tolerance.position = within(-1e3, 1e3).abs();
     experiment.tolerance.heading = within(-100.0, 100.0).abs();
+    (experiment.tolerance.speed, experiment.tolerance.turn_rate) = (speed, turn_rate);
     let kind = [DisturbanceKind::None, DisturbanceKind::Random, DisturbanceKind::Slip]
         [random.below(3) as usize];
     experiment.disturbance = Disturbance {

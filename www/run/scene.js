@@ -73,7 +73,10 @@ const tried = (experiment, trial) =>
       };
 
 /** A disturbed robot drives on at the goal, so that one sees how near it stays. @param {Experiment['disturbance']} disturbance */
-export const withDisturbance = (disturbance) => ({ disturbance, tolerance: { position: 0, heading: 0 } });
+export const withDisturbance = (disturbance) => ({
+  disturbance,
+  tolerance: { position: 0, heading: 0, speed: null, turnRate: null },
+});
 
 /** @param {Experiment} experiment @returns {Experiment} */
 export const undisturbed = (experiment) => ({

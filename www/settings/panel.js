@@ -116,12 +116,11 @@ function createPresets(engine) {
   return {
     of,
     /** A limit that a preset has, for who switches one on that the chosen preset has not. @param {string} path */
-    somewhere: (path) =>
-      all.map((experiment) => valueAt(experiment, path)).find((value) => value !== null) ?? 0,
+    somewhere: (path) => all.map((experiment) => valueAt(experiment, path)).find((value) => value !== null),
   };
 }
 
-/** @param {Engine} engine @param {Actions} actions @param {(path: string) => import('../run/paths.js').Value} somewhere @returns {Map<string, RowView>} */
+/** @param {Engine} engine @param {Actions} actions @param {(path: string) => import('../run/paths.js').Value | undefined} somewhere @returns {Map<string, RowView>} */
 function createRows(engine, actions, somewhere) {
   const fields = new Map(engine.fields().map((field) => [field.path, field]));
   const wordsOf = new Map(engine.wordFields().map((field) => [field.path, field.words]));
@@ -131,7 +130,7 @@ function createRows(engine, actions, somewhere) {
       return [
         row.path,
         field
-          ? createNumber(row, field, actions, Number(somewhere(row.path)))
+          ? createNumber(row, field, actions, Number(somewhere(row.path) ?? row.first ?? 0))
           : createChoice(row, wordsOf.get(row.path) ?? [], actions),
       ];
     }),

@@ -4,10 +4,10 @@
 
 /** @typedef {import('../words/en/settings.js').GroupName} GroupName */
 /** @typedef {{ letter: string, index?: string, colour?: 'x' | 'y' | 'theta' | 'linear' | 'angular' }} Symbol */
-/** @typedef {{ path: string, symbol?: Symbol, slider?: SliderRange, isIdle?: (experiment: Experiment) => boolean }} Row Idle while it changes nothing. */
+/** @typedef {{ path: string, symbol?: Symbol, slider?: SliderRange, isIdle?: (experiment: Experiment) => boolean, first?: number }} Row Idle while it changes nothing; `first`: where a limit that no preset has begins. */
 
-/** @param {string} path @param {Symbol} [symbol] @param {SliderRange} [slider] @param {Row['isIdle']} [isIdle] @returns {Row} */
-const row = (path, symbol, slider, isIdle) => ({ path, symbol, slider, isIdle });
+/** @param {string} path @param {Symbol} [symbol] @param {SliderRange} [slider] @param {Row['isIdle']} [isIdle] @param {number} [first] @returns {Row} */
+const row = (path, symbol, slider, isIdle, first) => ({ path, symbol, slider, isIdle, first });
 
 /** @param {string} letter @param {string} [index] @param {Symbol['colour']} [colour] @returns {Symbol} */
 const symbol = (letter, index, colour) => ({ letter, index, colour });
@@ -59,6 +59,20 @@ export const table = {
   arrival: [
     row('tolerance.position', undefined, { from: 0.001, to: 1, log: true }),
     row('tolerance.heading', undefined, { from: 0.1, to: 100, log: true }),
+    row(
+      'tolerance.speed',
+      symbol('v', undefined, 'linear'),
+      { from: 0.01, to: 10, log: true },
+      undefined,
+      0.1,
+    ),
+    row(
+      'tolerance.turnRate',
+      symbol('ω', undefined, 'angular'),
+      { from: 0, to: 360, step: 1 },
+      undefined,
+      0.1,
+    ),
     row('horizon', undefined, { from: 1, to: 30, step: 0.5 }),
     row('sampleTime', symbol('Δt'), { from: 0.001, to: 0.1, log: true }),
   ],

@@ -133,7 +133,10 @@ export async function within(page, frame, body) {
   await driver.switchTo().frame((await driver.findElements(By.css('iframe')))[frame]);
   try {
     // What nobody sees is not drawn.
-    await page.until('the figure is drawn', () => document.body?.dataset.open);
+    await page.until(
+      'the figure is drawn',
+      () => document.body?.dataset.open && document.documentElement.dataset.ready,
+    );
     return await body();
   } finally {
     await driver.switchTo().defaultContent();

@@ -82,7 +82,7 @@ test('whoever arrives pays almost nothing for the end', () => {
     const { arrived, cost } = simulate(usual, gains);
     assert.ok(arrived && cost.finalError <= 0.05 ** 2 + 0.05 ** 2);
   }
-  assert.deepEqual(usual.tolerance, { position: 0.05, heading: 0.05 });
+  assert.deepEqual(usual.tolerance, { position: 0.05, heading: 0.05, speed: null, turnRate: null });
 });
 
 test('the program’s weights are those that the text names', () => {

@@ -75,10 +75,10 @@ test('in degrees the path alone costs more than the printed J, in the other orde
   );
 });
 
-test('the gains of Figure 6(a) arrive at 1.25 m/s, overshoot by 11 cm, and stay from 2.07 s on', () => {
+test('the gains of Figure 6(a) arrive at 1.25 m/s, overshoot by 11 cm, stay from 2.07 s on, and are slow at 2.35 s', () => {
   const arriving = simulate(experiment('acceleration-limits'), paperGains('acceleration-limits', 'ep'));
   assert.ok(Math.abs((arriving.linear.at(-1) ?? 0) - 1.25) < 0.005);
-  const { time, x, y, theta } = driven(linkOf('speed'));
+  const { time, x, y, theta, finalTime, cost } = driven(linkOf('speed'));
   const away = Array.from(time, (_, i) => Math.hypot(x[i] - 2, y[i] - 2));
   const after = away.filter((_, i) => time[i] > arriving.finalTime);
   assert.ok(Math.abs(Math.max(...after) - 0.11) < 0.005);
@@ -86,6 +86,10 @@ test('the gains of Figure 6(a) arrive at 1.25 m/s, overshoot by 11 cm, and stay 
     (_, i) => away[i] > 0.05 || Math.abs(theta[i] - Math.PI / 4) > 0.05,
   );
   assert.ok(Math.abs(Math.max(...outside) - 2.06) < 1e-9);
+  assert.deepEqual(
+    [arriving.finalTime, arriving.cost.total, finalTime, cost.total].map((value) => value.toFixed(3)),
+    ['1.640', '8.271', '2.350', '9.060'],
+  );
 });
 
 test('heavier weights change J, not the drive', () => {

@@ -298,7 +298,12 @@ const anyExperiment = fc
       sampleTime: fc.oneof(from(1e-5, 10), fc.constant(1e-5)),
       horizon: fc.oneof(from(1e-5, 10), from(10, 1e5)),
       limits: fc.record({ speed: aLimit, turnRate: aLimit, acceleration: aLimit, turnAcceleration: aLimit }),
-      tolerance: fc.record({ position: from(0, 1000), heading: from(0, 100) }),
+      tolerance: fc.record({
+        position: from(0, 1000),
+        heading: from(0, 100),
+        speed: aLimit,
+        turnRate: aLimit,
+      }),
       weights: fc.record({
         final: fc.tuple(aWeight, aWeight, aWeight),
         velocity: fc.tuple(aWeight, aWeight),

@@ -34,7 +34,12 @@ export function anyDrive(chance) {
       acceleration: often(0.5) ? among(2, 20) : null,
       turnAcceleration: often(0.5) ? among(5, 60) : null,
     },
-    tolerance: { position: among(0.01, 0.2), heading: among(0.01, 0.2) },
+    tolerance: {
+      position: among(0.01, 0.2),
+      heading: among(0.01, 0.2),
+      speed: often(0.3) ? among(0.02, 1) : null,
+      turnRate: often(0.3) ? among(0.05, 3) : null,
+    },
     weights: {
       final: [among(0, 3), among(0, 3), among(0, 3)],
       velocity: [among(0, 2), among(0, 2)],

@@ -75,11 +75,13 @@ engineTest('what the browser or the server lacks is said, above a picture and th
 /** Follows the link to the lesson and sees that all of it is there, in its looks. @param {Page} page @param {'en' | 'ko'} language */
 async function readsLesson(page, language) {
   await page.click(`#instead [lang=${language}] a`);
+  // The page that is left has sections, too.
   const seen = await page.until('the lesson is there to read', () => {
     const sections = [
       .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('main > section')),
     ].map((section) => section.innerText);
     return (
+      location.pathname.includes('/lesson.') &&
       document.readyState === 'complete' &&
       sections.length > 0 && {
         language: document.documentElement.lang,
@@ -137,6 +139,7 @@ engineTest('without its scripts, or where they are forbidden, the page can be re
     // Firefox asks for its own setting, not for the frame's, whether there are scripts: it waits before it shows the rest.
     for (const wait of inside?.getAnimations() ?? []) wait.finish();
     const text = /** @type {HTMLElement | null | undefined} */ (inside?.querySelector('noscript'))?.innerText;
+    if (inside?.readyState !== 'complete') return null;
     const picture = inside?.querySelector('#instead svg');
     const links = [...(inside?.querySelectorAll('#instead a') ?? [])].filter((link) =>
       link.checkVisibility({ visibilityProperty: true }),

@@ -43,10 +43,7 @@ export const paper = {
     {
       kind: 'tries',
       tries: [
-        [
-          'speed',
-          'curves&preset=acceleration-limits&drives=paper-ep&tolerance.position=0&tolerance.heading=0&horizon=4',
-        ],
+        ['speed', 'curves&preset=acceleration-limits&drives=paper-ep&tolerance.speed=0.05'],
         ['horizon', 'lab&horizon=3&tolerance.position=0&tolerance.heading=0&generation=100'],
         [
           'shortCheap',

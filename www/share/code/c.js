@@ -2,7 +2,7 @@
 /** @import { Posture } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
 /** @import { Words } from './parts.js' */
-import { controlGroups, driveGroups, headOf, limitsOf, rows } from './parts.js';
+import { controlGroups, driveGroups, headOf, limitsOf, rows, slowly } from './parts.js';
 import { beside, code, comment, literal, when } from './text.js';
 
 const number = (/** @type {number} */ value) => literal(value, 'INFINITY');
@@ -127,7 +127,8 @@ static real clamp(real value, real low, real high)
 `;
 
 /** @param {Controller} controller @param {Words['comments']} words */
-function drive({ isTracking, canDiverge, page }, words) {
+function drive(controller, words) {
+  const { isTracking, canDiverge, page } = controller;
   const { x, y, theta } = page.pose;
   const numbers = [page.time, page.cost, x, y, theta].map(number).join(', ');
   return code`
@@ -151,7 +152,7 @@ static Run drive(void)
         const real dx = goal.x - pose.x, dy = goal.y - pose.y, dtheta = wrap(goal.theta - pose.theta);
         const real square = dx * dx + dy * dy + dtheta * dtheta;
         ${when(canDiverge, `if (!isfinite(square)) return (Run){n * DT, INFINITY, pose}; // ${words.diverged}`)}
-        ${when(!isTracking, 'const bool parked = dx * dx + dy * dy <= POSITION * POSITION && fabs(dtheta) <= HEADING;')}
+        ${when(!isTracking, `const bool parked = dx * dx + dy * dy <= POSITION * POSITION && fabs(dtheta) <= HEADING${slowly(controller, { and: '&&', abs: 'fabs', v: 'q.v', w: 'q.w' })};`)}
         if (${isTracking ? '' : 'parked || '}n == SAMPLES) {
             const real time = ${isTracking ? 'HORIZON' : 'parked ? n * DT : HORIZON'};
             const real last = W_X * dx * dx + W_Y * dy * dy + W_THETA * dtheta * dtheta;

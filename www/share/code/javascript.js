@@ -2,7 +2,7 @@
 /** @import { Posture } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
 /** @import { Words } from './parts.js' */
-import { controlGroups, driveGroups, headOf, limitsOf, rows } from './parts.js';
+import { controlGroups, driveGroups, headOf, limitsOf, rows, slowly } from './parts.js';
 import { beside, code, comment, literal, when } from './text.js';
 
 const number = (/** @type {number} */ value) => literal(value, 'Infinity');
@@ -108,7 +108,8 @@ function clamp(value, low, high) {
 `;
 
 /** @param {Controller} controller @param {Words['comments']} words */
-function drive({ isTracking, canDiverge, page }, words) {
+function drive(controller, words) {
+  const { isTracking, canDiverge, page } = controller;
   const { x, y, theta } = page.pose;
   const numbers = [page.time, page.cost, x, y, theta].map(number).join(', ');
   return code`
@@ -129,7 +130,7 @@ export function drive() {
     const [dx, dy, dtheta] = [goal.x - pose.x, goal.y - pose.y, wrap(goal.theta - pose.theta)];
     const square = dx * dx + dy * dy + dtheta * dtheta;
     ${when(canDiverge, `if (!Number.isFinite(square)) return { time: n * DT, cost: Infinity, pose }; // ${words.diverged}`)}
-    ${when(!isTracking, 'const parked = dx * dx + dy * dy <= POSITION ** 2 && Math.abs(dtheta) <= HEADING;')}
+    ${when(!isTracking, `const parked = dx * dx + dy * dy <= POSITION ** 2 && Math.abs(dtheta) <= HEADING${slowly(controller, { and: '&&', abs: 'Math.abs', v: 'q.v', w: 'q.w' })};`)}
     if (${isTracking ? '' : 'parked || '}n * DT >= HORIZON) {
       const time = ${isTracking ? 'HORIZON' : 'parked ? n * DT : HORIZON'};
       const last = W_X * dx * dx + W_Y * dy * dy + W_THETA * dtheta * dtheta;

@@ -2,7 +2,7 @@
 /** @import { Posture } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
 /** @import { Words } from './parts.js' */
-import { controlGroups, driveGroups, headOf, limitsOf, rows } from './parts.js';
+import { controlGroups, driveGroups, headOf, limitsOf, rows, slowly } from './parts.js';
 import { beside, code, comment, literal, when } from './text.js';
 
 const number = (/** @type {number} */ value) => literal(value, 'Inf');
@@ -116,7 +116,8 @@ end
 `;
 
 /** @param {Controller} controller @param {Words['comments']} words */
-function drive({ isTracking, canDiverge, page }, words) {
+function drive(controller, words) {
+  const { isTracking, canDiverge, page } = controller;
   const { x, y, theta } = page.pose;
   const numbers = [page.time, page.cost, x, y, theta].map(number).join(' ');
   return code`
@@ -142,7 +143,7 @@ while true
     ${when(canDiverge, '    time = n * p.DT; cost = Inf;')}
     ${when(canDiverge, '    return')}
     ${when(canDiverge, 'end')}
-    ${when(!isTracking, 'parked = d(1)^2 + d(2)^2 <= p.POSITION^2 && abs(d(3)) <= p.HEADING;')}
+    ${when(!isTracking, `parked = d(1)^2 + d(2)^2 <= p.POSITION^2 && abs(d(3)) <= p.HEADING${slowly(controller, { and: '&&', abs: 'abs', v: 'q(1)', w: 'q(2)', of: 'p.' })};`)}
     if ${isTracking ? '' : 'parked || '}n * p.DT >= p.HORIZON
         break
     end

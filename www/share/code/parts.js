@@ -27,8 +27,11 @@ export function driveGroups({ experiment, isTracking }, words) {
   const { horizon, tolerance, weights } = experiment;
   /** @type {Group[]} */
   const groups = [[['HORIZON'], [horizon], words.horizon]];
-  if (!isTracking)
+  if (!isTracking) {
     groups.push([['POSITION', 'HEADING'], [tolerance.position, tolerance.heading], words.tolerance]);
+    const slow = withoutNull([['SLOW', 'SLOW_TURN'], [tolerance.speed, tolerance.turnRate], words.slow]);
+    if (slow[0].length > 0) groups.push(slow);
+  }
   return [
     ...groups,
     [['W_X', 'W_Y', 'W_THETA'], weights.final, words.finalWeights],
@@ -47,6 +50,12 @@ export function limitsOf({ experiment: { limits } }) {
     turnAcceleration: turnAcceleration !== null,
     any: [speed, turnRate, acceleration, turnAcceleration].some((limit) => limit !== null),
   };
+}
+
+/** What else must be so for a robot to be parked: its velocity is no larger. @param {Controller} controller @param {{ and: string, abs: string, v: string, w: string, of?: string }} language How it says that. */
+export function slowly({ experiment: { tolerance } }, { and, abs, v, w, of = '' }) {
+  const speed = tolerance.speed === null ? '' : ` ${and} ${abs}(${v}) <= ${of}SLOW`;
+  return tolerance.turnRate === null ? speed : `${speed} ${and} ${abs}(${w}) <= ${of}SLOW_TURN`;
 }
 
 /** What is said first. @param {Controller} controller @param {Words['comments']} words @param {string} run How the program is run. */

@@ -1,7 +1,7 @@
 // The controller in Python 3, which needs nothing but its own library.
 /** @import { Controller } from './controller.js' */
 /** @import { Words } from './parts.js' */
-import { controlGroups, driveGroups, headOf, limitsOf, rows } from './parts.js';
+import { controlGroups, driveGroups, headOf, limitsOf, rows, slowly } from './parts.js';
 import { beside, code, comment, literal, when } from './text.js';
 
 const number = (/** @type {number} */ value) => literal(value, 'math.inf');
@@ -111,7 +111,8 @@ const clamp = (words) => `def clamp(value, low, high):
 `;
 
 /** @param {Controller} controller @param {Words['comments']} words */
-function drive({ isTracking, canDiverge, page }, words) {
+function drive(controller, words) {
+  const { isTracking, canDiverge, page } = controller;
   const { x, y, theta } = page.pose;
   const numbers = [page.time, page.cost, x, y, theta].map(number).join(', ');
   return code`
@@ -133,7 +134,7 @@ def drive():
         square = dx * dx + dy * dy + dtheta * dtheta
         ${when(canDiverge, `if not math.isfinite(square):  # ${words.diverged}`)}
         ${when(canDiverge, '    return n * DT, math.inf, pose')}
-        ${when(!isTracking, 'parked = dx * dx + dy * dy <= POSITION**2 and abs(dtheta) <= HEADING')}
+        ${when(!isTracking, `parked = dx * dx + dy * dy <= POSITION**2 and abs(dtheta) <= HEADING${slowly(controller, { and: 'and', abs: 'abs', v: 'q[0]', w: 'q[1]' })}`)}
         if ${isTracking ? '' : 'parked or '}n * DT >= HORIZON:
             break
         v, w = q = command(pose, goal, q)

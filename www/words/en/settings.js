@@ -78,6 +78,14 @@ export const settings = {
     name: 'Heading tolerance',
     help: 'So near to the heading of the goal counts as arrived.',
   },
+  'tolerance.speed': {
+    name: 'Speed tolerance',
+    help: 'A robot that drives faster than this has not arrived yet. Without it, speed is not looked at.',
+  },
+  'tolerance.turnRate': {
+    name: 'Turn rate tolerance',
+    help: 'A robot that turns faster than this has not arrived yet. Without it, turning is not looked at.',
+  },
   horizon: { name: 'Horizon', help: 'A robot that has not arrived by then is stopped.' },
   sampleTime: { name: 'Sample time', help: 'The controller gives one command in each of these steps.' },
   law: {

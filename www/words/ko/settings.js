@@ -70,6 +70,14 @@ export const settings = {
     name: '방향각 허용 오차',
     help: '목표의 방향각에 이만큼 가까우면 도착으로 봅니다.',
   },
+  'tolerance.speed': {
+    name: '속도 허용치',
+    help: '이보다 빠른 로봇은 아직 도착한 것으로 보지 않습니다. 끄면 속도를 보지 않습니다.',
+  },
+  'tolerance.turnRate': {
+    name: '각속도 허용치',
+    help: '이보다 빨리 회전하는 로봇은 아직 도착한 것으로 보지 않습니다. 끄면 회전을 보지 않습니다.',
+  },
   horizon: { name: '제한 시간', help: '이때까지 도착하지 못한 로봇은 멈춥니다.' },
   sampleTime: { name: '샘플링 주기', help: '제어기는 이 간격마다 명령을 한 번 내립니다.' },
   law: {

@@ -52,6 +52,7 @@ export const comments = {
   driveTitle: 'the drive of the page',
   mainOfModule: 'run as a program, not when imported',
   tolerance: 'm, rad: so near is parked',
+  slow: 'm/s, rad/s: and no faster',
   finalWeights: 'W, on the last error',
   velocityWeights: 'R, on the velocity',
   penalty: 'κ, on negative gains',

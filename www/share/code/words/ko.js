@@ -53,6 +53,7 @@ export const comments = {
   driveTitle: '페이지의 주행',
   mainOfModule: '불러올 때가 아니라 프로그램으로 실행할 때',
   tolerance: 'm, rad: 이만큼 가까우면 주차한 것',
+  slow: 'm/s, rad/s: 이보다 빠르지 않을 때',
   finalWeights: 'W, 마지막 오차의 가중치',
   velocityWeights: 'R, 속도의 가중치',
   penalty: 'κ, 음수인 이득에 대한 벌점',
