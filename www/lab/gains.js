@@ -30,6 +30,9 @@ export function createGains(root, note, events) {
   };
 }
 
+/** Where a slider's thumb is caught at 0, as a share of its length: a few pixels, for a hand cannot hit one. */
+const detent = 0.01;
+
 /**
  * @param {{ id: string, name: string, letter: string, index: string }} gain @param {number} index @param {GainEvents} events
  * @param {string} [unit]
@@ -40,9 +43,21 @@ export function createRow(gain, index, events, unit = '') {
   row.dataset.term = id === 'ktheta' ? 'kt' : id;
   // What somebody is typing is not overwritten by what evolution finds meanwhile.
   let typing = false;
+  // Keys go step by step, and need no help.
+  let held = false;
   const on = {
-    slide: (/** @type {Event} */ { target }) =>
-      events.onSlide(index, /** @type {HTMLInputElement} */ (target).valueAsNumber),
+    hold: () => {
+      held = true;
+    },
+    key: () => {
+      held = false;
+    },
+    slide: (/** @type {Event} */ { target }) => {
+      const slider = /** @type {HTMLInputElement} */ (target);
+      const reach = detent * (Number(slider.max) - Number(slider.min));
+      if (held && Math.abs(slider.valueAsNumber) < reach) slider.value = '0';
+      events.onSlide(index, slider.valueAsNumber);
+    },
     input: () => {
       typing = true;
     },
@@ -75,7 +90,7 @@ export function createRow(gain, index, events, unit = '') {
           <label for="gain-${id}">${gain.letter}<sub>${gain.index}</sub></label>
           <input id="slider-${id}" type="range" step="0.01" aria-label=${strings.gainSliderLabel(gain.name)}
             .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${filled}
-            @input=${on.slide} @change=${events.onSlid}>
+            @pointerdown=${on.hold} @keydown=${on.key} @input=${on.slide} @change=${events.onSlid}>
           <input id="gain-${id}" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
             aria-label=${strings.gainInputLabel(gain.name)} aria-describedby="gain-${id}-error"
             aria-invalid=${String(message !== '')} .value=${isStale ? live(text) : noChange}

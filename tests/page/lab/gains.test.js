@@ -101,6 +101,25 @@ engineTest('a slider takes over by hand from the gains that are shown, and they 
   assert.deepEqual(await readDriver(page), again);
 });
 
+engineTest('a slider that is dragged near 0 is caught there, and the keys leave it again', async (page) => {
+  await page.click('#drives-paper-ep');
+  const { width, height, low, high } = await page.evaluate(() => {
+    const slider = /** @type {HTMLInputElement} */ (document.getElementById('slider-ky'));
+    const box = slider.getBoundingClientRect();
+    return { width: box.width, height: box.height, low: Number(slider.min), high: Number(slider.max) };
+  });
+  const radius = 8;
+  const thumb = (/** @type {number} */ ky) => ({
+    x: radius + ((width - 2 * radius) * (ky - low)) / (high - low),
+    y: height / 2,
+  });
+  await page.drag('#slider-ky', [thumb(ep[1]), thumb(4), thumb(0.07)]);
+  assert.equal((await readDriver(page)).gains[1], '0.000');
+  await page.focus('#slider-ky');
+  await page.press(Key.ARROW_RIGHT);
+  assert.equal((await readDriver(page)).gains[1], '0.010');
+});
+
 pageTest('a gain that is no number is refused beside its field, and what drove goes on', async (page) => {
   const before = await read(page);
   for (const [gain, text] of [

@@ -141,7 +141,7 @@ function gainEquation(parent, child, draws, i) {
   return html`<p class="equation">${symbol('k', i)} ${gain(parent)} + ${step} = ${gain(child)}</p>`;
 }
 
-/** σ e^(τ′N + τN) = σ′, where τ′N is the same for all three. @param {Individual} parent @param {Individual} child @param {Mutation} draws @param {number} i @param {Rates} rates */
+/** σ e^(τ′N + τNᵢ) = σ′, where τ′N is the same for all three. @param {Individual} parent @param {Individual} child @param {Mutation} draws @param {number} i @param {Rates} rates */
 function sigmaEquation(parent, child, draws, i, rates) {
   const own = `${words.drawText(rates.own)} × ${words.bracketed(words.drawText(draws.sigmas[i]))}`;
   const exponent = `${words.drawText(rates.common * draws.common)} + ${own}`;

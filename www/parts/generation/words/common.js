@@ -35,4 +35,4 @@ export const costAxis = 'J';
 export const aboveText = (cost, digits) => `${fixed(cost, digits)} ↑`;
 export const won = '✓';
 export const lost = '✗';
-export const formula = { gain: 'k′ = k + σ N', sigma: 'σ′ = σ e', exponent: 'τ′N + τN' };
+export const formula = { gain: 'k′ = k + σ N', sigma: 'σ′ = σ e', exponent: 'τ′N + τNᵢ' };
