@@ -12,6 +12,7 @@ import { steps } from './steps.js';
 import { progressSlice } from './state.js';
 import { createStage, stageOf } from './stage.js';
 import { createTally } from './tally.js';
+import './lineage.css';
 import './style.css';
 
 /** @import { TemplateResult } from 'lit-html' */

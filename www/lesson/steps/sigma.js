@@ -2,6 +2,7 @@
 import words from '../../parts/generation/words/index.js';
 import { costText, fixed } from '../../words/numbers.js';
 import { sigmaFormula } from '../formulas.js';
+import { createLineage } from '../lineage.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -15,6 +16,7 @@ export const sigma = {
   name: 'sigma',
   link: path.sigma,
   figure: 'evolve',
+  stage: { place: 'instead', pages: ['lab'], create: createLineage },
   blocks: [
     { kind: 'text', name: 'begin' },
     { kind: 'formula', formula: sigmaFormula },

@@ -1,12 +1,31 @@
 // The step “sigma” in English.
 import { costText, fixed } from '../../../words/numbers.js';
 
+/** @import { Ancestor } from '../../lineage.js' */
+import { gainText, sigmaText } from '../../../parts/generation/words/common.js';
+
 export const sigma = {
+  lineage: {
+    /** @param {number} generation @param {number} count */
+    title: (generation, count) =>
+      generation === 0
+        ? 'The best robot of generation 0: it has no parents.'
+        : count === 1
+          ? `The best robot of generation ${generation} is one of the first: it has no parents.`
+          : `The best robot of generation ${generation} and its ${count === 2 ? 'parent' : `${count - 1} ancestors`}: the steps that were handed on.`,
+    axis: 'born',
+    /** @param {number} first @param {number} last */
+    sigma: (first, last) => `σ ${sigmaText(first)} → ${sigmaText(last)}`,
+    /** @param {string} gain @param {readonly Ancestor[]} family @param {number} i */
+    label: (gain, family, i) =>
+      `${gain} and its σ: ${family.map(({ born, individual: { gains, sigmas } }) => `generation ${born}: ${gainText(gains[i], sigmas[i])}, σ ${sigmaText(sigmas[i])}`).join('; ')}`,
+    other: 'This search hands no step sizes from parent to child.',
+  },
   texts: {
     begin: `Too short a step gets nowhere. Too long a step misses. And what was right at the beginning is too long near the end. So nobody sets the *step size*: every robot has its own {s} for each gain, a standard deviation, and hands it to its offspring, a little changed. This is *self-adaptation*. The factor is the exponential of a normal draw, so it is *log-normal* and never negative:`,
-    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt} change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In 70 % of all births a new {s} lies between half and twice the old one.
+    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt} change each by itself. {tau2}\u00a0=\u00a0{=common} and {tau}\u00a0=\u00a0{=own} are the paper’s, and so is {s} = 1 at the start. In 70 % of all births a new {s} lies between half and twice the old one.
 
-Nobody judges {s} itself. Steps of a good length make good offspring, and these inherit it. The figure shows the mean {s} of each gain, on an axis on which equal distances are equal factors: after {=generation} generations {=sx} for {kx}, {=sy} for {ky}, {=st} for {kt}.`,
+Nobody judges {s} itself. Steps of a good length make good offspring, and these inherit it. The picture shows how the best robot came by its own: the bells of its family, from the first ancestor down; each is where the gain of the next offspring was likely to land. The curves show the mean {s} of all robots, on an axis on which equal distances are equal factors: after {=generation} generations {=sx} for {kx}, {=sy} for {ky}, {=st} for {kt}.`,
     collapse: `In the long run {s} falls. A short step cannot spoil much, so its offspring survive more often and hand it on. Nothing stops this: *the step sizes collapse*. [After 300 generations](lab&generation=300&curve=sigmas) they are below a millionth, and evolution stands still, whether it has found the best place or not. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none.`,
     next: `A method with a weakness, then. In the task so far that does little harm: its valley is short and wide. And where it is long? Try it yourself first.`,
   },

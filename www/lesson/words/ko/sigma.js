@@ -1,12 +1,31 @@
 // The step “sigma” in Korean.
 import { costText, fixed } from '../../../words/numbers.js';
 
+/** @import { Ancestor } from '../../lineage.js' */
+import { gainText, sigmaText } from '../../../parts/generation/words/common.js';
+
 export const sigma = {
+  lineage: {
+    /** @param {number} generation @param {number} count */
+    title: (generation, count) =>
+      generation === 0
+        ? '0세대의 가장 좋은 로봇: 부모가 없습니다.'
+        : count === 1
+          ? `${generation}세대의 가장 좋은 로봇은 처음 로봇 가운데 하나여서 부모가 없습니다.`
+          : `${generation}세대의 가장 좋은 로봇과 그 조상 ${count - 1}대: 물려받은 변이 폭`,
+    axis: '세대',
+    /** @param {number} first @param {number} last */
+    sigma: (first, last) => `σ ${sigmaText(first)} → ${sigmaText(last)}`,
+    /** @param {string} gain @param {readonly Ancestor[]} family @param {number} i */
+    label: (gain, family, i) =>
+      `${gain}와 σ: ${family.map(({ born, individual: { gains, sigmas } }) => `${born}세대 ${gainText(gains[i], sigmas[i])}, σ ${sigmaText(sigmas[i])}`).join('; ')}`,
+    other: '이 탐색 방법에서는 변이 폭을 부모에게서 물려받지 않습니다.',
+  },
   texts: {
     begin: `걸음이 너무 짧으면 나아가지 못하고, 너무 길면 지나칩니다. 처음에 알맞던 걸음도 끝에 가면 너무 깁니다. 그래서 *변이 폭(표준편차)* {s}는 아무도 정해 주지 않습니다. 이를 *자기 적응(self-adaptation)*이라고 합니다. 로봇마다 이득 하나에 {s}를 하나씩 지니고, 조금 바꾸어 자손에게 물려줍니다.`,
-    rates: `{N}은 셋에 공통인 난수여서, 한 자손의 걸음은 모두 함께 커지거나 작아집니다. {Nx}, {Ny}, {Nt}는 하나씩 따로 바꿉니다. {tau2} = {=common}, {tau} = {=own}, 그리고 처음의 {s} = 1은 논문의 값입니다. 새 {s}는 70%의 확률로 이전 값의 절반과 두 배 사이에 있습니다. 곱하는 값은 정규 난수의 지수이므로 *로그 정규(log-normal)* 분포를 따르고 음수가 되지 않습니다.
+    rates: `{N}은 셋에 공통인 난수여서, 한 자손의 걸음은 모두 함께 커지거나 작아집니다. {Nx}, {Ny}, {Nt}는 하나씩 따로 바꿉니다. {tau2}\u00a0=\u00a0{=common}, {tau}\u00a0=\u00a0{=own}, 그리고 처음의 {s} = 1은 논문의 값입니다. 새 {s}는 70%의 확률로 이전 값의 절반과 두 배 사이에 있습니다. 곱하는 값은 정규 난수의 지수이므로 *로그 정규(log-normal)* 분포를 따르고 음수가 되지 않습니다.
 
-{s} 자체를 평가하는 이는 없습니다. 알맞은 걸음이 좋은 자손을 낳고, 그 자손이 {s}를 물려받을 뿐입니다. 그림은 이득마다 {s}의 평균을 보여 줍니다. 세로축에서 같은 거리는 같은 배수입니다. {=generation}세대의 평균 {s}는 {kx}에서 {=sx}, {ky}에서 {=sy}, {kt}에서 {=st}입니다.`,
+{s} 자체를 평가하는 이는 없습니다. 알맞은 걸음이 좋은 자손을 낳고, 그 자손이 {s}를 물려받을 뿐입니다. 그림은 가장 좋은 로봇의 가계입니다. 맨 위의 조상에서 아래로 이어지며, 종 모양 하나하나는 다음 자손의 이득이 놓이기 쉬운 자리를 보여 줍니다. 그래프는 이득마다 모든 로봇의 {s}의 평균을 보여 줍니다. 세로축에서 같은 거리는 같은 배수입니다. {=generation}세대의 평균 {s}는 {kx}에서 {=sx}, {ky}에서 {=sy}, {kt}에서 {=st}입니다.`,
     collapse: `길게 보면 {s}는 작아집니다. 짧은 걸음은 크게 망칠 일이 없어, 그 자손이 더 자주 살아남아 짧은 걸음을 물려줍니다. 이를 막는 것이 없으므로 *변이 폭이 무너집니다*. [300세대에 이르면](lab&generation=300&curve=sigmas) 백만분의 일보다 작아지고, 가장 좋은 자리를 찾았든 못 찾았든 진화는 제자리에 머뭅니다. 흔한 처방은 {s}가 내려갈 수 없는 하한을 두는 것입니다. 논문에 하한이 없으므로 여기에도 없습니다.`,
     next: `약점이 있는 방법입니다. 지금까지의 문제는 골짜기가 짧고 넓어서 별로 해가 되지 않습니다. 골짜기가 길면 어떨까요? 먼저 직접 해 보십시오.`,
   },
