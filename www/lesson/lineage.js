@@ -98,8 +98,8 @@ function picture(family, generation, words) {
   return html`
     <p class="lineage-title">${words.title(generation, family.length)}</p>
     <div class="lineage-columns">
-      <div class="lineage-axis" aria-hidden="true"><span class="lineage-name">${words.axis}</span>
-        ${marks.map((mark) => html`<span ${styled('--at', String(downAt(share(mark)) / height))}>${mark}</span>`)}</div>
+      <span class="lineage-name" aria-hidden="true">${words.axis}</span>
+      <div class="lineage-axis" aria-hidden="true">${marks.map((mark) => html`<span ${styled('--at', String(downAt(share(mark)) / height))}>${mark}</span>`)}</div>
       ${lab.gains.map((gain, i) => column(gain, i, family, share, words))}
     </div>`;
 }

@@ -20,10 +20,10 @@ export function inline(text, hrefOf) {
   const nodes = [];
   let end = 0;
   const joined = tied(text);
-  /** What follows a symbol without a space, a comma or a Korean particle, stays on its line. @param {string} words */
+  /** What follows a symbol without a space that breaks, a comma or a Korean particle, stays on its line. @param {string} words */
   const add = (words) => {
     const last = nodes[nodes.length - 1];
-    const [close] = (last instanceof Element && last.localName === 'math' && /^\S+/.exec(words)) || [''];
+    const [close] = (last instanceof Element && last.localName === 'math' && /^[^ \n]+/.exec(words)) || [''];
     if (close) nodes.push(create('span', 'on-one-line', /** @type {Node} */ (nodes.pop()), close));
     nodes.push(words.slice(close.length));
   };
