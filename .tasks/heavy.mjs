@@ -44,7 +44,7 @@ const cases = [
   ...[
     'lab',
     'curves',
-    'curves&picture=stability',
+    'curves&view=stability',
     'landscape',
     'robustness',
     'disturbance',

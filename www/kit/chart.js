@@ -1,6 +1,7 @@
 // Line charts on canvases: axes, lines, bands and a cursor. Names at the lines are in names.js.
 import { createLayer } from './canvas.js';
 import { followSize } from './elements.js';
+import { outlineOf } from './extent.js';
 import { textFont } from './fonts.js';
 import { watch } from './memo.js';
 import { colour } from './palette.js';
@@ -9,7 +10,6 @@ import { colour } from './palette.js';
 /** @typedef {import('d3-scale').ScaleContinuousNumeric<number, number>} Scale */
 /** @typedef {{ left: number, right: number, top: number, bottom: number }} Frame */
 /** @typedef {{ x: Scale, y: Scale, frame: Frame }} Axes */
-/** @typedef {(i: number) => number} Value At a sample. */
 /** @typedef {{ token: string, width: number, dash?: readonly number[] }} Stroke */
 
 /**
@@ -135,20 +135,26 @@ const crowded = 4;
 /**
  * The samples of a curve that make its picture: all, or where they are crowded of each half pixel the first, the last, and those
  * with the least and the largest value; none after one without a value.
- * @param {number} first @param {number} count @param {number} width In pixels. @param {Value} value
+ * @param {number} first @param {number} count @param {ArrayLike<number>} values @param {number} width In pixels.
  */
-function seenSamples(first, count, width, value) {
+function seenSamples(first, count, values, width) {
   if (count - first <= crowded * width) return Array.from({ length: count - first }, (_, i) => first + i);
-  const each = Math.ceil((count - first) / (2 * width));
+  const outline = values instanceof Float64Array && values.length === count ? outlineOf(values) : null;
+  const half = Math.ceil((count - first) / (2 * width));
+  const isOutlined = outline !== null && half >= outline.stretch;
+  // In whole stretches of its outline.
+  const each = isOutlined ? Math.ceil(half / outline.stretch) * outline.stretch : half;
   const seen = [];
   for (let from = first; from < count; from += each) {
     const end = Math.min(from + each, count);
-    let [least, most, low, high] = [from, from, value(from), value(from)];
-    for (let i = from + 1; i < end; i += 1) {
-      const at = value(i);
-      if (at < low) [least, low] = [i, at];
-      else if (at > high) [most, high] = [i, at];
-      else if (Number.isNaN(at)) return [...seen, from, i];
+    let [least, most, low, high] = [from, from, values[from], values[from]];
+    const last = isOutlined ? 2 * Math.ceil(end / outline.stretch) : end;
+    for (let at = isOutlined ? (2 * from) / outline.stretch : from + 1; at < last; at += 1) {
+      const i = isOutlined ? outline.ends[at] : at;
+      const value = values[i];
+      if (value < low) [least, low] = [i, value];
+      else if (value > high) [most, high] = [i, value];
+      else if (Number.isNaN(value)) return [...seen, from, i];
     }
     seen.push(...new Set([from, Math.min(least, most), Math.max(least, most), end - 1]));
   }
@@ -157,9 +163,9 @@ function seenSamples(first, count, width, value) {
 
 /**
  * Where a curve goes, without the steps too small to see: from where it is a number to where it is none.
- * @param {Axes} axes @param {ArrayLike<number>} xs @param {Value} value @param {boolean} [isHeld] until the next sample
+ * @param {Axes} axes @param {ArrayLike<number>} xs @param {ArrayLike<number>} values @param {boolean} [isHeld] until the next sample
  */
-export function pointsOf({ x, y, frame }, xs, value, isHeld = false) {
+export function pointsOf({ x, y, frame }, xs, values, isHeld = false) {
   const least = 0.5;
   const last = xs.length - 1;
   const height = frame.bottom - frame.top;
@@ -167,12 +173,12 @@ export function pointsOf({ x, y, frame }, xs, value, isHeld = false) {
   const inside = (/** @type {number} */ py) =>
     Math.min(Math.max(py, frame.top - 3 * height), frame.bottom + 3 * height);
   let first = 0;
-  while (first < last && Number.isNaN(value(first))) first += 1;
-  let [fromX, fromY] = [x(xs[first]), inside(y(value(first)))];
+  while (first < last && Number.isNaN(values[first])) first += 1;
+  let [fromX, fromY] = [x(xs[first]), inside(y(values[first]))];
   /** @type {[number, number][]} */
   const points = [[fromX, fromY]];
-  for (const i of seenSamples(first, xs.length, frame.right - frame.left, value).slice(1)) {
-    const [px, py] = [x(xs[i]), inside(y(value(i)))];
+  for (const i of seenSamples(first, xs.length, values, frame.right - frame.left).slice(1)) {
+    const [px, py] = [x(xs[i]), inside(y(values[i]))];
     if (Number.isNaN(py)) break;
     if (i < last && Math.abs(px - fromX) + Math.abs(py - fromY) < least) continue;
     if (isHeld) points.push([px, fromY]);

@@ -16,6 +16,22 @@ export function remember(compute) {
 }
 
 /**
+ * The same function of an object, computed once for each.
+ * @template {object} K @template R
+ * @param {(key: K) => R} compute
+ * @returns {(key: K) => R}
+ */
+export function rememberEach(compute) {
+  /** @type {WeakMap<K, R>} */
+  const known = new WeakMap();
+  return (key) => {
+    const value = known.get(key) ?? compute(key);
+    known.set(key, value);
+    return value;
+  };
+}
+
+/**
  * True when it is called with other arguments than the last time.
  * @returns {(...args: unknown[]) => boolean}
  */

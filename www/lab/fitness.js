@@ -16,6 +16,7 @@ import {
   wholeTicks,
   within,
 } from '../kit/chart.js';
+import { extentOf } from '../kit/extent.js';
 import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
 import { lab as strings } from '../words/index.js';
 
@@ -44,8 +45,8 @@ function drawCosts(context, size, model) {
   within(context, frame, () => {
     const acrossAll = /** @type {const} */ ([frame.left, frame.right]);
     for (const { cost, ...stroke } of lines) {
-      const value = (/** @type {number} */ i) => finiteOr(cost(history[i]), Number.NaN);
-      drawCurve(context, pointsOf(axes, generations, value), stroke);
+      const costs = history.map((one) => finiteOr(cost(one), Number.NaN));
+      drawCurve(context, pointsOf(axes, generations, costs), stroke);
       // The paper's line lies between the two.
       if (stroke.token === '--muted')
         drawCurve(
@@ -81,11 +82,11 @@ export function lastTick(generation) {
 
 /** The best curve fills the plot; the first medians may come in from above. @param {CurveModel} model @returns {[number, number]} */
 function costRange({ history, paper }) {
-  const best = history.map((one) => one.best.cost).filter(Number.isFinite);
-  if (best.length === 0) return [0, 1];
-  const [first, newest] = [best[0], best[best.length - 1]];
-  const medians = history.map((one) => one.median).filter(Number.isFinite);
-  const high = Math.min(Math.max(first, ...medians, Math.min(paper, 1.3 * first)), 1.4 * first);
+  const first = history.find((one) => Number.isFinite(one.best.cost))?.best.cost;
+  const newest = history.findLast((one) => Number.isFinite(one.best.cost))?.best.cost;
+  if (first === undefined || newest === undefined) return [0, 1];
+  const [, median] = extentOf([history.map((one) => one.median)]);
+  const high = Math.min(Math.max(first, median, Math.min(paper, 1.3 * first)), 1.4 * first);
   const low = Math.min(newest, paper);
   const room = 0.08 * (high - low) + 0.01 * high;
   return [low - 2 * room, high + room];

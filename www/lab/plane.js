@@ -135,15 +135,16 @@ function drawPinnedGoals(context, view, pins, goal) {
 
 /** Along the path, a stroke wherever so much of J is paid. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run */
 function drawPayments(context, view, run) {
-  const costs = run.time.map((_, i) => paidAt(run, i));
+  const last = run.time.length - 1;
   const half = 5;
   context.font = textFont;
   context.textBaseline = 'middle';
   context.textAlign = 'center';
-  const total = costs[costs.length - 1];
+  const total = paidAt(run, last);
+  let i = 0;
   if (!Number.isFinite(total)) return;
   for (const cost of scaleLinear([0, total], [0, 1]).ticks(6).slice(1)) {
-    const i = costs.findIndex((one) => one >= cost);
+    while (i < last && paidAt(run, i) < cost) i += 1;
     const { x, y, theta } = { x: run.x[i], y: run.y[i], theta: run.theta[i] };
     const [px, py] = [view.screenX(x), view.screenY(y)];
     const [across, up] = [Math.sin(theta), Math.cos(theta)];

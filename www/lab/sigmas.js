@@ -13,6 +13,7 @@ import {
   wholeTicks,
   within,
 } from '../kit/chart.js';
+import { extentOf } from '../kit/extent.js';
 import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
 import { sigmas as words, lab } from '../words/index.js';
 import { drawShown, generationScale } from './fitness.js';
@@ -50,8 +51,8 @@ function drawSigmas(context, size, { history, generation }) {
   within(context, frame, () => {
     for (const [i, token] of tokens.entries()) {
       // A σ that has underflowed has no place on this axis.
-      const sigma = (/** @type {number} */ at) => history[at].meanSigmas[i] || Number.NaN;
-      drawCurve(context, pointsOf(axes, generations, sigma), { token, width: 2 });
+      const sigmas = history.map(({ meanSigmas }) => meanSigmas[i] || Number.NaN);
+      drawCurve(context, pointsOf(axes, generations, sigmas), { token, width: 2 });
     }
   });
   if (history.length === 1)
@@ -63,12 +64,10 @@ function drawSigmas(context, size, { history, generation }) {
 
 /** Whole powers of ten around all σ. @param {Statistics[]} history @returns {[number, number]} */
 function decades(history) {
-  const exponents = history
-    .flatMap(({ meanSigmas }) => meanSigmas)
-    .filter((sigma) => sigma > 0 && Number.isFinite(sigma))
-    .map(Math.log10);
+  const sigmas = history.flatMap(({ meanSigmas }) => meanSigmas).filter((sigma) => sigma > 0);
   // σ = 1 of the beginning has a decade above and below.
-  return [10 ** Math.floor(Math.min(-1, ...exponents)), 10 ** Math.ceil(Math.max(1, ...exponents))];
+  const [low, high] = extentOf([sigmas], [0.1, 10]);
+  return [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
 }
 
 /** At most some seven of the powers of ten between. @param {[number, number]} range */

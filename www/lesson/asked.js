@@ -108,7 +108,12 @@ function drawHalf(context, { width, height }, top, run, [asked, done], token, na
     );
   within(context, frame, () => {
     const line = (/** @type {ArrayLike<number>} */ all) =>
-      pointsOf(axes, run.time, (i) => all[Math.min(i, all.length - 1)], true);
+      pointsOf(
+        axes,
+        run.time,
+        run.time.map((_, i) => all[Math.min(i, all.length - 1)]),
+        true,
+      );
     drawCurve(context, line(asked), { token, width: 1.5, dash: [2, 3] });
     drawCurve(context, line(done), { token, width: 3 });
   });

@@ -65,7 +65,7 @@ function drawDuel(context, size, duel, words) {
   within(context, frame, () => {
     for (const [i, name] of lines.entries()) {
       const { token, dash } = looks[name];
-      const points = pointsOf(axes, drives, (drive) => columns[i][drive], true);
+      const points = pointsOf(axes, drives, columns[i], true);
       drawCurve(context, points, { token, dash, width: name === 'random' ? 2 : 2.5 });
     }
   });

@@ -32,8 +32,9 @@ export function createLesson(tools) {
     article.replaceChildren(waiting.element);
     try {
       const { createLessonPage } = await load();
+      const made = createLessonPage(tools);
       article.replaceChildren();
-      lesson = createLessonPage(tools);
+      lesson = made;
       tools.store.redraw();
     } catch (error) {
       console.warn(error);

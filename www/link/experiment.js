@@ -1,5 +1,6 @@
 // An experiment in a link: every number and word of it by its path, as text, and back again.
 /** @import { Experiment } from '../core/engine.js' */
+import { rememberEach } from '../kit/memo.js';
 import { link as words } from '../words/index.js';
 import { angle, angleText, number, numberText, posture, postureText } from './values.js';
 
@@ -23,8 +24,8 @@ export function changesOf(experiment, usual) {
     .map(([path, value]) => [nameOf(path), value]);
 }
 
-/** @param {Experiment} experiment @returns {Map<string, string>} */
-function fieldsOf(experiment) {
+/** Of an experiment with many starts a page writes many links. */
+const fieldsOf = rememberEach((/** @type {Experiment} */ experiment) => {
   /** @type {Map<string, string>} */
   const fields = new Map();
   const walk = (/** @type {unknown} */ value, /** @type {string} */ path) => {
@@ -38,11 +39,14 @@ function fieldsOf(experiment) {
   };
   walk(experiment, '');
   return fields;
-}
+});
+
+/** What of an experiment links can name. @param {Experiment} experiment @returns {{ has: (path: string) => boolean }} */
+export const namesIn = (experiment) => fieldsOf({ ...experiment, starts: [] });
 
 /** The experiment with one field read from text, which the core has still to accept. @param {Experiment} experiment @param {string} path @param {string} text */
 export function withField(experiment, path, text) {
-  if (!fieldsOf({ ...experiment, starts: [] }).has(path)) throw new Error(words.unknownField);
+  if (!namesIn(experiment).has(path)) throw new Error(words.unknownField);
   const copy = structuredClone(experiment);
   const keys = path.split('.');
   const last = /** @type {string} */ (keys.pop());

@@ -13,7 +13,7 @@ import { noTrial, presets } from '../run/state.js';
 import { messageOf } from '../words/errors.js';
 import { link as words } from '../words/index.js';
 import { language, languageNames, usualLanguage } from '../words/language.js';
-import { changesOf, pathOf, withField } from './experiment.js';
+import { changesOf, namesIn, pathOf, withField } from './experiment.js';
 import { driveKeys, exerciseKeys, lessonKey, pinKeys } from './keys.js';
 import { decoded, encoded, oneOf, pairOf } from './values.js';
 
@@ -106,15 +106,17 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     const step = stepIn(link) ?? given.get('lesson');
     if (step !== undefined && !lesson.named(step).isThere) problems.push(words.noStep(short(step)));
     const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
-    const { opened, refused } = readAll(
-      given,
-      { ...emptyRun(page ?? 'lab', preset, engine), parts: usualParts },
-      (before, key, text) =>
-        known.get(key)?.read(before, text, engine) ?? {
-          ...before,
-          experiment: engine.experiment(withField(before.experiment, pathOf(key), text)),
-        },
-    );
+    const empty = emptyRun(page ?? 'lab', preset, engine);
+    const fields = namesIn(empty.experiment);
+    // One for all, for there may be thousands.
+    const stranger = new Error(words.unknownField);
+    const { opened, refused } = readAll(given, { ...empty, parts: usualParts }, (before, key, text) => {
+      const row = known.get(key);
+      if (row) return row.read(before, text, engine);
+      const path = pathOf(key);
+      if (!fields.has(path)) throw stranger;
+      return { ...before, experiment: engine.experiment(withField(before.experiment, path, text)) };
+    });
     problems.push(
       ...refused
         .slice(0, mostNamed)

@@ -78,7 +78,7 @@ export const encoded = (text) =>
   encodeURIComponent(wellFormed(text)).replaceAll('%2C', ',').replaceAll('%3B', ';');
 
 /** Half a character, which a cut can leave, has no code in an address. @param {string} text */
-export const wellFormed = (text) => text.replaceAll(/\p{Surrogate}/gu, '\ufffd');
+export const wellFormed = (text) => text.replaceAll(/[\ud800-\udfff]/gu, '\ufffd');
 
 /** @param {string} text */
 export function decoded(text) {

@@ -14,12 +14,21 @@ export async function partOf(words, module, pick) {
   return pick(page);
 }
 
+/** @type {WeakMap<Part, ReturnType<Part['load']>>} */
+const asked = new WeakMap();
+
+/** Asked for once: in WebKit a second import() of what still awaits its words comes too early. @param {Part} part */
+function makerOf(part) {
+  const maker = asked.get(part) ?? part.load();
+  asked.set(part, maker);
+  return maker;
+}
+
 /** Begins to load the part that an address opens; whether it can be loaded is seen when it is opened. @param {readonly Part[]} parts @param {string} hash */
-export const askFor = (parts, hash) =>
-  parts
-    .find(({ name }) => hash === `#${name}` || hash.startsWith(`#${name}&`))
-    ?.load()
-    .catch(() => {});
+export function askFor(parts, hash) {
+  const part = parts.find(({ name }) => hash === `#${name}` || hash.startsWith(`#${name}&`));
+  if (part) makerOf(part).catch(() => {});
+}
 
 /**
  * The pages of the parts. Where one cannot be loaded, its place says so, and all others go on.
@@ -32,10 +41,11 @@ export function createParts(parts, tools, onLoaded) {
   const loading = new Map();
 
   /** @param {Part} part */
-  async function load({ name, load }) {
+  async function load(part) {
+    const { name } = part;
     const place = createPlace(name);
     try {
-      const createPage = await load();
+      const createPage = await makerOf(part);
       const page = createPage(tools);
       pages.set(name, page);
       place.fill(page.element);

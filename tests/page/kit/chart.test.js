@@ -39,7 +39,7 @@ test('of many samples the points reach as high and as low as all do, and are few
       const points = pointsOf(
         axesOf(values),
         values.map((_, i) => i),
-        (i) => values[i],
+        values,
       );
       const all = values.map((value, i) => /** @type {const} */ ([x(i), y(value)]));
       const places = new Set(all.map(String));
@@ -72,7 +72,7 @@ test('a curve goes from its first number to where it has none', () => {
     const points = pointsOf(
       axesOf(values),
       values.map((_, i) => i),
-      (i) => values[i],
+      values,
     );
     assert.equal(points[0][0], x(10));
     assert.ok(points.every(([px]) => px < x(40)));
@@ -83,7 +83,7 @@ test('a curve goes from its first number to where it has none', () => {
 test('a value that is held until the next sample makes steps', () => {
   const values = [-0.5, 0.5, 0];
   const { x, y } = axesOf(values);
-  const points = pointsOf(axesOf(values), [0, 1, 2], (i) => values[i], true);
+  const points = pointsOf(axesOf(values), [0, 1, 2], values, true);
   assert.deepEqual(points, [
     [x(0), y(-0.5)],
     [x(1), y(-0.5)],

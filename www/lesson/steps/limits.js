@@ -1,4 +1,5 @@
 // What the wheels cannot do, and what that does to the theory. Figures 4 to 7 of the paper.
+import { largest } from '../../kit/extent.js';
 import { remember } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { createAsked } from '../asked.js';
@@ -138,8 +139,8 @@ export const limits = {
     const { ep } = epOf(live.engine, live.paper[0].gains);
     const { free } = runsWith(live.engine, usual, live.paper[0].gains);
     return {
-      askedV: fixed(Math.max(...ep.commandLinear.map(Math.abs)), 1),
-      askedW: fixed(Math.max(...ep.commandAngular.map(Math.abs)), 0),
+      askedV: fixed(largest(ep.commandLinear.map(Math.abs)), 1),
+      askedW: fixed(largest(ep.commandAngular.map(Math.abs)), 0),
       v: fixed(usual.limits.speed ?? 0, 1),
       w: fixed(usual.limits.turnRate ?? 0, 1),
       rises: String(free.rises),

@@ -1,4 +1,5 @@
 // The paper's numbers beside ours, and what lies between them.
+import { largest } from '../../kit/extent.js';
 import { fixed } from '../../words/numbers.js';
 import { asPrinted } from '../printed.js';
 import { createChoicesTable, createPaperTable } from '../paper-table.js';
@@ -58,7 +59,7 @@ export const paper = {
   ],
   values(live) {
     const costs = costsOf(live);
-    const swing = Math.max(...runOf(live, 3).theta) * (180 / Math.PI);
+    const swing = largest(runOf(live, 3).theta) * (180 / Math.PI);
     return {
       velocity: fixed(costs[1] / costs[0], 2),
       paperVelocity: fixed(live.paper[1].cost / live.paper[0].cost, 2),

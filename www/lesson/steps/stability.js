@@ -1,4 +1,5 @@
 // Why it gets there. The Lyapunov function and its rate.
+import { largest } from '../../kit/extent.js';
 import { fixed, signed } from '../../words/numbers.js';
 import { createBowl } from '../bowl.js';
 import { createCancel } from '../cancel.js';
@@ -41,7 +42,7 @@ export const stability = {
         order: [2, 0, 1],
         answer(live) {
           const values = valuesOf(live);
-          const [first, last, most] = [values[0], values[values.length - 1], Math.max(...values)];
+          const [first, last, most] = [values[0], values[values.length - 1], largest(values)];
           const { arrived } = live.scene.driving;
           return { right: arrived ? 0 : last > first ? 2 : 1, first, last, most };
         },
@@ -60,7 +61,7 @@ export const stability = {
           const end = driving.time.length - 1;
           const { goal } = experiment;
           const away = Math.hypot(driving.x[end] - goal.x, driving.y[end] - goal.y);
-          const turned = Math.max(...driving.angular.map(Math.abs));
+          const turned = largest(driving.angular.map(Math.abs));
           return { right: driving.arrived ? 0 : away < 0.05 ? 1 : 2, away, turned };
         },
       },

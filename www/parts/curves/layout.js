@@ -2,11 +2,14 @@
 /** @import { Experiment, Run } from '../../core/engine.js' */
 /** @import { Frame } from '../../kit/chart.js' */
 import { scaleLinear } from 'd3-scale';
-import { endOf } from './axes.js';
 import { paidAt } from '../../core/paid.js';
+import { extentOf } from '../../kit/extent.js';
+import { rememberEach } from '../../kit/memo.js';
+import { endOf } from './axes.js';
 
 /** @typedef {import('d3-scale').ScaleLinear<number, number>} Scale */
 /** @typedef {'position' | 'theta' | 'linear' | 'angular' | 'cost'} PlotName */
+/** A value at each sample. @typedef {(run: Run) => Float64Array} Column */
 /** @typedef {{ name: PlotName, frame: Frame, scale: Scale, limit: number | null }} Plot */
 /** @typedef {{ time: Scale, plots: Plot[] }} Layout */
 
@@ -28,13 +31,13 @@ const reachOf = (/** @type {PlotName} */ name) => (name === 'cost' ? 1 : 2);
 
 const inDegrees = (/** @type {number} */ radians) => (radians * 180) / Math.PI;
 
-/** The curves of a plot: the value at each sample. @type {Readonly<Record<PlotName, readonly ((run: Run, i: number) => number)[]>>} */
+/** The curves of a plot. @type {Readonly<Record<PlotName, readonly Column[]>>} */
 export const curvesOf = {
-  position: [(run, i) => run.x[i], (run, i) => run.y[i]],
-  theta: [(run, i) => inDegrees(run.theta[i])],
-  linear: [(run, i) => run.linear[i]],
-  angular: [(run, i) => run.angular[i]],
-  cost: [paidAt],
+  position: [(run) => run.x, (run) => run.y],
+  theta: [rememberEach((run) => run.theta.map(inDegrees))],
+  linear: [(run) => run.linear],
+  angular: [(run) => run.angular],
+  cost: [rememberEach((run) => run.time.map((_, i) => paidAt(run, i)))],
 };
 
 /**
@@ -66,11 +69,11 @@ export function layoutOf({ width, height }, driving, others, limits) {
 
 /** @param {PlotName} name @param {Run} driving @param {readonly Run[]} others @param {number | null} limit @returns {[number, number]} */
 function domainOf(name, driving, others, limit) {
-  const own = extentOf(name, driving);
+  const own = extentsOf[name](driving);
   const reach = reachOf(name) * Math.max(own[1] - own[0], 1e-3);
   let [low, high] = own;
   for (const run of others) {
-    const [from, to] = extentOf(name, run);
+    const [from, to] = extentsOf[name](run);
     low = Math.min(low, Math.max(from, own[0] - reach));
     high = Math.max(high, Math.min(to, own[1] + reach));
   }
@@ -83,23 +86,14 @@ function domainOf(name, driving, others, limit) {
   return [name === 'cost' ? low : low - room, high + room];
 }
 
-/** Of runs that are drawn again and again, as pins are. @type {WeakMap<Run, Partial<Record<PlotName, [number, number]>>>} */
-const extents = new WeakMap();
+/** @param {PlotName} name */
+const extentOfRun = (name) =>
+  rememberEach((/** @type {Run} */ run) => {
+    const [low, high] = extentOf(curvesOf[name].map((column) => column(run)));
+    return low <= high ? [low, high] : [0, 1];
+  });
 
-/** @param {PlotName} name @param {Run} run @returns {[number, number]} */
-function extentOf(name, run) {
-  const known = extents.get(run)?.[name];
-  if (known) return known;
-  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
-  for (const value of curvesOf[name])
-    for (let i = 0; i < run.time.length; i += 1) {
-      const at = value(run, i);
-      if (!Number.isFinite(at)) continue;
-      low = Math.min(low, at);
-      high = Math.max(high, at);
-    }
-  /** @type {[number, number]} */
-  const extent = low <= high ? [low, high] : [0, 1];
-  extents.set(run, { ...extents.get(run), [name]: extent });
-  return extent;
-}
+/** Of runs that are drawn again and again, as pins are. */
+export const extentsOf = /** @type {Record<PlotName, (run: Run) => [number, number]>} */ (
+  Object.fromEntries(Object.keys(curvesOf).map((name) => [name, extentOfRun(/** @type {PlotName} */ (name))]))
+);

@@ -1,8 +1,9 @@
 // Runs against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
 /** @import { Experiment, Run } from '../../core/engine.js' */
 /** @import { Pins } from '../../run/pins.js' */
-/** @import { Layout, Plot, PlotName } from './layout.js' */
+/** @import { Column, Layout, Plot, PlotName } from './layout.js' */
 import { createLayer } from '../../kit/canvas.js';
+import { outlineOf } from '../../kit/extent.js';
 import { symbolFont, textFont } from '../../kit/fonts.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
@@ -19,13 +20,13 @@ import {
 } from '../../kit/chart.js';
 import { labelHeight, spread } from '../../kit/names.js';
 import { colour } from '../../kit/palette.js';
-import { watch } from '../../kit/memo.js';
+import { rememberEach, watch } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { drawTimeAxis, timeTicks } from './axes.js';
-import { curvesOf, layoutOf } from './layout.js';
+import { curvesOf, extentsOf, layoutOf } from './layout.js';
+import { createReady } from './ready.js';
 
-/** @typedef {(run: Run, i: number) => number} Value */
 /** @template [R=Run] @typedef {{ run: R, colour: string | null, dash: readonly number[], width: number, slot: number | null }} Line Without a colour: that of what is drawn. */
 /**
  * @typedef {object} PlotsModel
@@ -47,17 +48,30 @@ const tokens = {
   angular: ['--omega'],
   cost: ['--ink'],
 };
-/** What the velocity limits cut. @type {Readonly<Partial<Record<PlotName, Value>>>} */
+/** What was asked for where the limits gave less, and elsewhere what they gave. @param {Float64Array} asked @param {Float64Array} given */
+const cut = (asked, given) => asked.map((value, i) => (Math.abs(value - given[i]) > 1e-9 ? value : given[i]));
+/** What the velocity limits cut. @type {Readonly<Partial<Record<PlotName, Column>>>} */
 const commands = {
-  linear: (run, i) => run.commandLinear[i],
-  angular: (run, i) => run.commandAngular[i],
+  linear: rememberEach((run) => cut(run.commandLinear, run.linear)),
+  angular: rememberEach((run) => cut(run.commandAngular, run.angular)),
 };
-/** The parts of J that are paid on the way, from the bottom. @type {readonly (readonly [string, string, Value])[]} */
+/** The parts of J that are paid on the way, from the bottom. @type {readonly (readonly [string, string, Column])[]} */
 const parts = [
-  ['time', '--ink', (run, i) => run.time[i]],
-  ['path', '--path', (run, i) => run.time[i] + run.pathCost[i]],
+  ['time', '--ink', (run) => run.time],
+  ['path', '--path', rememberEach((run) => run.time.map((time, i) => time + run.pathCost[i]))],
   ['energy', '--energy', curvesOf.cost[0]],
 ];
+
+/** The curves of all runs. */
+const curvesReady = createReady((/** @type {Run} */ run) =>
+  Object.values(extentsOf).map((extent) => () => extent(run)),
+);
+/** What the run on screen has besides. */
+const partsReady = createReady((/** @type {Run} */ run) =>
+  [...parts.map(([, , column]) => column), ...Object.values(commands)].map(
+    (column) => () => outlineOf(column(run)),
+  ),
+);
 
 /** @param {{ lines: HTMLCanvasElement, cursor: HTMLCanvasElement }} elements */
 export function createPlots({ lines, cursor }) {
@@ -72,6 +86,8 @@ export function createPlots({ lines, cursor }) {
     draw(model) {
       const { driving, comparison, pinned, limits, time, size, theme } = model;
       if (size.width === 0) return;
+      curvesReady([driving, comparison, ...pinned]);
+      partsReady([driving]);
       if (linesChanged(driving, comparison, pinned, limits, size, theme) || !layout) {
         layout = layoutOf(size, driving, [comparison, ...pinned], limits);
         const { time: scale, plots } = layout;
@@ -142,14 +158,14 @@ function drawLimits(context, { frame, scale, limit }) {
 function drawLine(context, layout, plot, { run, colour: own, dash, width, slot }) {
   context.lineWidth = width;
   context.setLineDash([...dash]);
-  for (const [i, value] of curvesOf[plot.name].entries()) {
+  for (const [i, column] of curvesOf[plot.name].entries()) {
     context.strokeStyle = own ?? colour(tokens[plot.name][i]);
     context.beginPath();
-    trace(context, layout, plot, run, value);
+    trace(context, layout, plot, run, column);
     context.stroke();
     if (slot === null) continue;
     const last = run.time.length - 1;
-    drawMark(context, styles[slot].mark, layout.time(run.time[last]), plot.scale(value(run, last)), {
+    drawMark(context, styles[slot].mark, layout.time(run.time[last]), plot.scale(column(run)[last]), {
       fill: String(own),
       edge: colour('--paper'),
     });
@@ -159,27 +175,21 @@ function drawLine(context, layout, plot, { run, colour: own, dash, width, slot }
 /** A velocity is applied until the next sample, everything else changes on the way. @param {PlotName} name */
 const isHeld = (name) => name in commands;
 
-/** Adds a curve to the path. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run @param {Value} value */
-function trace(context, layout, plot, run, value) {
-  const axes = axesOf(layout, plot);
-  through(
-    context,
-    pointsOf(axes, run.time, (i) => value(run, i), isHeld(plot.name)),
-  );
+/** Adds a curve to the path. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run @param {Column} column */
+function trace(context, layout, plot, run, column) {
+  through(context, pointsOf(axesOf(layout, plot), run.time, column(run), isHeld(plot.name)));
 }
 
 /** What the law asked for, where the limits gave less. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run */
 function drawCommand(context, layout, plot, run) {
   const command = commands[plot.name];
   if (!command) return;
-  const [applied] = curvesOf[plot.name];
-  const isCut = (/** @type {number} */ i) => Math.abs(command(run, i) - applied(run, i)) > 1e-9;
   context.strokeStyle = colour(tokens[plot.name][0]);
   context.globalAlpha = 0.45;
   context.lineWidth = 1.25;
   context.setLineDash([]);
   context.beginPath();
-  trace(context, layout, plot, run, (_, i) => (isCut(i) ? command(run, i) : applied(run, i)));
+  trace(context, layout, plot, run, command);
   context.stroke();
   context.globalAlpha = 1;
 }
@@ -189,9 +199,9 @@ function drawParts(context, layout, plot, run) {
   const { time } = layout;
   const { scale, frame } = plot;
   const last = run.time.length - 1;
-  for (const [i, [, token, value]] of [...parts.entries()].reverse()) {
+  for (const [i, [, token, column]] of [...parts.entries()].reverse()) {
     context.beginPath();
-    trace(context, layout, plot, run, value);
+    trace(context, layout, plot, run, column);
     context.lineTo(time(run.time[last]), frame.bottom);
     context.lineTo(frame.left, frame.bottom);
     // Its own colour, without what shines through from the part above.
@@ -206,10 +216,10 @@ function drawParts(context, layout, plot, run) {
     context.lineWidth = 1;
     context.setLineDash([]);
     context.beginPath();
-    trace(context, layout, plot, run, value);
+    trace(context, layout, plot, run, column);
     context.stroke();
   }
-  let paid = parts[parts.length - 1][2](run, last);
+  let paid = parts[parts.length - 1][2](run)[last];
   for (const [token, due] of /** @type {const} */ ([
     ['--final', run.cost.finalError],
     ['--error', run.cost.penalty],
@@ -266,18 +276,18 @@ function namesOf({ name, scale, limit }, run) {
   const last = run.time.length - 1;
   if (name === 'cost')
     return [
-      ...parts.map(([part, token, value], i) => {
-        const below = i === 0 ? 0 : parts[i - 1][2](run, last);
+      ...parts.map(([part, token, column], i) => {
+        const below = i === 0 ? 0 : parts[i - 1][2](run)[last];
         const text = lab.costParts.find(([one]) => one === part)?.[1] ?? '';
-        return { text, token, font: textFont, y: scale((below + value(run, last)) / 2) };
+        return { text, token, font: textFont, y: scale((below + column(run)[last]) / 2) };
       }),
       { text: lab.costSymbol, token: '--ink', font: symbolFont, y: scale(run.cost.total) },
     ];
-  const ends = curvesOf[name].map((value, i) => ({
+  const ends = curvesOf[name].map((column, i) => ({
     text: words.symbols[name][i],
     token: tokens[name][i],
     font: symbolFont,
-    y: scale(value(run, last)),
+    y: scale(column(run)[last]),
   }));
   const isSeen = limit !== null && limit < scale.domain()[1];
   return isSeen ? [...ends, { text: words.limit, token: '--muted', font: textFont, y: scale(limit) }] : ends;
@@ -289,6 +299,6 @@ function drawCursor(context, { time, plots }, run, now) {
   const px = time(run.time[i]);
   drawCursorLine(context, px, plots[0].frame.top, plots[plots.length - 1].frame.bottom);
   for (const { name, frame, scale } of plots)
-    for (const [curve, value] of curvesOf[name].entries())
-      drawCursorDot(context, frame, px, scale(value(run, i)), tokens[name][curve]);
+    for (const [curve, column] of curvesOf[name].entries())
+      drawCursorDot(context, frame, px, scale(column(run)[i]), tokens[name][curve]);
 }

@@ -7,6 +7,7 @@ import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createLayer } from '../../kit/canvas.js';
 import { drawCursorDot, drawCursorLine, pointsOf, through } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
+import { largest } from '../../kit/extent.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
@@ -171,9 +172,8 @@ function crests(times, sizes) {
   /** @type {[number[], number[]]} */
   const [crestTimes, crestSizes] = [[], []];
   for (let from = 0; from < times.length; from += each) {
-    const block = sizes.subarray(from, from + each);
     crestTimes.push(times[from]);
-    crestSizes.push(Math.max(...block));
+    crestSizes.push(largest(sizes.subarray(from, from + each)));
   }
   crestTimes.push(times[times.length - 1]);
   crestSizes.push(crestSizes[crestSizes.length - 1]);
@@ -181,11 +181,7 @@ function crests(times, sizes) {
 }
 
 /** Adds a curve to the path. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {ArrayLike<number>} times @param {ArrayLike<number>} sizes */
-const trace = (context, axes, times, sizes) =>
-  through(
-    context,
-    pointsOf(axes, times, (i) => sizes[i]),
-  );
+const trace = (context, axes, times, sizes) => through(context, pointsOf(axes, times, sizes));
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {ErrorParts} run @param {PartName} part @param {number} time */
 function drawClock(context, axes, run, part, time) {

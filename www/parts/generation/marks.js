@@ -66,6 +66,9 @@ function dress(marks, model, radius) {
   }
 }
 
+/** As long a text as one can see. @param {number} pixels */
+const tenth = (pixels) => Math.round(10 * pixels) / 10;
+
 /** All that look alike are one outline. @param {Element} marks @param {Element} pairs @param {PictureModel} model @param {Place[]} places @param {number} radius */
 function showCrowd(marks, pairs, model, places, radius) {
   const classOf = classesIn(model);
@@ -73,15 +76,15 @@ function showCrowd(marks, pairs, model, places, radius) {
   const outlines = new Map();
   for (const [number, { x, y }] of places.entries()) {
     const kind = classOf(number);
-    const r = radiusOf(number, model, radius);
-    const outline = `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0z`;
+    const r = tenth(radiusOf(number, model, radius));
+    const outline = `M${tenth(x - r)} ${tenth(y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0z`;
     outlines.set(kind, (outlines.get(kind) ?? '') + outline);
   }
   marks.replaceChildren(...[...outlines].map(([kind, d]) => svg('path', { class: kind, d })));
   const { count } = model.anatomy;
   const lines = Array.from({ length: pairedIn(model.anatomy) }, (_, i) => {
     const [from, to] = [places[i], places[i + count]];
-    return `M${from.x} ${from.y}L${to.x} ${to.y}`;
+    return `M${tenth(from.x)} ${tenth(from.y)}L${tenth(to.x)} ${tenth(to.y)}`;
   });
   pairs.replaceChildren(svg('path', { class: 'pair', d: lines.join('') }));
 }
@@ -93,22 +96,14 @@ const radiusOf = (number, { chosen }, radius) => (number === chosen ? Math.max(5
 function classesIn({ anatomy: { count, staying, ranks, record }, phase, chosen }) {
   const met = phase === 'tournament' ? new Set(record.opponents[chosen]) : null;
   return (number) => {
+    const isParent = number < count;
     const isFallen = ranks[number] >= staying;
-    const classes = {
-      mark: true,
-      parent: number < count,
-      offspring: number >= count,
-      undriven: number >= count && phase === 'mutation',
-      unborn: number >= count && phase === 'parents',
-      faint: met !== null && number !== chosen && !met.has(number),
-      fallen: isFallen && phase === 'ranking',
-      gone: isFallen && phase === 'survivors' && number !== chosen,
-      falls: isFallen && phase === 'survivors' && number === chosen,
-      chosen: number === chosen,
-    };
-    return Object.entries(classes)
-      .filter(([, is]) => is)
-      .map(([name]) => name)
-      .join(' ');
+    let name = isParent ? 'mark parent' : 'mark offspring';
+    if (!isParent && phase === 'mutation') name += ' undriven';
+    if (!isParent && phase === 'parents') name += ' unborn';
+    if (met !== null && number !== chosen && !met.has(number)) name += ' faint';
+    if (isFallen && phase === 'ranking') name += ' fallen';
+    if (isFallen && phase === 'survivors') name += number === chosen ? ' falls' : ' gone';
+    return number === chosen ? `${name} chosen` : name;
   };
 }

@@ -127,7 +127,11 @@ function drawCosts(context, frame, { x, ticks, drives, found, standings }) {
   const names = powers.map((power) => words.powerOfTen(Math.round(Math.log10(power))));
   drawGrid(context, { x, y, frame }, { x: ticks, y: powers }, names);
   const points = (/** @type {number[]} */ costs) =>
-    pointsOf({ x, y, frame }, drives, (i) => (Number.isFinite(costs[i]) ? distance(costs[i]) : Number.NaN));
+    pointsOf(
+      { x, y, frame },
+      drives,
+      costs.map((cost) => (Number.isFinite(cost) ? distance(cost) : Number.NaN)),
+    );
   within(context, frame, () => {
     for (const [i, course] of found.entries()) {
       if (!course) continue;
@@ -191,11 +195,7 @@ function drawShares(context, frame, { x, ticks, drives, found }) {
   drawGrid(context, { x, y, frame }, { x: ticks, y: shares }, shares.map(words.percent));
   for (const [i, course] of found.entries())
     if (course)
-      drawCurve(
-        context,
-        pointsOf({ x, y, frame }, drives, (at) => course.share[at]),
-        { ...styles[i], width: 2 },
-      );
+      drawCurve(context, pointsOf({ x, y, frame }, drives, course.share), { ...styles[i], width: 2 });
   context.setLineDash([]);
   drawName(context, { text: words.shareAxis, x: frame.left + 4, y: frame.top + 8 });
 }

@@ -17,6 +17,7 @@ import {
   wholeTicks,
   within,
 } from '../../kit/chart.js';
+import { extentOf } from '../../kit/extent.js';
 import { drawAxisNames, drawName, spread } from '../../kit/names.js';
 import words from './words/index.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
@@ -108,8 +109,10 @@ function drawSurvey(context, axes, model) {
   const numbers = Array.from({ length: model.generations + 1 }, (_, generation) => generation);
   const height = heightOf(model);
   const points = (/** @type {ArrayLike<number>} */ costs) =>
-    pointsOf(axes, numbers.slice(0, costs.length), (i) =>
-      Number.isFinite(costs[i]) ? height(costs[i]) : Number.NaN,
+    pointsOf(
+      axes,
+      numbers.slice(0, costs.length),
+      Array.from(costs, (cost) => (Number.isFinite(cost) ? height(cost) : Number.NaN)),
     );
   within(context, frame, () => {
     if (survey) {
@@ -139,7 +142,7 @@ function rangeOf(model) {
   const height = heightOf(model);
   const own = Array.from(lab?.costs ?? []).filter(Number.isFinite);
   if (!survey) {
-    const [least, most] = own.length > 0 ? [Math.min(...own), Math.max(...own)] : [0, 1];
+    const [least, most] = own.length > 0 ? extentOf([own]) : [0, 1];
     return [least - 0.06 * most, most + 0.02 * most];
   }
   const { evolution, random, final, finalRandom, lowest, costs } = survey.summary;

@@ -1,11 +1,13 @@
 // What is drawn of the Lyapunov function against time, where it lies, and the scales.
 /** @import { Stability } from '../../../core/engine.js' */
-/** @import { Axes, Frame, Scale, Value } from '../../../kit/chart.js' */
+/** @import { Axes, Frame, Scale } from '../../../kit/chart.js' */
 import { scaleLinear, scaleLog } from 'd3-scale';
+import { extentOf } from '../../../kit/extent.js';
+import { rememberEach } from '../../../kit/memo.js';
 import { endOf } from '../axes.js';
 
-/** @typedef {{ token: string, from: Value, to: Value }} Area A part of V̇ between two edges. */
-/** @typedef {{ lyapunov: Value, rate: Value, promised: Value, areas: Area[] }} Drawn */
+/** @typedef {{ token: string, from: Float64Array, to: Float64Array }} Area A part of V̇ between two edges. */
+/** @typedef {{ rate: Float64Array, promised: Float64Array, areas: Area[] }} Drawn */
 /** @typedef {{ time: Scale, lyapunov: Axes, rate: Axes, isLog: boolean }} Layout */
 
 /** Above is room for what V is. */
@@ -20,39 +22,46 @@ const reach = 2;
 /** So many times as far as the rate may the promised parts reach, which no limit holds back. */
 const promisedReach = 6;
 
+/** The largest value of V, from above zero, and the least beyond it. */
+export const rangeOf = rememberEach((/** @type {Stability} */ { lyapunov }) => {
+  let [least, most] = [Number.POSITIVE_INFINITY, 0];
+  for (let i = 0; i < lyapunov.length; i += 1) {
+    const value = lyapunov[i];
+    if (!(value > 0 && value < Number.POSITIVE_INFINITY)) continue;
+    if (value < least) least = value;
+    if (value > most) most = value;
+  }
+  return { least, most };
+});
+
+const drawnOnEven = rememberEach((/** @type {Stability} */ stability) => drawn(stability, false));
+const drawnOnLog = rememberEach((/** @type {Stability} */ stability) => drawn(stability, true));
+
 /**
- * V, and V̇ with its promised parts, each on top of those before that have its sign. On a logarithmic axis the slope of V is V̇/V, so
+ * V̇ with its promised parts, each on top of those before that have its sign. On a logarithmic axis the slope of V is V̇/V, so
  * this then stands for V̇.
- * @param {Stability} stability @param {boolean} isLog @returns {Drawn}
+ * @param {Stability} stability @param {boolean} isLog
  */
-export function drawnOf({ lyapunov, rate, promisedX, promisedY, promisedTheta }, isLog) {
-  const scaled = (/** @type {number} */ value, /** @type {number} */ i) =>
-    isLog ? value / lyapunov[i] : value;
+export const drawnOf = (stability, isLog) => (isLog ? drawnOnLog : drawnOnEven)(stability);
+
+/** @param {Stability} stability @param {boolean} isLog @returns {Drawn} */
+function drawn({ lyapunov, rate, promisedX, promisedY, promisedTheta }, isLog) {
+  const scaled = (/** @type {Float64Array} */ values) =>
+    isLog ? values.map((value, i) => value / lyapunov[i]) : values;
   const parts = [promisedX, promisedY, promisedTheta];
   // A part is a square times a number that stays: it never changes its sign.
   const signs = parts.map((values) => Math.sign(values.find((value) => value !== 0) ?? 0));
-  const sumOf = (/** @type {readonly Float64Array[]} */ some, /** @type {number} */ i) =>
-    scaled(
-      some.reduce((sum, values) => sum + values[i], 0),
-      i,
-    );
+  const sumOf = (/** @type {readonly Float64Array[]} */ some) => {
+    const sums = new Float64Array(lyapunov.length);
+    for (const values of some) for (let i = 0; i < sums.length; i += 1) sums[i] += values[i];
+    return scaled(sums);
+  };
   const areas = parts.flatMap((values, p) => {
     if (!signs[p]) return [];
     const below = parts.slice(0, p).filter((_, other) => signs[other] === signs[p]);
-    return [
-      {
-        token: tokens[p],
-        from: (/** @type {number} */ i) => sumOf(below, i),
-        to: (/** @type {number} */ i) => sumOf([...below, values], i),
-      },
-    ];
+    return [{ token: tokens[p], from: sumOf(below), to: sumOf([...below, values]) }];
   });
-  return {
-    lyapunov: (i) => lyapunov[i],
-    rate: (i) => scaled(rate[i], i),
-    promised: (i) => sumOf(parts, i),
-    areas,
-  };
+  return { rate: scaled(rate), promised: sumOf(parts), areas };
 }
 
 /**
@@ -78,26 +87,19 @@ export function layoutOf({ width, height }, driving, others, isLog) {
 
 /** @param {Stability} driving @param {readonly Stability[]} others @param {Frame} frame @param {boolean} isLog */
 function lyapunovScale(driving, others, { top, bottom }, isLog) {
-  const finite = (/** @type {Stability} */ { lyapunov }) =>
-    lyapunov.filter((value) => value > 0 && Number.isFinite(value));
-  const own = finite(driving);
-  const most = own.reduce((a, b) => Math.max(a, b), 0) || 1;
-  const all = others.map((other) => finite(other).reduce((a, b) => Math.max(a, b), 0));
-  const high = Math.max(most, Math.min(2 * most, Math.max(0, ...all)));
+  const own = rangeOf(driving);
+  const most = own.most || 1;
+  const high = Math.max(most, Math.min(2 * most, Math.max(0, ...others.map((other) => rangeOf(other).most))));
   if (!isLog) return scaleLinear([0, 1.06 * high], [bottom, top]);
-  const low = Math.max(
-    own.reduce((a, b) => Math.min(a, b), most),
-    1e-12 * most,
-  );
+  const low = Math.max(Math.min(own.least, most), 1e-12 * most);
   return scaleLog([low / 1.5, high * 1.5], [bottom, top]);
 }
 
 /** @param {Stability} driving @param {Frame} frame @param {boolean} isLog */
 function rateScale(driving, { top, bottom }, isLog) {
   const { rate, promised, areas } = drawnOf(driving, isLog);
-  const count = driving.time.length;
-  const [low, high] = extentOf([promised, ...areas.map(({ to }) => to)], count);
-  const own = extentOf([rate], count);
+  const [low, high] = extentOf([promised, ...areas.map(({ to }) => to)], zero);
+  const own = extentOf([rate], zero);
   const [lowest, highest] = isLog && high > low ? within(own, reach * (high - low)) : own;
   const [from, to] = highest > lowest ? within([low, high], promisedReach * (highest - lowest)) : [low, high];
   const ends = [Math.min(lowest, from), Math.max(highest, to)];
@@ -107,18 +109,7 @@ function rateScale(driving, { top, bottom }, isLog) {
   return scaleLinear([ends[0] - room, ends[1] + room], [bottom, top]);
 }
 
+const zero = /** @type {const} */ ([0, 0]);
+
 /** @param {readonly [number, number]} ends @param {number} most */
 const within = ([low, high], most) => [Math.max(low, -most), Math.min(high, most)];
-
-/** With zero in it. @param {readonly Value[]} values @param {number} count @returns {[number, number]} */
-function extentOf(values, count) {
-  let [low, high] = [0, 0];
-  for (const value of values)
-    for (let i = 0; i < count; i += 1) {
-      const at = value(i);
-      if (!Number.isFinite(at)) continue;
-      low = Math.min(low, at);
-      high = Math.max(high, at);
-    }
-  return [low, high];
-}

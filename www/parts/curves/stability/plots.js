@@ -14,6 +14,8 @@ import {
 } from '../../../kit/chart.js';
 import { drawTimeAxis, timeTicks } from '../axes.js';
 import { linesOf } from '../plots.js';
+import { createReady } from '../ready.js';
+import { outlineOf } from '../../../kit/extent.js';
 import { symbolFont, textFont } from '../../../kit/fonts.js';
 import { styles } from '../../../run/pins.js';
 import { drawMark } from '../../../kit/swatch.js';
@@ -21,7 +23,7 @@ import { sampleBefore } from '../../../lab/track.js';
 import { colour } from '../../../kit/palette.js';
 import { watch } from '../../../kit/memo.js';
 import words from './words/index.js';
-import { drawnOf, layoutOf } from './layout.js';
+import { drawnOf, layoutOf, rangeOf } from './layout.js';
 import { risesOf } from './summary.js';
 
 /**
@@ -37,6 +39,19 @@ import { risesOf } from './summary.js';
  * @property {number} theme
  */
 
+const curvesReady = createReady((/** @type {Stability} */ run) => [
+  () => rangeOf(run),
+  () => outlineOf(run.lyapunov),
+]);
+const rateReady = (/** @type {boolean} */ isLog) =>
+  createReady(function* (/** @type {Stability} */ run) {
+    yield () => drawnOf(run, isLog);
+    const { rate, promised, areas } = drawnOf(run, isLog);
+    for (const column of [rate, promised, ...areas.flatMap(({ from, to }) => [from, to])])
+      yield () => outlineOf(column);
+  });
+const [rateReadyOnEven, rateReadyOnLog] = [false, true].map(rateReady);
+
 /** @param {{ lines: HTMLCanvasElement, cursor: HTMLCanvasElement }} elements */
 export function createPlots({ lines, cursor }) {
   const under = createLayer(lines);
@@ -50,6 +65,8 @@ export function createPlots({ lines, cursor }) {
     draw(model) {
       const { driving, law, comparison, pinned, isLog, time, size, theme } = model;
       if (size.width === 0) return;
+      curvesReady([driving, comparison, ...pinned]);
+      (isLog ? rateReadyOnLog : rateReadyOnEven)([driving]);
       if (linesChanged(driving, law, comparison, pinned, isLog, size, theme) || !layout) {
         layout = layoutOf(size, driving, [comparison, ...pinned], isLog);
         const drawn = layout;
@@ -86,10 +103,7 @@ function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
       context.setLineDash([...dash]);
       context.strokeStyle = own ?? colour('--ink');
       context.beginPath();
-      through(
-        context,
-        pointsOf(axes, run.time, (i) => run.lyapunov[i]),
-      );
+      through(context, pointsOf(axes, run.time, run.lyapunov));
       context.stroke();
       const last = run.time.length - 1;
       if (slot !== null)
@@ -148,7 +162,7 @@ function drawRate(context, { rate: axes, isLog }, driving) {
     through(context, pointsOf(axes, driving.time, rate));
     context.stroke();
   });
-  drawName(context, axes, rate(driving.time.length - 1), isLog ? words.relative : '');
+  drawName(context, axes, rate[driving.time.length - 1], isLog ? words.relative : '');
 }
 
 /** Where the limits cut the command. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving */
@@ -237,7 +251,7 @@ function drawCursor(context, { time, lyapunov, rate, isLog }, driving, now) {
   const px = time(driving.time[i]);
   drawCursorLine(context, px, lyapunov.frame.top, rate.frame.bottom);
   const drawn = drawnOf(driving, isLog);
-  drawCursorDot(context, lyapunov.frame, px, lyapunov.y(drawn.lyapunov(i)), '--ink');
-  for (const { token, to } of drawn.areas) drawCursorDot(context, rate.frame, px, rate.y(to(i)), token);
-  drawCursorDot(context, rate.frame, px, rate.y(drawn.rate(i)), '--ink');
+  drawCursorDot(context, lyapunov.frame, px, lyapunov.y(driving.lyapunov[i]), '--ink');
+  for (const { token, to } of drawn.areas) drawCursorDot(context, rate.frame, px, rate.y(to[i]), token);
+  drawCursorDot(context, rate.frame, px, rate.y(drawn.rate[i]), '--ink');
 }

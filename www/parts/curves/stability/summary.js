@@ -1,5 +1,6 @@
 // What a run makes of V, as facts for whole sentences.
 /** @import { Experiment, Stability, Triple } from '../../../core/engine.js' */
+import { largest } from '../../../kit/extent.js';
 
 /** @typedef {'limits' | 'disturbance' | 'sampling'} Cause Why V rises though its promised rate is not above zero. */
 /**
@@ -65,7 +66,7 @@ export function summaryOf(stability, { law, referenceVelocity, disturbance, samp
     limited: cut,
     seconds: time[last],
     disturbed,
-    raised: [0, 1, 2].filter((part) => parts[part].some((value) => value > 0)),
+    raised: [0, 1, 2].filter((part) => largest(parts[part]) > 0),
     negative: [0, 1, 2].filter((gain) => gains[gain] < 0),
     causes: causes.filter((cause) => risingBy[cause] > goodPart * rising),
     sampleTime,
