@@ -1,5 +1,5 @@
 // The lesson: the words of one step beside the lab's own views.
-import { byId } from '../kit/elements.js';
+import { byId, followSize } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';
 import { createStep } from './blocks.js';
@@ -42,9 +42,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
   createLit();
   /** @type {Part[]} */
   let blocks = [];
-  new ResizeObserver(([{ target }]) =>
-    document.body.style.setProperty('--head', `${target.clientHeight}px`),
-  ).observe(/** @type {Element} */ (document.querySelector('.masthead')));
+  followHead(/** @type {HTMLElement} */ (document.querySelector('.masthead')));
 
   article.addEventListener('click', (event) => {
     const link = event.target instanceof Element ? event.target.closest('a') : null;
@@ -91,6 +89,14 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       keepsake.follow(progressSlice.of(store.get()));
     },
   };
+}
+
+/** Figure and words begin below the head. @param {HTMLElement} head */
+function followHead(head) {
+  const write = () => document.body.style.setProperty('--head', `${head.clientHeight}px`);
+  write();
+  // What lies below gets another height by it, and with a scroll bar the head another width: that is for the next frame.
+  followSize(head, () => requestAnimationFrame(write));
 }
 
 /** What the law sees and commands at the robots' clock, from the core. @param {Engine} engine */

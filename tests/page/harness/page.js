@@ -206,9 +206,10 @@ export class Page {
    * Drags with the mouse through points of an element.
    * @param {string} selector
    * @param {Point[]} points
+   * @param {number} [milliseconds] from each to the next
    */
-  drag(selector, points) {
-    return this.#dragWith('mouse', selector, points);
+  drag(selector, points, milliseconds = 30) {
+    return this.#dragWith('mouse', selector, points, milliseconds);
   }
 
   /**
@@ -217,15 +218,16 @@ export class Page {
    * @param {Point[]} points
    */
   touchDrag(selector, points) {
-    return this.#dragWith('touch', selector, points);
+    return this.#dragWith('touch', selector, points, 30);
   }
 
   /**
    * @param {'mouse' | 'touch'} pointerType
    * @param {string} selector
    * @param {Point[]} points
+   * @param {number} milliseconds
    */
-  async #dragWith(pointerType, selector, points) {
+  async #dragWith(pointerType, selector, points, milliseconds) {
     const element = await this.element(selector);
     const corner = await this.evaluate((box) => {
       const { left, top } = /** @type {Element} */ (/** @type {unknown} */ (box)).getBoundingClientRect();
@@ -233,7 +235,7 @@ export class Page {
     }, element);
     const moves = points.map(({ x, y }, index) => ({
       type: 'pointerMove',
-      duration: index === 0 ? 0 : 30,
+      duration: index === 0 ? 0 : milliseconds,
       origin: 'viewport',
       x: Math.round(corner.left + x),
       y: Math.round(corner.top + y),

@@ -85,6 +85,8 @@ async function slide(page, id, from, dx) {
   await page.drag(
     `#${id}`,
     [0, 0.25, 0.5, 0.75, 1].map((part) => ({ x: x + part * dx, y })),
+    // So slowly that frames come between, late ones too.
+    400,
   );
 }
 
