@@ -49,6 +49,7 @@ async function start(engine) {
   /** Of the state that is seen. @param {State} state */
   const seenScene = (state) => sight.of(state).scene;
   const drivingOf = () => seenScene(store.get()).driving;
+  const whenSeen = () => sight.whenSeen(store.get);
   const finalTime = () => drivingOf().finalTime;
   const actions = createActions({ engine, store, paper, finalTime, isStill, places });
   const controls = guarded(actions, store);
@@ -67,7 +68,7 @@ async function start(engine) {
   const share = createShare({ ...tools, sceneOf: seenScene, open: actions.openLinked });
   const computingLine = createComputing(controls);
   const pinButton = createPinButton(tools, seenScene);
-  const embed = isEmbedded ? createEmbed({ ...tools, actions, drivingOf, shapes: parts }) : null;
+  const embed = isEmbedded ? createEmbed({ ...tools, actions, drivingOf, whenSeen, shapes: parts }) : null;
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;
 
@@ -127,8 +128,8 @@ async function start(engine) {
   loop.request();
   /** After the first picture, which was asked for before this, of a run that has come as far as its link says or is being computed. */
   const sayReady = () => {
-    const { catchingUp, computing } = store.get();
-    if (catchingUp && !computing) requestAnimationFrame(sayReady);
+    const { catchingUp, evolving, computing } = store.get();
+    if (catchingUp && evolving && !computing) requestAnimationFrame(sayReady);
     else document.documentElement.dataset.ready = 'true';
   };
   requestAnimationFrame(sayReady);

@@ -19,7 +19,7 @@
 import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
 import { frameName } from '../kit/host.js';
-import { leastHeight, version } from './frame.js';
+import { leastHeight, mostHeight, version } from './frame.js';
 
 /** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting */
 /** @typedef {{ message: object, resolve: (report: Report) => void, reject: (reason: Error) => void }} Question */
@@ -28,6 +28,14 @@ import { leastHeight, version } from './frame.js';
 const here = String(import.meta.url);
 /** Within it the slowest figure has spoken, once its frame is loaded. */
 const longestSilence = 15_000;
+/** Within it the slowest frame is loaded, once somebody asks it something. */
+const longestLoading = 60_000;
+/** What a frame can show; javascript: would run in the page around it. */
+const protocols = ['http:', 'https:', 'file:', 'blob:', 'data:'];
+/** What a figure says that its page may listen for. */
+const events = ['ready', 'state', 'generation', 'drive', 'answer', 'handin', 'error'];
+/** What a link has of its characters: the figure says what is wrong with a longer one. */
+const mostOfLink = 100_000;
 
 /** @type {Record<string, import('../words/index.js').Words<typeof en>>} */
 const languages = { en, ko };
@@ -49,10 +57,13 @@ class EpLocomotion extends HTMLElement {
   /** What is asked and not yet answered, by its id. @type {Map<number, Question>} */
   #questions = new Map();
   #asked = 0;
+  #isPlaced = false;
   /** Whether a figure of any version has spoken. */
   #isHeard = false;
   #isReady = false;
   #wantedHeight = 0;
+  /** Of the figure that is ready: nobody else is heard in its place. @type {string | null} */
+  #origin = null;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #silence;
   /** @type {Report | null} */
@@ -65,7 +76,7 @@ class EpLocomotion extends HTMLElement {
     this.#problem.setAttribute('role', 'alert');
     this.#frame.name = frameName;
     this.#frame.allow = 'fullscreen';
-    this.#frame.addEventListener('load', () => this.#listen());
+    this.#frame.addEventListener('load', () => this.#listen(longestSilence));
     root.append(this.#problem, this.#frame);
   }
 
@@ -76,22 +87,23 @@ class EpLocomotion extends HTMLElement {
 
   connectedCallback() {
     addEventListener('message', this);
+    this.#isPlaced = true;
     this.#frame.loading = 'lazy';
     this.#open();
   }
 
   disconnectedCallback() {
     removeEventListener('message', this);
+    this.#isPlaced = false;
     this.#close();
     this.#frame.removeAttribute('src');
-    for (const { reject } of this.#questions.values()) reject(new Error(this.#words.gone));
-    this.#questions.clear();
+    this.#giveUp(this.#words.gone);
   }
 
   /** @param {string} name */
   attributeChangedCallback(name) {
     // Before it is in the page all of them are still to come.
-    if (!this.#frame.hasAttribute('src')) return;
+    if (!this.#isPlaced) return;
     if (name === 'src') this.#open();
     else if (name === 'link') this.#follow();
     else {
@@ -122,8 +134,9 @@ class EpLocomotion extends HTMLElement {
   }
 
   /** @param {MessageEvent} event */
-  handleEvent({ source, data }) {
+  handleEvent({ source, origin, data }) {
     if (source !== this.#frame.contentWindow || typeof data?.ep !== 'number') return;
+    if (this.#origin !== null && origin !== this.#origin) return;
     this.#isHeard = true;
     clearTimeout(this.#silence);
     if (data.ep !== version) return this.#complain(this.#words.otherVersion(data.ep, version));
@@ -131,14 +144,14 @@ class EpLocomotion extends HTMLElement {
     const question = this.#questions.get(id);
     this.#questions.delete(id);
     if (type === 'height') {
-      this.#wantedHeight = told.height;
+      this.#wantedHeight = isHeight(told.height) ? told.height : 0;
       return this.#dress();
     }
-    if (type === 'ready') this.#begin();
+    if (type === 'ready') this.#begin(origin);
     if (type === 'ready' || type === 'state') this.#state = told;
     if (type === 'error') question?.reject(new Error(told.message));
     else question?.resolve(told);
-    this.#tell(type, told);
+    if (events.includes(type)) this.#tell(type, told);
   }
 
   get #words() {
@@ -148,7 +161,7 @@ class EpLocomotion extends HTMLElement {
   /** What a link has after its #. */
   get #link() {
     const link = this.getAttribute('link') || 'lab';
-    return link.slice(link.indexOf('#') + 1);
+    return link.slice(link.indexOf('#') + 1).slice(0, mostOfLink);
   }
 
   #open() {
@@ -157,33 +170,49 @@ class EpLocomotion extends HTMLElement {
     this.#dress();
     const src = this.getAttribute('src') ?? 'index.html';
     const base = this.hasAttribute('src') ? document.baseURI : here;
-    if (!URL.canParse(src, base)) return this.#complain(this.#words.noAddress(src));
-    const address = new URL(src, base);
+    const address = URL.canParse(src, base) ? new URL(src, base) : null;
+    if (!address || !protocols.includes(address.protocol)) {
+      this.#frame.removeAttribute('src');
+      return this.#complain(this.#words.noAddress(src.slice(0, 200)));
+    }
     address.hash = this.#link;
     this.#frame.src = address.href;
   }
 
   #close() {
     clearTimeout(this.#silence);
+    this.#silence = undefined;
     this.#isHeard = false;
     this.#isReady = false;
+    this.#origin = null;
     this.#state = null;
   }
 
-  /** The frame is loaded: whatever it is must speak. */
-  #listen() {
+  /** Whatever is in the frame must speak within a time. @param {number} longest */
+  #listen(longest) {
     if (this.#isHeard || !this.#frame.hasAttribute('src')) return;
     clearTimeout(this.#silence);
-    const complain = () => this.#complain(this.#words.silent(this.#frame.src.split('#')[0]));
-    this.#silence = setTimeout(complain, longestSilence);
+    this.#silence = setTimeout(() => {
+      const { silent } = this.#words;
+      const [address] = this.#frame.src.split('#');
+      this.#complain(silent(address));
+      this.#giveUp(silent(address));
+    }, longest);
   }
 
-  /** The figure can hear: now, or again when it was loaded anew. */
-  #begin() {
+  /** Nobody is to wait for an answer that will not come. @param {string} why */
+  #giveUp(why) {
+    for (const { reject } of this.#questions.values()) reject(new Error(why));
+    this.#questions.clear();
+  }
+
+  /** The figure can hear: now, or again when it was loaded anew. @param {string} origin */
+  #begin(origin) {
     this.#complain('');
     this.#dress();
     this.#isReady = true;
-    for (const { message } of this.#questions.values()) this.#post(message);
+    this.#origin = origin;
+    for (const [id, { message }] of this.#questions) this.#post(id, message);
   }
 
   /** Goes where the attribute leads. */
@@ -201,22 +230,33 @@ class EpLocomotion extends HTMLElement {
     this.#asked += 1;
     const id = this.#asked;
     const message = { ep: version, id, ...question };
-    this.#frame.loading = 'eager';
-    if (this.#isReady) this.#post(message);
-    return new Promise((resolve, reject) => this.#questions.set(id, { message, resolve, reject }));
+    return new Promise((resolve, reject) => {
+      this.#questions.set(id, { message, resolve, reject });
+      this.#frame.loading = 'eager';
+      if (this.#isReady) this.#post(id, message);
+      else if (this.#silence === undefined) this.#listen(longestLoading);
+    });
   }
 
-  /** @param {object} message */
-  #post(message) {
-    this.#frame.contentWindow?.postMessage(message, '*');
+  /** @param {number} id @param {object} message */
+  #post(id, message) {
+    try {
+      // A file and a Blob have no origin that could be named.
+      const target = this.#origin === null || this.#origin === 'null' ? '*' : this.#origin;
+      this.#frame.contentWindow?.postMessage(message, target);
+    } catch (error) {
+      // What cannot be sent, as a function.
+      this.#questions.get(id)?.reject(/** @type {Error} */ (error));
+      this.#questions.delete(id);
+    }
   }
 
   #dress() {
     this.#frame.title = this.getAttribute('label') ?? this.#words.label;
     const text = this.getAttribute('height');
     const height = Number(text ?? this.#wantedHeight);
-    const isWrong = text !== null && !(Number.isInteger(height) && height >= leastHeight);
-    if (isWrong) this.#complain(this.#words.noHeight(leastHeight, text));
+    const isWrong = text !== null && !isHeight(height);
+    if (isWrong) this.#complain(this.#words.noHeight(leastHeight, mostHeight, text.slice(0, 40)));
     this.#frame.style.height = height > 0 && !isWrong ? `${height}px` : '';
   }
 
@@ -231,6 +271,10 @@ class EpLocomotion extends HTMLElement {
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 }
+
+/** @param {unknown} height */
+const isHeight = (height) =>
+  Number.isInteger(height) && Number(height) >= leastHeight && Number(height) <= mostHeight;
 
 for (const name of EpLocomotion.observedAttributes)
   Object.defineProperty(EpLocomotion.prototype, name, {

@@ -12,6 +12,8 @@ export const sizes = /** @type {const} */ ([
 
 /** No figure is of use in less. */
 export const leastHeight = 300;
+/** Nor in more. */
+export const mostHeight = 5000;
 /** How high a figure looks best for its width, and the most that helps it. @typedef {readonly [share: number, most: number]} Shape */
 /** @type {Shape} */
 const ofLab = [0.64, 620];

@@ -12,6 +12,7 @@
 // the answer.
 // By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height.
+// told.js has the table of what may be sent, and what each field must be.
 // What a link locks is locked for who sits before the figure, not for the page around it: an experiment that it sets leaves
 // the locks as they are, and a link that it opens brings its own, or none.
 /** @import { Engine, Experiment, PaperResult, Run, Statistics, Triple } from '../core/engine.js' */
@@ -19,11 +20,10 @@
 /** @import { Actions } from '../run/actions/actions.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
-import { messageOf } from '../words/errors.js';
+import { isLost, messageOf } from '../words/errors.js';
 import { gainsOf } from '../run/drivers.js';
 import { noTrial } from '../run/state.js';
-import { embed as words } from '../words/index.js';
-import { version } from './frame.js';
+import { idIn, isForFigure, messageIn, shortError } from './told.js';
 
 /**
  * What a figure answers.
@@ -39,16 +39,14 @@ import { version } from './frame.js';
  * @property {readonly string[]} problems What a link had wrong, in words.
  */
 
-/** At once, so that the answer is not long in coming. */
-const mostGenerations = 10_000;
 /** As long as a frame that still looks smooth. */
 const sliceMilliseconds = 12;
 
 /**
- * @param {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links, drivingOf: () => Run }} parts
+ * @param {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links, drivingOf: () => Run, whenSeen: () => Promise<void> }} parts `whenSeen`: once all that drives is there.
  * @param {(message: object) => void} send To the page around.
  */
-export function createMessages({ engine, store, actions, paper, links, drivingOf }, send) {
+export function createMessages({ engine, store, actions, paper, links, drivingOf, whenSeen }, send) {
   /** @type {Statistics[]} */
   let announced = [];
 
@@ -83,7 +81,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
 
   /** Lets a run come as far as its link says, without the frames of the page: where nobody sees it there are none. */
   const arrive = async () => {
-    while (store.get().catchingUp) {
+    while (store.get().catchingUp && store.get().evolving) {
       const end = performance.now() + sliceMilliseconds;
       actions.evolve(() => performance.now() < end);
       await actions.whenIdle();
@@ -103,18 +101,16 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
     announce();
   };
 
-  /** @type {Readonly<Record<string, (message: Record<string, unknown>) => readonly string[] | Promise<readonly string[]>>>} */
+  /** @type {{ [T in import('./told.js').Type]: (said: import('./told.js').Said[T]) => readonly string[] | Promise<readonly string[]> }} */
   const answers = {
-    async set({ link, experiment, gains, generation = 0 }) {
-      if (typeof link === 'string') {
+    async set({ link, experiment, gains: handGains, generation }) {
+      if (link !== null) {
         const { opened, problems } = links.openLink(link.slice(link.indexOf('#') + 1), engine);
         await open(opened);
         return problems;
       }
-      if (experiment === null || typeof experiment !== 'object') throw new Error(words.linkOrExperiment);
       const { page, lesson, preset, pins, exercise: own } = store.get();
       const whole = engine.experiment(/** @type {Experiment} */ (experiment));
-      const handGains = gains === undefined ? null : gainsIn(gains);
       // The core knows which gains cannot be driven.
       if (handGains) engine.check(whole, handGains);
       await open({
@@ -122,7 +118,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
         lesson,
         preset,
         experiment: whole,
-        generation: wholeNumber('generation', 0, mostGenerations, generation),
+        generation,
         driver: handGains ? 'hand' : 'evolved',
         handGains,
         found: 'hand',
@@ -134,14 +130,16 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
       return [];
     },
 
-    async step({ generations = 1 }) {
-      const count = wholeNumber('generations', 1, mostGenerations, generations);
+    async step({ generations }) {
       const { history } = store.get();
       actions.showGeneration(history.length - 1);
       let end = performance.now() + sliceMilliseconds;
-      for (let i = 0; i < count; i += 1) {
+      for (let i = 0; i < generations; i += 1) {
+        const before = store.get().generation;
         actions.forward();
         await actions.whenIdle();
+        // Somebody has stopped what was computed.
+        if (store.get().generation === before) return [store.get().message];
         if (performance.now() < end) continue;
         announce();
         await pause();
@@ -165,18 +163,30 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
 
   /** @param {unknown} message */
   async function answer(message) {
-    if (message === null || typeof message !== 'object' || !('ep' in message)) return;
-    const { ep, type, id, ...rest } = /** @type {Record<string, unknown>} */ (message);
-    const named = id === undefined ? {} : { id };
+    if (!isForFigure(message)) return;
+    const named = idIn(message);
     try {
-      if (ep !== version) throw new Error(words.otherVersion(told(ep), version));
-      if (typeof type !== 'string' || !Object.hasOwn(answers, type))
-        throw new Error(words.unknownType(told(type), Object.keys(answers)));
-      const problems = await answers[type](rest);
+      const { type, said } = messageIn(message);
+      const problems = await /** @type {(said: object) => readonly string[] | Promise<readonly string[]>} */ (
+        answers[type]
+      )(said);
+      await whenSeen();
       send({ type: 'state', ...named, ...report(problems) });
     } catch (error) {
-      send({ type: 'error', ...named, message: messageOf(error) });
+      send({ type: 'error', ...named, message: shortError(messageOf(error)) });
+      // The page has to know of it.
+      if (isLost(error)) reportError(error);
     }
+  }
+
+  let end = 0;
+  /** One after the other, and however many they are, all else has its turn. @param {unknown} message */
+  async function take(message) {
+    if (performance.now() > end) {
+      await pause();
+      end = performance.now() + sliceMilliseconds;
+    }
+    await answer(message);
   }
 
   let answered = Promise.resolve();
@@ -187,6 +197,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
     /** Once the run is there. */
     async ready() {
       await arrive();
+      await whenSeen();
       send({ type: 'ready', ...report([]) });
       isReady = true;
       announce();
@@ -194,7 +205,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
 
     /** In the order in which they came: many generations take a while. @param {unknown} message Whatever came. */
     hear(message) {
-      answered = answered.then(() => answer(message));
+      answered = answered.then(() => take(message));
     },
   };
 }
@@ -209,25 +220,3 @@ const pause = () =>
     };
     port2.postMessage(null);
   });
-
-/** @param {unknown} value */
-const told = (value) =>
-  typeof value === 'string'
-    ? `“${value.slice(0, 40)}”`
-    : typeof value === 'object'
-      ? typeof value
-      : String(value);
-
-/** @param {string} field @param {number} least @param {number} most @param {unknown} value */
-function wholeNumber(field, least, most, value) {
-  if (typeof value !== 'number' || !Number.isInteger(value) || value < least || value > most)
-    throw new Error(words.wholeNumber(field, least, most, told(value)));
-  return value;
-}
-
-/** @param {unknown} value @returns {Triple} */
-function gainsIn(value) {
-  const gains = Array.isArray(value) || value instanceof Float64Array ? [...value] : [];
-  if (gains.length !== 3 || !gains.every(Number.isFinite)) throw new Error(words.threeGains(told(value)));
-  return /** @type {[number, number, number]} */ (gains);
-}

@@ -153,6 +153,7 @@ export function createSight(sceneOf, first, onArrival) {
   let shown = { state: first, scene: sceneOf(first) };
   let isComputing = false;
   let isStale = false;
+  let arriving = Promise.resolve();
   const ask = (/** @type {State} */ state) => {
     isComputing = true;
     isStale = false;
@@ -164,14 +165,20 @@ export function createSight(sceneOf, first, onArrival) {
         isComputing = false;
         throw error;
       }
-      error.arrival.then(() => ask(state)).finally(onArrival);
+      arriving = error.arrival.then(() => ask(state)).finally(onArrival);
     }
   };
+  /** @param {State} state */
+  const of = (state) => {
+    if (!isComputing && (isStale || state !== shown.state)) ask(state);
+    return { ...shown, isComputing };
+  };
   return {
-    /** @param {State} state */
-    of(state) {
-      if (!isComputing && (isStale || state !== shown.state)) ask(state);
-      return { ...shown, isComputing };
+    of,
+    /** Resolves once the state, or a later one, is seen. @param {() => State} stateNow */
+    async whenSeen(stateNow) {
+      // What was asked for before, and then this.
+      for (let i = 0; i < 2 && of(stateNow()).isComputing; i += 1) await arriving;
     },
     /** What drives in a state is another than it was: a part of the page has come that has a say in it. */
     renew() {

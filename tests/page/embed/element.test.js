@@ -139,11 +139,11 @@ pageTest('what the author of a page has wrong is said in sight', async (page) =>
   await inPage(page, html, async (address) => {
     for (const id of ['low', 'korean']) await isReady(page, id);
     for (const [id, text] of [
-      ['low', en.noHeight(300, '100')],
+      ['low', en.noHeight(300, 5000, '100')],
       ['nowhere', en.noAddress('https://')],
       ['absent', en.silent(`${address}absent.html`)],
       ['old', en.otherVersion(2, 1)],
-      ['korean', ko.noHeight(300, 'high')],
+      ['korean', ko.noHeight(300, 5000, 'high')],
     ]) {
       const wanted = `<ep-locomotion>: ${text}`;
       await page.until(

@@ -82,8 +82,16 @@ export function createSteps({ store, actions, anatomyOf }) {
   /** Where evolution is to pause, it does so after the last phase. */
   const play = () => {
     goOn();
+    afterwards(() => {
+      const { history, generation } = store.get();
+      const isPlayed = () =>
+        playsPhases(store.get()) && store.get().history[generation] === history[generation];
+      whenThere(() => follow(history[generation]), isPlayed);
+    });
+  };
+  /** @param {State['history'][number]} statistics */
+  const follow = (statistics) => {
     const { state, anatomy, phase } = shown();
-    const statistics = state.history[state.generation];
     if (phase === 'parents') played = statistics;
     if (!phaseAfter(anatomy, phase, 1) && played === statistics && pausesAt(state.until, statistics)) pause();
   };
@@ -99,17 +107,23 @@ export function createSteps({ store, actions, anatomyOf }) {
     back: () => whenThere(goBack, () => true),
 
     /** To be called at every frame: goes on when a phase has had its time. */
-    tick: createPhaseClock(play),
+    tick: createPhaseClock(play, anatomyOf),
   };
 }
 
-/** @param {() => void} goOn */
-function createPhaseClock(goOn) {
+/** @param {() => void} goOn @param {(state: State) => unknown} look Throws a Pending as long as there is nothing to see. */
+function createPhaseClock(goOn, look) {
   let waited = 0;
   const changed = watch();
   return (/** @type {State} */ state, /** @type {number} */ seconds) => {
     const plays = playsPhases(state) && !state.dragging;
     waited = changed(plays, state.generation, generationSlice.of(state)) ? 0 : waited + seconds;
-    if (plays && !state.computing && waited >= secondsOfPhase) goOn();
+    if (!plays || state.computing) return;
+    const since = waited;
+    // Who has nothing to see yet has not begun to read.
+    waited = 0;
+    look(state);
+    waited = since;
+    if (waited >= secondsOfPhase) goOn();
   };
 }

@@ -74,7 +74,7 @@ export function createBasis({ engine, store, paper, isStill }) {
       if (isLost(error)) throw error;
       if (error instanceof Pending) return waitFor(act, error, waiting);
       if (due === act) forget();
-      store.update({ message: messageOf(error), evolving: false });
+      store.update({ message: messageOf(error), evolving: false, catchingUp: null });
     }
   };
 

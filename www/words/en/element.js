@@ -12,8 +12,8 @@ export const silent = (address) => `no figure answers at ${address}: the files o
 export const otherVersion = (found, own) =>
   `the figure speaks version ${found} of the messages, this element version ${own}: take embed.js and the page from one copy of dist/`;
 
-/** @param {number} least @param {string} found */
-export const noHeight = (least, found) =>
-  `height must be a whole number of pixels, ${least} or more, not “${found}”`;
+/** @param {number} least @param {number} most @param {string} found */
+export const noHeight = (least, most, found) =>
+  `height must be a whole number of pixels from ${least} to ${most}, not “${found}”`;
 
 export const gone = 'the figure was taken from the page';

@@ -13,8 +13,8 @@ export const silent = (address) =>
 export const otherVersion = (found, own) =>
   `그림의 메시지 형식은 버전 ${found}이고 이 요소는 버전 ${own}입니다. embed.js와 페이지를 같은 dist/에서 가져오십시오`;
 
-/** @param {number} least @param {string} found */
-export const noHeight = (least, found) =>
-  `height는 ${least} 이상의 정수(픽셀)여야 하며, 받은 값은 “${found}”입니다`;
+/** @param {number} least @param {number} most @param {string} found */
+export const noHeight = (least, most, found) =>
+  `height는 ${least} 이상 ${most} 이하의 정수(픽셀)여야 하며, 받은 값은 “${found}”입니다`;
 
 export const gone = '그림이 페이지에서 제거되었습니다';

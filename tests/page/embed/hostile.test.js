@@ -1,0 +1,332 @@
+// Whoever speaks to a figure, and whatever is done with it: it answers or it refuses by name, nothing is thrown, and it goes on.
+import assert from 'node:assert/strict';
+import { idIn, isForFigure, messageIn } from '../../../www/embed/told.js';
+import * as en from '../../../www/words/en/element.js';
+import { engineTest } from '../harness/browsers.js';
+import { evolve, experiment, simulate } from '../harness/core.js';
+import { ask, heardFrom, inHost, serveHost } from '../harness/host.js';
+import { test } from '../harness/once.js';
+import { serve } from '../harness/server.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** @param {Page} page @param {string} link */
+const frameOf = (page, link) =>
+  `<iframe src="${page.site.address}?embed#${link.replaceAll('&', '&amp;')}" width="640" height="420"></iframe>`;
+
+/** What a figure may be told, and what each says. */
+const right = /** @type {const} */ ([
+  [{ type: 'read' }, {}],
+  [{ type: 'run', extra: 'is not read' }, {}],
+  [{ type: 'step' }, { generations: 1 }],
+  [{ type: 'step', generations: 10_000 }, { generations: 10_000 }],
+  [
+    { type: 'set', link: 'lab', gains: 'not looked at' },
+    { link: 'lab', gains: null, generation: 0 },
+  ],
+  [
+    { type: 'set', experiment: {}, gains: [1, 2, 3] },
+    { link: null, gains: [1, 2, 3], generation: 0 },
+  ],
+  [{ type: 'set', experiment: {}, gains: Float64Array.of(1, 2, 3), generation: 7 }, { generation: 7 }],
+]);
+
+/** @type {readonly (readonly [message: Record<string, unknown>, said: RegExp])[]} */
+const wrong = [
+  ...[0, 2, '1', null, [1], 1n].map((ep) => /** @type {const} */ ([{ ep, type: 'read' }, /version 1/])),
+  ...['', 'toString', '__proto__', 'READ', null, 7, ['read']].map(
+    (type) => /** @type {const} */ ([{ type }, /type must be one of set, step, run, pause, read/]),
+  ),
+  ...[0, -1, 1.5, 10_001, Number.NaN, '3', null, [3], 3n].map(
+    (generations) =>
+      /** @type {const} */ ([{ type: 'step', generations }, /^generations must be .* from 1 to 10000/]),
+  ),
+  ...[-1, 0.5, Number.POSITIVE_INFINITY, '1', null].map(
+    (generation) =>
+      /** @type {const} */ ([
+        { type: 'set', experiment: {}, generation },
+        /^generation must be .* from 0 to 10000/,
+      ]),
+  ),
+  ...[[1, 2], [1, 2, Number.NaN], ['1', '2', '3'], new Array(1e9), '1,2,3', null, { length: 3 }].map(
+    (gains) =>
+      /** @type {const} */ ([{ type: 'set', experiment: {}, gains }, /^gains must be three numbers/]),
+  ),
+  ...[{}, { link: 7 }, { experiment: null }, { experiment: 'lab' }, { link: null, experiment: 1 }].map(
+    (what) => /** @type {const} */ ([{ type: 'set', ...what }, /^set needs either a link/]),
+  ),
+];
+
+test('what a figure may be told is looked at field by field, and what is wrong is named', () => {
+  for (const [message, said] of right) {
+    const read = messageIn({ ep: 1, ...message });
+    assert.equal(read.type, message.type);
+    assert.deepEqual({ ...read.said, ...said }, read.said);
+  }
+  for (const [message, said] of wrong)
+    assert.throws(
+      () => messageIn({ ep: 1, ...message }),
+      ({ message: text }) => said.test(text) && text.length < 200,
+      String(said),
+    );
+  for (const other of [null, undefined, 7, 'ep', [], {}, new Map([['ep', 1]])])
+    assert.ok(!isForFigure(other));
+  // An id that cannot come back is left out.
+  assert.deepEqual(idIn({ id: () => {} }), {});
+  for (const id of [0, 'a', null, { of: [1] }]) assert.deepEqual(idIn({ id }), { id });
+});
+
+engineTest('hostile messages are refused one by one, and the figure goes on', async (page) => {
+  await inHost(page, frameOf(page, 'lab&v=1&seed=7'), async () => {
+    await page.evaluate(() => {
+      const figure = document.querySelector('iframe')?.contentWindow;
+      const { port1, port2 } = new MessageChannel();
+      const cyclic = /** @type {Record<string, unknown>} */ ({ ep: 1, type: 'set', id: 'cyclic' });
+      cyclic.experiment = cyclic;
+      const long = 'x'.repeat(1e6);
+      figure?.postMessage({ ep: 1, type: 'read', id: port1, port: port2 }, '*', [port1, port2]);
+      for (const message of [
+        cyclic,
+        { ep: 1, type: 'set', id: 'long', link: long },
+        { ep: 1, type: 'set', id: 'long name', experiment: { [long]: 1 } },
+        { ep: 1, type: 'set', id: 'long word', experiment: { law: long } },
+        { ep: 1, type: 'set', id: 'hole', experiment: { starts: new Array(1e7) } },
+        { ep: 1, type: 'set', id: 'map', experiment: new Map([['law', 'kanayama']]) },
+        { ep: 1, type: 'set', id: 'big', experiment: { evolution: { seed: 7n } } },
+        { ep: 1, type: 'set', id: 'buffer', experiment: new ArrayBuffer(8) },
+        { ep: long, type: 'read', id: 'version' },
+        { ep: 1, type: long, id: 'type' },
+      ])
+        figure?.postMessage(message, '*');
+      for (let i = 0; i < 2000; i += 1) figure?.postMessage({ ep: 1, type: 'read', id: `flood ${i}` }, '*');
+    });
+    await ask(page, 0, { type: 'set', link: 'lab&v=1&seed=7' });
+    const heard = await heardFrom(page, 0);
+    /** @param {string} id */
+    const answerTo = (id) => heard.find((one) => one.id === id);
+    for (const id of ['cyclic', 'long name', 'long word', 'hole', 'big', 'version', 'type']) {
+      assert.equal(answerTo(id)?.type, 'error', id);
+      assert.ok(answerTo(id).message.length <= 601, id);
+    }
+    assert.equal(answerTo('long').problems.length > 0, true);
+    assert.equal(heard.filter(({ id }) => String(id).startsWith('flood')).length, 2000);
+    const { hash } = await ask(page, 0, { type: 'step', generations: 3 });
+    assert.equal(hash, evolve(experiment({ evolution: { seed: 7 } }), 3).hash);
+  });
+});
+
+engineTest('only who holds the frame is heard, whatever its origin', async (page) => {
+  await inHost(page, frameOf(page, 'lab&v=1&seed=7'), async () => {
+    // A page of another origin within the host, and a window without one within the figure's own.
+    await page.evaluate(async () => {
+      const say = `for (const one of [parent[0], top[0]]) one.postMessage({ ep: 1, type: 'set', link: 'lab&seed=66', id: 'foreign' }, '*')`;
+      for (const sandbox of ['allow-scripts', 'allow-scripts allow-same-origin']) {
+        const other = document.createElement('iframe');
+        other.setAttribute('sandbox', sandbox);
+        other.srcdoc = `<script>${say}</script>`;
+        document.body.append(other);
+        await new Promise((resolve) => other.addEventListener('load', resolve));
+      }
+    });
+    const { experiment: still } = await ask(page, 0, { type: 'read' });
+    assert.equal(still.evolution.seed, 7);
+    assert.deepEqual(
+      (await heardFrom(page, 0)).filter(({ id }) => id === 'foreign'),
+      [],
+    );
+    // Who embeds learns from where a message is.
+    const origins = await page.evaluate(() =>
+      /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
+        /** @type {unknown} */ (window)
+      ).heard.map(({ origin }) => origin),
+    );
+    assert.deepEqual([...new Set(origins)], [new URL(page.site.address).origin]);
+    // In the host the added frames are not figures.
+    await page.evaluate(() => {
+      for (const frame of [...document.querySelectorAll('iframe[sandbox]')]) frame.remove();
+    });
+  });
+});
+
+/** Goals that no robot reaches: a worker drives all the samples. */
+const heavy = { goal: { x: 90, y: 90, theta: 0 }, horizon: 30, sampleTime: 0.001 };
+
+engineTest('an answer waits for a drive that takes long, and is of what was set', async (page) => {
+  await inHost(page, frameOf(page, 'lab&v=1'), async () => {
+    const gains = /** @type {const} */ ([4, 1, 6]);
+    const set = await ask(page, 0, { type: 'set', experiment: heavy, gains });
+    const whole = experiment(heavy);
+    const { cost, arrived, finalTime } = simulate(whole, [...gains]);
+    assert.deepEqual(set.drive, { gains, cost: { ...cost }, arrived, finalTime });
+    const other = { ...heavy, goal: { x: 80, y: 90, theta: 0 } };
+    const link = await ask(page, 0, { type: 'set', experiment: other, gains });
+    assert.equal(link.drive.cost.total, simulate(experiment(other), [...gains]).cost.total);
+  });
+});
+
+/** What waits to be called in a page: frames, and timers. @type {string} */
+const counting = `(() => {
+  const waiting = { frames: new Set(), timers: new Set(), intervals: new Set(), calls: 0 };
+  Object.defineProperty(window, 'waiting', { value: waiting });
+  const wrap = (set, clear, list, again) => {
+    const [begin, end] = [window[set].bind(window), window[clear].bind(window)];
+    window[set] = (act, ...rest) => {
+      // So long one driver waits for its own scripts.
+      if (rest[0] === 30000) return begin(act, ...rest);
+      waiting.calls += 1;
+      const id = begin((...given) => {
+        if (!again) waiting[list].delete(id);
+        return act(...given);
+      }, ...rest);
+      waiting[list].add(id);
+      return id;
+    };
+    window[clear] = (id) => { waiting[list].delete(id); end(id); };
+  };
+  wrap('requestAnimationFrame', 'cancelAnimationFrame', 'frames', false);
+  wrap('setTimeout', 'clearTimeout', 'timers', false);
+  wrap('setInterval', 'clearInterval', 'intervals', true);
+})();`;
+
+engineTest('five figures on one page: at rest none asks for a frame or a time', async (page) => {
+  const site = await serve(undefined, { before: counting });
+  try {
+    const links = ['lab&v=1&seed=7', 'generation&v=1', 'curves&v=1', 'landscape&v=1', 'lesson&step=3'];
+    const html = links
+      .map(
+        (link) =>
+          `<iframe src="${site.address}?embed#${link.replaceAll('&', '&amp;')}" width="400" height="300"></iframe>`,
+      )
+      .join('');
+    await inHost(page, html, async () => {
+      // Asked from outside, for who waits within a page asks it for frames.
+      const { driver } = page;
+      /** @param {number} i @param {string} script @returns {Promise<any>} */
+      const inFrame = async (i, script) => {
+        await driver.switchTo().defaultContent();
+        await driver.switchTo().frame(i);
+        return driver.executeScript(`return ${script}`);
+      };
+      const resting = `document.querySelector('[aria-busy="true"]') === null &&
+        waiting.frames.size + waiting.timers.size + waiting.intervals.size === 0 && waiting.calls`;
+      for (const [i, link] of links.entries()) {
+        await driver.wait(() => inFrame(i, resting), 45_000, `${link} comes to rest`);
+        // Frames of the host go by, and what the figure has asked for stays as it was.
+        const calls = await inFrame(i, 'waiting.calls');
+        await driver.switchTo().defaultContent();
+        await driver.executeScript(
+          'return (async () => { for (let i = 0; i < 30; i++) await new Promise(requestAnimationFrame); })()',
+        );
+        assert.equal(await inFrame(i, 'waiting.calls'), calls, link);
+      }
+      await driver.switchTo().defaultContent();
+    });
+  } finally {
+    await page.leave();
+    await site.close();
+  }
+});
+
+/** Opens a page of another host with what stands in it. @param {Page} page @param {string} html @param {(address: string) => Promise<void>} body */
+async function inPage(page, html, body) {
+  const errors = `<script>
+    errors = [];
+    addEventListener('error', ({ message }) => errors.push(message));
+    addEventListener('unhandledrejection', ({ reason }) => errors.push(String(reason)));
+  </script>`;
+  const host = await serveHost(`${errors}${html}<script type="module" src="/dist/embed.js"></script>`);
+  try {
+    await page.visit(host.address);
+    await body(host.address);
+    assert.deepEqual(await page.evaluate(() => Reflect.get(window, 'errors')), []);
+  } finally {
+    await page.leave();
+    host.close();
+  }
+}
+
+/** @param {Page} page @param {string} id */
+const isReady = (page, id) =>
+  page.until(`${id} is ready`, (name) => Reflect.get(document.getElementById(name) ?? {}, 'state'), id);
+
+engineTest(
+  'a figure that is removed while it computes leaves nothing behind, and begins anew',
+  async (page) => {
+    const html = '<ep-locomotion id="own" link="lab&amp;v=1&amp;seed=7"></ep-locomotion>';
+    await inPage(page, html, async () => {
+      await isReady(page, 'own');
+      const { refused, hash } = await page.evaluate(async () => {
+        const own = /** @type {any} */ (document.getElementById('own'));
+        const open = Promise.allSettled([own.step(10_000), own.read()]);
+        // It has begun.
+        await new Promise((resolve) => own.addEventListener('generation', resolve, { once: true }));
+        own.remove();
+        const results = await open;
+        document.body.append(own);
+        const { hash } = await own.step(5);
+        return { refused: results.map((one) => String(Reflect.get(one, 'reason')?.message)), hash };
+      });
+      assert.deepEqual(refused, [en.gone, en.gone]);
+      assert.equal(hash, evolve(experiment({ evolution: { seed: 7 } }), 5).hash);
+    });
+  },
+);
+
+engineTest('hostile attributes of the element do no harm', async (page) => {
+  const html = `
+    <div style="display: grid; grid-template-columns: repeat(4, 1fr); align-items: start">
+    <ep-locomotion id="script" src="javascript:parent.errors.push('it ran')"></ep-locomotion>
+    <ep-locomotion id="high" height="1e9"></ep-locomotion>
+    <ep-locomotion id="marks" link='lab&amp;v=1"><img src=x onerror="errors.push(1)">' label='"><script>errors.push(2)</script>'></ep-locomotion>
+    <ep-locomotion id="long"></ep-locomotion>
+    </div>
+    <script>
+      const long = document.getElementById('long');
+      long.setAttribute('link', 'lab&v=1&' + 'k'.repeat(5e6));
+      long.setAttribute('label', 'x'.repeat(1e6));
+    </script>`;
+  await inPage(page, html, async () => {
+    for (const id of ['high', 'marks', 'long']) await isReady(page, id);
+    const said = await page.evaluate(() =>
+      Object.fromEntries(
+        ['script', 'high'].map((id) => [
+          id,
+          document.getElementById(id)?.shadowRoot?.querySelector('p')?.textContent,
+        ]),
+      ),
+    );
+    assert.equal(said.script, `<ep-locomotion>: ${en.noAddress("javascript:parent.errors.push('it ran')")}`);
+    assert.equal(said.high, `<ep-locomotion>: ${en.noHeight(300, 5000, '1e9')}`);
+    const refused = await page.evaluate(async () => {
+      const marks = /** @type {any} */ (document.getElementById('marks'));
+      // What cannot be sent is refused where it is asked, and the next question is answered.
+      const refused = await marks
+        .set({ experiment: { law() {} } })
+        .catch((/** @type {Error} */ { name }) => name);
+      await marks.read();
+      return refused;
+    });
+    assert.equal(refused, 'DataCloneError');
+    // Mended, it shows its figure.
+    await page.evaluate(() => document.getElementById('script')?.setAttribute('src', '/dist/index.html'));
+    await isReady(page, 'script');
+  });
+});
+
+engineTest('where nothing answers, it is said, and no question stays open', async (page) => {
+  const html = `
+    <ep-locomotion id="absent" src="/absent.html"></ep-locomotion>
+    <script>
+      const usual = setTimeout;
+      // Nobody is to wait until the silence is long enough.
+      setTimeout = (done, longest) => usual(done, [15000, 60000].includes(longest) ? 100 : longest);
+    </script>`;
+  await inPage(page, html, async (address) => {
+    const refused = await page.evaluate(() =>
+      /** @type {any} */ (document.getElementById('absent'))
+        .read()
+        .catch((/** @type {Error} */ error) => error.message),
+    );
+    assert.equal(refused, en.silent(`${address}absent.html`));
+  });
+});

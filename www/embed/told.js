@@ -1,0 +1,93 @@
+// What a figure may be told: every message, its fields, and what each of them must be. Whatever else a message has is not read.
+/** @import { Experiment, Triple } from '../core/engine.js' */
+import { embed as words } from '../words/index.js';
+import { version } from './frame.js';
+
+/** @typedef {(name: string, value: unknown) => unknown} Check The value as it is used, or an error that names the field. */
+
+/** At once, so that the answer is not long in coming. */
+const mostGenerations = 10_000;
+
+/** Of a value that is wrong. */
+const mostTold = 40;
+/** Of what is answered. */
+const mostOfError = 600;
+
+/** @param {unknown} value */
+const told = (value) =>
+  typeof value === 'string'
+    ? `“${value.slice(0, mostTold)}”`
+    : typeof value === 'object'
+      ? typeof value
+      : String(value).slice(0, mostTold);
+
+/** @param {number} least */
+const wholeNumber = (least) => (/** @type {string} */ name, /** @type {unknown} */ value) => {
+  if (typeof value !== 'number' || !Number.isInteger(value) || value < least || value > mostGenerations)
+    throw new Error(words.wholeNumber(name, least, mostGenerations, told(value)));
+  return value;
+};
+
+/** @param {string} _ @param {unknown} value @returns {Triple | null} */
+function gainsIn(_, value) {
+  if (value === undefined) return null;
+  const isList = Array.isArray(value) || value instanceof Float64Array;
+  if (!isList || value.length !== 3 || ![...value].every(Number.isFinite))
+    throw new Error(words.threeGains(told(value)));
+  return /** @type {[number, number, number]} */ ([...value]);
+}
+
+/** What is no text is none: then an experiment is set. @param {string} _ @param {unknown} value */
+const linkIn = (_, value) => (typeof value === 'string' ? value : null);
+
+/** The core knows what may be in it. @param {string} _ @param {unknown} value @returns {Partial<Experiment> | null} */
+const experimentIn = (_, value) => (value !== null && typeof value === 'object' ? value : null);
+
+/** By type. */
+const messages = {
+  set: { link: linkIn, experiment: experimentIn, gains: gainsIn, generation: wholeNumber(0) },
+  step: { generations: wholeNumber(1) },
+  run: {},
+  pause: {},
+  read: {},
+};
+
+/** What a field is when it is left out. @type {Readonly<Record<string, unknown>>} */
+const usual = { generation: 0, generations: 1 };
+
+/** @typedef {keyof typeof messages} Type */
+/** What each message says. @typedef {{ set: { link: string | null, experiment: Partial<Experiment> | null, gains: Triple | null, generation: number }, step: { generations: number }, run: {}, pause: {}, read: {} }} Said */
+
+/** Whether it is meant for a figure, of whatever version: other things are said in a page too. @param {unknown} message @returns {message is Record<string, unknown>} */
+export const isForFigure = (message) => message !== null && typeof message === 'object' && 'ep' in message;
+
+/** The id with which the answer is to come back, if there is one that can. @param {Record<string, unknown>} message */
+export function idIn({ id }) {
+  try {
+    return id === undefined ? {} : { id: structuredClone(id) };
+  } catch {
+    // A thing that was handed over, as a port is.
+    return {};
+  }
+}
+
+/** What a message says; an error names what is wrong with it. @param {Record<string, unknown>} message @returns {{ [T in Type]: { type: T, said: Said[T] } }[Type]} */
+export function messageIn({ ep, type, ...given }) {
+  if (ep !== version) throw new Error(words.otherVersion(told(ep), version));
+  if (typeof type !== 'string' || !Object.hasOwn(messages, type))
+    throw new Error(words.unknownType(told(type), Object.keys(messages)));
+  /** @type {Readonly<Record<string, Check>>} */
+  const fields = messages[/** @type {Type} */ (type)];
+  // A link has all of it.
+  const looked = type === 'set' && typeof given.link === 'string' ? { link: given.link } : given;
+  const all = { ...usual, ...looked };
+  const said = Object.fromEntries(
+    Object.entries(fields).map(([name, check]) => [name, check(name, all[name])]),
+  );
+  if (type === 'set' && said.link === null && said.experiment === null)
+    throw new Error(words.linkOrExperiment);
+  return /** @type {any} */ ({ type, said });
+}
+
+/** @param {string} text */
+export const shortError = (text) => (text.length > mostOfError ? `${text.slice(0, mostOfError)}…` : text);
