@@ -21,9 +21,9 @@ const long = 'sampleTime=0.001&horizon=100';
 const many = Array.from({ length: 4600 }, (_, i) => `a${i}=`).join('&');
 const population = 'evolution.population=2000';
 const pin = (/** @type {number} */ i) =>
-  `pin${i}=p${i}~${i + 2},5,5~sampleTime:0.001~horizon:100~goal:90,${i * 9},0`;
+  `pin${i}=p${i}~${i + 2},5,5~sampleTime:0.001~horizon:100~goal.x:90~goal.y:${i * 9}`;
 /** Goals that no robot reaches: all samples are driven. */
-const never = 'goal=900,900,0&limits.speed=0.01';
+const never = 'goal.x=900&goal.y=900&limits.speed=0.01';
 
 /** A link, and what is pressed then. @type {readonly (readonly [name: string, link: string, ...press: string[]])[]} */
 const cases = [

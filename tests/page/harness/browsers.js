@@ -3,6 +3,7 @@
 // A test file is a list of `pageTest('what must hold', async (page) => …)` and, for what engines can do differently,
 // `engineTest`: the one becomes a test in one engine, the other a test in each. `npm test -- plane` runs a file by its name;
 // when dist/ is built, `ENGINES=firefox node --test tests/page/lab/plane.test.js` runs all of it in that engine.
+import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -80,6 +81,7 @@ function declare(engines, name, body, { moves = false } = {}) {
         // A page that goes on moving would slow the tests of the other engines; a browser that is lost, fail all others.
         await page.leave().catch(() => drivers.delete(key));
       }
+      assert.equal(page.uncaught, '', 'something was thrown that nobody has caught');
     });
   }
 }

@@ -4,6 +4,17 @@
   const problems = [];
   Object.defineProperty(window, 'collectedProblems', { value: problems });
 
+  /** What nobody has caught is told after the page is left, too. @param {string} problem */
+  const keep = (problem) => {
+    problems.push(problem);
+    try {
+      const before = sessionStorage.getItem('uncaught') ?? '';
+      sessionStorage.setItem('uncaught', `${before}${problem}\n`);
+    } catch {
+      // A frame without an origin has no storage.
+    }
+  };
+
   const consoleError = console.error;
   console.error = (...values) => {
     problems.push(`console.error: ${values.map(String).join(' ')}`);
@@ -14,12 +25,12 @@
     'error',
     (event) => {
       if (event.target instanceof Element) problems.push(`not loaded: ${event.target.outerHTML}`);
-      else problems.push(`uncaught: ${event.message} (${event.filename}:${event.lineno})`);
+      else keep(`uncaught: ${event.message} (${event.filename}:${event.lineno})`);
     },
     true,
   );
   addEventListener('unhandledrejection', (event) => {
-    problems.push(`unhandled rejection: ${event.reason}\n${event.reason?.stack ?? ''}`);
+    keep(`unhandled rejection: ${event.reason}\n${event.reason?.stack ?? ''}`);
   });
   addEventListener('securitypolicyviolation', (event) => {
     problems.push(`policy: ${event.violatedDirective} refuses ${event.blockedURI} ${event.sample}`);

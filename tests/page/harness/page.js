@@ -27,6 +27,8 @@ export class Page {
   }
 
   #isOpen = false;
+  /** The errors that nobody has caught in the pages that are left. */
+  uncaught = '';
 
   /**
    * Opens the page afresh and waits until it is ready.
@@ -54,7 +56,9 @@ export class Page {
     this.#isOpen = true;
     await this.until('the page is left', (address) => location.href === address, blank);
     // What a tab keeps is not for the next test.
-    await this.driver.executeScript('sessionStorage.clear()');
+    this.uncaught += await this.driver.executeScript(
+      'const uncaught = sessionStorage.getItem("uncaught") ?? ""; sessionStorage.clear(); return uncaught',
+    );
   }
 
   /** A test that has opened nothing looks at the page. */

@@ -132,7 +132,10 @@ pageTest('every number of an experiment has a row, with its unit and range', asy
   assert.equal(drawn.length, rows.length);
   assert.equal(new Set(drawn.map(({ label }) => label)).size, rows.length, 'two rows have the same name');
   for (const { isSeen, label, value, help } of drawn) {
-    assert.ok(isSeen && (value !== '' || /cceleration|^(Speed|Turn rate) tolerance/.test(label)), `${label}: ${value}`);
+    assert.ok(
+      isSeen && (value !== '' || /cceleration|^(Speed|Turn rate) tolerance/.test(label)),
+      `${label}: ${value}`,
+    );
     assert.ok(help.startsWith(`${label}: `), `${label}: ${help}`);
   }
   const helpOf = (/** @type {string} */ name) => drawn.find(({ label }) => label === name)?.help ?? '';

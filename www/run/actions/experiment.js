@@ -87,9 +87,20 @@ export function createExperiments(basis) {
 
 /** @param {Basis} basis */
 function createPostures({ engine, store, places, begin, shown, inSight, refitBox }) {
-  /** Drives from a start that evolution does not see, or again from its own. @param {Posture | null} start */
-  const tryStart = (start) => {
+  const ranges = new Map(engine.fields().map((field) => [field.path, field]));
+  /** The nearest that may be, for a plane shows more. @param {string} path @param {Posture} posture @returns {Posture} */
+  const allowed = (path, { x, y, theta }) => {
+    const within = (/** @type {string} */ axis, /** @type {number} */ value) => {
+      const { min, max } = /** @type {{ min: number, max: number }} */ (ranges.get(`${path}.${axis}`));
+      return Math.min(Math.max(value, min), max);
+    };
+    return { x: within('x', x), y: within('y', y), theta };
+  };
+
+  /** Drives from a start that evolution does not see, or again from its own. @param {Posture | null} asked */
+  const tryStart = (asked) => {
     const { trial } = store.get();
+    const start = asked && allowed('starts[]', asked);
     store.update({ trial: start || trial.disturbance ? { ...trial, start } : noTrial, robot: shown() });
     refitBox();
   };
@@ -100,9 +111,10 @@ function createPostures({ engine, store, places, begin, shown, inSight, refitBox
 
     tryStart,
 
-    /** @param {End} end @param {Posture} posture @param {boolean} dragging */
-    movePosture(end, posture, dragging) {
+    /** @param {End} end @param {Posture} asked @param {boolean} dragging */
+    movePosture(end, asked, dragging) {
       const { experiment, trial, page } = store.get();
+      const posture = allowed(end === 'start' ? 'starts[]' : 'goal', asked);
       if (isSame(endsOf(store.get())[end], posture)) return;
       if (end === 'start' && places.triesStarts(page))
         store.update({ trial: { ...trial, start: posture }, dragging });
