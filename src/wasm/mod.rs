@@ -217,6 +217,12 @@ impl Evolution {
         self.0.generation()
     }
 
+    /// How many generations are computed again at most for one that is asked for: every so many are kept.
+    #[wasm_bindgen(getter, js_name = "mostDrivenAgain")]
+    pub fn most_driven_again(&self) -> u32 {
+        self.0.most_driven_again()
+    }
+
     /// Evolves one generation.
     #[wasm_bindgen(unchecked_return_type = "Statistics")]
     pub fn step(&mut self) -> JsValue {

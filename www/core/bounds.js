@@ -10,9 +10,6 @@ const mostOfRun = 10_000;
 const bout = 4;
 const individual = 300;
 const number = 40;
-/** Kept by the core: so many bytes of populations, of so many bytes an individual. */
-const snapshots = 8 * 2 ** 20;
-const bytes = 56;
 
 /** In samples: what workers may be asked for at one press, which takes two of them about half an hour. */
 const mostOfSurvey = 5e11;
@@ -29,28 +26,17 @@ function workOfGeneration(experiment) {
   return population * (samplesOfRobot(experiment) + 2 * opponents * bout + individual);
 }
 
-/** A recorded generation, which is computed again from the last one that the core has kept. @param {Experiment} experiment @param {number} newest @param {number} generation */
-function workOfReplay(experiment, newest, generation) {
-  if (generation === newest) return 0;
-  const kept = snapshots / (bytes * experiment.evolution.population);
-  const interval = 2 ** Math.max(0, Math.ceil(Math.log2(newest / kept)));
-  return (generation % interval) * workOfGeneration(experiment);
-}
-
 /** Whether evolution goes on in a worker. @param {Experiment} experiment */
 export const isLongEvolution = (experiment) => workOfGeneration(experiment) > mostOfGeneration;
 
-/** @param {Experiment} experiment @param {number} newest @param {number} generation */
-export const isLongReplay = (experiment, newest, generation) =>
-  workOfReplay(experiment, newest, generation) > mostOfGeneration;
+/** The population of a recorded generation. @param {Experiment} experiment @param {number} again How many generations the core computes again for it. */
+export const isLongReplay = (experiment, again) => again * workOfGeneration(experiment) > mostOfGeneration;
 
-/** With all meetings of its tournament. @param {Experiment} experiment @param {number} newest @param {number} generation */
-export function isLongRecord(experiment, newest, generation) {
+/** All that happened in a generation, with all meetings of its tournament. @param {Experiment} experiment @param {number} again How many generations the core computes again for the one before. */
+export function isLongRecord(experiment, again) {
   const { population, opponents } = experiment.evolution;
   const handed = 2 * population * (individual + opponents * number);
-  const parents = Math.max(0, generation - 1);
-  const computed = workOfReplay(experiment, newest, parents) + workOfGeneration(experiment);
-  return computed + handed > mostOfGeneration;
+  return (again + 1) * workOfGeneration(experiment) + handed > mostOfGeneration;
 }
 
 /** @param {Experiment} experiment @param {number} count How many robots drive from its first start. */

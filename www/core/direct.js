@@ -116,6 +116,10 @@ function createEvolution(ask, evolving) {
     return { statistics, population: next.population };
   };
 
+  /** How many generations are computed again for a recorded one. @param {Evolution} here @param {number} generation */
+  const againFor = (here, generation) =>
+    generation === here.generation ? 0 : generation % here.mostDrivenAgain;
+
   return {
     /** Starts evolution over; when the core refuses the experiment, the old evolution stays. @param {Experiment} from */
     begin(from) {
@@ -149,15 +153,16 @@ function createEvolution(ask, evolving) {
     /** The population that a generation left, best first. @param {number} generation */
     population(generation) {
       const { experiment, here, newest, population } = current();
-      if (here && !isLongReplay(experiment, newest, generation)) return here.population(generation);
+      if (here && !isLongReplay(experiment, againFor(here, generation))) return here.population(generation);
       if (!here && generation === newest) return population;
       return ask(evolving().replays.run, 'population', experiment, generation);
     },
 
     /** All that happened in a generation. @param {number} generation @returns {GenerationRecord} */
     record(generation) {
-      const { experiment, here, newest } = current();
-      if (here && !isLongRecord(experiment, newest, generation)) return here.record(generation);
+      const { experiment, here } = current();
+      if (here && !isLongRecord(experiment, againFor(here, Math.max(0, generation - 1))))
+        return here.record(generation);
       return unpacked(ask(evolving().records.run, 'record', experiment, generation));
     },
 

@@ -64,6 +64,7 @@ exactly<Individual>()(evolution.statistics().best);
 exactly<Individual[]>()(evolution.population());
 exactly<number[][]>()(evolution.record(evolution.generation).opponents);
 exactly<string>()(evolution.hash());
+exactly<number>()(evolution.mostDrivenAgain);
 
 const cells = {
   x: { gain: 'kx', from: 1, to: 10, count: 8 },
