@@ -213,8 +213,15 @@ engineTest('three figures leave focus, keys and wheel to their host until they a
       }, frame);
       // WebKit's driver turns no wheel over a frame. The types know nothing of wheels.
       if (page.engine !== 'webkit') {
-        await /** @type {any} */ (page.driver.actions()).scroll(300, 200, 0, 150).perform();
-        await page.until('the host scrolls under the wheel', (y) => scrollY > y, before);
+        // Before the browser has the frame where it is drawn, a wheel goes nowhere.
+        await page.driver.wait(
+          async () => {
+            await /** @type {any} */ (page.driver.actions()).scroll(300, 200, 0, 150).perform();
+            return page.evaluate((y) => scrollY > y, before);
+          },
+          45_000,
+          'the host scrolls under the wheel',
+        );
       }
       assert.equal(await focused(), 'field');
       assert.equal(

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { scaleLinear } from 'd3-scale';
 import { pointsOf } from '../../../www/kit/chart.js';
+import { extentOf, largest, outlineOf } from '../../../www/kit/extent.js';
 import { test } from '../harness/once.js';
 
 const frame = { left: 40, right: 140, top: 10, bottom: 210 };
@@ -33,13 +34,14 @@ const amplitudes = fc.array(fc.double({ min: -1, max: 1, noNaN: true }), { minLe
 
 test('of many samples the points reach as high and as low as all do, and are few', () => {
   fc.assert(
-    fc.property(fc.integer({ min: 401, max: 30_000 }), amplitudes, (count, some) => {
+    fc.property(fc.integer({ min: 401, max: 30_000 }), amplitudes, fc.boolean(), (count, some, isTyped) => {
       const values = tremblingOf(count, some);
       const { x, y } = axesOf(values);
       const points = pointsOf(
         axesOf(values),
         values.map((_, i) => i),
-        values,
+        // Of a column of the core an outline is kept.
+        isTyped ? Float64Array.from(values) : values,
       );
       const all = values.map((value, i) => /** @type {const} */ ([x(i), y(value)]));
       const places = new Set(all.map(String));
@@ -91,4 +93,34 @@ test('a value that is held until the next sample makes steps', () => {
     [x(2), y(0.5)],
     [x(2), y(0)],
   ]);
+});
+
+test('a column reaches from its least finite number to its largest, however long it is', () => {
+  const numbers = fc.oneof(
+    { weight: 30, arbitrary: fc.double({ min: -1e6, max: 1e6, noNaN: true }) },
+    { weight: 1, arbitrary: fc.constantFrom(Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY) },
+  );
+  fc.assert(
+    fc.property(
+      fc.array(numbers, { minLength: 1, maxLength: 50 }),
+      fc.integer({ min: 1, max: 20_000 }),
+      (some, count) => {
+        const values = Array.from({ length: count }, (_, i) => some[(i * 13) % some.length] + 0);
+        const finite = values.filter(Number.isFinite);
+        const wanted = finite.reduce(
+          ([low, high], one) => [Math.min(low, one), Math.max(high, one)],
+          [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY],
+        );
+        for (const column of [values, Float64Array.from(values)])
+          assert.deepEqual(extentOf([column]), wanted);
+        const outline = outlineOf(Float64Array.from(values));
+        assert.equal(outline !== null, count > 8192 && finite.length === count);
+      },
+    ),
+    { numRuns: 60 },
+  );
+  // So many are too many for the arguments of a function.
+  const many = Array.from({ length: 300_000 }, (_, i) => Math.sin(i));
+  assert.deepEqual(extentOf([many], [-2, 0.5]), [-2, largest(many)]);
+  assert.deepEqual(extentOf([]), [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY]);
 });

@@ -1,6 +1,9 @@
 // A part is loaded when it is opened. Where that fails it is said, everything else goes on, and one can try again.
 import assert from 'node:assert/strict';
+import { parseHTML } from 'linkedom';
+import { askFor, createParts } from '../../../www/parts/load.js';
 import { pageTest } from '../harness/browsers.js';
+import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -22,6 +25,30 @@ const inPlace = (page) =>
       isThere: document.getElementById('luck-run')?.checkVisibility() ?? false,
     };
   });
+
+test('a part is asked for once, by its address and when it is opened', async (t) => {
+  const { document } = globalThis;
+  t.after(() => {
+    globalThis.document = document;
+  });
+  globalThis.document = parseHTML('<main><section id="evolving"></section></main>').document;
+  let count = 0;
+  const part = /** @type {import('../../../www/parts/part.js').Part} */ (
+    /** @type {unknown} */ ({
+      name: 'one',
+      load: async () => {
+        count += 1;
+        return () => ({ draw() {} });
+      },
+    })
+  );
+  const tools = /** @type {import('../../../www/parts/part.js').Tools} */ ({});
+  for (const address of ['#another', '#one&v=1', '#one']) askFor([part], address);
+  const pages = createParts([part], tools, () => {});
+  for (let i = 0; i < 2; i += 1) await pages.open('one');
+  assert.equal(count, 1);
+  assert.equal(pages.size, 1);
+});
 
 pageTest('a part is loaded when it is opened, in the language of the page alone', async (page) => {
   await page.open('#lab&lang=ko');
