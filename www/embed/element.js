@@ -4,7 +4,7 @@
 // Attributes
 //   link    which part and which run: what follows the # of the page's address, or the whole address
 //   src     where the page is, if not as index.html beside this module
-//   height  in pixels; without it the figure has the height that it asks for
+//   height  in pixels, from 300 to 5000; without it the figure has the height that it asks for
 //   label   what a screen reader says of it
 //
 // Methods, each of which promises the figure's state
