@@ -27,11 +27,20 @@ export function createPicture(element, { onChoose }) {
   let drawn = null;
   /** @type {PictureModel | null} */
   let latest = null;
+  let isDue = false;
   const draw = () => {
     const size = sizeOf();
+    isDue = false;
     if (latest && size.width > 0) drawn = show(latest, size, drawn);
   };
-  const sizeOf = followSize(root, draw);
+  const sizeOf = followSize(root, () => {
+    if (!isDue) draw();
+  });
+  /** A crowd has a frame of its own: its details may change its size, and it is not to be drawn twice. */
+  const drawNext = () => {
+    if (!isDue) requestAnimationFrame(draw);
+    isDue = true;
+  };
 
   root.addEventListener('click', (event) => {
     if (!drawn) return;
@@ -53,7 +62,8 @@ export function createPicture(element, { onChoose }) {
     draw(model) {
       if (!changed(model.anatomy, model.phase, model.chosen)) return;
       latest = model;
-      draw();
+      if (isCrowd(model)) drawNext();
+      else draw();
     },
   };
 }
