@@ -7,7 +7,7 @@ import { createEmbed } from './embed/page.js';
 import { clearInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
 import { isEmbedded, standsStill } from './kit/host.js';
-import { breathe, createAccumulator, createFrameLoop } from './kit/loop.js';
+import { createAccumulator, createFrameLoop } from './kit/loop.js';
 import { createComputing } from './lab/computing.js';
 import { createDraw } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
@@ -57,9 +57,7 @@ async function start(engine) {
   const go = (/** @type {string} */ link) => address?.go(link);
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
-  await breathe();
   const draw = createDraw(createViews(store, controls, order, onLesson), engine, paper);
-  await breathe();
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
   pages = made;

@@ -144,6 +144,7 @@ function seenSamples(first, count, values, width) {
   const isOutlined = outline !== null && half >= outline.stretch;
   // In whole stretches of its outline.
   const each = isOutlined ? Math.ceil(half / outline.stretch) * outline.stretch : half;
+  /** @type {number[]} */
   const seen = [];
   for (let from = first; from < count; from += each) {
     const end = Math.min(from + each, count);
@@ -156,7 +157,8 @@ function seenSamples(first, count, values, width) {
       else if (value > high) [most, high] = [i, value];
       else if (Number.isNaN(value)) return [...seen, from, i];
     }
-    seen.push(...new Set([from, Math.min(least, most), Math.max(least, most), end - 1]));
+    for (const i of [from, Math.min(least, most), Math.max(least, most), end - 1])
+      if (i !== seen[seen.length - 1]) seen.push(i);
   }
   return seen;
 }
