@@ -4,7 +4,7 @@ use super::cost::Cost;
 use super::experiment::Experiment;
 use super::rules::{Outcome, Robot, Rules};
 use super::work::Work;
-use crate::robot::{ErrorPosture, Frame, Gains, Posture, Velocity};
+use crate::robot::{Frame, Gains, Posture, Velocity};
 use crate::schema::{Allowed, InvalidInput};
 
 /// An experiment that was validated and is ready to be driven.
