@@ -105,6 +105,9 @@ async function openBrowser() {
 
 /** @typedef {{ name: string, ph: string, pid: number, tid: number, dur?: number, tdur?: number, args?: { name?: string, data?: { url?: string } } }} TraceEvent */
 
+/** By process and thread. @type {Set<string>} */
+const pageThreads = new Set();
+
 /** The longest task of a page's thread since it was asked for last, in milliseconds of the processor. @param {Driver} driver @param {string} address */
 async function longestTask(driver, address) {
   const entries = await driver.manage().logs().get('performance');
@@ -114,18 +117,15 @@ async function longestTask(driver, address) {
     .filter(({ method }) => method === 'Tracing.dataCollected')
     .map(({ params }) => params);
   const keyOf = (/** @type {TraceEvent} */ { pid, tid }) => `${pid} ${tid}`;
-  // The browser has pages of its own.
+  // The browser has pages of its own, and workers have no layout.
   const ours = new Set(
     events.filter(({ args }) => args?.data?.url?.startsWith(address)).map(({ pid }) => pid),
   );
-  const main = new Set(
-    events
-      .filter(
-        ({ name, args, pid }) => name === 'thread_name' && args?.name === 'CrRendererMain' && ours.has(pid),
-      )
-      .map(keyOf),
-  );
-  const tasks = events.filter((event) => /RunTask$/.test(event.name) && main.has(keyOf(event)));
+  for (const event of events)
+    if (/^(Layout|UpdateLayoutTree|FireAnimationFrame)$/.test(event.name) && ours.has(event.pid))
+      pageThreads.add(keyOf(event));
+  const tasks = events.filter((event) => /RunTask$/.test(event.name) && pageThreads.has(keyOf(event)));
+  if (tasks.length === 0) throw new Failure('the browser has told of no task');
   return tasks.reduce((most, { dur = 0, tdur = dur }) => Math.max(most, tdur / 1000), 0);
 }
 
