@@ -109,7 +109,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
         await open(opened);
         return problems;
       }
-      const { page, lesson, preset, pins, exercise: own } = store.get();
+      const { page, lesson, preset, pins, exercise: own, student } = store.get();
       const whole = engine.experiment(/** @type {Experiment} */ (experiment));
       // The core knows which gains cannot be driven.
       if (handGains) engine.check(whole, handGains);
@@ -125,6 +125,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
         trial: noTrial,
         pins,
         exercise: own,
+        student,
         parts: {},
       });
       return [];

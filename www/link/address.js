@@ -9,6 +9,8 @@ import { isEmbedded } from '../kit/host.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { withExercise } from './link.js';
 import { watch } from '../kit/memo.js';
+import { tidyTask } from '../run/exercise.js';
+import { mostOfWho } from '../run/variant.js';
 import { language, languageOfAddress } from '../words/language.js';
 
 /** Browsers refuse an address that changes more often. */
@@ -27,7 +29,7 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
     // The words are chosen when the page loads.
     if (languageOfAddress() !== language) return location.reload();
     written = location.hash.slice(1);
-    const { opened, problems } = links.openLink(written || firstPage, engine);
+    const { opened, problems } = links.openLink(written || firstPage, engine, whoAsked());
     actions.openLinked(opened, problems);
   };
 
@@ -69,7 +71,7 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
   return {
     /** Opens a link of this page, as if it had been followed. An exercise goes on. @param {string} link */
     go(link) {
-      history[onward](null, '', `#${withExercise(link, store.get().exercise)}`);
+      history[onward](null, '', `#${withExercise(link, store.get().exercise, store.get().student)}`);
       open();
     },
 
@@ -80,7 +82,7 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
         byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name, lesson: 0 })}`);
       byId('page-lesson').setAttribute(
         'href',
-        `#${withExercise(linkOfStep(state.lastStep), state.exercise)}`,
+        `#${withExercise(linkOfStep(state.lastStep), state.exercise, state.student)}`,
       );
       other.follow();
       // Another part at once, so that "back" is there when it is wanted.
@@ -92,6 +94,9 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
     },
   };
 }
+
+/** Who works here, where the address says so before its #, as learning platforms write it. */
+const whoAsked = () => tidyTask(new URLSearchParams(location.search).get('who') ?? '').slice(0, mostOfWho);
 
 /** @param {State} state */
 const rests = (state) => !state.dragging && !state.evolving;

@@ -4,7 +4,6 @@
 /** @import { Pin } from '../run/pins.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Slice } from '../run/store.js' */
-import { groupNames, mostOfTask, tidyTask } from '../run/exercise.js';
 import { styles } from '../run/pins.js';
 import { drivers, finds } from '../run/state.js';
 import { link as words } from '../words/index.js';
@@ -118,35 +117,6 @@ export const lessonKey = (steps) => ({
   text: ({ lesson }) => (lesson > 0 ? steps.textOf(lesson) : null),
   read: (opened, text) => ({ ...opened, lesson: steps.named(text).number }),
 });
-
-/** @type {readonly Key[]} */
-export const exerciseKeys = [
-  {
-    key: 'lock',
-    text: ({ exercise }) => exercise.locked.join(',') || null,
-    read: (opened, text) => ({ ...opened, exercise: { ...opened.exercise, locked: groupsOf(text) } }),
-  },
-  {
-    key: 'hide',
-    text: ({ exercise }) => exercise.hidden.join(',') || null,
-    read: (opened, text) => ({ ...opened, exercise: { ...opened.exercise, hidden: groupsOf(text) } }),
-  },
-  {
-    key: 'task',
-    text: ({ exercise }) => tidyTask(exercise.task) || null,
-    read(opened, text) {
-      const task = tidyTask(text);
-      if (task.length > mostOfTask) throw new Error(words.longTask(mostOfTask, task.length));
-      return { ...opened, exercise: { ...opened.exercise, task } };
-    },
-  },
-];
-
-/** Groups of controls, each once. @param {string} text */
-function groupsOf(text) {
-  const named = text.split(',').map((name) => oneOf(groupNames, name));
-  return groupNames.filter((name) => named.includes(name));
-}
 
 /** A pinned run: its name, gains, and what its experiment has different. @param {Pin} pin @param {Experiment} usual */
 function pinText({ name, gains, experiment }, usual) {

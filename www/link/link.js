@@ -10,11 +10,14 @@
 import { noExercise } from '../run/exercise.js';
 import { noPins } from '../run/pins.js';
 import { noTrial, presets } from '../run/state.js';
+import { nobody, undrawn } from '../run/variant.js';
 import { messageOf } from '../words/errors.js';
 import { link as words } from '../words/index.js';
 import { language, languageNames, usualLanguage } from '../words/language.js';
+import { exerciseKeys, withVariant } from './exercise.js';
 import { changesOf, namesIn, pathOf, withField } from './experiment.js';
-import { driveKeys, exerciseKeys, lessonKey, pinKeys } from './keys.js';
+import { driveKeys, lessonKey, pinKeys } from './keys.js';
+import { isSealed } from './seal.js';
 import { decoded, encoded, oneOf, pairOf } from './values.js';
 
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
@@ -61,6 +64,12 @@ const signs = [
     },
   },
   {
+    // What was handed in: it stays as long as the run is that one.
+    key: 'handin',
+    text: () => null,
+    read: (opened, text) => ({ ...opened, student: { ...opened.student, handin: text } }),
+  },
+  {
     key: 'preset',
     text: ({ preset }) => (preset === presets[0] ? null : preset),
     read(opened, text) {
@@ -79,8 +88,9 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     usualParts[slice.name] = { ...usualParts[slice.name], [field]: slice.first[field] };
   const known = new Map([...signs, ...keys].map((row) => [row.key, row]));
 
-  /** The text after # for a state. @param {Linked} state @param {ExperimentOf} experimentOf @param {Language} [read] The language of who opens it. */
-  function linkOf(state, experimentOf, read = language) {
+  /** The text after # for a state. @param {Linked} all @param {ExperimentOf} experimentOf @param {Language} [read] The language of who opens it. */
+  function linkOf(all, experimentOf, read = language) {
+    const state = asGiven(all);
     const usual = experimentOf(state.preset);
     const pairs = [
       ...pairsOf(signs, state, usual),
@@ -89,15 +99,18 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     ];
     if (read !== usualLanguage) pairs.unshift(['lang', read]);
     if (pairs.length > 0) pairs.unshift(['v', String(version)]);
-    return [state.page, ...pairs.map(written)].join('&');
+    const link = [state.page, ...pairs.map(written)].join('&');
+    const { handin } = state.student;
+    return handin && isSealed(link, handin) ? `${link}&${written(['handin', handin])}` : link;
   }
 
   /**
    * What a link asks for. What it has wrong is named, and the rest is used.
-   * @param {string} link the text after # @param {Engine} engine
+   * @param {string} written the text after # @param {Engine} engine @param {string} [who] works on it, if the link does not say.
    * @returns {{ opened: Opened, problems: string[] }}
    */
-  function openLink(link, engine) {
+  function openLink(written, engine, who = '') {
+    const link = asWritten(written);
     const [name, ...rest] = stepLink(link.slice(0, mostCharacters)).split('&');
     const page = pages.find((one) => one === (name || 'lab'));
     const problems = page ? [] : [words.unknownPart(short(decoded(name)), pages)];
@@ -106,7 +119,7 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     const step = stepIn(link) ?? given.get('lesson');
     if (step !== undefined && !lesson.named(step).isThere) problems.push(words.noStep(short(step)));
     const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
-    const empty = emptyRun(page ?? 'lab', preset, engine);
+    const empty = { ...emptyRun(page ?? 'lab', preset, engine), student: { ...nobody, who } };
     const fields = namesIn(empty.experiment);
     // One for all, for there may be thousands.
     const stranger = new Error(words.unknownField);
@@ -126,7 +139,8 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     const refuse = (/** @type {string} */ key, /** @type {string} */ why) => {
       problems.push(words.ignored(key, why));
     };
-    return { opened: mend(withGains(opened, refuse), refuse), problems };
+    const whole = withVariant(withGains(opened, refuse), refuse, engine.experiment);
+    return { opened: mend(whole, refuse), problems };
   }
 
   /** A step of the lesson may be asked for alone, as lesson&step=3. @param {string} link */
@@ -147,7 +161,7 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     /** Everything that a link carries, to be compared with what it was. @param {Linked} state */
     carried: ({ page, lesson: step, preset, experiment, generation, driver, ...state }) => [
       ...[page, step, preset, experiment, generation, driver],
-      ...[state.handGains, state.found, state.trial, state.pins, state.exercise],
+      ...[state.handGains, state.found, state.trial, state.pins, state.exercise, state.student],
       ...partKeys.map(({ slice, field }) => slice.of(state)[field]),
     ],
   };
@@ -173,9 +187,20 @@ function pairsOf(keys, state, usual) {
   return pairs;
 }
 
+/** As it was written: from HTML `&` comes as `&amp;`, and learning platforms add `?name=value` to the end of an address. @param {string} link */
+const asWritten = (link) => link.replaceAll('&amp;', '&').replace(/\?(?=\w+=)/g, '&');
+
+/** What a link tells of a state: the exercise as it was given, who works on it, and so what was drawn; or, if that was changed, the run as it is. @param {Linked} state @returns {Linked} */
+function asGiven(state) {
+  const { exercise, experiment, student } = state;
+  const given = undrawn(experiment, exercise.vary, student);
+  if (given) return { ...state, experiment: given };
+  return student.base ? { ...state, exercise: { ...exercise, vary: [] } } : state;
+}
+
 /** A link with an exercise, for who goes on within it. @param {string} link @param {Exercise} exercise */
-export function withExercise(link, exercise) {
-  const state = /** @type {Linked} */ ({ exercise });
+export function withExercise(link, exercise, student = nobody) {
+  const state = /** @type {Linked} */ ({ exercise, student });
   return [link, ...pairsOf(exerciseKeys, state, /** @type {Experiment} */ ({})).map(written)].join('&');
 }
 
@@ -192,6 +217,7 @@ const emptyRun = (page, preset, engine) => ({
   trial: noTrial,
   pins: noPins,
   exercise: noExercise,
+  student: nobody,
   parts: {},
 });
 

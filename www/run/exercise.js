@@ -1,9 +1,11 @@
 // An exercise: a task in the words of who made the link, and which controls are locked or hidden for who follows it.
+/** @import { Aim, Scale } from './aim.js' */
 /** @import { State } from './state.js' */
+/** @import { Varied } from './variant.js' */
 
 /** @typedef {typeof groupNames[number]} Group Controls that are locked or hidden together. */
 /** @typedef {'free' | 'locked' | 'hidden'} Way */
-/** @typedef {{ task: string, locked: readonly Group[], hidden: readonly Group[] }} Exercise What is in both is hidden. */
+/** Of the groups, what is in both is hidden; `vary`: what is drawn for each student. @typedef {{ task: string, locked: readonly Group[], hidden: readonly Group[], aim: Aim | null, scale: Scale | null, vary: readonly Varied[] }} Exercise */
 /** @typedef {{ open: boolean, draft: Exercise }} MakerState An exercise in the making, which the page shows as it will be. */
 
 export const groupNames = /** @type {const} */ ([
@@ -21,7 +23,14 @@ export const groupNames = /** @type {const} */ ([
 ]);
 
 /** @type {Exercise} */
-export const noExercise = Object.freeze({ task: '', locked: [], hidden: [] });
+export const noExercise = Object.freeze({
+  task: '',
+  locked: [],
+  hidden: [],
+  aim: null,
+  scale: null,
+  vary: [],
+});
 /** @type {MakerState} */
 export const firstMaker = { open: false, draft: noExercise };
 
@@ -49,6 +58,10 @@ export function withWay(exercise, group, way) {
   return { ...exercise, locked: inOrder('locked'), hidden: inOrder('hidden') };
 }
 
+/** There is something to do, and so something to hand in. @param {Exercise} exercise */
+export const asksSomething = ({ task, aim, vary }) =>
+  tidyTask(task) !== '' || aim !== null || vary.length > 0;
+
 /** @param {Exercise} exercise */
-export const isEmpty = ({ task, locked, hidden }) =>
-  tidyTask(task) === '' && locked.length === 0 && hidden.length === 0;
+export const isEmpty = (exercise) =>
+  !asksSomething(exercise) && exercise.locked.length === 0 && exercise.hidden.length === 0;

@@ -4,8 +4,9 @@
 import { boxAround } from '../kit/transform.js';
 import { firstMaker, noExercise } from './exercise.js';
 import { noPins } from './pins.js';
-import { noTrial } from './state.js';
+import { newWork, noTrial } from './state.js';
 import { noVersions } from './undo.js';
+import { nobody } from './variant.js';
 
 export const noErrors = /** @type {const} */ (['', '', '']);
 
@@ -39,6 +40,8 @@ export function firstState(engine, preset, robot) {
     unpinned: null,
     settings: { open: false, error: null },
     exercise: noExercise,
+    student: nobody,
+    work: newWork(''),
     maker: firstMaker,
     versions: noVersions,
     robot,

@@ -51,6 +51,7 @@ export const groupOf = {
   whenIdle: 'free',
   openLinked: 'free',
   makeExercise: 'free',
+  setWho: 'free',
   say: 'free',
   setSize: 'free',
   changeTheme: 'free',

@@ -5,6 +5,7 @@
 /** @import { Until } from './pace.js' */
 /** @import { Driven, Pins } from './pins.js' */
 /** @import { Versions } from './undo.js' */
+/** @import { Student } from './variant.js' */
 
 /** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver Whose gains drive the robot in ink. */
 /** @typedef {typeof finds[number]} Found */
@@ -12,6 +13,7 @@
 /** @typedef {Experiment['disturbance']} Disturbance */
 /** @typedef {{ start: Posture | null, disturbance: Disturbance | null }} Trial What a drive meets that evolution did not. */
 /** What a worker computes: an experiment that begins, the next generation, or a recorded one. Since when, in milliseconds, and how much of it is done, if that is known. @typedef {{ what: 'begin' | 'generation' | 'recorded', since: number, share: () => number | null }} Computing */
+/** What was done since a link was opened: gains that were tried by hand, one after the other, and drives of evolutions that were given up. `since` in milliseconds. @typedef {{ tries: number, tried: string, spent: number, since: number }} Work */
 /** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */
 
 /**
@@ -41,6 +43,8 @@
  * @property {Driven | null} unpinned The run for which there was no room among the pins.
  * @property {{ open: boolean, error: { path: string, text: string } | null }} settings
  * @property {Exercise} exercise What the link asks for, and what it locks and hides.
+ * @property {Student} student
+ * @property {Work} work
  * @property {MakerState} maker
  * @property {Versions} versions What the experiment was, and what was undone.
  * @property {RobotClock} robot
@@ -64,6 +68,16 @@ export const presets = ['velocity-limits', 'acceleration-limits'];
 
 /** @type {Trial} */
 export const noTrial = Object.freeze({ start: null, disturbance: null });
+
+/** @param {string} tried Gains that need no try. @returns {Work} */
+export const newWork = (tried) => ({ tries: 0, tried, spent: 0, since: performance.now() });
+
+/** How many times a robot was driven for this answer, once from each start: what evolution drove up to the generation that is shown, or all that was driven here. @param {Pick<State, 'driver' | 'history' | 'generation' | 'work' | 'experiment'>} state */
+export function drivesOf({ driver, history, generation, work, experiment }) {
+  if (driver === 'evolved') return history[generation].evaluations;
+  const evolved = history.length > 1 ? history[history.length - 1].evaluations : 0;
+  return work.tries * experiment.starts.length + work.spent + evolved;
+}
 
 /** Start and goal of what drives. @param {State} state */
 export const endsOf = ({ experiment, trial }) => ({

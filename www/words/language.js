@@ -20,7 +20,7 @@ const isLanguage = (name) => Object.hasOwn(languages, name);
  * @returns {Language}
  */
 export function languageOf(link, preferred) {
-  const named = /&lang=(\w+)/.exec(link)?.[1] ?? '';
+  const named = /&(?:amp;)?lang=(\w+)/.exec(link)?.[1] ?? '';
   if (isLanguage(named)) return named;
   if (link !== '') return usualLanguage;
   return preferred.map((tag) => tag.slice(0, 2).toLowerCase()).find(isLanguage) ?? usualLanguage;

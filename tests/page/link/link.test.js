@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
 import { links } from '../../../www/lesson/links.js';
 import { finds } from '../../../www/run/state.js';
+import { drawnFor, nobody } from '../../../www/run/variant.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import {
   createEngine,
@@ -105,7 +106,7 @@ test('every key of a link is read as it is written', () => {
       ...plain,
       page: 'disturbance',
       preset: 'acceleration-limits',
-      experiment: experiment('acceleration-limits'),
+      experiment: drawnFor(experiment('acceleration-limits'), ['goal'], 's4711'),
       lesson: 3,
       generation: 4,
       driver: 'hand',
@@ -121,7 +122,15 @@ test('every key of a link is read as it is written', () => {
         experiment: velocityLimits,
         gains: [1, 2, 3],
       })),
-      exercise: { task: 'Park.', locked: ['run'], hidden: ['paper'] },
+      exercise: {
+        task: 'Park.',
+        locked: ['run'],
+        hidden: ['paper'],
+        aim: { wanted: { kind: 'cost', below: 8.1 }, drives: 4000 },
+        scale: { values: [9, 7.75], points: [0, 10] },
+        vary: ['goal'],
+      },
+      student: { who: 's4711', base: experiment('acceleration-limits'), handin: '' },
       slices: {
         generation: { phase: 'ranking', chosen: 3 },
         curves: { view: 'stability', scale: 'log' },
@@ -180,6 +189,7 @@ test('every experiment comes back from its link to the bit', () => {
       trial: { start: posture(), disturbance: null },
       pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
       exercise: wildExercise(next),
+      student: nobody,
       slices: {
         ...plain.slices,
         generation: { phase: 'ranking', chosen: Math.floor(40 * next()) },
@@ -228,6 +238,18 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
     ['lab&constructor.name=1', /constructor\.name.*no such setting/],
     ['lab&lock=gains,windows', /lock was left out.*one of gains, drives, .*“windows”/],
     ['lab&hide=', /hide was left out.*one of gains/],
+    ['lab&aim=J>8', /aim was left out.*J<number, parks:k\/n.*“J>8”/],
+    ['lab&aim=J<-1', /aim was left out/],
+    ['lab&aim=parks:33/32', /aim was left out.*n up to 1000/],
+    ['lab&aim=unseen:1.5', /aim was left out.*up to 1/],
+    ['lab&aim=J<8;drives<4000', /aim was left out.*drives<=number up to 1000000000/],
+    ['lab&aim=J<8&points=9:0', /points was left out.*value:points/],
+    ['lab&aim=J<8&points=9:0,9:1', /points was left out/],
+    ['lab&aim=J<8&points=9:0,8:1001', /points was left out.*0 to 1000 points/],
+    ['lab&points=9:0,8:10', /points was left out.*aim/],
+    ['lab&vary=goal,wind', /vary was left out.*one of goal, starts, seed/],
+    [`lab&who=${'x'.repeat(81)}`, /who was left out.*at most 80/],
+    ['lab&hide=paper&drives=paper-ep', /drives was left out.*hidden/],
     [`lab&task=${'x'.repeat(301)}`, /task was left out.*at most 300 characters, but has 301/],
     ['lab&preset=none', /preset.*one of velocity-limits/],
     ['lab&%E0%A4%A=1', /no such setting/],

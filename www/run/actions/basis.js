@@ -101,6 +101,7 @@ export function createBasis({ engine, store, paper, isStill }) {
       message: '',
       settings: { ...before.settings, error: null },
       versions: afterChange(before, { experiment, preset: patch.preset ?? before.preset }),
+      work: afterWork(before),
       ...patch,
       // Meanwhile it may have been let go.
       ...(isLate && { dragging: before.dragging }),
@@ -115,6 +116,10 @@ export function createBasis({ engine, store, paper, isStill }) {
 
   /** A robot at rest at its end shows what is new by driving again; one that was paused on the way stays there. */
   const driveAgain = () => {
+    const { driver, handGains, work } = store.get();
+    const tried = String(handGains);
+    if (driver === 'hand' && tried !== work.tried)
+      store.update({ work: { ...work, tries: work.tries + 1, tried } });
     if (store.get().robot.time === atEnd.time) store.update({ robot: shown() });
   };
 
@@ -159,3 +164,7 @@ export function createBasis({ engine, store, paper, isStill }) {
     settle,
   };
 }
+
+/** The drives of an evolution that is given up were made all the same. @param {State} state */
+const afterWork = ({ work, history }) =>
+  history.length > 1 ? { ...work, spent: work.spent + history[history.length - 1].evaluations } : work;

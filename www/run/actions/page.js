@@ -7,10 +7,11 @@ import { boxAround } from '../../kit/transform.js';
 import { noExercise, wayOf } from '../exercise.js';
 import { playsPhases } from '../pace.js';
 import { isFull, pinOf, renamed, withoutPin, withPin } from '../pins.js';
-import { noTrial } from '../state.js';
+import { newWork, noTrial } from '../state.js';
 import { noVersions } from '../undo.js';
+import { drawnFor } from '../variant.js';
 
-/** @typedef {Pick<State, 'page' | 'lesson' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'found' | 'trial' | 'pins' | 'exercise'>} LinkedRun What defines a run. */
+/** @typedef {Pick<State, 'page' | 'lesson' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'found' | 'trial' | 'pins' | 'exercise' | 'student'>} LinkedRun What defines a run. */
 /** What a link opens: a run, and of each part what the link says of it. @typedef {LinkedRun & { parts: Readonly<Record<string, object>> }} Opened */
 
 /** @param {Basis} basis */
@@ -29,7 +30,7 @@ export const createOpenPage =
 
 /** @param {Basis} basis @param {(page: string) => void} openPage @param {(newest: number, generation: number) => void} catchUp */
 export function createPage(basis, openPage, catchUp) {
-  const { store, places, attempt, tryToBegin, shown, inSight } = basis;
+  const { engine, store, places, attempt, tryToBegin, shown, inSight } = basis;
   const nearEnd = createNearEnd(basis);
 
   return {
@@ -50,6 +51,7 @@ export function createPage(basis, openPage, catchUp) {
         tryToBegin(experiment, 'begin', {
           ...run,
           lastStep: run.lesson || before.lastStep,
+          work: newWork(String(run.handGains)),
           trial: places.triesDisturbance(run.page) ? { ...run.trial, disturbance: tried } : run.trial,
           tried,
           slices: {
@@ -73,6 +75,23 @@ export function createPage(basis, openPage, catchUp) {
         );
         catchUp(newest, generation);
         if (problems.length > 0) store.update({ message: problems.join(' ') });
+      });
+    },
+
+    /** Who works on the exercise says so: then what is drawn for each student is. @param {string} who */
+    setWho(who) {
+      const { exercise, experiment, student, work } = store.get();
+      if (exercise.vary.length === 0 || student.base) {
+        store.update({ student: { ...student, who } });
+        return;
+      }
+      attempt(() => {
+        const drawn = engine.experiment(drawnFor(experiment, exercise.vary, who));
+        tryToBegin(drawn, 'begin', { student: { ...student, who, base: experiment }, work, robot: shown() });
+        whenThere(
+          () => store.update({ box: boxAround(inSight()) }),
+          () => store.get().experiment === drawn,
+        );
       });
     },
 

@@ -41,3 +41,13 @@ export const oneOf = (choices) => `one of ${choices.join(', ')}`;
 
 /** @param {string} step */
 export const noStep = (step) => `The lesson has no step ${step}, so the nearest one is open.`;
+
+/** @param {{ starts: number, drives: number }} most */
+export const anAim = (most) =>
+  `J<number, parks:k/n with n up to ${most.starts}, or unseen:share up to 1; after ; it may say drives<=number up to ${most.drives}`;
+
+/** @param {{ points: number }} most */
+export const aScale = (most) => `value:points,other value:points, with 0 to ${most.points} points`;
+
+export const noAim = 'it needs aim=… beside it.';
+export const hiddenPaper = 'the paper’s gains are hidden by the same link.';

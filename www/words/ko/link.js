@@ -40,3 +40,13 @@ export const oneOf = (choices) => `다음 가운데 하나(${choices.join(', ')}
 
 /** @param {string} step */
 export const noStep = (step) => `수업에 ${step} 단계가 없어 가장 가까운 단계를 열었습니다.`;
+
+/** @param {{ starts: number, drives: number }} most */
+export const anAim = (most) =>
+  `J<수, parks:k/n(n은 ${most.starts} 이하), unseen:비율(1 이하) 가운데 하나, 그 뒤에 ;drives<=수(${most.drives} 이하)`;
+
+/** @param {{ points: number }} most */
+export const aScale = (most) => `값:점수,다른 값:점수(점수는 0 이상 ${most.points} 이하)`;
+
+export const noAim = 'aim=… 항목이 함께 있어야 합니다.';
+export const hiddenPaper = '같은 링크가 논문의 이득을 숨깁니다.';
