@@ -15,6 +15,7 @@ import { followSurroundings } from './lab/surroundings.js';
 import { createViews, sayTexts } from './lab/views.js';
 import { links } from './lesson/links.js';
 import { askForLesson, createLesson } from './lesson/load.js';
+import { progressSlice } from './lesson/state.js';
 import { createAddress } from './link/address.js';
 import { askFor, createParts } from './parts/load.js';
 import { firstPage, parts, places } from './parts/parts.js';
@@ -34,6 +35,8 @@ import { showTable } from './lab/table-sheet.js';
 
 const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
 const isStill = () => stillPlease.matches || standsStill();
+/** To the questions of the lesson. @param {State} state */
+const answersOf = (state) => progressSlice.of(state).answers;
 
 /** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
 async function start(engine) {
@@ -62,11 +65,18 @@ async function start(engine) {
   const made = createParts(parts, tools, sight.renew);
   pages = made;
   const settings = createSettingsPanel(tools);
-  const exercise = createExercise({ ...tools, places: parts.flatMap((part) => part.places ?? []) });
+  const exercise = createExercise({
+    ...tools,
+    places: parts.flatMap((part) => part.places ?? []),
+    answersOf,
+    onHandIn: (handed) => embed?.handIn(handed),
+  });
   const share = createShare({ ...tools, sceneOf: seenScene, open: actions.openLinked });
   const computingLine = createComputing(controls);
   const pinButton = createPinButton(tools, seenScene);
-  const embed = isEmbedded ? createEmbed({ ...tools, actions, drivingOf, whenSeen, shapes: parts }) : null;
+  const embed = isEmbedded
+    ? createEmbed({ ...tools, actions, drivingOf, answersOf, whenSeen, shapes: parts })
+    : null;
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;
 
@@ -85,7 +95,7 @@ async function start(engine) {
     tryNow(() => made.of(state.page)?.draw(state, scene), loop.request);
     if (!isComputing) address?.follow(state);
     settings.draw(state);
-    exercise.draw(state, made.size);
+    exercise.draw(state, made.size, scene);
     embed?.draw(state);
     share.draw(state);
     pinButton.draw(state, scene);

@@ -121,6 +121,23 @@ export function createSurveys(pool) {
       return costs;
     },
 
+    /** J of one robot after the other, each in an experiment of its own. @param {readonly (readonly [Experiment, Gains])[]} robots @param {SurveyOptions} [options] */
+    async costs(robots, options) {
+      const parts = robots.map(
+        ([experiment, gains]) => /** @type {[Experiment, Gains]} */ ([experiment, gains]),
+      );
+      return (await runOf(options)({ call: 'evaluate', parts }, options)).map(([cost]) => cost);
+    },
+
+    /** What a search has come to in a generation: its population, best first, and the statistics. @param {Experiment} experiment @param {number} generation @param {SurveyOptions} [options] */
+    async generation(experiment, generation, options) {
+      const [newest] = await runOf(options)(
+        { call: 'newestGeneration', parts: [[experiment, generation]] },
+        options,
+      );
+      return newest;
+    },
+
     /** What came of the checks of the core's own numbers: a list for each group. @param {Golden} golden @param {SurveyOptions} [options] */
     async checks(golden, options) {
       // Not split, because every worker more would first have to learn the same code: that takes longer than the checks.

@@ -11,7 +11,8 @@
 //   set({ link })   set({ experiment, gains, generation })   step(generations)   run()   pause()   read()
 //
 // Property: state, which the figure told last, or null. Events: ready and state, with the state as their detail;
-// generation, with the statistics of one; error, with a message. messages.js says what is in them.
+// generation, with the statistics of one; drive, answer and handin, with what its user did; error, with a message.
+// messages.js says what is in them.
 //
 // A figure loads when it comes near the window, or when it is asked something.
 /** @import { Experiment } from '../core/engine.js' */

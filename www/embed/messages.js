@@ -12,6 +12,9 @@
 // the answer.
 // By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height.
+// What its user does it tells as { type: 'drive', driver, gains, cost, arrived, finalTime, drives } when other gains drive,
+// { type: 'answer', question, choice, right } when a question of the lesson is answered, and, when an exercise is handed in,
+// { type: 'handin', who, exercise, link, text, gains, cost, parked, starts, drives, minutes, met, points, most }.
 // told.js has the table of what may be sent, and what each field must be.
 // What a link locks is locked for who sits before the figure, not for the page around it: an experiment that it sets leaves
 // the locks as they are, and a link that it opens brings its own, or none.
@@ -22,7 +25,8 @@
 /** @import { Store } from '../run/store.js' */
 import { isLost, messageOf } from '../words/errors.js';
 import { gainsOf } from '../run/drivers.js';
-import { noTrial } from '../run/state.js';
+import { drivesOf, noTrial } from '../run/state.js';
+import { watch } from '../kit/memo.js';
 import { idIn, isForFigure, messageIn, shortError } from './told.js';
 
 /**
@@ -42,19 +46,47 @@ import { idIn, isForFigure, messageIn, shortError } from './told.js';
 /** As long as a frame that still looks smooth. */
 const sliceMilliseconds = 12;
 
+/** Predictions of the lesson by the names of their questions, and the right ones once they are known. @typedef {(state: State) => Readonly<Record<string, { choice: number, right: number | null }>>} AnswersOf */
+
 /**
- * @param {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links, drivingOf: () => Run, whenSeen: () => Promise<void> }} parts `whenSeen`: once all that drives is there.
+ * @param {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links, drivingOf: () => Run, answersOf: AnswersOf, whenSeen: () => Promise<void> }} parts `whenSeen`: once all that drives is there.
  * @param {(message: object) => void} send To the page around.
  */
-export function createMessages({ engine, store, actions, paper, links, drivingOf, whenSeen }, send) {
+export function createMessages({ engine, store, actions, paper, links, drivingOf, answersOf, whenSeen }, send) {
   /** @type {Statistics[]} */
   let announced = [];
 
   let isReady = false;
 
+  const drivesOther = watch();
+  /** @type {ReturnType<AnswersOf>} */
+  let answered = {};
+
+  const driven = () => {
+    const state = store.get();
+    const { cost, arrived, finalTime } = drivingOf();
+    const [kx, ky, ktheta] = gainsOf(state, state.driver, paper);
+    return { gains: /** @type {Triple} */ ([kx, ky, ktheta]), cost, arrived, finalTime };
+  };
+
+  /** Tells what who sits before the figure has done. @param {boolean} isTold Else it is only remembered. */
+  const announceWork = (isTold) => {
+    const state = store.get();
+    const { driver, work } = state;
+    if (drivesOther(driver, work.tries) && isTold)
+      send({ type: 'drive', driver, ...driven(), drives: drivesOf(state) });
+    const answers = answersOf(state);
+    if (answers === answered) return;
+    for (const [question, { choice, right }] of Object.entries(answers))
+      if (isTold && right !== null && answered[question]?.right !== right)
+        send({ type: 'answer', question, choice, right });
+    answered = answers;
+  };
+
   /** Tells the generations that are new. */
   const announce = () => {
     if (!isReady) return;
+    announceWork(true);
     const { history } = store.get();
     const known = history[0] === announced[0] ? announced.length : 0;
     announced = history;
@@ -65,7 +97,6 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
   const report = (problems) => {
     const state = store.get();
     const { experiment, generation, history, evolving } = state;
-    const { cost, arrived, finalTime } = drivingOf();
     return {
       link: links.linkOf(state, engine.experiment),
       experiment,
@@ -73,7 +104,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
       generations: history.length - 1,
       evolving,
       statistics: history[generation],
-      drive: { gains: [...gainsOf(state, state.driver, paper)], cost, arrived, finalTime },
+      drive: driven(),
       hash: engine.hash(),
       problems,
     };
@@ -190,7 +221,7 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
     await answer(message);
   }
 
-  let answered = Promise.resolve();
+  let heard = Promise.resolve();
 
   return {
     announce,
@@ -200,13 +231,14 @@ export function createMessages({ engine, store, actions, paper, links, drivingOf
       await arrive();
       await whenSeen();
       send({ type: 'ready', ...report([]) });
+      announceWork(false);
       isReady = true;
       announce();
     },
 
     /** In the order in which they came: many generations take a while. @param {unknown} message Whatever came. */
     hear(message) {
-      answered = answered.then(() => take(message));
+      heard = heard.then(() => take(message));
     },
   };
 }

@@ -8,6 +8,7 @@ import { addressOf } from '../kit/host.js';
 import { version, wantedHeight } from './frame.js';
 import { createMessages } from './messages.js';
 
+/** What is handed in: the receipt, the address that opens it, and its text. @typedef {{ receipt: { who: string, exercise: string, gains: readonly number[], cost: number, parked: number, starts: number, drives: number, minutes: number, judged: { isMet: boolean, points: number | null, most: number | null } | null }, address: string, text: string }} HandedIn */
 /** @typedef {Parameters<typeof createMessages>[0] & { shapes: Parameters<typeof wantedHeight>[0] }} Parts `shapes` of the parts of the page. */
 
 /** @param {Parts} parts */
@@ -51,6 +52,14 @@ export function createEmbed(parts) {
       await messages.ready();
       hasBegun = true;
       tellHeight();
+    },
+
+    /** An exercise is handed in. @param {HandedIn} handed */
+    handIn({ receipt, address, text }) {
+      const { who, exercise, gains, cost, parked, starts, drives, minutes, judged } = receipt;
+      const { isMet = null, points = null, most = null } = judged ?? {};
+      const result = { gains: [...gains], cost, parked, starts, drives, minutes, met: isMet, points, most };
+      post({ ep: version, type: 'handin', who, exercise, link: address, text, ...result });
     },
 
     /** @param {State} state */

@@ -52,7 +52,7 @@ export function createDraw(views, engine, paper) {
     views.cost.draw({
       title: strings.costTitle(driver, state.found),
       run: driving,
-      note: costNote(scene, driver),
+      note: costNote(scene, state),
     });
     write(byId('generation'), String(generation));
     write(byId('seed'), String(experiment.evolution.seed));
@@ -83,7 +83,7 @@ function drawCurve(views, state, scene) {
   byId('sigmas').hidden = isCost;
   write(byId('curve-title'), isCost ? strings.texts.curveTitle : sigmaWords.sigmaTitle);
   views.curveChoice.draw(curve);
-  if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp.cost.total, theme });
+  if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp?.cost.total ?? null, theme });
   else views.sigmas.draw({ history, generation, theme });
 }
 
@@ -117,11 +117,14 @@ function evolutionOf(state) {
   return { open, evolving, generation, newest: history.length - 1, pace, until, untilError, note };
 }
 
-/** @param {Scene} scene @param {State['driver']} driver */
-function costNote({ comparison, paperEp }, driver) {
-  return driver === 'paper-ep'
-    ? strings.costNote(strings.driverName('paper-arbitrary', 0, 'hand'), comparison.cost.total)
-    : strings.costNote(strings.driverName('paper-ep', 0, 'hand'), paperEp.cost.total);
+/** @param {Scene} scene @param {State} state */
+function costNote({ comparison, comparisonDriver, paperEp }, { driver, generation, found }) {
+  if (driver === 'paper-ep')
+    return strings.costNote(strings.driverName('paper-arbitrary', 0, 'hand'), comparison.cost.total);
+  if (paperEp) return strings.costNote(strings.driverName('paper-ep', 0, 'hand'), paperEp.cost.total);
+  return comparisonDriver === driver
+    ? ''
+    : strings.costNote(strings.driverName(comparisonDriver, generation, found), comparison.cost.total);
 }
 
 /** @param {State} state */

@@ -20,7 +20,7 @@ import { extentOf } from '../kit/extent.js';
 import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {{ history: Statistics[], generation: number, paper: number, theme: number }} CurveModel */
+/** @typedef {{ history: Statistics[], generation: number, paper: number | null, theme: number }} CurveModel */
 
 /** @param {HTMLElement} root */
 export const createCurve = (root) => createChart(root, drawCosts);
@@ -48,7 +48,7 @@ function drawCosts(context, size, model) {
       const costs = history.map((one) => finiteOr(cost(one), Number.NaN));
       drawCurve(context, pointsOf(axes, generations, costs), stroke);
       // The paper's line lies between the two.
-      if (stroke.token === '--muted')
+      if (stroke.token === '--muted' && paper !== null)
         drawCurve(
           context,
           acrossAll.map((px) => [px, axes.y(paper)]),
@@ -86,8 +86,8 @@ function costRange({ history, paper }) {
   const newest = history.findLast((one) => Number.isFinite(one.best.cost))?.best.cost;
   if (first === undefined || newest === undefined) return [0, 1];
   const [, median] = extentOf([history.map((one) => one.median)]);
-  const high = Math.min(Math.max(first, median, Math.min(paper, 1.3 * first)), 1.4 * first);
-  const low = Math.min(newest, paper);
+  const high = Math.min(Math.max(first, median, Math.min(paper ?? first, 1.3 * first)), 1.4 * first);
+  const low = Math.min(newest, paper ?? newest);
   const room = 0.08 * (high - low) + 0.01 * high;
   return [low - 2 * room, high + room];
 }
@@ -105,7 +105,7 @@ function drawLineNames(context, size, { x, y, frame }, { history, paper }) {
   const names = [
     { text: strings.bestLine, x: end, y: height(newest.best.cost) + aside, token: '--ink', isStrong: true },
     { text: nameOf(strings.medianLine, newest.median), x: end, y: height(newest.median) - aside },
-    { text: nameOf(strings.paperLine, paper), x: right, y: height(paper) },
+    ...(paper === null ? [] : [{ text: nameOf(strings.paperLine, paper), x: right, y: height(paper) }]),
   ];
   const together = isNarrow(size) || end > right - 60 ? [names] : [names.slice(0, 2), names.slice(2)];
   for (const group of together) spread(group, frame.top, frame.bottom);

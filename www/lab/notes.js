@@ -71,7 +71,7 @@ function legendOf({ scene, driver, found, generation, population, pins }) {
   return html`
     <li class="solid">${chosen?.name ?? strings.driverName(driver, generation, found)}</li>
     <li class="thin" .hidden=${others.length === 0}>${othersText(scene, population)}</li>
-    <li class="dashed">${withoutDisturbance ? strings.withoutDisturbance : strings.comparisonText(rival, comparison)}</li>
+    <li class="dashed" .hidden=${comparisonDriver === driver && !withoutDisturbance && !chosen}>${withoutDisturbance ? strings.withoutDisturbance : strings.comparisonText(rival, comparison)}</li>
     ${pins.map(
       ({ slot, name }, i) =>
         html`<li class="pin">${createSwatch(styles[slot])}${strings.comparisonText(name, scene.pins[i])}</li>`,

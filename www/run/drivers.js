@@ -1,6 +1,7 @@
 // Whose gains drive.
 /** @import { PaperResult, Triple } from '../core/engine.js' */
 /** @import { Driver, State } from './state.js' */
+import { hidesPaper } from './exercise.js';
 
 /**
  * The gains that someone drives with.
@@ -16,6 +17,10 @@ export function gainsOf(state, driver, paper) {
   return row.gains;
 }
 
-/** Whom a driver is compared with: paper's choices with evolution, evolution with the paper. @param {Driver} driver @returns {Driver} */
-export const rivalOf = (driver) =>
-  driver === 'hand' || driver === 'paper-arbitrary' ? 'evolved' : 'paper-arbitrary';
+/** Whom who drives is compared with: paper's choices with evolution, evolution with the paper, or, where that is hidden, with what was found by hand. @param {Pick<State, 'driver' | 'handGains' | 'exercise' | 'maker'>} state @returns {Driver} */
+export function rivalOf(state) {
+  const { driver, handGains } = state;
+  if (driver === 'hand' || driver === 'paper-arbitrary') return 'evolved';
+  if (!hidesPaper(state)) return 'paper-arbitrary';
+  return handGains ? 'hand' : 'evolved';
+}

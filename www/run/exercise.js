@@ -51,6 +51,9 @@ export const shownExercise = ({ exercise, maker }) => (maker.open ? maker.draft 
 export const wayOf = ({ locked, hidden }, group) =>
   hidden.includes(group) ? 'hidden' : locked.includes(group) ? 'locked' : 'free';
 
+/** Nothing of the page may show what the paper's gains are, or what they cost. @param {Pick<State, 'exercise' | 'maker'>} state */
+export const hidesPaper = (state) => wayOf(shownExercise(state), 'paper') === 'hidden';
+
 /** @param {Exercise} exercise @param {Group} group @param {Way} way @returns {Exercise} */
 export function withWay(exercise, group, way) {
   const inOrder = (/** @type {Way} */ wanted) =>

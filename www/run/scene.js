@@ -5,6 +5,7 @@
 import { Pending, together } from '../core/pending.js';
 import { remember } from '../kit/memo.js';
 import { gainsOf, rivalOf } from './drivers.js';
+import { hidesPaper } from './exercise.js';
 import { noTrial } from './state.js';
 
 /** @typedef {{ gains: Triple, name: string }} Named */
@@ -28,7 +29,7 @@ import { noTrial } from './state.js';
  * @property {Driver} comparisonDriver
  * @property {Driven} compared What the comparison follows from.
  * @property {boolean} withoutDisturbance The comparison is the driver itself, without the disturbance that is tried.
- * @property {Run} paperEp The gains that evolution found in the paper.
+ * @property {Run | null} paperEp The gains that evolution found in the paper, unless an exercise hides them.
  * @property {Run[]} pins One for each pin.
  * @property {ChosenDrives | null} chosen Whose drive it is, if it is an individual of the shown generation.
  */
@@ -113,7 +114,7 @@ export function createScene(drive, paper, chosenDrives) {
     const { population, driver, trial } = state;
     const experiment = triedOf(state.experiment, trial);
     const withoutDisturbance = trial.disturbance !== null && trial.disturbance.kind !== 'none';
-    const comparisonDriver = withoutDisturbance ? driver : rivalOf(driver);
+    const comparisonDriver = withoutDisturbance ? driver : rivalOf(state);
     const comparisonExperiment = withoutDisturbance ? undisturbedOf(experiment) : experiment;
     const chosen = chosenDrives(state);
     const company = chosen?.population ?? (driver === 'evolved' && trial === noTrial ? population : null);
@@ -123,7 +124,7 @@ export function createScene(drive, paper, chosenDrives) {
       () => driving(experiment, gains),
       () => (company ? others(experiment, company) : none),
       () => comparison(comparisonExperiment, rival),
-      () => paperEp(experiment, gainsOf(state, 'paper-ep', paper)),
+      () => (hidesPaper(state) ? null : paperEp(experiment, gainsOf(state, 'paper-ep', paper))),
       () => pinned(state.pins),
     ]);
     return {

@@ -16,6 +16,7 @@ import { landscapeTable } from './table.js';
 import { followHeld, followKeys, followPointing, pointIn } from '../../kit/map.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
+import { hidesPaper } from '../../run/exercise.js';
 import { byIdIn, followSize } from '../../kit/elements.js';
 import { options, valueIn } from '../../kit/templates.js';
 import { createSection } from '../section.js';
@@ -102,9 +103,13 @@ function createMapIn(element, redraw) {
 /** The points that have a name. @param {State} state @param {PaperResult[]} paper @returns {Point[]} */
 function pointsOf(state, paper) {
   const { handGains, pins } = state;
-  return [
+  /** @type {Point[]} */
+  const ofPaper = [
     { gains: gainsOf(state, 'paper-arbitrary', paper), name: words.paperArbitrary, mark: 'cross' },
     { gains: gainsOf(state, 'paper-ep', paper), name: words.paperEp, mark: 'diamond' },
+  ];
+  return [
+    ...(hidesPaper(state) ? [] : ofPaper),
     ...(handGains ? [/** @type {Point} */ ({ gains: handGains, name: words.hand, mark: 'ring' })] : []),
     ...pins.map(({ gains, name, slot }) => ({ gains, name, mark: slot })),
   ];

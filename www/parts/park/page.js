@@ -9,13 +9,14 @@ import { create } from '../../kit/elements.js';
 import { standsStill } from '../../kit/host.js';
 import { createFrameLoop } from '../../kit/loop.js';
 import { remember, watch } from '../../kit/memo.js';
+import { hidesPaper } from '../../run/exercise.js';
 import { createSection } from '../section.js';
 import { createBreeding } from './breeding.js';
 import { filmOf, isOver, later, parkedBy } from './film.js';
 import { createParkPicture } from './picture.js';
 import { heading, linkToLab, sight } from './sight.js';
 import { parkSlice } from './state.js';
-import { createTask, firstGains, parkedOf } from './task.js';
+import { anyGains, createTask, firstGains, parkedOf } from './task.js';
 import words from './words/index.js';
 
 /** @typedef {import('./film.js').Film} Film */
@@ -46,7 +47,7 @@ export function createParkPage({ engine, store, paper, links }) {
       filmOf(task.drive([[kx, ky, ktheta]])[0], [], 'hand'),
   );
   const handFilm = (/** @type {Triple} */ [kx, ky, ktheta]) => byHand(kx, ky, ktheta);
-  const gainsNow = () => slice().gains ?? firstGains(paper);
+  const gainsNow = () => slice().gains ?? (hidesPaper(store.get()) ? anyGains : firstGains(paper));
   /** @type {Film} */
   let film = handFilm(gainsNow());
   if (isStill()) film = later(film, Number.POSITIVE_INFINITY);

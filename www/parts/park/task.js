@@ -3,7 +3,8 @@
 
 /** A robot's drive, and how far its wheels have rolled at each sample, in metres. @typedef {{ run: Run, left: Float64Array, right: Float64Array }} Drive */
 
-const circle = { x: 2, y: 2, radius: 2.83, count: 32, seed: 1 };
+/** Around the goal. */
+export const circle = { x: 2, y: 2, radius: 2.83, count: 32, seed: 1 };
 export const preset = 'velocity-limits';
 /** No hand with these sliders parks all. */
 export const sliderRange = /** @type {const} */ ([0, 12]);
@@ -36,6 +37,9 @@ export function createTask(engine) {
     },
   };
 }
+
+/** With these the sliders begin where the paper's are hidden. @type {Triple} */
+export const anyGains = [1, 1, 1];
 
 /** The gains that the sliders begin with. @param {PaperResult[]} paper */
 export const firstGains = (paper) =>

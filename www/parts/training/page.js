@@ -14,6 +14,7 @@ import { options, valueIn } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import words from './words/index.js';
+import { hidesPaper } from '../../run/exercise.js';
 import { createPicture } from './picture.js';
 import { changesOf, createTraining, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
@@ -110,7 +111,7 @@ const isSet = (name) => setNames.some((set) => set === name);
 /** @param {State} state @returns {RowName} */
 const chosenOf = (state) => {
   const { chosen, evolved } = trainingSlice.of(state);
-  return chosen ?? (evolved ? 'circle' : 'paper-ep');
+  return chosen ?? (evolved ? 'circle' : hidesPaper(state) ? 'one' : 'paper-ep');
 };
 
 function createRows() {
@@ -122,10 +123,12 @@ function createRows() {
       /** @type {TrainingState['given']} */ given,
       /** @type {State['experiment']} */ experiment,
       /** @type {boolean} */ byHand,
+      /** @type {boolean} */ withPaper,
     ) => {
       const isOld = evolved !== null && changes(evolved.experiment, experiment).length > 0;
       const counts = { one: experiment.starts.length, circle: circleCount, grid: gridCount };
-      const names = /** @type {const} */ (['paper-ep', 'paper-arbitrary', ...(byHand ? ['hand'] : [])]);
+      const ofPaper = withPaper ? /** @type {const} */ (['paper-ep', 'paper-arbitrary']) : [];
+      const names = /** @type {const} */ ([...ofPaper, ...(byHand ? ['hand'] : [])]);
       return [
         ...setNames.map((name) => ({
           name,
@@ -148,6 +151,7 @@ function createRows() {
       trainingSlice.of(state).given,
       state.experiment,
       handOf(state) !== null,
+      !hidesPaper(state),
     );
 }
 

@@ -1,11 +1,20 @@
 // An exercise as who follows the link sees it: the task at the top, and the controls that are locked or hidden.
 /** @import { Exercise, Group } from '../../run/exercise.js' */
+/** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 import { byId } from '../../kit/elements.js';
 import { isEmbedded } from '../../kit/host.js';
-import { watch } from '../../kit/memo.js';
+import { once, watch } from '../../kit/memo.js';
 import { exercise as words } from '../../words/index.js';
-import { groupNames, isEmpty, noExercise, shownExercise, tidyTask, wayOf } from '../../run/exercise.js';
+import {
+  asksSomething,
+  groupNames,
+  isEmpty,
+  noExercise,
+  shownExercise,
+  tidyTask,
+  wayOf,
+} from '../../run/exercise.js';
 
 /** @typedef {Partial<Record<Group, { lock?: string, hide?: string }>>} Places Where the controls of a group stand, as selectors: what is locked, and what is gone when they are hidden. */
 
@@ -33,8 +42,29 @@ const own = {
   share: { lock: '#keep-button', hide: '#keep-button' },
 };
 
-/** @param {{ store: import('../../run/store.js').Store, engine: import('../../core/engine.js').Engine, links: import('../../link/link.js').Links, places: readonly Places[] }} parts `places` of the parts of the page. */
-export function createExercise({ store, engine, links, places }) {
+/** What there is to do is loaded with the first exercise that asks for something. @param {import('../handin/work.js').WorkTools} tools */
+function createWorkOnDemand(tools) {
+  /** @type {ReturnType<typeof import('../handin/work.js').createWork> | null} */
+  let work = null;
+  const load = once(async () => {
+    try {
+      const { createWork } = await import('../handin/work.js');
+      work = createWork(tools, byId('exercise-work'));
+      tools.store.redraw();
+    } catch (error) {
+      console.warn(error);
+    }
+  });
+  return (/** @type {State} */ state, /** @type {Scene} */ scene) => {
+    if (asksSomething(shownExercise(state)) || state.student.handin) load();
+    work?.draw(state, scene);
+  };
+}
+
+/** @param {import('../handin/work.js').WorkTools & { places: readonly Places[] }} tools `places` of the parts of the page. */
+export function createExercise({ places, ...tools }) {
+  const { store, engine, links } = tools;
+  const work = createWorkOnDemand(tools);
   const all = [own, ...places];
   const section = byId('exercise');
   const [label, task, locks] = ['task-label', 'task', 'exercise-locks'].map((id) => byId(id));
@@ -54,14 +84,15 @@ export function createExercise({ store, engine, links, places }) {
   const changed = watch();
   const placesChanged = watch();
   return {
-    /** @param {State} state @param {number} made How many parts of the page have been opened. */
-    draw(state, made) {
+    /** @param {State} state @param {number} made How many parts of the page have been opened. @param {Scene} scene */
+    draw(state, made, scene) {
       const exercise = shownExercise(state);
+      work(state, scene);
       // Each step of the lesson has controls of its own, and so has each part.
       if (placesChanged(exercise, state.lesson, made))
         for (const group of groupNames) lay(all, exercise, group);
-      if (!changed(exercise)) return;
-      section.hidden = isEmpty(exercise);
+      if (!changed(exercise, state.student.handin)) return;
+      section.hidden = isEmpty(exercise) && state.student.handin === '';
       task.textContent = tidyTask(exercise.task);
       label.hidden = task.textContent === '';
       task.hidden = label.hidden;

@@ -1,0 +1,105 @@
+// The sheet on which an exercise is handed in: who it is, once, and then the receipt.
+/** @import { Receipt } from './receipt.js' */
+/** @import { WorkTools } from './work.js' */
+import { html, nothing } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
+import { copy } from '../../kit/copy.js';
+import { download } from '../../kit/download.js';
+import { addressOf } from '../../kit/host.js';
+import { createSheet } from '../../kit/sheet.js';
+import { selectAll } from '../../kit/templates.js';
+import { tidyTask } from '../../run/exercise.js';
+import { mostOfWho } from '../../run/variant.js';
+import { messageOf } from '../../words/errors.js';
+import { isOnDisk } from '../frame-text.js';
+import { receiptOf } from './receipt.js';
+import words from './words/index.js';
+
+const { texts } = words;
+
+/** A receipt, as text and with its whole address. @typedef {{ receipt: Receipt, text: string, address: string }} HandedIn */
+
+/** Where the receipt is opened; a path on this disk is none on another. @param {string} link */
+export function receiptAddress(link) {
+  const address = addressOf(location.href, link, false);
+  return isOnDisk() ? address.slice(address.split('#')[0].lastIndexOf('/') + 1) : address;
+}
+
+/** @param {WorkTools} tools */
+export function createHandInSheet(tools) {
+  const { store, actions, answersOf, onHandIn } = tools;
+  const sheet = createSheet('handin', 'handin', texts.title, texts.close);
+  /** @type {HandedIn | null} */
+  let handed = null;
+  let status = '';
+  const say = (/** @type {string} */ text) => {
+    status = text;
+    draw();
+  };
+
+  const make = async () => {
+    handed = null;
+    say(texts.computing);
+    try {
+      await actions.whenIdle();
+      const state = store.get();
+      const receipt = await receiptOf(tools, state, answersOf(state));
+      const address = receiptAddress(receipt.link);
+      handed = { receipt, address, text: words.receiptText(receipt, address) };
+      say('');
+      onHandIn(handed);
+    } catch (error) {
+      say(words.failed(messageOf(error)));
+    }
+  };
+
+  const on = {
+    /** @param {Event} event */
+    name(event) {
+      event.preventDefault();
+      const field = /** @type {HTMLInputElement} */ (document.getElementById('handin-who'));
+      const who = tidyTask(field.value);
+      if (!who) return field.focus();
+      actions.setWho(who);
+      make();
+    },
+    copyText: () => copy('handin-text', words.copied, words.notCopied).then(say),
+    copyLink: () => copy('handin-link', words.copied, words.notCopied).then(say),
+    save: () => handed && download(words.fileName(handed.receipt.who), 'text/plain', `${handed.text}\n`),
+  };
+
+  const draw = () => sheet.draw(contentOf(store.get().student.who, handed, status, on));
+
+  return {
+    open() {
+      actions.pauseEvolution();
+      handed = null;
+      status = '';
+      draw();
+      sheet.open();
+      if (store.get().student.who) make();
+    },
+  };
+}
+
+/** @param {string} who @param {HandedIn | null} handed @param {string} status @param {{ name: (event: Event) => void, copyText: () => void, copyLink: () => void, save: () => void }} on */
+const contentOf = (who, handed, status, on) => html`
+  <form class="bar handin-name" @submit=${on.name}>
+    <label for="handin-who">${texts.whoLabel}</label>
+    <input id="handin-who" type="text" required maxlength=${mostOfWho} autocomplete="off" .value=${live(who)}>
+    <button id="handin-make" class=${handed ? '' : 'primary'}>${texts.make}</button>
+  </form>
+  ${
+    handed
+      ? html`<p class="muted">${texts.help}</p>
+        <textarea id="handin-text" rows="7" readonly spellcheck="false" aria-label=${texts.text} .value=${live(handed.text)} @focus=${selectAll}></textarea>
+        <input id="handin-link" type="text" readonly aria-label=${texts.link} .value=${live(handed.address)} @focus=${selectAll}>
+        <div class="bar">
+          <button id="handin-copy" type="button" class="primary" @click=${on.copyText}>${texts.copyText}</button>
+          <button id="handin-copy-link" type="button" @click=${on.copyLink}>${texts.copyLink}</button>
+          <button id="handin-save" type="button" @click=${on.save}>${texts.save}</button>
+        </div>
+        <p class="muted">${texts.proves}</p>`
+      : html`<p class="muted">${texts.whoHelp}</p>`
+  }
+  ${status ? html`<p id="handin-status" role="status">${status}</p>` : nothing}`;

@@ -1,0 +1,17 @@
+// Of what is handed in, what is the same in every language.
+
+/** By this a text is known to be a receipt. */
+export const mark = 'ep-locomotion hand-in';
+
+/** @param {string} program @param {string} exercise */
+export const head = (program, exercise) => `${mark} · ${program} · ${exercise}`;
+
+/** All digits. @param {readonly number[]} gains */
+export const gainsLine = (gains) => `kx = ${gains[0]}, ky = ${gains[1]}, kθ = ${gains[2]}`;
+
+/** @param {number} cost */
+export const costLine = (cost) => `J = ${Number.isFinite(cost) ? cost : '∞'}`;
+
+/** @param {string} who */
+export const fileName = (who) =>
+  `hand-in-${who.replace(/[^\p{L}\p{N}_-]+/gu, '-').slice(0, 40) || 'nobody'}.txt`;

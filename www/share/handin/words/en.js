@@ -1,0 +1,104 @@
+// Every word of handing in.
+/** @import { Wanted } from '../../../run/aim.js' */
+import { costText } from '../../../words/numbers.js';
+import { costLine, gainsLine, head } from './common.js';
+
+export * from './common.js';
+
+export const texts = {
+  handIn: 'Hand in',
+  title: 'Hand in',
+  close: 'Close',
+  whoLabel: 'Your name or number',
+  whoHelp: 'It is asked once, and goes nowhere but into what you hand in.',
+  begin: 'Begin',
+  whoFirst: 'This exercise is a little different for everyone: say who you are, and yours is drawn.',
+  make: 'Make the receipt',
+  help: 'Give this to your lecturer as you were told: paste the text, or send the link or the file. Nothing is sent by this page.',
+  proves:
+    'Whoever opens it sees the robot drive and J computed again, to the last digit. It proves the result, not whose it is.',
+  text: 'The receipt',
+  link: 'Link of the receipt',
+  copyText: 'Copy the text',
+  copyLink: 'Copy the link',
+  save: 'Save as a file',
+  computing: 'Computing …',
+};
+
+export const copied = 'Copied.';
+export const notCopied = 'This browser lets no page copy: it is selected, copy it by the keyboard.';
+
+/** @param {string} reason */
+export const failed = (reason) => `The receipt could not be made: ${reason}`;
+
+/** @param {Wanted} wanted */
+export const wantedText = (wanted) =>
+  wanted.kind === 'cost'
+    ? `J below ${wanted.below}`
+    : wanted.kind === 'parks'
+      ? `parks from ${wanted.least} of ${wanted.of} starts`
+      : `parks from ${Math.round(1000 * wanted.share) / 10} % of 1000 starts that nobody has evolved on`;
+
+/** @param {number | null} drives */
+export const budgetText = (drives) => (drives === null ? '' : `, within ${drives} drives`);
+
+/** @param {Wanted} wanted @param {number} value */
+export const valueText = (wanted, value) =>
+  wanted.kind === 'cost'
+    ? `J ${costText(value)}`
+    : wanted.kind === 'parks'
+      ? `${value} of ${wanted.of}`
+      : `${Math.round(1000 * value) / 10} %`;
+
+/** @param {boolean} isMet */
+export const metText = (isMet) => (isMet ? 'met' : 'not yet met');
+
+/** @param {boolean} isMet */
+export const metWord = (isMet) => (isMet ? 'met' : 'not met');
+
+/** @param {number} drives @param {number} most */
+export const drivesText = (drives, most) => `${drives} of ${most} drives`;
+
+/** @param {number} points @param {number} most */
+export const pointsText = (points, most) => `${points} of ${most} points`;
+
+/** The text of a receipt. @param {import('../receipt.js').Receipt} receipt */
+export function receiptText(
+  { who, program, exercise, cost, parked, starts, judged, gains, how, drives, minutes, answers, link },
+  address = link,
+) {
+  const found =
+    how.driver === 'evolved'
+      ? `, found by ${how.method} with seed ${how.seed} in generation ${how.generation}`
+      : how.driver === 'hand'
+        ? ', by hand'
+        : ', from the paper';
+  return [
+    head(program, exercise),
+    `Name: ${who}`,
+    `${costLine(cost)}, parks from ${parked} of ${starts} ${starts === 1 ? 'start' : 'starts'}`,
+    ...(judged
+      ? [
+          `Aim ${metWord(judged.isMet)}${judged.points === null ? '' : `, ${judged.points} of ${judged.most} points`}`,
+        ]
+      : []),
+    `${gainsLine(gains)}${found}`,
+    `${drives} drives in ${minutes} min`,
+    ...(answers ? [`Answers: ${answers}`] : []),
+    address,
+  ].join('\n');
+}
+
+/** @param {string} who @param {number} cost */
+export const held = (who, cost) =>
+  `Handed in by ${who || 'somebody'}: J = ${cost}. It holds: computed again here, to the last digit.`;
+
+/** @param {number} told @param {number} found */
+export const heldNot = (told, found) =>
+  `This receipt does not hold: it says J = ${told}, but its drive has J = ${found}.`;
+
+export const broken = 'This receipt was cut or changed on its way: ask for it again.';
+
+/** @param {string} program @param {string} own */
+export const otherProgram = (program, own) =>
+  `It was made by version ${program} of the program, this is ${own}.`;

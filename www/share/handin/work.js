@@ -1,0 +1,159 @@
+// What stands under the task of an exercise: whether its aim is met, the way to hand in, who works on it where that is needed
+// first, and, where a receipt was opened, whether it holds.
+/** @import { Scene } from '../../run/scene.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Measured } from './measure.js' */
+/** @import { HandedIn } from './sheet.js' */
+import './style.css';
+import { html, nothing, render } from 'lit-html';
+import { byId } from '../../kit/elements.js';
+import { watch } from '../../kit/memo.js';
+import { judged } from '../../run/aim.js';
+import { gainsOf } from '../../run/drivers.js';
+import { asksSomething, shownExercise, tidyTask } from '../../run/exercise.js';
+import { drivesOf, noTrial } from '../../run/state.js';
+import { mostOfWho } from '../../run/variant.js';
+import { measure } from './measure.js';
+import { holds, isWhole, toldIn } from './receipt.js';
+import { createHandInSheet } from './sheet.js';
+import words from './words/index.js';
+
+const { texts } = words;
+
+/** In its own sliders the parking place has gains of its own, which no link carries. */
+const withoutAnswer = 'park';
+
+/** @typedef {import('../../parts/part.js').Tools & { answersOf: (state: State) => import('./receipt.js').Answers, onHandIn: (handed: HandedIn) => void }} WorkTools */
+
+/** @param {WorkTools} tools @param {HTMLElement} root */
+export function createWork(tools, root) {
+  const { engine, store, actions, paper } = tools;
+  const channel = engine.surveys.channel();
+  const sheet = createHandInSheet(tools);
+  const verdict = createVerdict(tools);
+  /** @type {{ measured: Measured | null, isNew: boolean }} */
+  let known = { measured: null, isNew: false };
+  const asked = watch();
+  const drawn = watch();
+
+  /** @param {State} state @param {Scene} scene */
+  const follow = (state, scene) => {
+    const { aim } = shownExercise(state);
+    const gains = gainsOf(state, state.driver, paper);
+    if (!aim || !asked(aim, state.experiment, String(gains))) return;
+    // What is on the plane is known already.
+    const isShown = state.trial === noTrial && !scene.chosen && state.experiment.starts.length === 1;
+    if (aim.wanted.kind === 'cost' && isShown) {
+      const { cost, arrived } = scene.driving;
+      known = {
+        measured: { cost: cost.total, parked: arrived ? 1 : 0, starts: 1, value: cost.total },
+        isNew: true,
+      };
+      return;
+    }
+    known = { ...known, isNew: false };
+    measure(engine, aim, state.experiment, gains, { channel }).then(
+      (measured) => {
+        known = { measured, isNew: true };
+        store.redraw();
+      },
+      () => {},
+    );
+  };
+
+  const begin = (/** @type {Event} */ event) => {
+    event.preventDefault();
+    const who = tidyTask(/** @type {HTMLInputElement} */ (byId('work-who')).value);
+    if (who) actions.setWho(who);
+  };
+
+  return {
+    /** @param {State} state @param {Scene} scene */
+    draw(state, scene) {
+      const exercise = shownExercise(state);
+      follow(state, scene);
+      const said = verdict.of(state);
+      const drives = drivesOf(state);
+      const isOpen = asksSomething(exercise) && state.page !== withoutAnswer;
+      if (!drawn(exercise, state.student, known, said, drives, isOpen)) return;
+      const needsWho = exercise.vary.length > 0 && !state.student.base && !state.maker.open;
+      render(
+        html`${said ? html`<p class="work-said ${said.isGood ? '' : 'bad'}" role="status">${said.text}</p>` : nothing}
+          ${needsWho && isOpen ? whoForm(begin) : nothing}
+          ${exercise.aim && isOpen && !needsWho ? aimLine(exercise, known, drives) : nothing}
+          ${
+            isOpen && !needsWho
+              ? html`<button id="hand-in" type="button" class="primary" .disabled=${state.maker.open} @click=${sheet.open}>${texts.handIn}</button>`
+              : nothing
+          }`,
+        root,
+      );
+    },
+  };
+}
+
+/** @param {(event: Event) => void} begin */
+const whoForm = (begin) => html`
+  <form class="work-who" @submit=${begin}>
+    <label for="work-who">${texts.whoFirst}</label>
+    <input id="work-who" type="text" required maxlength=${mostOfWho} autocomplete="off" placeholder=${texts.whoLabel}>
+    <button id="work-begin" class="primary">${texts.begin}</button>
+  </form>`;
+
+/** @param {import('../../run/exercise.js').Exercise} exercise @param {{ measured: Measured | null, isNew: boolean }} known @param {number} drives */
+function aimLine({ aim, scale }, { measured, isNew }, drives) {
+  if (!aim) return nothing;
+  const { wanted } = aim;
+  const head = `${words.wantedText(wanted)}${words.budgetText(aim.drives)}`;
+  if (!measured) return html`<p id="aim" class="aim" role="status"><b>${head}</b> · ${texts.computing}</p>`;
+  const { isMet, points, most } = judged(aim, scale, { value: measured.value, drives });
+  const now = [
+    words.valueText(wanted, measured.value),
+    ...(aim.drives === null ? [] : [words.drivesText(drives, aim.drives)]),
+    ...(points === null ? [] : [words.pointsText(points, most ?? 0)]),
+  ];
+  return html`<p id="aim" class="aim ${isMet ? 'met' : ''} ${isNew ? '' : 'late'}"><b>${head}</b>
+    <span class="aim-mark"><span aria-hidden="true">${isMet ? '✓' : '○'}</span> <span role="status">${words.metText(isMet)}</span></span>
+    <span class="muted">${now.join(' · ')}</span></p>`;
+}
+
+/** What is said of a receipt that was opened, as long as its run is on screen. @param {WorkTools} tools */
+function createVerdict({ engine, store, paper, links }) {
+  /** @type {{ handin: string, experiment: object, gains: string, said: { text: string, isGood: boolean } | null } | null} */
+  let of = null;
+  const compute = async (/** @type {State} */ state, /** @type {string} */ gains) => {
+    const { handin } = state.student;
+    const own = {
+      handin,
+      experiment: state.experiment,
+      gains,
+      said: /** @type {{ text: string, isGood: boolean } | null} */ (null),
+    };
+    of = own;
+    const told = toldIn(handin);
+    if (!told || !isWhole(state, engine, links)) own.said = { text: words.broken, isGood: false };
+    else {
+      const measured = await measure(engine, null, state.experiment, gainsOf(state, state.driver, paper));
+      const isGood = holds(told, measured);
+      const text = isGood
+        ? words.held(state.student.who, measured.cost)
+        : words.heldNot(told.cost, measured.cost);
+      const version = engine.version();
+      own.said = {
+        text: told.program === version ? text : `${text} ${words.otherProgram(told.program, version)}`,
+        isGood,
+      };
+    }
+    store.redraw();
+  };
+  return {
+    /** @param {State} state */
+    of(state) {
+      const { handin } = state.student;
+      if (!handin || state.catchingUp || state.computing) return null;
+      const gains = String(gainsOf(state, state.driver, paper));
+      if (of?.handin !== handin) compute(state, gains).catch(() => {});
+      return of && of.experiment === state.experiment && of.gains === gains ? of.said : null;
+    },
+  };
+}
