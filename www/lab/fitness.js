@@ -108,7 +108,7 @@ function drawLineNames(context, size, { x, y, frame }, { history, paper }) {
     ...(paper === null ? [] : [{ text: nameOf(strings.paperLine, paper), x: right, y: height(paper) }]),
   ];
   const together = isNarrow(size) || end > right - 60 ? [names] : [names.slice(0, 2), names.slice(2)];
-  for (const group of together) spread(group, frame.top, frame.bottom);
+  for (const group of together) if (group.length > 0) spread(group, frame.top, frame.bottom);
   drawNames(context, size, frame, names);
   drawAxisNames(context, frame, {
     x: isNarrow(size) ? undefined : strings.generationAxis,

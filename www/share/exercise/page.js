@@ -92,6 +92,7 @@ export function createExercise({ places, ...tools }) {
       if (placesChanged(exercise, state.lesson, made))
         for (const group of groupNames) lay(all, exercise, group);
       if (!changed(exercise, state.student.handin)) return;
+      document.body.toggleAttribute('data-exercise', asksSomething(exercise));
       section.hidden = isEmpty(exercise) && state.student.handin === '';
       task.textContent = tidyTask(exercise.task);
       label.hidden = task.textContent === '';

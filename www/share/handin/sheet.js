@@ -91,15 +91,15 @@ const contentOf = (who, handed, status, on) => html`
   </form>
   ${
     handed
-      ? html`<p class="muted">${texts.help}</p>
-        <textarea id="handin-text" rows="7" readonly spellcheck="false" aria-label=${texts.text} .value=${live(handed.text)} @focus=${selectAll}></textarea>
-        <input id="handin-link" type="text" readonly aria-label=${texts.link} .value=${live(handed.address)} @focus=${selectAll}>
-        <div class="bar">
+      ? html`<div class="bar">
           <button id="handin-copy" type="button" class="primary" @click=${on.copyText}>${texts.copyText}</button>
           <button id="handin-copy-link" type="button" @click=${on.copyLink}>${texts.copyLink}</button>
           <button id="handin-save" type="button" @click=${on.save}>${texts.save}</button>
         </div>
-        <p class="muted">${texts.proves}</p>`
-      : html`<p class="muted">${texts.whoHelp}</p>`
-  }
-  ${status ? html`<p id="handin-status" role="status">${status}</p>` : nothing}`;
+        ${status ? html`<p id="handin-status" role="status">${status}</p>` : nothing}
+        <textarea id="handin-text" rows="9" readonly spellcheck="false" aria-label=${texts.text} .value=${live(handed.text)} @focus=${selectAll}></textarea>
+        <input id="handin-link" type="text" readonly aria-label=${texts.link} .value=${live(handed.address)} @focus=${selectAll}>
+        <p class="muted">${texts.help} ${texts.proves}</p>`
+      : html`<p class="muted">${texts.whoHelp}</p>
+        ${status ? html`<p id="handin-status" role="status">${status}</p>` : nothing}`
+  }`;

@@ -104,17 +104,17 @@ const whoForm = (begin) => html`
 function aimLine({ aim, scale }, { measured, isNew }, drives) {
   if (!aim) return nothing;
   const { wanted } = aim;
-  const head = `${words.wantedText(wanted)}${words.budgetText(aim.drives)}`;
-  if (!measured) return html`<p id="aim" class="aim" role="status"><b>${head}</b> · ${texts.computing}</p>`;
+  const head = html`<b>${words.wantedText(wanted)}<span class="aim-budget">${words.budgetText(aim.drives)}</span></b>`;
+  if (!measured) return html`<p id="aim" class="aim" role="status">${head} · ${texts.computing}</p>`;
   const { isMet, points, most } = judged(aim, scale, { value: measured.value, drives });
   const now = [
-    words.valueText(wanted, measured.value),
-    ...(aim.drives === null ? [] : [words.drivesText(drives, aim.drives)]),
-    ...(points === null ? [] : [words.pointsText(points, most ?? 0)]),
+    ['value', words.valueText(wanted, measured.value)],
+    ...(aim.drives === null ? [] : [['drives', words.drivesText(drives, aim.drives)]]),
+    ...(points === null ? [] : [['points', words.pointsText(points, most ?? 0)]]),
   ];
-  return html`<p id="aim" class="aim ${isMet ? 'met' : ''} ${isNew ? '' : 'late'}"><b>${head}</b>
+  return html`<p id="aim" class="aim ${wanted.kind} ${isMet ? 'met' : ''} ${isNew ? '' : 'late'}">${head}
     <span class="aim-mark"><span aria-hidden="true">${isMet ? '✓' : '○'}</span> <span role="status">${words.metText(isMet)}</span></span>
-    <span class="muted">${now.join(' · ')}</span></p>`;
+    ${now.map(([name, text]) => html`<span class="muted aim-${name}">${text}</span> `)}</p>`;
 }
 
 /** What is said of a receipt that was opened, as long as its run is on screen. @param {WorkTools} tools */
