@@ -8,6 +8,8 @@ const policy = [
   'img-src data: blob:',
   'connect-src data:',
   'worker-src blob:',
+  // Itself, as the preview of an exercise.
+  "frame-src 'self' file:",
 ].join('; ');
 
 /** @returns {import('vite').Plugin} */

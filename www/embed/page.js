@@ -45,6 +45,8 @@ export function createEmbed(parts) {
     post({ subject: 'lti.frameResize', height });
   };
   addEventListener('resize', tellHeight);
+  // What it says of an exercise comes later, and changes.
+  new ResizeObserver(tellHeight).observe(byId('exercise'));
 
   return {
     /** Once the address is opened. */

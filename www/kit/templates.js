@@ -20,6 +20,11 @@ export const styled = (name, value) =>
 /** @param {Event} event Of a field. */
 export const selectAll = ({ target }) => /** @type {HTMLInputElement} */ (target).select();
 
+/** @param {() => void} act @returns {(event: KeyboardEvent) => void} */
+export const onEnter = (act) => (event) => {
+  if (event.key === 'Enter' && !event.isComposing) act();
+};
+
 /** What closes a panel. @param {string} id @param {string} label @param {() => void} onClick */
 export const closeButton = (id, label, onClick) =>
   html`<button id=${id} type="button" class="icon" aria-label=${label} @click=${onClick}><svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path d="M3 1.6 8 6.6l5-5L14.4 3l-5 5 5 5-1.4 1.4-5-5-5 5L1.6 13l5-5-5-5z"/></svg></button>`;

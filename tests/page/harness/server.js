@@ -30,7 +30,7 @@ const strictest = {
   'connect-src': "'self'",
   'worker-src': "'self'",
   'img-src': "'self' data: blob:",
-  // Only for tests that look at the page in a frame of itself.
+  // For the preview of an exercise in the making.
   'frame-src': "'self'",
   'base-uri': "'none'",
   'form-action': "'none'",

@@ -12,8 +12,11 @@ import { watch } from '../../kit/memo.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { closeButton, selectAll, valueIn } from '../../kit/templates.js';
 import { groupNames, isEmpty, mostOfTask, wayOf, withWay } from '../../run/exercise.js';
+import { nobody, undrawn } from '../../run/variant.js';
 import { exercise as exerciseWords } from '../../words/index.js';
 import { frameOf } from '../frame-text.js';
+import { createAimFields } from './aim-fields.js';
+import { createPreview } from './preview.js';
 import words from '../words/index.js';
 
 const { texts } = words;
@@ -27,6 +30,8 @@ export function createMaker({ engine, store, actions, links }) {
   byId('instrument').prepend(panel);
   let status = '';
   const change = (/** @type {Exercise} */ draft) => actions.makeExercise({ draft });
+  const aim = createAimFields(() => store.get().maker.draft, change, store.redraw);
+  const preview = createPreview(store.redraw);
   const say = (/** @type {string} */ text) => {
     status = text;
     store.redraw();
@@ -51,7 +56,9 @@ export function createMaker({ engine, store, actions, links }) {
     open() {
       const { exercise, maker } = store.get();
       status = '';
-      actions.makeExercise({ open: true, draft: isEmpty(exercise) ? maker.draft : exercise });
+      const draft = isEmpty(exercise) ? maker.draft : exercise;
+      aim.read(draft);
+      actions.makeExercise({ open: true, draft });
     },
 
     /** @param {State} state */
@@ -59,20 +66,40 @@ export function createMaker({ engine, store, actions, links }) {
       const { open, draft } = state.maker;
       const isOther = openChanged(open);
       panel.hidden = !open;
-      if (!open) return;
-      const link = links.linkOf({ ...state, exercise: draft }, engine.experiment);
-      if (changed(draft, link, status)) {
-        const addresses = { link: addressOf(location.href, link, false), frame: frameOf(state, link) };
-        render(panelOf(draft, addresses, status, on), panel);
+      if (!open) return preview.draw(null);
+      const link = links.linkOf(givenOf(state, draft), engine.experiment);
+      if (changed(draft, link, status, aim.version(), preview.chosen())) {
+        const addresses = {
+          link: addressOf(location.href, link, false),
+          frame: frameOf(state, link, preview.chosen() ?? undefined),
+        };
+        render(
+          panelOf(draft, addresses, status, { ...on, fields: aim.fields(draft), preview: preview.choice() }),
+          panel,
+        );
       }
+      preview.draw(addressOf(location.href, link, true));
       if (isOther) byId('maker-task').focus();
     },
   };
 }
 
+/** What students get: as it is on screen, but drawn for nobody yet, and driven by what may be seen. @param {State} state @param {Exercise} draft @returns {State} */
+function givenOf(state, draft) {
+  const { exercise, student, driver } = state;
+  const isHidden = driver.startsWith('paper-') && wayOf(draft, 'paper') === 'hidden';
+  return {
+    ...state,
+    exercise: draft,
+    student: nobody,
+    experiment: undrawn(state.experiment, exercise.vary, student) ?? state.experiment,
+    driver: isHidden ? 'evolved' : driver,
+  };
+}
+
 /**
  * @param {Exercise} draft @param {{ link: string, frame: string }} addresses @param {string} status
- * @param {{ close: () => void, change: (draft: Exercise) => void, copyLink: () => void, copyFrame: () => void }} on
+ * @param {{ fields: unknown, preview: unknown, close: () => void, change: (draft: Exercise) => void, copyLink: () => void, copyFrame: () => void }} on
  */
 const panelOf = (draft, { link, frame }, status, on) => html`
   <div class="settings-head">
@@ -81,10 +108,12 @@ const panelOf = (draft, { link, frame }, status, on) => html`
   </div>
   <div class="settings-groups">
     <p class="muted">${texts.makerHelp}</p>
+    ${on.preview}
     <label for="maker-task" class="maker-label">${texts.makerTask}</label>
     <textarea id="maker-task" rows="3" aria-describedby="maker-count" maxlength=${mostOfTask} .value=${live(draft.task)}
       @input=${(/** @type {Event} */ event) => on.change({ ...draft, task: valueIn(event) })}></textarea>
     <p id="maker-count" class="muted">${words.countText(draft.task.length, mostOfTask)}</p>
+    ${on.fields}
     <div id="maker-groups">${groupNames.map((group) => rowOf(draft, group, on.change))}</div>
   </div>
   <div class="maker-foot">

@@ -7,7 +7,7 @@ import { copy } from '../../kit/copy.js';
 import { download } from '../../kit/download.js';
 import { addressOf } from '../../kit/host.js';
 import { createSheet } from '../../kit/sheet.js';
-import { selectAll } from '../../kit/templates.js';
+import { onEnter, selectAll } from '../../kit/templates.js';
 import { tidyTask } from '../../run/exercise.js';
 import { mostOfWho } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
@@ -54,9 +54,7 @@ export function createHandInSheet(tools) {
   };
 
   const on = {
-    /** @param {Event} event */
-    name(event) {
-      event.preventDefault();
+    name() {
       const field = /** @type {HTMLInputElement} */ (document.getElementById('handin-who'));
       const who = tidyTask(field.value);
       if (!who) return field.focus();
@@ -82,13 +80,13 @@ export function createHandInSheet(tools) {
   };
 }
 
-/** @param {string} who @param {HandedIn | null} handed @param {string} status @param {{ name: (event: Event) => void, copyText: () => void, copyLink: () => void, save: () => void }} on */
+/** @param {string} who @param {HandedIn | null} handed @param {string} status @param {{ name: () => void, copyText: () => void, copyLink: () => void, save: () => void }} on */
 const contentOf = (who, handed, status, on) => html`
-  <form class="bar handin-name" @submit=${on.name}>
+  <div class="bar handin-name">
     <label for="handin-who">${texts.whoLabel}</label>
-    <input id="handin-who" type="text" required maxlength=${mostOfWho} autocomplete="off" .value=${live(who)}>
-    <button id="handin-make" class=${handed ? '' : 'primary'}>${texts.make}</button>
-  </form>
+    <input id="handin-who" type="text" maxlength=${mostOfWho} autocomplete="off" .value=${live(who)} @keydown=${onEnter(on.name)}>
+    <button id="handin-make" type="button" @click=${on.name} class=${handed ? '' : 'primary'}>${texts.make}</button>
+  </div>
   ${
     handed
       ? html`<div class="bar">

@@ -8,6 +8,7 @@ import './style.css';
 import { html, nothing, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
+import { onEnter } from '../../kit/templates.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { asksSomething, shownExercise, tidyTask } from '../../run/exercise.js';
@@ -61,8 +62,7 @@ export function createWork(tools, root) {
     );
   };
 
-  const begin = (/** @type {Event} */ event) => {
-    event.preventDefault();
+  const begin = () => {
     const who = tidyTask(/** @type {HTMLInputElement} */ (byId('work-who')).value);
     if (who) actions.setWho(who);
   };
@@ -92,13 +92,14 @@ export function createWork(tools, root) {
   };
 }
 
-/** @param {(event: Event) => void} begin */
+/** No form, which some frames forbid. @param {() => void} begin */
 const whoForm = (begin) => html`
-  <form class="work-who" @submit=${begin}>
+  <div class="work-who">
     <label for="work-who">${texts.whoFirst}</label>
-    <input id="work-who" type="text" required maxlength=${mostOfWho} autocomplete="off" placeholder=${texts.whoLabel}>
-    <button id="work-begin" class="primary">${texts.begin}</button>
-  </form>`;
+    <input id="work-who" type="text" maxlength=${mostOfWho} autocomplete="off" placeholder=${texts.whoLabel}
+      @keydown=${onEnter(begin)}>
+    <button id="work-begin" type="button" class="primary" @click=${begin}>${texts.begin}</button>
+  </div>`;
 
 /** @param {import('../../run/exercise.js').Exercise} exercise @param {{ measured: Measured | null, isNew: boolean }} known @param {number} drives */
 function aimLine({ aim, scale }, { measured, isNew }, drives) {
@@ -119,12 +120,13 @@ function aimLine({ aim, scale }, { measured, isNew }, drives) {
 
 /** What is said of a receipt that was opened, as long as its run is on screen. @param {WorkTools} tools */
 function createVerdict({ engine, store, paper, links }) {
-  /** @type {{ handin: string, experiment: object, gains: string, said: { text: string, isGood: boolean } | null } | null} */
+  /** @type {{ handin: string, since: number, experiment: object, gains: string, said: { text: string, isGood: boolean } | null } | null} */
   let of = null;
   const compute = async (/** @type {State} */ state, /** @type {string} */ gains) => {
     const { handin } = state.student;
     const own = {
       handin,
+      since: state.work.since,
       experiment: state.experiment,
       gains,
       said: /** @type {{ text: string, isGood: boolean } | null} */ (null),
@@ -152,7 +154,8 @@ function createVerdict({ engine, store, paper, links }) {
       const { handin } = state.student;
       if (!handin || state.catchingUp || state.computing) return null;
       const gains = String(gainsOf(state, state.driver, paper));
-      if (of?.handin !== handin) compute(state, gains).catch(() => {});
+      // Opened anew.
+      if (of?.handin !== handin || of.since !== state.work.since) compute(state, gains).catch(() => {});
       return of && of.experiment === state.experiment && of.gains === gains ? of.said : null;
     },
   };

@@ -38,6 +38,14 @@ export const texts = {
   makerCopyLink: 'Copy link',
   makerFrame: 'Frame for another page',
   makerCopyFrame: 'Copy frame',
+  makerPage: 'Page',
+  makerPreview: 'What students will see',
+  makerAim: 'Solved when',
+  makerValue: 'The value',
+  makerDrives: 'Within so many drives (or nothing)',
+  makerPoints: 'Points at two values, and between them on a line (or nothing)',
+  makerPointsAt: 'points at',
+  makerVary: 'Drawn for each student from their number',
   makerClose: 'Close the exercise',
 };
 
@@ -104,3 +112,24 @@ export const ways = [
 
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `${count} of at most ${most} characters`;
+
+/** @type {readonly (readonly ['none' | 'cost' | 'parks' | 'unseen', string])[]} */
+export const aims = [
+  ['none', 'nobody checks'],
+  ['cost', 'J is below'],
+  ['parks', 'it parks from, of'],
+  ['unseen', 'share of unseen starts'],
+];
+
+/** @type {Readonly<Record<'goal' | 'starts' | 'seed', string>>} */
+export const varied = {
+  goal: 'the goal, by up to 25 cm',
+  starts: 'the start, by up to 25 cm and 15°',
+  seed: 'the seed of evolution',
+};
+
+/** @param {number} i */
+export const pointsLabel = (i) => `Points at the ${i === 0 ? 'first' : 'second'} value`;
+
+/** @param {number} i */
+export const pointsAtLabel = (i) => `The ${i === 0 ? 'first' : 'second'} value`;

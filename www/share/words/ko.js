@@ -38,6 +38,14 @@ export const texts = {
   makerCopyLink: '링크 복사',
   makerFrame: '다른 페이지에 넣을 프레임',
   makerCopyFrame: '프레임 복사',
+  makerPage: '페이지',
+  makerPreview: '학생이 보게 될 모습',
+  makerAim: '해결 기준',
+  makerValue: '기준값',
+  makerDrives: '주행 횟수 제한(비우면 없음)',
+  makerPoints: '두 값에서의 점수와 그 사이의 직선(비우면 없음)',
+  makerPointsAt: '점, 값',
+  makerVary: '학번에 따라 학생마다 다르게',
   makerClose: '과제 만들기 닫기',
 };
 
@@ -106,3 +114,20 @@ export const ways = [
 
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;
+
+/** @type {readonly (readonly ['none' | 'cost' | 'parks' | 'unseen', string])[]} */
+export const aims = [
+  ['none', '기준 없음'],
+  ['cost', 'J가 다음보다 작을 때'],
+  ['parks', '주차한 출발점/전체'],
+  ['unseen', '본 적 없는 출발점의 비율'],
+];
+
+/** @type {Readonly<Record<'goal' | 'starts' | 'seed', string>>} */
+export const varied = { goal: '목표(25cm 이내)', starts: '출발(25cm, 15° 이내)', seed: '진화의 시드' };
+
+/** @param {number} i */
+export const pointsLabel = (i) => `${i === 0 ? '첫째' : '둘째'} 값의 점수`;
+
+/** @param {number} i */
+export const pointsAtLabel = (i) => `${i === 0 ? '첫째' : '둘째'} 값`;

@@ -1,0 +1,142 @@
+// In the maker: when the exercise is solved, for how many points, and what is drawn for each student.
+/** @import { Exercise } from '../../run/exercise.js' */
+/** @import { Varied } from '../../run/variant.js' */
+import { html, nothing } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
+import { options, valueIn } from '../../kit/templates.js';
+import { aimOf, aimText, scaleOf, scaleText } from '../../link/exercise.js';
+import { variedNames } from '../../run/variant.js';
+import { messageOf } from '../../words/errors.js';
+import words from '../words/index.js';
+
+const { texts } = words;
+
+/** As they are typed. @typedef {{ kind: 'none' | 'cost' | 'parks' | 'unseen', value: string, drives: string, points: [string, string, string, string] }} Fields */
+
+/** @type {Readonly<Record<'cost' | 'parks' | 'unseen', string>>} */
+const firstValues = { cost: '8', parks: '28/32', unseen: '0.6' };
+const heads = { cost: 'J<', parks: 'parks:', unseen: 'unseen:' };
+
+/** @type {Fields} */
+const blank = { kind: 'none', value: '', drives: '', points: ['', '', '', ''] };
+
+/** @param {Exercise} exercise @returns {Fields} */
+function fieldsOf({ aim, scale }) {
+  if (!aim) return blank;
+  const { kind } = aim.wanted;
+  const value = aimText({ ...aim, drives: null }).slice(heads[kind].length);
+  const points = scale ? scaleText(scale).split(/[:,]/) : blank.points;
+  return {
+    kind,
+    value,
+    drives: aim.drives === null ? '' : String(aim.drives),
+    points: /** @type {Fields['points']} */ (points),
+  };
+}
+
+/** @param {Fields} fields @returns {Pick<Exercise, 'aim' | 'scale'>} */
+function asked({ kind, value, drives, points }) {
+  if (kind === 'none') return { aim: null, scale: null };
+  const budget = drives.trim() ? `;drives<=${drives.trim()}` : '';
+  const [a, p, b, q] = points.map((text) => text.trim());
+  const aim = aimOf(`${heads[kind]}${value.trim()}${budget}`);
+  return { aim, scale: points.every((text) => text.trim() === '') ? null : scaleOf(`${a}:${p},${b}:${q}`) };
+}
+
+/** @param {() => Exercise} draft @param {(draft: Exercise) => void} change @param {() => void} redraw */
+export function createAimFields(draft, change, redraw) {
+  let fields = blank;
+  let error = '';
+  let version = 0;
+
+  /** @param {Partial<Fields>} patch */
+  const type = (patch) => {
+    fields = { ...fields, ...patch };
+    version += 1;
+    try {
+      const next = asked(fields);
+      error = '';
+      change({ ...draft(), ...next });
+    } catch (reason) {
+      error = messageOf(reason);
+      redraw();
+    }
+  };
+
+  const on = {
+    type,
+    /** @param {Event} event */
+    kind(event) {
+      const kind = /** @type {Fields['kind']} */ (valueIn(event));
+      type(kind === 'none' ? blank : { kind, value: firstValues[kind], points: blank.points });
+    },
+    /** @param {number} index @param {string} text */
+    points: (index, text) =>
+      type({
+        points: /** @type {Fields['points']} */ (fields.points.map((one, i) => (i === index ? text : one))),
+      }),
+    /** @param {Varied} name */
+    vary(name) {
+      const { vary } = draft();
+      change({
+        ...draft(),
+        vary: variedNames.filter((one) => vary.includes(one) !== (one === name)),
+      });
+    },
+  };
+
+  return {
+    version: () => version,
+    /** @param {Exercise} exercise */
+    read(exercise) {
+      fields = fieldsOf(exercise);
+      error = '';
+      version += 1;
+    },
+    /** @param {Exercise} exercise */
+    fields: (exercise) => fieldsHtml(fields, error, exercise, on),
+  };
+}
+
+/** @param {string} id @param {string} label @param {string} value @param {(text: string) => void} onInput */
+const field = (
+  id,
+  label,
+  value,
+  onInput,
+) => html`<input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" aria-label=${label}
+  .value=${live(value)} @input=${(/** @type {Event} */ event) => onInput(valueIn(event))}>`;
+
+/**
+ * @param {Fields} fields @param {string} error @param {Exercise} exercise
+ * @param {{ type: (patch: Partial<Fields>) => void, kind: (event: Event) => void, points: (index: number, text: string) => void, vary: (name: Varied) => void }} on
+ */
+function fieldsHtml({ kind, value, drives, points }, error, { vary }, on) {
+  return html`
+    <label for="maker-aim" class="maker-label">${texts.makerAim}</label>
+    <div class="maker-aim">
+      <select id="maker-aim" @change=${on.kind}>${options(words.aims, kind)}</select>
+      ${kind === 'none' ? nothing : field('maker-value', texts.makerValue, value, (text) => on.type({ value: text }))}
+    </div>
+    ${
+      kind === 'none'
+        ? nothing
+        : html`<div class="maker-aim"><label for="maker-drives">${texts.makerDrives}</label>
+            ${field('maker-drives', texts.makerDrives, drives, (text) => on.type({ drives: text }))}</div>
+          <div class="maker-points" role="group" aria-label=${texts.makerPoints}>${[1, 3].map(
+            (
+              at,
+              i,
+            ) => html`${field(`maker-points-${i}`, words.pointsLabel(i), points[at], (text) => on.points(at, text))}
+              <span aria-hidden="true">${texts.makerPointsAt}</span>
+              ${field(`maker-at-${i}`, words.pointsAtLabel(i), points[at - 1], (text) => on.points(at - 1, text))}`,
+          )}</div>`
+    }
+    <p id="maker-aim-error" class="field-error" role="alert" .hidden=${error === ''}>${error}</p>
+    <fieldset class="maker-vary"><legend class="maker-label">${texts.makerVary}</legend>${variedNames.map(
+      (
+        name,
+      ) => html`<label class="check"><input id="maker-vary-${name}" type="checkbox" .checked=${live(vary.includes(name))}
+        @change=${() => on.vary(name)}> <span>${words.varied[name]}</span></label>`,
+    )}</fieldset>`;
+}

@@ -1,0 +1,81 @@
+// What students will see: the page itself, or the very figure that they get in a frame.
+import { html } from 'lit-html';
+import { sizes } from '../../embed/frame.js';
+import { byId, create } from '../../kit/elements.js';
+import { choicesOf } from '../../kit/segmented.js';
+import words from '../words/index.js';
+
+/** A figure is opened anew when nothing has been typed for so many milliseconds. */
+const pause = 400;
+
+const choices = [
+  { value: 'page', text: words.texts.makerPage, size: null },
+  ...sizes.map((size) => ({ value: size.join('x'), text: words.sizeText(size[0], size[1]), size })),
+];
+
+/** @param {() => void} redraw */
+export function createPreview(redraw) {
+  const box = create('div', 'maker-preview');
+  box.id = 'maker-preview';
+  box.hidden = true;
+  byId('instrument').append(box);
+  let chosen = choices[0];
+  /** @type {HTMLIFrameElement | null} */
+  let frame = null;
+  let shown = '';
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let waiting;
+
+  const hide = () => {
+    clearTimeout(waiting);
+    box.hidden = true;
+    box.replaceChildren();
+    document.body.removeAttribute('data-preview');
+    frame = null;
+    shown = '';
+  };
+
+  /** @param {string} address */
+  const begin = (address) => {
+    frame = /** @type {HTMLIFrameElement} */ (create('iframe', ''));
+    frame.id = 'maker-figure';
+    frame.title = words.texts.makerPreview;
+    frame.src = address;
+    box.replaceChildren(frame);
+    box.hidden = false;
+    document.body.toggleAttribute('data-preview', true);
+    shown = address;
+  };
+
+  return {
+    chosen: () => chosen.size,
+
+    choice: () =>
+      html`<fieldset id="maker-preview-size" class="segmented small maker-sizes">${choicesOf(
+        'maker-preview-size',
+        words.texts.makerPreview,
+        choices,
+        chosen.value,
+        (value) => {
+          chosen = choices.find((one) => one.value === value) ?? chosen;
+          redraw();
+        },
+      )}</fieldset>`,
+
+    /** @param {string | null} address Of the figure; null: nothing is made now. */
+    draw(address) {
+      const { size } = chosen;
+      if (!size || address === null) {
+        if (frame) hide();
+        return;
+      }
+      if (!frame) begin(address);
+      if (frame) [frame.width, frame.height] = [String(size[0]), String(size[1])];
+      if (address === shown) return;
+      shown = address;
+      clearTimeout(waiting);
+      // In its place, so that "back" leads where it led before.
+      waiting = setTimeout(() => frame?.contentWindow?.location.replace(address), pause);
+    },
+  };
+}
