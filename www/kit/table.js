@@ -1,11 +1,11 @@
-// Tables of texts.
+// Tables of texts, and of elements where something is pressed.
 import { create } from './elements.js';
 
-/** @typedef {readonly string[]} Row It begins with its name. */
+/** @typedef {readonly (Node | string)[]} Row It begins with its name. */
 /**
  * @typedef {object} Table
  * @property {string} caption
- * @property {readonly string[]} columns
+ * @property {readonly (Node | string)[]} columns
  * @property {number} count How many rows there are.
  * @property {(row: number) => Row} rowOf
  * @property {readonly Row[]} [summary] Rows of their own before the others.

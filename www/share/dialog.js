@@ -33,7 +33,7 @@ const frames = sizes.map((size) => ({ value: size.join('x'), text: words.sizeTex
 
 /** @param {SheetTools} tools @param {Sheet} sheet */
 export function createKeep(tools, sheet) {
-  const { engine, store, links, sceneOf, openChecks, openCode } = tools;
+  const { engine, store, links, sceneOf, openChecks, openCode, openCollect } = tools;
   const maker = createMaker(tools);
   let status = '';
   let frame = frames[1];
@@ -93,6 +93,10 @@ export function createKeep(tools, sheet) {
       sheet.dialog.close();
       maker.open();
     },
+    collect() {
+      sheet.dialog.close();
+      openCollect();
+    },
     saveRun: () => download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
     saveGenerations: () => saveCsv('generations', generationsCsv(store.get().history, origin())),
     saveDrive() {
@@ -127,7 +131,7 @@ export function createKeep(tools, sheet) {
 }
 
 /**
- * @typedef {Record<'copyLink' | 'copyFrame' | 'makeExercise' | 'saveRun' | 'saveGenerations' | 'saveDrive' | 'takeCode' | 'check', () => void>
+ * @typedef {Record<'copyLink' | 'copyFrame' | 'makeExercise' | 'collect' | 'saveRun' | 'saveGenerations' | 'saveDrive' | 'takeCode' | 'check', () => void>
  *   & { chooseFrame: (value: string) => void, choose: (event: Event) => void, savePicture: (picture: Picture, kind: typeof kinds[number]) => void }} Events
  */
 
@@ -152,6 +156,7 @@ const contentOf = ({ address, frame, frameText, pictures, status }, on) => html`
   <p class="muted">${texts.keepExerciseHelp}</p>
   <div class="bar">
     <button id="keep-exercise" type="button" @click=${on.makeExercise}>${texts.keepExercise}</button>
+    <button id="keep-collect" type="button" @click=${on.collect}>${texts.keepCollect}</button>
   </div>
   <h3>${texts.keepCodeTitle}</h3>
   <p class="muted">${texts.keepCodeHelp}</p>

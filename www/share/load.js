@@ -11,7 +11,7 @@ import { createWaiting } from '../lab/waiting.js';
 import { isFree } from '../run/guard.js';
 import { opening as words } from '../words/index.js';
 
-/** What the sheets get. `open` opens a file whether or not the controls are locked. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], openChecks: () => void, openCode: () => void }} SheetTools */
+/** What the sheets get. `open` opens a file whether or not the controls are locked. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], openChecks: () => void, openCode: () => void, openCollect: () => void }} SheetTools */
 
 /**
  * Opens a sheet; then, if it is still open once what fills it is there, uses that.
@@ -38,7 +38,7 @@ function createOnDemand(sheet, load) {
   };
 }
 
-/** @param {Omit<SheetTools, 'openChecks' | 'openCode'>} tools */
+/** @param {Omit<SheetTools, 'openChecks' | 'openCode' | 'openCollect'>} tools */
 export function createShare(tools) {
   const { texts } = words;
   const checksSheet = createSheet('checks', 'table-sheet', texts.checksTitle, texts.close);
@@ -51,11 +51,22 @@ export function createShare(tools) {
     (await import('./code/dialog.js')).createCode(tools, codeSheet),
   );
   const openCode = () => code(({ start }) => start());
+  const collectSheet = createSheet('collect', 'table-sheet collect-sheet', texts.collectTitle, texts.close);
+  const collect = createOnDemand(collectSheet, async () =>
+    (await import('./collect/dialog.js')).createCollect(
+      { ...tools, openChecks, openCode, openCollect },
+      collectSheet,
+    ),
+  );
+  const openCollect = () => collect(({ start }) => start());
   /** @type {((state: State) => void) | null} */
   let drawMaker = null;
   const keepSheet = createSheet('keep', 'keep', texts.keepTitle, texts.close);
   const keep = createOnDemand(keepSheet, async () => {
-    const made = (await import('./dialog.js')).createKeep({ ...tools, openChecks, openCode }, keepSheet);
+    const made = (await import('./dialog.js')).createKeep(
+      { ...tools, openChecks, openCode, openCollect },
+      keepSheet,
+    );
     drawMaker = made.drawMaker;
     return made;
   });
@@ -67,7 +78,7 @@ export function createShare(tools) {
   };
 }
 
-/** The button, and files that are dropped on the page. @param {Omit<SheetTools, 'openChecks' | 'openCode'>} tools @param {(use: (content: ReturnType<typeof import('./dialog.js').createKeep>) => void) => void} keep */
+/** The button, and files that are dropped on the page. @param {Omit<SheetTools, 'openChecks' | 'openCode' | 'openCollect'>} tools @param {(use: (content: ReturnType<typeof import('./dialog.js').createKeep>) => void) => void} keep */
 function offer({ store, actions }, keep) {
   const button = byId('keep-button');
   button.hidden = false;

@@ -24,8 +24,9 @@ export const texts = {
   embedDisk: 'This page was opened from a disk: put its file beside the page into which you paste this.',
   keepExerciseTitle: 'Exercise',
   keepExerciseHelp:
-    'Gives students this run with a task of yours; what would distract or tell too much is locked or hidden.',
+    'Gives students this run with a task of yours; what would distract or tell too much is locked or hidden. What they hand in is checked here, a whole class at once.',
   keepExercise: 'Make an exercise',
+  keepCollect: 'Check hand-ins',
   keepCodeTitle: 'Code',
   keepCodeHelp:
     'The controller of this drive, for a robot or a simulator: in Python, C, MATLAB or Octave, JavaScript.',

@@ -24,8 +24,9 @@ export const texts = {
   embedDisk: '이 페이지는 디스크에서 열었습니다. 코드를 붙여 넣을 페이지와 같은 폴더에 이 파일을 두십시오.',
   keepExerciseTitle: '과제',
   keepExerciseHelp:
-    '이 실행에 과제를 붙여 학생에게 줍니다. 방해가 되거나 답을 미리 알려 주는 조작은 잠그거나 숨길 수 있습니다.',
+    '이 실행에 과제를 붙여 학생에게 줍니다. 방해가 되거나 답을 미리 알려 주는 조작은 잠그거나 숨길 수 있습니다. 학생들이 낸 것은 여기서 한꺼번에 확인합니다.',
   keepExercise: '과제 만들기',
+  keepCollect: '제출물 확인',
   keepCodeTitle: '코드',
   keepCodeHelp:
     '이 주행의 제어기를 Python, C, MATLAB이나 Octave, JavaScript 코드로 로봇이나 시뮬레이터에 가져갑니다.',

@@ -11,5 +11,6 @@ export const texts = {
   checksButton: 'Check its numbers',
   checksTitle: 'Are the numbers right?',
   codeTitle: 'The controller as code',
+  collectTitle: 'Check hand-ins',
   close: 'Close',
 };

@@ -11,5 +11,6 @@ export const texts = {
   checksButton: '계산 검사',
   checksTitle: '계산이 맞습니까?',
   codeTitle: '제어기 코드',
+  collectTitle: '제출물 확인',
   close: '닫기',
 };

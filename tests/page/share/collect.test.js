@@ -1,0 +1,205 @@
+// Checking hand-ins: whatever a learning platform gives is read, every drive is computed again, and nothing is believed.
+import assert from 'node:assert/strict';
+import Papa from 'papaparse';
+import { links } from '../../../www/lesson/links.js';
+import { createChecker } from '../../../www/share/collect/check.js';
+import { createReader, nameOfFile } from '../../../www/share/collect/entries.js';
+import { csvOf, ordered, remarksOf } from '../../../www/share/collect/table.js';
+import { experiment, simulate } from '../harness/core.js';
+import { test } from '../harness/once.js';
+import { engine, exercise, handedIn, receipt, site } from './hand-ins.js';
+
+const reader = createReader(links.pages);
+const checker = createChecker(engine, links);
+const never = () => ({ signal: new AbortController().signal, onProgress: () => {} });
+
+/** @param {string} text @param {string} [by] */
+const checkAll = (text, by = exercise) =>
+  checker.check(reader.read(text), by ? checker.exerciseIn(by) : null, never());
+
+const good = /** @type {const} */ ([3.3, 0, 4.5]);
+const cost = simulate(experiment('velocity-limits'), [...good]).cost.total;
+
+test('a receipt is found in its text, as a link, in HTML, in a table, in a folder, and broken into lines', async () => {
+  const { text, link } = await handedIn('s1', good);
+  const address = `${site}#${link}`;
+  const html = `<p>Dear Sir,<br>here it is: <a href="${address.replaceAll('&', '&amp;')}">my <b>work</b></a>.</p>`;
+  const table = (/** @type {string[][]} */ ...rows) => Papa.unparse(rows);
+  /** @type {Record<string, string>} */
+  const forms = {
+    text,
+    address,
+    'the fragment alone': link,
+    'two lines of mail': `> ${text.replaceAll('\n', '\n> ')}`,
+    'broken lines': text.replace(address, `${address.slice(0, 70)}\n${address.slice(70)}`),
+    'moodle’s grading worksheet': table(
+      ['Identifier', 'Full name', 'Email address', 'Status', 'Grade', 'Online text'],
+      ['Participant 7', 'Kim Lee', 'kim@example.org', 'Submitted', '', html],
+    ),
+    'twice escaped': table(['Name', 'Text'], ['Kim Lee', html.replaceAll('&', '&amp;')]),
+    semicolons: Papa.unparse(
+      [
+        ['Name', 'Text'],
+        ['Kim Lee', text],
+      ],
+      { delimiter: ';' },
+    ),
+    html,
+  };
+  for (const [form, given] of Object.entries(forms)) {
+    const { rows } = await checkAll(given);
+    assert.equal(rows.length, 1, form);
+    assert.deepEqual(
+      [rows[0].checked?.worth, rows[0].checked?.cost, rows[0].problem],
+      ['holds', cost, ''],
+      form,
+    );
+    assert.equal(rows[0].checked?.judged?.isMet, true);
+  }
+  const [moodle] = reader.read(forms['moodle’s grading worksheet']);
+  assert.deepEqual(
+    [moodle.name, moodle.ident],
+    ['Kim Lee', { Identifier: 'Participant 7', 'Email address': 'kim@example.org' }],
+  );
+  for (const [path, name] of [
+    ['all/Kim Lee_4711_assignsubmission_onlinetext/onlinetext.html', 'Kim Lee'],
+    ['leekim_12345_67890_hand-in-s1.txt', 'leekim'],
+    ['leekim_LATE_12345_67890_text.html', 'leekim'],
+    ['hand-in-s1.txt', 'hand-in-s1'],
+  ])
+    assert.equal(nameOfFile(path), name);
+  const [file] = reader.readFile('all/Kim Lee_4711_assignsubmission_onlinetext/onlinetext.html', html);
+  assert.deepEqual([file.name, file.link?.includes('handin=')], ['Kim Lee', true]);
+});
+
+test('what is cut, forged, of another exercise, of another version, too long, or no hand-in is a row that says so', async () => {
+  const { text, link } = await handedIn('s1', good);
+  const other = await handedIn('s2', good, `${exercise.replace('J%3C7.9', 'J%3C20')}&goal.x=1`);
+  /** What nobody made with the page, but with digits that fit. @param {string} change @param {string} by */
+  const forge = async (change, by) => {
+    const { sealOf } = await import('../../../www/link/seal.js');
+    const [run, handin] = link.replace(change, by).split('&handin=');
+    const body = decodeURIComponent(handin).split('~').slice(0, -1).join('~').replace(change, by);
+    return `${run}&handin=${encodeURIComponent(`${body}~${sealOf(run, body)}`)}`;
+  };
+  /** @type {[string, string, RegExp][]} */
+  const rows = [
+    ['cut', link.slice(0, -3), /cut or changed/],
+    [
+      'cut before',
+      link.slice(0, link.indexOf('&lock')),
+      /link without a receipt.*differs from the exercise in .*task/,
+    ],
+    ['cut within the gains', link.slice(0, link.indexOf('3.3,') + 6), /cannot be read: .*gains was left out/],
+    ['gains changed', link.replace('3.3,', '3.4,'), /cut or changed/],
+    ['J forged', await forge(String(cost), '7.1'), /says J = 7\.1/],
+    ['gains forged', await forge('3.3,', '3.4,'), /says J = 7\.71/],
+    ['another exercise', other.link, /differs from the exercise in goal\.x, aim/],
+    ['another version', `${link.replace('v=1', 'v=2')}`, /cannot be read: .*version 2/],
+    ['another program', await forge('~0.1.0~', '~9.9.9~').then((one) => one.replace('3.3,', '3.3,')), /^$/],
+    ['too heavy', `lab&v=1&generation=100000&population=2000&task=x`, /too long to compute/],
+    ['prose', 'I could not do it, sorry.', /no hand-in in it: “I could not do it, sorry\.”/],
+    ['markup', '<img src=x onerror="alert(1)"><script>alert(1)</script>', /no hand-in in it/],
+    [
+      'markup in a link',
+      `lab&v=1&task=%3Cimg%20src=x%20onerror=alert(1)%3E&drives=hand&gains=3,0,4&who=%3Cb%3E`,
+      /differs/,
+    ],
+  ];
+  for (const [what, given, remark] of rows) {
+    const { rows: checked } = await checkAll(given);
+    assert.equal(checked.length, 1, what);
+    assert.match(remarksOf(checked[0], checked).join('; '), remark, what);
+  }
+  const long = await checkAll(`${text}${'x'.repeat(10_000_000)}`);
+  assert.match(remarksOf(long.rows[0], long.rows).join(), /too long/);
+  // Judged by the exercise as it was given, whatever the hand-in says of it.
+  const [row] = (await checkAll(other.link)).rows;
+  assert.equal(row.checked?.judged?.isMet, true);
+  assert.notEqual(row.checked?.cost, row.checked?.value);
+});
+
+test('a class is checked at once: twins are named, variants drawn, evolved gains found again', async () => {
+  const texts = await Promise.all([
+    handedIn('s1', [3.3, 0, 4.5]),
+    handedIn('s2', [3.2, 0.1, 5.2]),
+    handedIn('s3', [3.3, 0, 4.5]),
+  ]);
+  const { rows, given } = await checkAll(texts.map(({ text }) => text).join('\n\n'), '');
+  assert.equal(given?.id, texts[0].exercise);
+  assert.deepEqual(
+    rows.map(({ same }) => same),
+    [[2], [], [0]],
+  );
+  assert.match(remarksOf(rows[0], rows).join(), /same answer as 3 s3/);
+  assert.deepEqual(ordered(rows, { column: 'cost', isDown: true }), [1, 0, 2]);
+
+  const vary = `${exercise}&vary=goal,seed`;
+  const mine = await handedIn('s1', good, vary);
+  const copied = mine.link.replace('who=s1', 'who=s2');
+  const varied = await checkAll([mine.link, copied].join('\n'), vary);
+  assert.deepEqual(
+    varied.rows.map(({ checked }) => checked?.worth),
+    ['holds', 'broken'],
+  );
+  assert.deepEqual(varied.rows[0].checked?.differs, []);
+
+  const free = exercise.replace('seed,', '');
+  const evolved = await receipt(`${free}&seed=9&generation=30&who=s4`);
+  const [found] = (await checkAll(evolved.link, free)).rows;
+  assert.deepEqual(
+    [
+      found.checked?.worth,
+      found.checked?.gains,
+      found.checked?.drives,
+      found.checked?.isTold,
+      found.checked?.differs,
+    ],
+    ['holds', evolved.gains, 620, false, []],
+  );
+});
+
+test('the table for the gradebook has the platform’s own columns, all digits, and no formula', async () => {
+  const { text } = await handedIn('s1', good);
+  const given = Papa.unparse([
+    ['Full name', 'Email address', 'Online text'],
+    ['=HYPERLINK("http://x")', 'kim@example.org', text],
+    ['-1+1', '@SUM(1)', 'nothing'],
+  ]);
+  const { rows } = await checkAll(given);
+  const [head, first, second] = Papa.parse(csvOf(rows, site).replace('\ufeff', '')).data.map(
+    (row) => /** @type {string[]} */ (row),
+  );
+  assert.deepEqual(head.slice(0, 5), ['Name', 'Email address', 'Points', 'Aim', 'J']);
+  assert.deepEqual(first.slice(1, 5), ['kim@example.org', '10', 'met', String(cost)]);
+  assert.deepEqual([first[0][0], second[0][0], second[1][0]], ["'", "'", "'"]);
+  assert.ok(first[first.length - 1].startsWith(`${site}#lab&`));
+});
+
+test('five hundred hand-ins are checked with progress, and a cancel ends it', async () => {
+  const { link } = await handedIn('s1', good);
+  const plain = link.split('&handin=')[0];
+  const text = Array.from({ length: 500 }, (_, i) =>
+    plain.replace('3.3,0,4.5', `${3 + i / 1000},0,4.5`),
+  ).join('\n');
+  const entries = reader.read(text);
+  assert.equal(entries.length, 500);
+  /** @type {number[]} */
+  const shares = [];
+  const { rows } = await checker.check(entries, null, {
+    ...never(),
+    onProgress: (share) => shares.push(share),
+  });
+  assert.ok(rows.every(({ checked }) => checked?.worth === 'none'));
+  assert.ok(
+    shares.length > 100 &&
+      shares.every((share, i) => i === 0 || share >= shares[i - 1]) &&
+      shares[shares.length - 1] === 1,
+  );
+  const control = new AbortController();
+  control.abort();
+  await assert.rejects(
+    checker.check(entries, null, { signal: control.signal, onProgress: () => {} }),
+    /abort/i,
+  );
+});

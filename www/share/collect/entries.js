@@ -1,0 +1,178 @@
+// What was handed in, found in whatever a learning platform gives: tables, online texts with their HTML, files, links. Nothing is
+// believed here, and nothing of it becomes markup.
+import Papa from 'papaparse';
+import { mostCharacters } from '../../link/link.js';
+import { mark } from '../handin/words/common.js';
+
+/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | null }} Entry */
+
+/** In characters. */
+export const mostOfAll = 40_000_000;
+const mostOfOne = 200_000;
+const mostEntries = 5000;
+
+const entities = /** @type {Readonly<Record<string, string>>} */ ({
+  amp: '&',
+  lt: '<',
+  gt: '>',
+  quot: '"',
+  apos: "'",
+  nbsp: ' ',
+});
+
+/** @param {string} text */
+const withoutEntities = (text) =>
+  text.replace(
+    /&(?:#(\d{1,7})|#x([\da-f]{1,6})|(amp|lt|gt|quot|apos|nbsp));/gi,
+    (whole, decimal, hex, name) => {
+      if (name) return entities[name.toLowerCase()];
+      const code = Number.parseInt(decimal ?? hex, decimal ? 10 : 16);
+      return code > 0 && code <= 0x10ffff ? String.fromCodePoint(code) : whole;
+    },
+  );
+
+/** What is said, line by line. @param {string} html */
+const saidIn = (html) =>
+  withoutEntities(
+    html.replace(/<(?:br|\/p|\/div|\/li|\/tr|\/h\d)\b[^<>]*>/gi, '\n').replace(/<\/?[a-z!][^<>]*>/gi, ' '),
+  );
+
+/** @param {string} text */
+const beginning = (text) => text.replace(/\s+/g, ' ').trim().slice(0, 80);
+
+/** @param {readonly string[]} pages */
+export function createReader(pages) {
+  const pattern = new RegExp(`(?<![\\w%])(?:${pages.join('|')})&(?:amp;)*[\\w.]+=[^\\s"<>\\\\^\`{}|]*`, 'g');
+
+  /** @param {string} text */
+  const linksIn = (text) => withoutEntities(withoutEntities(text)).match(pattern) ?? [];
+
+  /** The link that counts: a receipt before others, and of several the last. @param {string} text */
+  function linkIn(text) {
+    const found = linksIn(text);
+    const receipts = found.filter((link) => link.includes('handin='));
+    if (receipts.length > 0) return receipts[receipts.length - 1];
+    // One that was broken into lines.
+    const joined = found.length > 0 && text.includes(mark) ? linksIn(text.replace(/[\s>]+/g, '')) : [];
+    return joined.find((link) => link.includes('handin=')) ?? found[found.length - 1] ?? null;
+  }
+
+  /** @param {string} text @param {string} name @param {Entry['ident']} [ident] @returns {Entry} */
+  function entryOf(text, name, ident = {}) {
+    const about = { name: name.slice(0, 80), ident, text: beginning(saidIn(text.slice(0, 2000))) };
+    if (text.length > mostOfOne) return { ...about, link: null, why: 'long' };
+    const link = linkIn(text);
+    if (link === null) return { ...about, link, why: 'none' };
+    return link.length > mostCharacters
+      ? { ...about, link: null, why: 'long' }
+      : { ...about, link, why: null };
+  }
+
+  /** Lines, of which each is a hand-in but for those of a receipt, which ends with its link. @param {string} text @param {string} name @returns {Entry[]} */
+  function fromLines(text, name) {
+    const isHtml = /<\/?(?:p|div|br|a|span|li|td|html|body|img|script)\b/i.test(text);
+    if (isHtml && new Set(linksIn(text)).size < 2) return [entryOf(text, name)];
+    const lines = (
+      isHtml ? saidIn(text.replace(/<a\b[^<>]*\bhref=["']([^"'<>]*)["'][^<>]*>/gi, ' $1 ')) : text
+    )
+      .split(/\r?\n/)
+      .map((line) => line.trim());
+    /** @type {Entry[]} */
+    const entries = [];
+    /** @type {string[]} */
+    let receipt = [];
+    const end = () => {
+      if (receipt.length > 0) entries.push(entryOf(receipt.join('\n'), name));
+      receipt = [];
+    };
+    for (const line of lines) {
+      if (line.includes(mark)) end();
+      if (receipt.length > 0 || line.includes(mark)) {
+        receipt.push(line);
+        // What may still be of it: a link that was broken into lines.
+        if (/handin=[^\s]*~[\da-f]{8}$/.test(line) || (line === '' && receipt.length > 3)) end();
+      } else if (line !== '') entries.push(entryOf(line, name || nameBefore(line)));
+      if (entries.length > mostEntries) return entries;
+    }
+    end();
+    return entries;
+  }
+
+  /** In a line such as “Kim, https://…”. @param {string} line */
+  function nameBefore(line) {
+    const [before] = line.split(/https?:|file:|#|(?:^|\s)[\w-]+\.html/, 1);
+    return before.length < line.length ? before.replace(/[\s,;:|\t]+$/, '').replace(/^["']/, '') : '';
+  }
+
+  return {
+    /** @param {string} text @returns {Entry[]} */
+    read(text) {
+      const table = tableIn(text, (line) => linksIn(line).length > 0);
+      if (table) return table.rows.slice(0, mostEntries).map((row) => fromRow(table.columns, row, entryOf));
+      return fromLines(text, '');
+    },
+
+    /** A file is one hand-in, unless it is a table or holds several. @param {string} path @param {string} text @returns {Entry[]} */
+    readFile(path, text) {
+      const name = nameOfFile(path);
+      if (/\.(?:csv|tsv)$/i.test(path))
+        return this.read(text).map((entry) => ({ ...entry, name: entry.name || name }));
+      if (text.length > mostOfOne) return [entryOf(text, name)];
+      const marks = text.split(mark).length - 1;
+      return marks > 1 ? fromLines(text, name) : [entryOf(text, name)];
+    },
+
+    /** @param {string} path @returns {Entry} */
+    tooLong: (path) => ({ name: nameOfFile(path), ident: {}, text: '', link: null, why: 'long' }),
+  };
+}
+
+/** Moodle names folders and files of submissions `Name_12345_assignsubmission_…`, Canvas `name_12345_67890_file`. @param {string} path */
+export function nameOfFile(path) {
+  const parts = path.split('/');
+  const moodle = parts.map((part) => /^(.+?)_\d+_assignsubmission_/.exec(part)?.[1]).find(Boolean);
+  const file = parts[parts.length - 1].replace(/\.\w+$/, '');
+  return moodle ?? /^(\D+?)_(?:LATE_)?\d+_\d+_/.exec(file)?.[1] ?? file;
+}
+
+const names = {
+  whole:
+    /^(full name|name|student|student name|display name|성명|이름|학생|nom complet|vollständiger name)$/i,
+  first: /^(first name|given name|vorname|prénom)$/i,
+  last: /^(surname|last name|family name|nachname|nom)$/i,
+  ident:
+    /^(identifier|id|id number|student id|email|email address|e-mail|username|login id|sis user id|sis login id|integration id|section|학번|이메일|아이디|사용자 이름)$/i,
+};
+
+/** A table with a head, if it is one. @param {string} text @param {(line: string) => boolean} hasLink */
+function tableIn(text, hasLink) {
+  // A mark that some programs put before a text.
+  const whole = text.replace(/^\ufeff/, '');
+  const [head, next] = Papa.parse(whole.slice(0, 100_000), { preview: 2 }).data.map(
+    (row) => /** @type {string[]} */ (row),
+  );
+  if (
+    !head ||
+    !next ||
+    head.length < 2 ||
+    next.length < head.length - 1 ||
+    head.some((cell) => hasLink(cell))
+  )
+    return null;
+  if (!head.some((cell) => Object.values(names).some((name) => name.test(cell.trim())))) return null;
+  const [columns, ...rows] = /** @type {string[][]} */ (Papa.parse(whole, { skipEmptyLines: 'greedy' }).data);
+  return { columns: columns.map((column) => column.trim()), rows };
+}
+
+/** @param {readonly string[]} columns @param {readonly string[]} row @param {(text: string, name: string, ident: Entry['ident']) => Entry} entryOf */
+function fromRow(columns, row, entryOf) {
+  const of = (/** @type {RegExp} */ name) =>
+    row[columns.findIndex((column) => name.test(column))]?.trim() ?? '';
+  const isKnown = (/** @type {string} */ column) => Object.values(names).some((name) => name.test(column));
+  const name = of(names.whole) || [of(names.first), of(names.last)].filter(Boolean).join(' ');
+  const ident = Object.fromEntries(
+    columns.map((column, i) => [column, row[i] ?? '']).filter(([column]) => names.ident.test(column)),
+  );
+  const text = row.filter((_, i) => !isKnown(columns[i] ?? '')).join('\n');
+  return entryOf(text, name, ident);
+}

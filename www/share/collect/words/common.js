@@ -1,0 +1,10 @@
+// Of checking hand-ins, what is the same in every language.
+
+export const csvName = 'hand-ins.csv';
+
+/** @param {number} value @param {number} [digits] */
+export const numberText = (value, digits = 6) =>
+  Number.isFinite(value) ? String(Number(value.toFixed(digits))) : '∞';
+
+/** @param {number} index From 0. */
+export const rowNumber = (index) => String(index + 1);

@@ -1,0 +1,118 @@
+// Every word of checking hand-ins.
+/** @import { Row, Worth } from '../check.js' */
+
+export * from './common.js';
+
+export const texts = {
+  help: 'Paste what your students handed in, or drop files and folders here: receipts, links, a column or the whole table of Moodle or Canvas, their online texts. Every drive is computed again here, and nothing leaves this page.',
+  paste: 'What was handed in',
+  exercise: 'Link of the exercise (else the one that most are of)',
+  files: 'Choose files',
+  folder: 'Choose a folder',
+  check: 'Check',
+  cancel: 'Cancel',
+  csv: 'Table for the gradebook (CSV)',
+  progress: 'Checked so far',
+  open: 'Open',
+  pin: 'Pin the chosen ones',
+  before: 'Previous',
+  after: 'Next',
+  table: 'The hand-ins',
+  histogram: 'How many have which J',
+  gains: 'Their gains',
+  costAxis: 'J',
+};
+
+/** @typedef {'number' | 'pin' | 'name' | 'who' | 'cost' | 'met' | 'points' | 'drives' | 'remark' | 'open'} Column */
+
+/** @type {Readonly<Record<Column, string>>} */
+export const columns = {
+  number: 'No.',
+  pin: 'Pin',
+  name: 'Name',
+  who: 'Says to be',
+  cost: 'J',
+  met: 'Aim',
+  points: 'Points',
+  drives: 'Drives',
+  remark: 'Remarks',
+  open: '',
+};
+
+/** @param {string} column */
+export const sortBy = (column) => `Sort by ${column}`;
+
+/** @param {string} name */
+export const openLabel = (name) => `Open the run of ${name}`;
+
+/** @param {string} name */
+export const pinLabel = (name) => `Pin the run of ${name}`;
+
+export const met = 'met';
+export const notMet = 'not met';
+
+/** @param {number} drives @param {boolean} isTold */
+export const drivesText = (drives, isTold) => (isTold ? `${drives} (says)` : String(drives));
+
+/** @type {Readonly<Record<Exclude<Worth, 'holds' | 'otherResult'>, string>>} */
+export const worths = {
+  broken: 'the receipt was cut or changed',
+  otherProgram: 'made by another version of the program',
+  none: 'a link without a receipt',
+};
+
+/** @param {number} told */
+export const otherResult = (told) => `says J = ${told}, which its drive does not have`;
+
+/** @param {readonly string[]} names */
+export const differs = (names) => `differs from the exercise in ${names.join(', ')}`;
+
+/** @param {readonly number[]} numbers @param {readonly string[]} names */
+export const same = (numbers, names) =>
+  `same answer as ${numbers
+    .slice(0, 3)
+    .map((number, i) => `${number} ${names[i]}`.trim())
+    .join(', ')}${numbers.length > 3 ? ` and ${numbers.length - 3} more` : ''}`;
+
+/** @param {string} text @param {Row['problem']} problem */
+export function problemText(text, problem) {
+  const began = text ? ` “${text}”` : '';
+  if (problem === 'none') return `no hand-in in it:${began || ' empty'}`;
+  if (problem === 'long') return `too long for a hand-in${began}`;
+  if (problem === 'heavy') return 'would take too long to compute';
+  return problem === '' ? '' : `cannot be read: ${problem.said}`;
+}
+
+/** @param {number} all @param {number} met @param {number} unread @param {number} marked @param {number} milliseconds */
+export const summary = (all, met, unread, marked, milliseconds) =>
+  `${all} hand-ins in ${(milliseconds / 1000).toFixed(1)} s: ${met} meet the aim, ${unread} cannot be read, ${marked} more have a remark.`;
+
+/** @param {string} exercise @param {string} task */
+export const judgedBy = (exercise, task) => `Judged by exercise ${exercise}${task ? `: ${task}` : ''}`;
+
+export const nothing = 'There is nothing to check yet.';
+export const cancelled = 'Cancelled.';
+/** @param {string} reason */
+export const failed = (reason) => `It could not be checked: ${reason}`;
+/** @param {string} reason */
+export const noExercise = (reason) => `The link of the exercise cannot be read: ${reason}`;
+/** @param {number} files */
+export const filesText = (files) => (files === 0 ? '' : files === 1 ? 'and one file' : `and ${files} files`);
+/** @param {number} most */
+export const pinnedText = (most) => `Pinned: they stand on the plane and in Curves; at most ${most} do.`;
+/** @param {number} first @param {number} last @param {number} count */
+export const rowsText = (first, last, count) => `${first} to ${last} of ${count}`;
+export const csvHead = [
+  'Points',
+  'Aim',
+  'J',
+  'Drives',
+  'Minutes',
+  'kx',
+  'ky',
+  'ktheta',
+  'Found by',
+  'Answers',
+  'Remarks',
+  'Link',
+];

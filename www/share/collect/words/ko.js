@@ -1,0 +1,118 @@
+// Every word of checking hand-ins, in Korean.
+/** @import { Row, Worth } from '../check.js' */
+
+export * from './common.js';
+
+export const texts = {
+  help: '학생들이 낸 것을 붙여 넣거나 파일과 폴더를 여기에 끌어다 놓으십시오. 제출물, 링크, Moodle이나 Canvas의 표 전체 또는 한 열, 온라인 텍스트를 모두 읽습니다. 모든 주행을 여기서 다시 계산하며 아무것도 이 페이지 밖으로 나가지 않습니다.',
+  paste: '제출된 내용',
+  exercise: '과제 링크(비우면 가장 많은 제출물이 푼 과제)',
+  files: '파일 고르기',
+  folder: '폴더 고르기',
+  check: '확인',
+  cancel: '취소',
+  csv: '성적부에 넣을 표(CSV)',
+  progress: '확인한 정도',
+  open: '열기',
+  pin: '고른 것을 고정',
+  before: '이전',
+  after: '다음',
+  table: '제출물 목록',
+  histogram: 'J의 분포',
+  gains: '제출된 이득',
+  costAxis: 'J',
+};
+
+/** @typedef {'number' | 'pin' | 'name' | 'who' | 'cost' | 'met' | 'points' | 'drives' | 'remark' | 'open'} Column */
+
+/** @type {Readonly<Record<Column, string>>} */
+export const columns = {
+  number: '번호',
+  pin: '고정',
+  name: '이름',
+  who: '적은 이름',
+  cost: 'J',
+  met: '기준',
+  points: '점수',
+  drives: '주행',
+  remark: '비고',
+  open: '',
+};
+
+/** @param {string} column */
+export const sortBy = (column) => `정렬: ${column}`;
+
+/** @param {string} name */
+export const openLabel = (name) => `${name}의 주행 열기`;
+
+/** @param {string} name */
+export const pinLabel = (name) => `${name}의 주행 고정`;
+
+export const met = '달성';
+export const notMet = '미달';
+
+/** @param {number} drives @param {boolean} isTold */
+export const drivesText = (drives, isTold) => (isTold ? `${drives}(본인 기록)` : String(drives));
+
+/** @type {Readonly<Record<Exclude<Worth, 'holds' | 'otherResult'>, string>>} */
+export const worths = {
+  broken: '잘렸거나 바뀐 제출물',
+  otherProgram: '다른 버전의 프로그램으로 만든 제출물',
+  none: '제출물이 아닌 링크',
+};
+
+/** @param {number} told */
+export const otherResult = (told) => `적힌 값은 J = ${told}, 실제 주행의 값과 다름`;
+
+/** @param {readonly string[]} names */
+export const differs = (names) => `과제와 다른 것: ${names.join(', ')}`;
+
+/** @param {readonly number[]} numbers @param {readonly string[]} names */
+export const same = (numbers, names) =>
+  `같은 답: ${numbers
+    .slice(0, 3)
+    .map((number, i) => `${number}번 ${names[i]}`.trim())
+    .join(', ')}${numbers.length > 3 ? ` 외 ${numbers.length - 3}명` : ''}`;
+
+/** @param {string} text @param {Row['problem']} problem */
+export function problemText(text, problem) {
+  const began = text ? ` “${text}”` : '';
+  if (problem === 'none') return `제출물이 없음:${began || ' 비어 있음'}`;
+  if (problem === 'long') return `제출물이라고 하기에는 너무 김${began}`;
+  if (problem === 'heavy') return '계산하기에 너무 오래 걸림';
+  return problem === '' ? '' : `읽을 수 없음: ${problem.said}`;
+}
+
+/** @param {number} all @param {number} met @param {number} unread @param {number} marked @param {number} milliseconds */
+export const summary = (all, met, unread, marked, milliseconds) =>
+  `제출물 ${all}개(${(milliseconds / 1000).toFixed(1)}초): 기준 달성 ${met}개, 읽을 수 없는 것 ${unread}개, 그 밖에 비고가 있는 것 ${marked}개.`;
+
+/** @param {string} exercise @param {string} task */
+export const judgedBy = (exercise, task) => `기준이 된 과제 ${exercise}${task ? `: ${task}` : ''}`;
+
+export const nothing = '아직 확인할 것이 없습니다.';
+export const cancelled = '취소했습니다.';
+/** @param {string} reason */
+export const failed = (reason) => `확인하지 못했습니다: ${reason}`;
+/** @param {string} reason */
+export const noExercise = (reason) => `과제 링크를 읽을 수 없습니다: ${reason}`;
+/** @param {number} files */
+export const filesText = (files) => (files === 0 ? '' : `파일 ${files}개와 함께`);
+/** @param {number} most */
+export const pinnedText = (most) => `고정했습니다. 평면과 곡선에 최대 ${most}개까지 나타납니다.`;
+/** @param {number} first @param {number} last @param {number} count */
+export const rowsText = (first, last, count) => `${count}개 중 ${first}~${last}`;
+export const csvHead = [
+  '점수',
+  '기준',
+  'J',
+  '주행',
+  '분',
+  'kx',
+  'ky',
+  'ktheta',
+  '찾은 방법',
+  '답',
+  '비고',
+  '링크',
+];
