@@ -41,3 +41,13 @@ export function createAccumulator() {
 
 /** Lets the browser do what is due meanwhile, so that nothing holds the page for long. */
 export const breathe = () => new Promise((resolve) => setTimeout(resolve));
+
+/** Lets the browser have its turn whenever so many milliseconds were taken. @param {number} milliseconds */
+export function createTurns(milliseconds) {
+  let end = performance.now() + milliseconds;
+  return async () => {
+    if (performance.now() < end) return;
+    await breathe();
+    end = performance.now() + milliseconds;
+  };
+}

@@ -56,7 +56,7 @@ test('a receipt is found in its text, as a link, in HTML, in a table, in a folde
     );
     assert.equal(rows[0].checked?.judged?.isMet, true);
   }
-  const [moodle] = reader.read(forms['moodle’s grading worksheet']);
+  const [moodle] = await reader.read(forms['moodle’s grading worksheet']);
   assert.deepEqual(
     [moodle.name, moodle.ident],
     ['Kim Lee', { Identifier: 'Participant 7', 'Email address': 'kim@example.org' }],
@@ -68,7 +68,7 @@ test('a receipt is found in its text, as a link, in HTML, in a table, in a folde
     ['hand-in-s1.txt', 'hand-in-s1'],
   ])
     assert.equal(nameOfFile(path), name);
-  const [file] = reader.readFile('all/Kim Lee_4711_assignsubmission_onlinetext/onlinetext.html', html);
+  const [file] = await reader.readFile('all/Kim Lee_4711_assignsubmission_onlinetext/onlinetext.html', html);
   assert.deepEqual([file.name, file.link?.includes('handin=')], ['Kim Lee', true]);
 });
 
@@ -182,7 +182,7 @@ test('five hundred hand-ins are checked with progress, and a cancel ends it', as
   const text = Array.from({ length: 500 }, (_, i) =>
     plain.replace('3.3,0,4.5', `${3 + i / 1000},0,4.5`),
   ).join('\n');
-  const entries = reader.read(text);
+  const entries = await reader.read(text);
   assert.equal(entries.length, 500);
   /** @type {number[]} */
   const shares = [];

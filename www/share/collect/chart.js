@@ -23,7 +23,7 @@ import words from './words/index.js';
 
 const bins = 24;
 /** What is farther out than this share of the class stands at the edge. */
-const inside = 0.95;
+const inside = 0.9;
 
 /** @param {readonly Row[]} rows @returns {Point[]} */
 export const pointsIn = (rows) =>

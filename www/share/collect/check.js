@@ -5,7 +5,7 @@
 /** @import { Links } from '../../link/link.js' */
 /** @import { Judged } from '../../run/aim.js' */
 /** @import { Entry } from './entries.js' */
-import { breathe } from '../../kit/loop.js';
+import { createTurns } from '../../kit/loop.js';
 import { changesOf } from '../../link/experiment.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
@@ -118,16 +118,14 @@ export function createChecker(engine, links) {
      * @returns {Promise<{ rows: Row[], given: Given | null }>}
      */
     async check(entries, exercise, { signal, onProgress }) {
-      let end = performance.now() + slice;
+      const turn = createTurns(slice);
       /** @type {(Linked | string | null)[]} */
       const runs = [];
       for (const { link } of entries) {
         runs.push(link === null ? null : read(link));
-        if (performance.now() < end) continue;
         onProgress((0.3 * runs.length) / entries.length);
-        await breathe();
+        await turn();
         signal.throwIfAborted();
-        end = performance.now() + slice;
       }
       const given =
         exercise ?? (await commonOf(runs.filter((run) => run !== null && typeof run !== 'string')));
@@ -153,10 +151,8 @@ export function createChecker(engine, links) {
       const checking = [];
       for (const [i, entry] of entries.entries()) {
         checking.push(rowOf(entry, i));
-        if (performance.now() < end) continue;
-        await breathe();
+        await turn();
         signal.throwIfAborted();
-        end = performance.now() + slice;
       }
       return { rows: withTwins(await Promise.all(checking)), given };
     },
@@ -176,14 +172,12 @@ export function createChecker(engine, links) {
   async function commonOf(runs) {
     /** @type {Map<string, { given: Given, count: number }>} */
     const found = new Map();
-    let end = performance.now() + slice;
+    const turn = createTurns(slice);
     for (const run of runs) {
       const given = givenOf(run);
       const known = found.get(given.id);
       found.set(given.id, { given: known?.given ?? given, count: (known?.count ?? 0) + 1 });
-      if (performance.now() < end) continue;
-      await breathe();
-      end = performance.now() + slice;
+      await turn();
     }
     return [...found.values()].sort((a, b) => b.count - a.count)[0]?.given ?? null;
   }

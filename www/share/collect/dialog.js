@@ -74,7 +74,10 @@ export function createCollect(tools, sheet) {
     update({ share: 0, status: '', isBad: false, rows: [], given: null, pinned: new Set(), first: 0 });
     try {
       const typed = field('collect-text').slice(0, mostOfAll);
-      const entries = [...(typed.trim() ? reader.read(typed) : []), ...(await readAll(view.files, reader))];
+      const entries = [
+        ...(typed.trim() ? await reader.read(typed) : []),
+        ...(await readAll(view.files, reader)),
+      ];
       if (entries.length === 0) return update({ share: null, status: words.nothing });
       const onProgress = (/** @type {number} */ share) => {
         if (!signal.aborted && share - (view.share ?? 0) >= 0.01) update({ share });

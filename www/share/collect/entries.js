@@ -1,15 +1,18 @@
 // What was handed in, found in whatever a learning platform gives: tables, online texts with their HTML, files, links. Nothing is
 // believed here, and nothing of it becomes markup.
 import Papa from 'papaparse';
+import { createTurns } from '../../kit/loop.js';
 import { mostCharacters } from '../../link/link.js';
 import { mark } from '../handin/words/common.js';
 
 /** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | null }} Entry */
 
 /** In characters. */
-export const mostOfAll = 40_000_000;
+export const mostOfAll = 12_000_000;
 const mostOfOne = 200_000;
 const mostEntries = 5000;
+/** So many milliseconds in a row. */
+const slice = 12;
 
 const entities = /** @type {Readonly<Record<string, string>>} */ ({
   amp: '&',
@@ -68,8 +71,8 @@ export function createReader(pages) {
       : { ...about, link, why: null };
   }
 
-  /** Lines, of which each is a hand-in but for those of a receipt, which ends with its link. @param {string} text @param {string} name @returns {Entry[]} */
-  function fromLines(text, name) {
+  /** Lines, of which each is a hand-in but for those of a receipt, which ends with its link. @param {string} text @param {string} name @returns {Promise<Entry[]>} */
+  async function fromLines(text, name) {
     const isHtml = /<\/?(?:p|div|br|a|span|li|td|html|body|img|script)\b/i.test(text);
     if (isHtml && new Set(linksIn(text)).size < 2) return [entryOf(text, name)];
     const lines = (
@@ -85,7 +88,9 @@ export function createReader(pages) {
       if (receipt.length > 0) entries.push(entryOf(receipt.join('\n'), name));
       receipt = [];
     };
+    const turn = createTurns(slice);
     for (const line of lines) {
+      await turn();
       if (line.includes(mark)) end();
       if (receipt.length > 0 || line.includes(mark)) {
         receipt.push(line);
@@ -105,18 +110,24 @@ export function createReader(pages) {
   }
 
   return {
-    /** @param {string} text @returns {Entry[]} */
-    read(text) {
+    /** @param {string} text @returns {Promise<Entry[]>} */
+    async read(text) {
       const table = tableIn(text, (line) => linksIn(line).length > 0);
-      if (table) return table.rows.slice(0, mostEntries).map((row) => fromRow(table.columns, row, entryOf));
-      return fromLines(text, '');
+      if (!table) return fromLines(text, '');
+      const turn = createTurns(slice);
+      const entries = [];
+      for (const row of table.rows.slice(0, mostEntries)) {
+        await turn();
+        entries.push(fromRow(table.columns, row, entryOf));
+      }
+      return entries;
     },
 
-    /** A file is one hand-in, unless it is a table or holds several. @param {string} path @param {string} text @returns {Entry[]} */
-    readFile(path, text) {
+    /** A file is one hand-in, unless it is a table or holds several. @param {string} path @param {string} text @returns {Promise<Entry[]>} */
+    async readFile(path, text) {
       const name = nameOfFile(path);
       if (/\.(?:csv|tsv)$/i.test(path))
-        return this.read(text).map((entry) => ({ ...entry, name: entry.name || name }));
+        return (await this.read(text)).map((entry) => ({ ...entry, name: entry.name || name }));
       if (text.length > mostOfOne) return [entryOf(text, name)];
       const marks = text.split(mark).length - 1;
       return marks > 1 ? fromLines(text, name) : [entryOf(text, name)];

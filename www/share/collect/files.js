@@ -45,7 +45,7 @@ export async function readAll(files, reader) {
     const path = file.webkitRelativePath || file.name;
     const most = /\.(?:csv|tsv)$/i.test(path) ? mostOfTable : mostOfFile;
     if (file.size > most) entries.push(reader.tooLong(path));
-    else entries.push(...reader.readFile(path, await file.text()));
+    else entries.push(...(await reader.readFile(path, await file.text())));
   }
   return entries;
 }
