@@ -14,8 +14,8 @@ const checker = createChecker(engine, links);
 const never = () => ({ signal: new AbortController().signal, onProgress: () => {} });
 
 /** @param {string} text @param {string} [by] */
-const checkAll = (text, by = exercise) =>
-  checker.check(reader.read(text), by ? checker.exerciseIn(by) : null, never());
+const checkAll = async (text, by = exercise) =>
+  checker.check(await reader.read(text), by ? checker.exerciseIn(by) : null, never());
 
 const good = /** @type {const} */ ([3.3, 0, 4.5]);
 const cost = simulate(experiment('velocity-limits'), [...good]).cost.total;

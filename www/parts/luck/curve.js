@@ -171,10 +171,14 @@ function drawLineNames(context, axes, model) {
     const places = [
       { text: words.randomLine, y: y(random.high[last]) - 11 },
       { text: words.evolutionLine, y: y(evolution.high[last]) - 11, token: '--ink', isStrong: true },
-      {
-        text: words.paperLine,
-        y: y(survey.paper.cost) + (survey.paper.cost > random.high[last] ? -11 : 10),
-      },
+      ...(Number.isFinite(survey.paper.cost)
+        ? [
+            {
+              text: words.paperLine,
+              y: y(survey.paper.cost) + (survey.paper.cost > random.high[last] ? -11 : 10),
+            },
+          ]
+        : []),
     ];
     spread(places, frame.top, frame.bottom);
     for (const place of places) drawName(context, { ...place, x: frame.right - 4, align: 'right' });

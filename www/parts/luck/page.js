@@ -14,6 +14,7 @@ import { choicesOf } from '../../kit/segmented.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
+import { hidesPaper } from '../../run/exercise.js';
 import words from './words/index.js';
 import { createContest } from './contest-page.js';
 import { createSeedCurve } from './curve.js';
@@ -106,7 +107,7 @@ export function createLuckPage({ engine, store, actions, paper }) {
       });
       strips.draw({
         survey: result,
-        paper: result?.paper.gains ?? gainsOf(state, 'paper-ep', paper),
+        paper: hidesPaper(state) ? null : (result?.paper.gains ?? gainsOf(state, 'paper-ep', paper)),
         range: state.experiment.evolution.initialRange,
         index,
         theme: state.theme,

@@ -5,6 +5,7 @@
 import { luckSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { gainsOf } from '../../run/drivers.js';
+import { hidesPaper } from '../../run/exercise.js';
 import { summaryOf } from './statistics.js';
 
 /**
@@ -63,7 +64,8 @@ export function createSeedRequests(engine, store, paper) {
           drives: drivesOf(experiment, generations),
           runs,
           summary: summaryOf(runs),
-          paper: { gains, cost },
+          // No number where an exercise hides it.
+          paper: { gains, cost: hidesPaper(store.get()) ? Number.NaN : cost },
           milliseconds: performance.now() - began,
         };
         luckSlice.update(store, { progress: null, result, chosen: null, pointed: null });

@@ -14,7 +14,7 @@ import words from './words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
-/** @typedef {{ survey: SeedSurvey | null, paper: Triple, range: readonly [number, number], index: number, theme: number }} StripsModel */
+/** @typedef {{ survey: SeedSurvey | null, paper: Triple | null, range: readonly [number, number], index: number, theme: number }} StripsModel */
 
 const colours = /** @type {const} */ (['--x', '--y', '--theta']);
 const axisHeight = 18;
@@ -96,20 +96,20 @@ function drawStrips(context, size, { survey, paper, range, index }) {
       drawDots(context, dots, diameter, name, (along, away) => [along, base - away]);
       if (index >= 0) drawRing(context, dots.along[index], base - dots.away[index]);
     }
-    drawDiamond(context, scale(paper[i]), base);
+    if (paper) drawDiamond(context, scale(paper[i]), base);
     if (survey) drawMedian(context, survey.summary.gains[i].median, size.width, base);
   }
   return strips;
 }
 
-/** All but the strangest gains; those stand at the end. @param {SeedSurvey} survey @param {Triple} paper @returns {[number, number]} */
+/** All but the strangest gains; those stand at the end. @param {SeedSurvey} survey @param {Triple | null} paper @returns {[number, number]} */
 function domainOf({ summary }, paper) {
   const reach = summary.gains.map(({ low, high, least, most }) => [
     Math.max(least, low - 6 * (high - low)),
     Math.min(most, high + 6 * (high - low)),
   ]);
   const low = Math.min(0, ...reach.map(([end]) => end));
-  const high = Math.max(...paper, ...reach.map(([, end]) => end));
+  const high = Math.max(...(paper ?? []), ...reach.map(([, end]) => end));
   return [low, high + 0.02 * (high - low)];
 }
 

@@ -2,7 +2,7 @@
 /** @import { Sheet } from '../../kit/sheet.js' */
 /** @import { SheetTools } from '../load.js' */
 /** @import { Given, Row } from './check.js' */
-/** @import { Column } from './words/en.js' */
+/** @import { Column } from './words/common.js' */
 import './style.css';
 import { html, nothing } from 'lit-html';
 import { download } from '../../kit/download.js';
@@ -121,7 +121,8 @@ export function createCollect(tools, sheet) {
       const { checked } = view.rows[row];
       if (!checked) return;
       sheet.dialog.close();
-      open({ ...checked.run, exercise: noExercise, student: nobody, parts: {} }, []);
+      const { pins } = store.get();
+      open({ ...checked.run, pins, exercise: noExercise, student: nobody, parts: {} }, []);
     },
     pinAll() {
       for (const row of [...view.pinned].slice(0, styles.length)) {

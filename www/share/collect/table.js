@@ -1,7 +1,7 @@
 // The checked hand-ins as a table: sorted by a press, each with what is to be remarked, and as rows for the gradebook.
 /** @import { Table } from '../../kit/table.js' */
 /** @import { Row } from './check.js' */
-/** @import { Column } from './words/en.js' */
+/** @import { Column } from './words/common.js' */
 import Papa from 'papaparse';
 import { create } from '../../kit/elements.js';
 import { numberText as digits } from '../../link/values.js';

@@ -15,6 +15,7 @@ const { texts } = words;
 
 /** @type {Readonly<Record<'cost' | 'parks' | 'unseen', string>>} */
 const firstValues = { cost: '8', parks: '28/32', unseen: '0.6' };
+const kinds = /** @type {const} */ (['none', 'cost', 'parks', 'unseen']);
 const heads = { cost: 'J<', parks: 'parks:', unseen: 'unseen:' };
 
 /** @type {Fields} */
@@ -115,7 +116,10 @@ function fieldsHtml({ kind, value, drives, points }, error, { vary }, on) {
   return html`
     <label for="maker-aim" class="maker-label">${texts.makerAim}</label>
     <div class="maker-aim">
-      <select id="maker-aim" @change=${on.kind}>${options(words.aims, kind)}</select>
+      <select id="maker-aim" @change=${on.kind}>${options(
+        kinds.map((one) => /** @type {const} */ ([one, words.aims[one]])),
+        kind,
+      )}</select>
       ${kind === 'none' ? nothing : field('maker-value', texts.makerValue, value, (text) => on.type({ value: text }))}
     </div>
     ${

@@ -114,13 +114,13 @@ export const ways = [
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `${count} of at most ${most} characters`;
 
-/** @type {readonly (readonly ['none' | 'cost' | 'parks' | 'unseen', string])[]} */
-export const aims = [
-  ['none', 'nobody checks'],
-  ['cost', 'J is below'],
-  ['parks', 'it parks from, of'],
-  ['unseen', 'share of unseen starts'],
-];
+/** @type {Readonly<Record<'none' | 'cost' | 'parks' | 'unseen', string>>} */
+export const aims = {
+  none: 'nobody checks',
+  cost: 'J is below',
+  parks: 'it parks from, of',
+  unseen: 'share of unseen starts',
+};
 
 /** @type {Readonly<Record<'goal' | 'starts' | 'seed', string>>} */
 export const varied = {

@@ -116,13 +116,13 @@ export const ways = [
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;
 
-/** @type {readonly (readonly ['none' | 'cost' | 'parks' | 'unseen', string])[]} */
-export const aims = [
-  ['none', '기준 없음'],
-  ['cost', 'J가 다음보다 작을 때'],
-  ['parks', '주차한 출발점/전체'],
-  ['unseen', '본 적 없는 출발점의 비율'],
-];
+/** @type {Readonly<Record<'none' | 'cost' | 'parks' | 'unseen', string>>} */
+export const aims = {
+  none: '기준 없음',
+  cost: 'J가 다음보다 작을 때',
+  parks: '주차한 출발점/전체',
+  unseen: '본 적 없는 출발점의 비율',
+};
 
 /** @type {Readonly<Record<'goal' | 'starts' | 'seed', string>>} */
 export const varied = { goal: '목표(25cm 이내)', starts: '출발(25cm, 15° 이내)', seed: '진화의 시드' };

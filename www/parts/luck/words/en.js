@@ -100,7 +100,7 @@ export const seedLine = (seed) => `seed ${seed}`;
 
 /** @param {SeedSurvey} survey @param {string} found */
 export const curveLabel = ({ generations, paper }, found) =>
-  `Best J over ${generations} generations. ${found} The paper’s EP gains have J ${costText(paper.cost)} here.`;
+  `Best J over ${generations} generations. ${found}${Number.isFinite(paper.cost) ? ` The paper’s EP gains have J ${costText(paper.cost)} here.` : ''}`;
 export const emptyCurveLabel = 'Best J over the generations of the lab’s run. No other seed has run yet.';
 
 /** @param {SeedSurvey} survey */

@@ -90,7 +90,7 @@ export const seedLine = (seed) => `시드 ${seed}`;
 
 /** @param {SeedSurvey} survey @param {string} found */
 export const curveLabel = ({ generations, paper }, found) =>
-  `${generations}세대에 걸친 최소 J. ${found} 논문의 EP 이득은 여기에서 J ${costText(paper.cost)}입니다.`;
+  `${generations}세대에 걸친 최소 J. ${found}${Number.isFinite(paper.cost) ? ` 논문의 EP 이득은 여기에서 J ${costText(paper.cost)}입니다.` : ''}`;
 export const emptyCurveLabel =
   '실험실에서 실행한 진화의 세대별 최소 J. 다른 시드는 아직 실행하지 않았습니다.';
 

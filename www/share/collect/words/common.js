@@ -1,5 +1,7 @@
 // Of checking hand-ins, what is the same in every language.
 
+/** @typedef {'number' | 'pin' | 'name' | 'who' | 'cost' | 'met' | 'points' | 'drives' | 'remark' | 'open'} Column */
+
 export const csvName = 'hand-ins.csv';
 
 /** @param {number} value @param {number} [digits] */

@@ -1,5 +1,6 @@
 // Every word of checking hand-ins, in Korean.
 /** @import { Row, Worth } from '../check.js' */
+/** @import { Column } from './common.js' */
 
 export * from './common.js';
 
@@ -23,8 +24,6 @@ export const texts = {
   costAxis: 'J',
 };
 
-/** @typedef {'number' | 'pin' | 'name' | 'who' | 'cost' | 'met' | 'points' | 'drives' | 'remark' | 'open'} Column */
-
 /** @type {Readonly<Record<Column, string>>} */
 export const columns = {
   number: '번호',
@@ -36,7 +35,7 @@ export const columns = {
   points: '점수',
   drives: '주행',
   remark: '비고',
-  open: '',
+  open: '보기',
 };
 
 /** @param {string} column */

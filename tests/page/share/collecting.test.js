@@ -1,0 +1,150 @@
+// The sheet on which hand-ins are checked, as a lecturer works it.
+import assert from 'node:assert/strict';
+import Papa from 'papaparse';
+import { engineTest, pageTest } from '../harness/browsers.js';
+import { saved } from '../harness/saved.js';
+import { exercise, handedIn } from './hand-ins.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** @param {Page} page */
+async function openSheet(page) {
+  await page.open(`#${exercise}`);
+  await page.click('#keep-button');
+  await page.until('Share is there', () => document.getElementById('keep-collect'));
+  await page.click('#keep-collect');
+  await page.until('the sheet is there', () => document.getElementById('collect-text'));
+}
+
+/** @param {Page} page @param {string} text */
+const paste = (page, text) =>
+  page.evaluate((value) => {
+    /** @type {HTMLTextAreaElement} */ (document.getElementById('collect-text')).value = value;
+  }, text);
+
+/** What stands in the table, row by row. @param {Page} page */
+const cells = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('#collect tbody tr')].map((row) =>
+      [...row.children].map((cell) => cell.textContent),
+    ),
+  );
+
+/** @param {Page} page @param {number} count */
+const checked = (page, count) =>
+  page.until(
+    'all are checked',
+    (most) =>
+      document.querySelectorAll('#collect tbody tr').length === Math.min(100, most) &&
+      document.getElementById('collect-progress')?.hidden,
+    count,
+  );
+
+engineTest('a class is checked, sorted, opened, pinned and saved for the gradebook', async (page) => {
+  const [a, b, c] = await Promise.all([
+    handedIn('s1', [3.3, 0, 4.5]),
+    handedIn('s2', [3, 0.1, 6]),
+    handedIn('s3', [3.3, 0, 4.5]),
+  ]);
+  const markup = '<img src=x onerror="document.title=\'broken\'"><b>Hello</b>';
+  const table = Papa.unparse([
+    ['Full name', 'Email address', 'Online text'],
+    ['Ann', 'ann@x.org', a.text],
+    ['Bob', 'bob@x.org', `<p>${b.text.replaceAll('&', '&amp;').replaceAll('\n', '<br>')}</p>`],
+    ['<b>Cid</b>', 'cid@x.org', c.text],
+    ['Dan', 'dan@x.org', markup],
+    ['Eve', 'eve@x.org', a.text.slice(0, -5)],
+  ]);
+  await openSheet(page);
+  await paste(page, table);
+  await page.click('#collect-check');
+  await checked(page, 5);
+  assert.match(
+    await page.text('#collect-status'),
+    /^5 hand-ins in .*: 3 meet the aim, 1 cannot be read, 3 more/,
+  );
+  const rows = await cells(page);
+  assert.deepEqual(
+    rows.map(([, , name]) => name),
+    ['Ann', 'Bob', '<b>Cid</b>', 'Dan', 'Eve'],
+  );
+  assert.match(String(rows[0][8]), /same answer as 3 <b>Cid<\/b>, 5 Eve/);
+  assert.match(String(rows[3][8]), /no hand-in in it: “Hello”/);
+  assert.match(String(rows[4][8]), /cut or changed/);
+  assert.deepEqual([rows[0][5], rows[1][5], rows[3][5]], ['met', 'not met', '']);
+  assert.equal(
+    await page.evaluate(
+      () => document.querySelectorAll('#collect-sheet img, #collect img, #collect b').length,
+    ),
+    0,
+  );
+  if (page.engine === 'chromium') assert.deepEqual(await page.obstacles('#collect'), []);
+
+  await page.click('[data-sort="cost"]');
+  await page.click('[data-sort="cost"]');
+  const [, first] = await cells(page);
+  assert.equal(first[2], 'Bob');
+
+  const csv = Papa.parse((await saved(page, '#collect-csv')).replace('\ufeff', '')).data.map(
+    (row) => /** @type {string[]} */ (row),
+  );
+  assert.deepEqual(
+    csv.slice(0, 3).map((row) => row.slice(0, 4)),
+    [
+      ['Name', 'Email address', 'Points', 'Aim'],
+      ['Ann', 'ann@x.org', '10', 'met'],
+      ['Bob', 'bob@x.org', String(b.judged?.points), 'not met'],
+    ],
+  );
+
+  await page.click('[aria-label="Pin the run of Bob"]');
+  await page.click('#collect-pin');
+  await page.click('[aria-label="Open the run of Ann"]');
+  await page.until('the run is open', () => !document.querySelector('dialog[open]'));
+  assert.match(await page.text('#legend'), /Bob/);
+  assert.equal(
+    await page.evaluate(() => /** @type {HTMLInputElement} */ (document.getElementById('gain-kx')).value),
+    '3.300',
+  );
+  assert.equal(await page.evaluate(() => document.getElementById('exercise')?.hidden), true);
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('hand-ins come as files, are shown page by page, and a cancel ends the checking', async (page) => {
+  const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+  const plain = link.split('&handin=')[0];
+  const many = Array.from({ length: 130 }, (_, i) =>
+    plain.replace('3.3,0,4.5', `${3 + i / 1000},0,4.5`),
+  ).join('\n');
+  await openSheet(page);
+  await page.evaluate((text) => {
+    const files = new DataTransfer();
+    files.items.add(new File([text], 'Kim Lee_4711_assignsubmission_onlinetext.html'));
+    files.items.add(new File(['x'.repeat(2_500_000)], 'large.txt'));
+    document
+      .getElementById('collect')
+      ?.dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }));
+  }, link);
+  await checked(page, 2);
+  const [one, large] = await cells(page);
+  assert.deepEqual([one[2], one[5]], ['Kim Lee', 'met']);
+  assert.match(String(large[8]), /too long/);
+
+  await paste(page, many);
+  await page.click('#collect-check');
+  await checked(page, 132);
+  await page.click('#collect-after');
+  assert.equal((await cells(page)).length, 32);
+  // Within one turn of the page, so that there is something to cancel.
+  await page.evaluate(() => {
+    document.getElementById('collect-check')?.click();
+    document.getElementById('collect-cancel')?.click();
+  });
+  assert.equal(await page.text('#collect-status'), 'Cancelled.');
+  await paste(page, link);
+  await page.evaluate(() => {
+    /** @type {HTMLInputElement} */ (document.getElementById('collect-exercise')).value = 'lab&v=1&aim=J>3';
+  });
+  await page.click('#collect-check');
+  assert.match(await page.text('#collect-status'), /link of the exercise cannot be read: .*aim was left out/);
+});
