@@ -18,7 +18,7 @@ import { createGainsPlane, createHistogram, pointsIn } from './chart.js';
 import { createChecker } from './check.js';
 import { createReader, mostOfAll } from './entries.js';
 import { filesIn, readAll } from './files.js';
-import { csvOf, nameOf, remarksOf, tableOf } from './table.js';
+import { csvName, csvOf, nameOf, remarksOf, tableOf } from './table.js';
 import words from './words/index.js';
 
 const { texts } = words;
@@ -136,11 +136,7 @@ export function createCollect(tools, sheet) {
       update({ status: words.pinnedText(styles.length) });
     },
     save: () =>
-      download(
-        words.csvName,
-        'text/csv',
-        csvOf(view.rows, addressOf(location.href, '', false).replace(/#$/, '')),
-      ),
+      download(csvName, 'text/csv', csvOf(view.rows, addressOf(location.href, '', false).replace(/#$/, ''))),
     /** @param {number} first */
     show: (first) => update({ first }),
   };

@@ -136,6 +136,8 @@ function cellsOf(row, index, rows, isPinned, { open, pin }) {
   ];
 }
 
+export const csvName = 'hand-ins.csv';
+
 /** What a spreadsheet takes for a formula; a number below zero is none. */
 const formula = /^[=+@\t\r]|^-(?!\d+(?:\.\d+)?(?:e[+-]?\d+)?$)/;
 
@@ -160,7 +162,9 @@ export function csvOf(rows, page) {
       entry.link && checked ? `${page}#${entry.link}` : '',
     ];
   });
-  const fields = [words.columns.name, ...idents, ...words.csvHead];
+  const { points, aim, drives, minutes, how, answers, remarks, link } = words.csvHead;
+  const numbers = ['J', drives, minutes, 'kx', 'ky', 'ktheta'];
+  const fields = [words.columns.name, ...idents, points, aim, ...numbers, how, answers, remarks, link];
   // Spreadsheets know by the mark that it is UTF-8.
   return `\ufeff${Papa.unparse({ fields, data: lines }, { escapeFormulae: formula })}\r\n`;
 }

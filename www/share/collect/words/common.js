@@ -2,8 +2,6 @@
 
 /** @typedef {'number' | 'pin' | 'name' | 'who' | 'cost' | 'met' | 'points' | 'drives' | 'remark' | 'open'} Column */
 
-export const csvName = 'hand-ins.csv';
-
 /** @param {number} value @param {number} [digits] */
 export const numberText = (value, digits = 6) =>
   Number.isFinite(value) ? String(Number(value.toFixed(digits))) : '∞';

@@ -101,17 +101,13 @@ export const filesText = (files) => (files === 0 ? '' : files === 1 ? 'and one f
 export const pinnedText = (most) => `Pinned: they stand on the plane and in Curves; at most ${most} do.`;
 /** @param {number} first @param {number} last @param {number} count */
 export const rowsText = (first, last, count) => `${first} to ${last} of ${count}`;
-export const csvHead = [
-  'Points',
-  'Aim',
-  'J',
-  'Drives',
-  'Minutes',
-  'kx',
-  'ky',
-  'ktheta',
-  'Found by',
-  'Answers',
-  'Remarks',
-  'Link',
-];
+export const csvHead = {
+  points: 'Points',
+  aim: 'Aim',
+  drives: 'Drives',
+  minutes: 'Minutes',
+  how: 'Found by',
+  answers: 'Answers',
+  remarks: 'Remarks',
+  link: 'Link',
+};

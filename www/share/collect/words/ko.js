@@ -101,17 +101,13 @@ export const filesText = (files) => (files === 0 ? '' : `파일 ${files}개와 �
 export const pinnedText = (most) => `고정했습니다. 평면과 곡선에 최대 ${most}개까지 나타납니다.`;
 /** @param {number} first @param {number} last @param {number} count */
 export const rowsText = (first, last, count) => `${count}개 중 ${first}~${last}`;
-export const csvHead = [
-  '점수',
-  '기준',
-  'J',
-  '주행',
-  '분',
-  'kx',
-  'ky',
-  'ktheta',
-  '찾은 방법',
-  '답',
-  '비고',
-  '링크',
-];
+export const csvHead = {
+  points: '점수',
+  aim: '기준',
+  drives: '주행',
+  minutes: '분',
+  how: '찾은 방법',
+  answers: '답',
+  remarks: '비고',
+  link: '링크',
+};

@@ -1,7 +1,6 @@
 // Of what is handed in, what is the same in every language.
 
-/** By this a text is known to be a receipt. */
-export const mark = 'ep-locomotion hand-in';
+import { mark } from '../../../link/seal.js';
 
 /** @param {string} program @param {string} exercise */
 export const head = (program, exercise) => `${mark} · ${program} · ${exercise}`;
