@@ -2,9 +2,6 @@
 import { digitsOf } from '../kit/hash.js';
 import { pairOf } from './values.js';
 
-/** With this the text of a receipt begins. */
-export const mark = 'ep-locomotion hand-in';
-
 /** Of these a link is the same without. */
 const beside = ['handin', 'lang', 'v'];
 

@@ -3,7 +3,7 @@
 import Papa from 'papaparse';
 import { createTurns } from '../../kit/loop.js';
 import { mostCharacters } from '../../link/link.js';
-import { mark } from '../../link/seal.js';
+import { mark } from '../handin/mark.js';
 
 /** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | null }} Entry */
 

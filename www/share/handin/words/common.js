@@ -1,6 +1,6 @@
 // Of what is handed in, what is the same in every language.
 
-import { mark } from '../../../link/seal.js';
+import { mark } from '../mark.js';
 
 /** @param {string} program @param {string} exercise */
 export const head = (program, exercise) => `${mark} · ${program} · ${exercise}`;
