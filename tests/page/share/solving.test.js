@@ -1,5 +1,6 @@
 // Exercises as students solve them: in the page and in a frame, handed in, told to the host, opened by who checks.
 import assert from 'node:assert/strict';
+import { links } from '../../../www/lesson/links.js';
 import { sizes } from '../../../www/embed/frame.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { experiment, simulate } from '../harness/core.js';
@@ -257,3 +258,34 @@ pageTest('hidden gains of the paper stand nowhere, and nothing is compared with 
     assert.deepEqual(await page.problems(), [], path);
   }
 });
+
+pageTest(
+  'an answer to the lesson’s question is told to the host, and stands in what is handed in',
+  async (page) => {
+    const html = frameOf(page, `${links.linkOfStep(3)}&task=Predict.`, sizes[2]);
+    await inHost(page, html, async () => {
+      await within(page, 0, async () => {
+        await page.until('a question is there', () => document.querySelector('.quiz .choice'));
+        await page.evaluate(() =>
+          /** @type {HTMLElement} */ (document.querySelector('.quiz .choice')).click(),
+        );
+        await page.until('it is answered', () => document.querySelector('.quiz .choice.right'));
+        await page.until('it can be handed in', () => document.getElementById('hand-in'));
+        await page.evaluate(() => document.getElementById('hand-in')?.click());
+        await page.until('it asks who', () => document.getElementById('handin-who'));
+        await page.focus('#handin-who');
+        await page.press('s', '7', Key.ENTER);
+        await page.until('the receipt is there', () => document.getElementById('handin-text'));
+      });
+      const heard = await heardFrom(page, 0);
+      const [answer, ...others] = heard.filter(({ type }) => type === 'answer');
+      assert.deepEqual(others, []);
+      assert.match(answer.question, /^law\./);
+      assert.ok(answer.choice >= 0 && answer.right >= 0);
+      const [{ text, link }] = heard.filter(({ type }) => type === 'handin');
+      const mark = answer.choice === answer.right ? '+' : '-';
+      assert.ok(text.includes(`Answers: ${answer.question}:${answer.choice}${mark}`), text);
+      assert.match(link, /lesson=3.*&handin=/);
+    });
+  },
+);

@@ -4,7 +4,6 @@
 /** @import { State } from '../../run/state.js' */
 /** @import { Measured } from './measure.js' */
 /** @import { HandedIn } from './sheet.js' */
-import './style.css';
 import { html, nothing, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
