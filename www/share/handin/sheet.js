@@ -1,7 +1,6 @@
 // The sheet on which an exercise is handed in: who it is, once, and then the receipt.
 /** @import { Receipt } from './receipt.js' */
 /** @import { WorkTools } from './work.js' */
-import './sheet.css';
 import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { copy } from '../../kit/copy.js';
