@@ -52,7 +52,10 @@ const sliceMilliseconds = 12;
  * @param {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links, drivingOf: () => Run, answersOf: AnswersOf, whenSeen: () => Promise<void> }} parts `whenSeen`: once all that drives is there.
  * @param {(message: object) => void} send To the page around.
  */
-export function createMessages({ engine, store, actions, paper, links, drivingOf, answersOf, whenSeen }, send) {
+export function createMessages(
+  { engine, store, actions, paper, links, drivingOf, answersOf, whenSeen },
+  send,
+) {
   /** @type {Statistics[]} */
   let announced = [];
 
