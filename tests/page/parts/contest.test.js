@@ -48,7 +48,7 @@ test('the trials of a seed are the same in whatever batch it runs', () => {
 });
 
 test('the usual target is 0.2 % above the lowest of all, and the standings follow from the trials', () => {
-  const { lowest, target, lines } = standingsOf(small, null);
+  const { lowest, target, lines } = standingsOf(small);
   const costs = small.lines.map((line) => line.trials.map(({ champion }) => champion.cost));
   const least = Math.min(...costs.flat());
   assert.equal(lowest?.cost, least);
@@ -73,9 +73,9 @@ test('verdicts say what the ranks say', () => {
     ...small,
     lines: [small.lines[0], { ...small.lines[0], name: /** @type {const} */ ('mirror') }],
   };
-  assert.deepEqual(standingsOf(twice, null).lines[1].verdict, { kind: 'same', runs: 15 });
+  assert.deepEqual(standingsOf(twice).lines[1].verdict, { kind: 'same', runs: 15 });
   // A target that everybody meets at the first drive tells nobody apart.
-  const easy = standingsOf(small, 1e9);
+  const easy = standingsOf(small, { target: 1e9 });
   for (const line of easy.lines.slice(1)) assert.equal(line.verdict?.kind, 'undecided');
   const [first] = small.lines;
   const slower = first.trials.map((trial) => ({ ...trial, drives: trial.drives.map((drive) => 3 * drive) }));
@@ -86,7 +86,7 @@ test('verdicts say what the ranks say', () => {
   };
   // So near that all reach it, so far that they do not at once.
   const target = Math.max(...first.trials.map(({ champion }) => champion.cost));
-  const { verdict } = standingsOf(late, target).lines[1];
+  const { verdict } = standingsOf(late, { target }).lines[1];
   assert.ok(verdict?.kind === 'later' && Math.abs(verdict.times - 3) < 1e-12, JSON.stringify(verdict));
 });
 
@@ -137,7 +137,7 @@ const readTable = (page) =>
 
 /** @param {Contest} contest @param {number | null} target */
 const expectedTable = (contest, target) =>
-  standingsOf(contest, target).lines.map(({ name, reached, count, ert, median, comparison }) => ({
+  standingsOf(contest, { target }).lines.map(({ name, reached, count, ert, median, comparison }) => ({
     name: name ?? 'lab',
     cells: [
       `${reached} of ${count}`,
@@ -156,7 +156,7 @@ pageTest('the table of the contest is what the core’s trials say, also at anot
   await runContest(page);
   const table = await readTable(page);
   assert.deepEqual(withoutVerdict(table), expectedTable(small, null));
-  for (const [i, { verdict }] of standingsOf(small, null).lines.entries())
+  for (const [i, { verdict }] of standingsOf(small).lines.entries())
     if (verdict?.kind === 'undecided') assert.equal(table[i].verdict, '15 runs cannot tell these two apart.');
   assert.deepEqual(await page.obstacles(), []);
 

@@ -8,7 +8,7 @@ import { download } from '../../kit/download.js';
 import { byIdIn } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { createContestChart } from './contest-chart.js';
-import { createContestRequests } from './contest-request.js';
+import { contestRequestsOf } from './contest-request.js';
 import { contestSight } from './contest-sight.js';
 import { contestCsv, standingsOf } from './contest-summary.js';
 import { isSameButSeed } from './request.js';
@@ -18,7 +18,7 @@ import words from './words/index.js';
 
 /** @param {HTMLElement} element @param {Pick<Tools, 'engine' | 'store'>} tools */
 export function createContest(element, { engine, store }) {
-  const requests = createContestRequests(engine, store);
+  const requests = contestRequestsOf(engine, store);
   const luck = () => luckSlice.of(store.get());
   const update = (/** @type {Partial<import('./state.js').LuckState>} */ patch) =>
     luckSlice.update(store, patch);
@@ -30,8 +30,14 @@ export function createContest(element, { engine, store }) {
       if (contest) download(words.contestFile(contest), 'text/csv', contestCsv(contest));
     },
   };
-  const standings = remember((/** @type {Contest | null} */ contest, /** @type {number | null} */ target) =>
-    contest ? standingsOf(contest, target) : null,
+  const standings = remember(
+    (
+      /** @type {Contest | null} */ contest,
+      /** @type {number | null} */ target,
+      /** @type {number | null} */ until,
+      /** @type {number | null} */ only,
+      /** @type {number} */ draw,
+    ) => (contest ? standingsOf(contest, { target, until, only, draw }) : null),
   );
   const staleText = remember((/** @type {Contest | null} */ contest, /** @type {Experiment} */ experiment) =>
     contest && !isSameButSeed(contest.experiment, experiment)
@@ -41,8 +47,8 @@ export function createContest(element, { engine, store }) {
   const changed = watch();
   /** @param {State} state */
   const show = (state) => {
-    const { contest, target } = luckSlice.of(state);
-    const found = standings(contest, target);
+    const { contest, target, until, only, draw } = luckSlice.of(state);
+    const found = standings(contest, target, until, only, draw);
     if (!changed(luckSlice.of(state), state.experiment)) return found;
     const stale = staleText(contest, state.experiment);
     element.classList.toggle('stale', stale !== '');
@@ -51,15 +57,17 @@ export function createContest(element, { engine, store }) {
   };
   show(store.get());
   // As many digits as the field shows.
-  const chart = createContestChart(byIdIn(element, 'contest-chart'), (target) =>
-    update({ target: Number(words.targetText(target).replace('−', '-')), targetError: '' }),
-  );
+  const chart = createContestChart(byIdIn(element, 'contest-chart'), {
+    onTarget: (target) =>
+      update({ target: Number(words.targetText(target).replace('−', '-')), targetError: '' }),
+    onUntil: (drives) => update({ until: drives === luck().contest?.budget ? null : drives }),
+  });
 
   return {
     /** @param {State} state */
     draw(state) {
-      const { contest, budget } = luckSlice.of(state);
-      chart.draw({ contest, standings: show(state), budget, theme: state.theme });
+      const { contest, budget, reading } = luckSlice.of(state);
+      chart.draw({ contest, standings: show(state), budget, reading, theme: state.theme });
     },
   };
 }

@@ -44,8 +44,18 @@ const partsOf = (seeds) =>
     return /** @type {[number, number]} */ ([from, Math.min(from + seedsOfPart, firstSeed + seeds)]);
   });
 
+/** @type {WeakMap<Store, ReturnType<typeof createContestRequests>>} */
+const known = new WeakMap();
+
+/** The same for all who ask for contests of a page, so that each can end what another has begun. @param {Engine} engine @param {Store} store */
+export function contestRequestsOf(engine, store) {
+  const found = known.get(store) ?? createContestRequests(engine, store);
+  known.set(store, found);
+  return found;
+}
+
 /** @param {Engine} engine @param {Store} store */
-export function createContestRequests(engine, store) {
+function createContestRequests(engine, store) {
   /** @type {AbortController | null} */
   let running = null;
   const luck = () => luckSlice.of(store.get());

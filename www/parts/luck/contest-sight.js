@@ -5,6 +5,7 @@
 /** @import { LuckState } from './state.js' */
 import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
+import { choicesOf } from '../../kit/segmented.js';
 import { createSwatch } from '../../kit/swatch.js';
 import { options, selectAll, valueIn } from '../../kit/templates.js';
 import { styles } from '../../run/pins.js';
@@ -41,9 +42,12 @@ export function contestSight(state, standings, stale, on) {
     ${entrants(luck, on)}
     <p id="contest-status" class="luck-status" role="status">${statusText(luck, stale)}</p>
     ${contest ? nothing : html`<p id="contest-finding" class="luck-finding">${words.contestInvitation(luck)}</p>`}
+    <fieldset id="contest-reading" class="segmented small" .hidden=${!standings?.lowest}>
+      ${choicesOf('contest-reading', texts.reading, words.readings, luck.reading, (reading) => on.update({ reading }))}
+    </fieldset>
     <div id="contest-chart" class="luck-curve contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
       aria-label=${words.contestLabel(sentences)}></div>
-    ${contest && standings?.lowest ? targetField(luck, standings, on) : nothing}
+    ${contest && standings?.lowest ? [targetField(luck, standings, on), fewerSeeds(luck, standings, on)] : nothing}
     ${standings ? table(standings) : nothing}`;
 }
 
@@ -83,7 +87,8 @@ function entrants({ others, contestRuns }, { update }) {
 }
 
 /** @param {LuckState} luck @param {Standings} standings @param {ContestEvents} on */
-function targetField({ target, targetError }, standings, { update }) {
+function targetField({ target, targetError, contest }, standings, { update }) {
+  const contestBudget = contest?.budget;
   const change = (/** @type {Event} */ event) => {
     const text = valueIn(event);
     const value = numberOf(text);
@@ -103,12 +108,33 @@ function targetField({ target, targetError }, standings, { update }) {
           ? html`<span id="contest-usual" class="muted">${standings.lowest ? words.usualTargetText(standings.lowest) : ''}</span>`
           : html`<button id="contest-usual" type="button" class="link" @click=${() => update({ target: null, targetError: '' })}>${texts.usualTarget}</button>`
       }
+      <button id="contest-whole" type="button" class="link" .hidden=${standings.budget === contestBudget}
+        @click=${() => update({ until: null })}>${words.untilText(standings.budget)}</button>
       <span id="contest-target-error" class="contest-error" role="alert">${targetError}</span>
     </div>`;
 }
 
+/** What one would have said after fewer runs. @param {LuckState} luck @param {Standings} standings @param {ContestEvents} on */
+function fewerSeeds({ draw }, { count, seeds }, { update }) {
+  const change = (/** @type {Event} */ event) => {
+    const only = Number(valueIn(event));
+    update({ only: only === seeds ? null : only });
+  };
+  return html`
+    <div class="bar contest-fewer">
+      <label class="bar"><span>${texts.fewer}</span>
+        <input id="contest-only" type="range" min="1" max=${seeds} .value=${live(String(count))} aria-valuetext=${words.seedsText(count, seeds)} @input=${change}></label>
+      <output id="contest-count" for="contest-only">${words.seedsText(count, seeds)}</output>
+      <button id="contest-others" type="button" class="link" .disabled=${count === seeds} @click=${() => update({ draw: draw + 1 })}>${texts.otherSeeds}</button>
+    </div>`;
+}
+
 /** @param {Standing} standing */
-const sentenceOf = ({ name, error, verdict }) => error || (verdict ? words.verdictText(verdict, name) : '');
+const sentenceOf = ({ name, error, verdict, told, count }) =>
+  error ||
+  (verdict
+    ? words.verdictText(verdict, name) + (told === null ? '' : ` ${words.toldText(told, count)}`)
+    : '');
 
 /** @param {Standings} standings */
 const table = ({ lines }) => html`
@@ -117,7 +143,7 @@ const table = ({ lines }) => html`
     <thead><tr><td></td>${words.contestColumns.map(({ text, hint }) => html`<th scope="col" title=${hint}>${text}</th>`)}</tr></thead>
     ${lines.map(
       (line, i) => html`<tbody data-contestant=${line.name ?? 'lab'}>
-        <tr><th scope="row">${rows[i]}${words.shortName(line.name)}</th>${cellsOf(line).map((text) => html`<td>${text}</td>`)}</tr>
+        <tr><th scope="row">${rows[i]}${words.shortName(line.name)}</th>${cellsOf(line).map((text, column) => html`<td>${text}${column === 1 ? intervalOf(line) : nothing}</td>`)}</tr>
         ${sentenceOf(line) === '' ? nothing : html`<tr class="verdict"><td colspan="6">${sentenceOf(line)}</td></tr>`}
       </tbody>`,
     )}
@@ -134,6 +160,12 @@ function cellsOf({ count, reached, ert, median, comparison }) {
     comparison ? words.probability(comparison.p) : '',
   ];
 }
+
+/** @param {Standing} line */
+const intervalOf = ({ count, ert, interval: [low, high] }) =>
+  count > 1 && Number.isFinite(ert)
+    ? html` <small>${words.intervalText(Math.round(low), Math.round(high))}</small>`
+    : nothing;
 
 /** @param {LuckState} luck */
 function noteText({ contest, contestRuns }) {

@@ -28,9 +28,9 @@ export function costAt({ drives, costs }, drive) {
   return count === 0 ? Infinity : costs[count - 1];
 }
 
-/** The runtime: the first drive whose J is at or below the target; infinite if there is none. @param {Descent} descent @param {number} target */
-export function runtimeOf({ drives, costs }, target) {
-  for (let i = 0; i < costs.length; i += 1) if (costs[i] <= target) return drives[i];
+/** The runtime: the first drive whose J is at or below the target; infinite if there is none up to the budget. @param {Descent} descent @param {number} target @param {number} [budget] */
+export function runtimeOf({ drives, costs }, target, budget = Infinity) {
+  for (let i = 0; i < costs.length && drives[i] <= budget; i += 1) if (costs[i] <= target) return drives[i];
   return Infinity;
 }
 
@@ -49,6 +49,20 @@ export function expectedRunningTime(runtimes, budget) {
 /** The share of the runs that have reached the target after so many drives. @param {readonly number[]} runtimes @param {number} drive */
 export const shareAt = (runtimes, drive) =>
   runtimes.filter((runtime) => runtime <= drive).length / runtimes.length;
+
+/**
+ * The share of all pairs of a run and a target that are reached after so many drives: the ECDF of COCO over many targets.
+ * @param {readonly Descent[]} descents @param {readonly number[]} targets From the highest to the lowest. @param {number} drive
+ */
+export function shareOfTargets(descents, targets, drive) {
+  const lowest = [...targets].reverse();
+  const reached = descents.reduce((sum, descent) => {
+    const cost = costAt(descent, drive);
+    const first = lowest.findIndex((target) => target >= cost);
+    return sum + (first < 0 ? 0 : lowest.length - first);
+  }, 0);
+  return reached / (descents.length * targets.length);
+}
 
 /**
  * Which of two runs is better, as COCO's rank-sum test has it: the one that reached the target sooner; of two that did not, the

@@ -2,6 +2,7 @@
 /** @import { Trial } from '../../core/engine.js' */
 /** @import { Contest, Line } from './contest-request.js' */
 /** @import { Contestant } from './contestants.js' */
+import { level, runningTimeInterval, someOf, toldApart } from './contest-resampling.js';
 import { compareEnds, costAt, expectedRunningTime, holm, rankSums, runtimeOf } from './contest-statistics.js';
 import { quartilesOf } from './statistics.js';
 
@@ -19,16 +20,25 @@ import { quartilesOf } from './statistics.js';
  * @property {number[]} runtimes
  * @property {number} reached
  * @property {number} ert In drives.
+ * @property {readonly [number, number]} interval Of that.
  * @property {number} median Of J at the budget.
  * @property {Comparison | null} comparison p is Holm's.
  * @property {Verdict | null} verdict
+ * @property {number | null} told In how many of 100 draws so few of the seeds tell it apart from the first; null: with all seeds.
+ */
+/**
+ * How a contest is read.
+ * @typedef {object} Reading
+ * @property {number | null} [target] If it is not the usual one.
+ * @property {number | null} [until] After so many drives; null: in the end.
+ * @property {number | null} [only] Had one run only so many seeds; null: all.
+ * @property {number} [draw] Which of them; 0: the first.
  */
 /** @typedef {ReturnType<typeof standingsOf>} Standings */
+/** @typedef {Omit<Standing, 'comparison' | 'verdict' | 'told'>} Alone */
 
 /** The usual target is so far above the lowest J. */
 export const margin = 0.002;
-/** What can be told is less probable by chance. */
-const level = 0.05;
 
 /** @param {readonly Line[]} lines @returns {Lowest | null} */
 export function lowestOf(lines) {
@@ -40,17 +50,59 @@ export function lowestOf(lines) {
   return lowest;
 }
 
-/** @param {Contest} contest @param {number | null} chosen The target, if it is not the usual one. */
-export function standingsOf({ lines, budget }, chosen) {
-  const lowest = lowestOf(lines);
-  const target = chosen ?? (lowest ? lowest.cost + margin * Math.abs(lowest.cost) : Infinity);
-  const ends = lines.map(({ trials }) =>
-    trials.map((trial) => ({ runtime: runtimeOf(trial, target), cost: costAt(trial, budget) })),
+/** The usual target of a contest, from all that it has found. @param {Lowest | null} lowest */
+const usualTarget = (lowest) => (lowest ? lowest.cost + margin * Math.abs(lowest.cost) : Infinity);
+
+/** @param {readonly Trial[]} trials @param {number} target @param {number} budget */
+const endsOf = (trials, target, budget) =>
+  new Map(
+    trials.map((trial) => [
+      trial.seed,
+      { runtime: runtimeOf(trial, target, budget), cost: costAt(trial, budget) },
+    ]),
   );
+
+/** @param {Contest} contest @param {Reading} [reading] */
+export function standingsOf(contest, { target: chosen = null, until = null, only = null, draw = 0 } = {}) {
+  const lowest = lowestOf(contest.lines);
+  const target = chosen ?? usualTarget(lowest);
+  const budget = Math.min(until ?? contest.budget, contest.budget);
+  const seeds = contest.lines[0].trials.map(({ seed }) => seed);
+  const count = Math.min(only ?? seeds.length, seeds.length);
+  const isFew = count < seeds.length;
+  const drawn = new Set(someOf(seeds, count, draw));
+  const lines = contest.lines.map((line) => ({
+    ...line,
+    trials: isFew ? line.trials.filter(({ seed }) => drawn.has(seed)) : line.trials,
+  }));
+  const all = contest.lines.map(({ trials }) => endsOf(trials, target, budget));
+  const standings = comparedOf(lines, target, budget);
+  const [first, ...others] = all;
+  const there = others.filter(({ size }) => size > 0);
+  const told = isFew && count > 0 ? toldApart(first, there, count) : [];
+  return {
+    lowest,
+    target,
+    budget,
+    /** How many seeds each was read from, at most. */
+    count,
+    /** Of so many. */
+    seeds: seeds.length,
+    drawn: lines,
+    lines: standings.map((standing, i) => ({
+      ...standing,
+      told: i > 0 && isFew && all[i].size > 0 ? (told.shift() ?? null) : null,
+    })),
+  };
+}
+
+/** @param {readonly Line[]} lines @param {number} target @param {number} budget @returns {Omit<Standing, 'told'>[]} */
+function comparedOf(lines, target, budget) {
+  const ends = lines.map(({ trials }) => [...endsOf(trials, target, budget).values()]);
   const compared = lines.map((_, i) =>
     i > 0 && ends[0].length > 0 && ends[i].length > 0 ? rankSums(ends[0], ends[i], compareEnds) : null,
   );
-  const adjusted = holm(compared.map((one) => one?.p ?? 1).filter((_, i) => compared[i]));
+  const adjusted = holm(compared.flatMap((one) => one?.p ?? []));
   const standings = lines.map(({ name, error }, i) => {
     const runtimes = ends[i].map(({ runtime }) => runtime);
     return {
@@ -60,22 +112,17 @@ export function standingsOf({ lines, budget }, chosen) {
       runtimes,
       reached: runtimes.filter(Number.isFinite).length,
       ert: expectedRunningTime(runtimes, budget),
+      interval: runningTimeInterval(runtimes, budget),
       median: runtimes.length > 0 ? quartilesOf(ends[i].map(({ cost }) => cost)).median : Infinity,
     };
   });
-  const comparisons = compared.map(
-    (one) => one && { a12: one.a12, p: /** @type {number} */ (adjusted.shift()) },
-  );
-  return {
-    lowest,
-    target,
-    budget,
-    lines: standings.map((own, i) => {
-      const comparison = comparisons[i];
-      const isSame = isSameRuns(lines[0].trials, lines[i].trials);
-      return { ...own, comparison, verdict: comparison && verdictOf(standings[0], own, comparison, isSame) };
-    }),
-  };
+  return standings.map((own, i) => {
+    const one = compared[i];
+    if (!one) return { ...own, comparison: null, verdict: null };
+    const comparison = { a12: one.a12, p: /** @type {number} */ (adjusted.shift()) };
+    const isSame = isSameRuns(lines[0].trials, lines[i].trials);
+    return { ...own, comparison, verdict: verdictOf(standings[0], own, comparison, isSame) };
+  });
 }
 
 /** @param {Float64Array} a @param {Float64Array} b */
@@ -90,7 +137,7 @@ function isSameRuns(a, b) {
   });
 }
 
-/** @param {Omit<Standing, 'comparison' | 'verdict'>} first @param {Omit<Standing, 'comparison' | 'verdict'>} own @param {Comparison} comparison @param {boolean} isSame @returns {Verdict} */
+/** @param {Alone} first @param {Alone} own @param {Comparison} comparison @param {boolean} isSame @returns {Verdict} */
 function verdictOf(first, own, { a12, p }, isSame) {
   const runs = Math.min(first.count, own.count);
   if (isSame) return { kind: 'same', runs };

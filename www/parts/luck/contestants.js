@@ -23,6 +23,9 @@ export const rivals = /** @satisfies {Record<string, Change>} */ ({
   random: { method: 'random' },
   de: { method: 'de' },
   'cma-es': { method: 'cma-es' },
+  // As many as its authors advise for three variables: 4 + ⌊3 ln 3⌋.
+  'cma-es-7': { method: 'cma-es', population: 7 },
+  'cma-es-7-mirror': { method: 'cma-es', population: 7, belowZero: 'mirror' },
   'one-plus-one-es': { method: 'one-plus-one-es' },
   'nelder-mead': { method: 'nelder-mead' },
   'one-at-a-time': { method: 'one-at-a-time' },

@@ -2,9 +2,9 @@
 /** @import { Part } from '../part.js' */
 import { partOf } from '../load.js';
 import { partKey } from '../../link/keys.js';
-import { number, numberText, oneOf } from '../../link/values.js';
+import { number, numberText, oneOf, wholeNumber } from '../../link/values.js';
 import { contestants, mostOthers } from './contestants.js';
-import { budgets, contestSeeds, luckSlice as slice, views } from './state.js';
+import { budgets, contestSeeds, luckSlice as slice, readings, views } from './state.js';
 import { load as loadWords } from './words/load.js';
 
 /** Each once, and no more than there is room for. @param {string} text */
@@ -16,6 +16,9 @@ const othersOf = (text) =>
 /** @param {readonly number[]} choices @param {string} text */
 const oneNumberOf = (choices, text) => Number(oneOf(choices.map(String), text));
 
+/** One at least. @param {string} text @param {number} most */
+const countOf = (text, most) => Math.max(1, wholeNumber(text, most));
+
 /** @type {Part} */
 export const luck = {
   name: 'luck',
@@ -26,6 +29,9 @@ export const luck = {
     partKey('seeds', slice, 'seeds', (text) => oneNumberOf(contestSeeds, text)),
     partKey('budget', slice, 'budget', (text) => oneNumberOf(budgets, text)),
     partKey('target', slice, 'target', number, numberText),
+    partKey('reading', slice, 'reading', (text) => oneOf(readings, text)),
+    partKey('until', slice, 'until', (text) => countOf(text, Math.max(...budgets)), String),
+    partKey('only', slice, 'only', (text) => countOf(text, Math.max(...contestSeeds)), String),
   ],
   places: {
     gains: { lock: '#luck-rank' },

@@ -5,6 +5,8 @@
 import { createSlice } from '../../run/store.js';
 
 export const views = /** @type {const} */ (['seeds', 'contest']);
+/** J over the drives, what of many targets is reached, where the runs end, and in a small frame the table. */
+export const readings = /** @type {const} */ (['course', 'targets', 'ends', 'table']);
 export const contestSeeds = /** @type {const} */ ([15, 51, 101]);
 export const budgets = /** @type {const} */ ([1000, 4000, 20_000]);
 
@@ -16,6 +18,10 @@ export const budgets = /** @type {const} */ ([1000, 4000, 20_000]);
  * @property {number} budget For how many drives.
  * @property {number | null} target The J that is to be reached; null: a little above the lowest that was found.
  * @property {string} targetError
+ * @property {typeof readings[number]} reading Which picture of the contest is shown.
+ * @property {number | null} until The budget at which it is read, in drives; null: the whole.
+ * @property {number | null} only Had one run only so many seeds; null: all.
+ * @property {number} draw Which of them: the first, or others.
  * @property {Contest | null} contest
  * @property {boolean} contestRuns
  * @property {string} contestMessage
@@ -39,6 +45,10 @@ export const luckSlice = createSlice(
     budget: 4000,
     target: null,
     targetError: '',
+    reading: 'course',
+    until: null,
+    only: null,
+    draw: 0,
     contest: null,
     contestRuns: false,
     contestMessage: '',
@@ -52,5 +62,5 @@ export const luckSlice = createSlice(
     cancelled: false,
     message: '',
   }),
-  ['targetError'],
+  ['targetError', 'draw'],
 );

@@ -26,9 +26,29 @@ export const contestTexts = {
   ingredients: 'change one ingredient',
   rivals: 'a rival',
   target: 'Target J',
+  until: 'Read after so many drives',
+  reading: 'Which picture',
+  fewer: 'Had you run only',
+  otherSeeds: 'other seeds',
   usualTarget: 'usual target',
   caption: 'In drives: who reaches the target, and when',
 };
+
+/** @type {readonly import('../../../kit/segmented.js').Choice<import('../state.js').LuckState['reading']>[]} */
+export const readings = [
+  {
+    value: 'course',
+    text: 'J over drives',
+    hint: 'The best J over the drives, and who has reached the target',
+  },
+  {
+    value: 'targets',
+    text: '51 targets',
+    hint: 'How many of 51 targets are reached, from 10 % above the lowest J to 0.1 %',
+  },
+  { value: 'ends', text: 'Ends', hint: 'Where each run ends, a dot for each seed' },
+  { value: 'table', text: 'Table', hint: 'Who reaches the target, and when' },
+];
 
 export const asInLab = 'as in the lab';
 /** @type {Readonly<Record<Contestant, string>>} */
@@ -46,6 +66,8 @@ const names = {
   random: 'random search',
   de: 'DE (differential evolution)',
   'cma-es': 'CMA-ES',
+  'cma-es-7': 'CMA-ES, 7 trials a generation',
+  'cma-es-7-mirror': 'CMA-ES, 7 trials, mirrored below 0',
   'one-plus-one-es': '(1+1)-ES',
   'nelder-mead': 'Nelder–Mead',
   'one-at-a-time': 'one gain at a time',
@@ -61,6 +83,8 @@ const shortNames = {
   mirror: 'mirrored',
   random: 'random',
   de: 'DE',
+  'cma-es-7': 'CMA-ES, 7',
+  'cma-es-7-mirror': 'CMA-ES, 7, mirrored',
   'one-at-a-time': 'one gain a time',
   'finite-differences': 'differences',
 };
@@ -77,6 +101,8 @@ export const contestRunText = (count, seeds) => `Run ${count} × ${seeds} seeds`
 /** @param {number} drives */
 export const drivesChoice = (drives) => `${grouped(drives)} drives`;
 export const wholeNumber = grouped;
+/** @param {number} low @param {number} high */
+export const intervalText = (low, high) => `${grouped(low)}–${Number.isFinite(high) ? grouped(high) : '∞'}`;
 
 /** @param {number} done @param {number} all */
 export const contestProgress = (done, all) => `${done} of ${all} runs`;
@@ -98,6 +124,14 @@ export const targetRefused = (was) => `The target must be a number; it was “${
 
 export const drivesAxis = 'drives';
 export const shareAxis = 'share at the target';
+export const targetsAxis = 'share of 51 targets';
+/** @param {number} drives */
+export const untilText = (drives) => `read after ${grouped(drives)} drives; to the end`;
+/** @param {number} count @param {number} seeds */
+export const seedsText = (count, seeds) => `${count} of ${seeds} seeds`;
+/** @param {number} told @param {number} count */
+export const toldText = (told, count) =>
+  `(In ${told} of 100 draws of ${count} ${count === 1 ? 'seed' : 'seeds'} one would have told them apart.)`;
 /** @param {number} target */
 export const targetLine = (target) => `target ${targetText(target)}`;
 
@@ -105,7 +139,7 @@ export const contestColumns = [
   { text: 'reached', hint: 'How many runs reached the target' },
   {
     text: 'ERT',
-    hint: 'Expected running time: the drives of all runs until the target or the budget, by the number of those that reached it',
+    hint: 'Expected running time: the drives of all runs until the target or the budget, by the number of those that reached it; beside it where it lies 95 times in 100 (bootstrap)',
   },
   { text: 'median J', hint: 'The median of J at the budget' },
   {
@@ -123,7 +157,9 @@ export function verdictText(verdict, name) {
     case 'same':
       return `Run by run the same as the first: this changes nothing here.`;
     case 'undecided':
-      return `${verdict.runs} runs cannot tell these two apart.`;
+      return verdict.runs === 1
+        ? 'One run cannot tell these two apart.'
+        : `${verdict.runs} runs cannot tell these two apart.`;
     case 'sooner':
       return `${shortName(name)} gets there ${timesText(verdict.times)} times sooner.`;
     case 'later':

@@ -22,9 +22,25 @@ export const contestTexts = {
   ingredients: '구성 요소 하나 바꾸기',
   rivals: '경쟁 방법',
   target: '목표 J',
+  until: '읽을 때까지의 주행 횟수',
+  reading: '어떤 그림',
+  fewer: '시드를 더 적게 썼다면',
+  otherSeeds: '다른 시드로',
   usualTarget: '기본 목표로',
   caption: '주행 횟수로 본 결과: 누가 언제 목표에 이르는가',
 };
+
+/** @type {readonly import('../../../kit/segmented.js').Choice<import('../state.js').LuckState['reading']>[]} */
+export const readings = [
+  { value: 'course', text: '주행에 따른 J', hint: '주행 횟수에 따른 최소 J와 목표에 이른 비율' },
+  {
+    value: 'targets',
+    text: '목표 51개',
+    hint: '최소 J보다 10 % 높은 값부터 0.1 % 높은 값까지 목표 51개 가운데 이른 비율',
+  },
+  { value: 'ends', text: '마지막 J', hint: '실행마다 끝난 곳, 시드 하나에 점 하나' },
+  { value: 'table', text: '표', hint: '누가 언제 목표에 이르는가' },
+];
 
 export const asInLab = '실험실 그대로';
 /** @type {Readonly<Record<Contestant, string>>} */
@@ -42,6 +58,8 @@ const names = {
   random: '무작위 탐색',
   de: 'DE(차분 진화)',
   'cma-es': 'CMA-ES',
+  'cma-es-7': 'CMA-ES, 세대마다 7번',
+  'cma-es-7-mirror': 'CMA-ES, 세대마다 7번, 0에서 뒤집기',
   'one-plus-one-es': '(1+1)-ES',
   'nelder-mead': '넬더–미드',
   'one-at-a-time': '이득을 하나씩',
@@ -53,6 +71,8 @@ const shortNames = {
   truncation: '토너먼트 없음',
   random: '무작위',
   de: 'DE',
+  'cma-es-7': 'CMA-ES, 7번',
+  'cma-es-7-mirror': 'CMA-ES, 7번, 뒤집기',
 };
 
 /** @param {Contestant | null} name */
@@ -67,6 +87,8 @@ export const contestRunText = (count, seeds) => `${count} × 시드 ${seeds}개 
 /** @param {number} drives */
 export const drivesChoice = (drives) => `주행 ${grouped(drives)}회`;
 export const wholeNumber = grouped;
+/** @param {number} low @param {number} high */
+export const intervalText = (low, high) => `${grouped(low)}–${Number.isFinite(high) ? grouped(high) : '∞'}`;
 
 /** @param {number} done @param {number} all */
 export const contestProgress = (done, all) => `실행 ${all}회 중 ${done}회`;
@@ -88,6 +110,14 @@ export const targetRefused = (was) => `목표는 수여야 하는데, 입력한 
 
 export const drivesAxis = '주행 횟수';
 export const shareAxis = '목표에 이른 비율';
+export const targetsAxis = '목표 51개 가운데 이른 비율';
+/** @param {number} drives */
+export const untilText = (drives) => `주행 ${grouped(drives)}회까지 읽음, 끝까지 보기`;
+/** @param {number} count @param {number} seeds */
+export const seedsText = (count, seeds) => `시드 ${seeds}개 가운데 ${count}개`;
+/** @param {number} told @param {number} count */
+export const toldText = (told, count) =>
+  `(시드 ${count}개를 100번 뽑으면 ${told}번은 차이를 알 수 있었습니다.)`;
 /** @param {number} target */
 export const targetLine = (target) => `목표 ${targetText(target)}`;
 
@@ -95,7 +125,7 @@ export const contestColumns = [
   { text: '도달', hint: '목표에 이른 실행의 수' },
   {
     text: 'ERT',
-    hint: '기대 실행 시간: 모든 실행이 목표나 한도까지 쓴 주행 횟수를 목표에 이른 실행의 수로 나눈 값',
+    hint: '기대 실행 시간: 모든 실행이 목표나 한도까지 쓴 주행 횟수를 목표에 이른 실행의 수로 나눈 값. 곁의 수는 95 % 부트스트랩 구간',
   },
   { text: 'J 중앙값', hint: '주행 한도에서 J의 중앙값' },
   {

@@ -1,0 +1,83 @@
+// The lines of the contest that can be moved: by mouse, by finger, and by keys.
+import { arrowOf, isChord } from '../../kit/keyboard.js';
+import { pointIn } from '../../kit/map.js';
+
+/**
+ * Where a line can be held, in pixels of the chart, and what it then says.
+ * @typedef {object} Grip
+ * @property {number} x
+ * @property {number} y
+ * @property {'x' | 'y'} along In which direction it moves.
+ * @property {number} from Of the pixels in which it moves, the first.
+ * @property {number} to
+ * @property {(pixel: number) => number} valueAt
+ * @property {readonly [number, number]} range
+ * @property {number} value
+ * @property {string} text
+ */
+
+/** What an arrow moves, in pixels. */
+const [step, wideStep] = [3, 24];
+
+/**
+ * One line's handle, over the chart.
+ * @param {HTMLElement} root @param {string} id @param {string} label @param {(value: number) => void} onMove
+ */
+export function createHandle(root, id, label, onMove) {
+  const element = document.createElement('div');
+  element.id = id;
+  element.className = 'contest-handle';
+  element.tabIndex = 0;
+  element.setAttribute('role', 'slider');
+  element.setAttribute('aria-label', label);
+  element.hidden = true;
+  root.append(element);
+  /** @type {Grip | null} */
+  let grip = null;
+  const moveTo = (/** @type {number} */ pixel) => {
+    if (grip) onMove(grip.valueAt(Math.min(Math.max(pixel, grip.from), grip.to)));
+  };
+  const follow = (/** @type {PointerEvent} */ event) => {
+    const [x, y] = pointIn(root, event);
+    moveTo(grip?.along === 'x' ? x : y);
+  };
+  element.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    element.setPointerCapture(event.pointerId);
+    event.preventDefault();
+    element.focus();
+  });
+  element.addEventListener('pointermove', (event) => {
+    if (element.hasPointerCapture(event.pointerId)) follow(event);
+  });
+  element.addEventListener('keydown', (event) => {
+    const arrow = isChord(event) ? null : arrowOf(event.key);
+    if (!arrow || !grip) return;
+    const [right, up] = arrow;
+    const by = (event.shiftKey ? wideStep : step) * (right + up);
+    // What grows stands further right, or higher.
+    moveTo(grip.along === 'x' ? grip.x + by : grip.y - by);
+    event.preventDefault();
+  });
+  return {
+    element,
+    follow,
+    /** @param {Grip | null} next */
+    place(next) {
+      grip = next;
+      element.hidden = next === null;
+      if (!next) return;
+      element.style.setProperty('left', `${next.x}px`);
+      element.style.setProperty('top', `${next.y}px`);
+      element.dataset.along = next.along;
+      element.setAttribute('aria-orientation', next.along === 'x' ? 'horizontal' : 'vertical');
+      const [least, most] = next.range;
+      element.setAttribute('aria-valuemin', String(Math.min(least, next.value)));
+      element.setAttribute('aria-valuemax', String(Math.max(most, next.value)));
+      element.setAttribute('aria-valuenow', String(next.value));
+      element.setAttribute('aria-valuetext', next.text);
+    },
+    /** How far a point is from its line, in pixels. @param {readonly [number, number]} point */
+    distanceTo: ([x, y]) => (grip ? Math.abs(grip.along === 'x' ? x - grip.x : y - grip.y) : Infinity),
+  };
+}

@@ -1,0 +1,36 @@
+// What the pictures of a contest have in common: round distances, and the names at the ends of the lines.
+/** @import { Frame } from '../../kit/chart.js' */
+/** @import { Standings } from './contest-summary.js' */
+import { colour } from '../../kit/palette.js';
+import { drawName, spread } from '../../kit/names.js';
+import { drawMark } from '../../kit/swatch.js';
+import { styles } from '../../run/pins.js';
+import words from './words/index.js';
+
+/** In pixels, beside the lines. */
+const roomForNames = 80;
+
+/** @param {readonly [number, number]} range */
+export function powersIn([from, to]) {
+  const first = Math.ceil(Math.log10(from) - 1e-9);
+  const last = Math.floor(Math.log10(to) + 1e-9);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => 10 ** (first + i));
+}
+
+/** At the right edge; a line that is not there has no height. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {Standings} standings @param {readonly number[]} heights */
+export function drawNamesAt(context, frame, standings, heights) {
+  const places = heights.flatMap((height, i) => {
+    if (!Number.isFinite(height)) return [];
+    const at = Math.min(Math.max(height, frame.top), frame.bottom);
+    return [{ at, y: at, style: styles[i], text: words.shortName(standings.lines[i].name) }];
+  });
+  if (places.length === 0) return;
+  const edge = colour('--paper');
+  for (const { at, style } of places)
+    drawMark(context, style.mark, frame.right, at, { fill: colour(style.token), edge });
+  // Where there is no room beside the lines, their marks say whose they are.
+  if (context.canvas.clientWidth - frame.right < roomForNames) return;
+  spread(places, frame.top, frame.bottom);
+  for (const { text, y, style } of places)
+    drawName(context, { text, x: frame.right + 8, y, token: style.token });
+}
