@@ -120,6 +120,7 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go }
     onAnswer(choice) {
       if (progressSlice.of(store.get()).answers[key]) return;
       if (quiz.shows) go(href(quiz.shows).slice(1));
+      quiz.begins?.(store);
       if (quiz.time !== undefined) actions.standAt(quiz.time);
       keep({ choice, right: null, why: '' });
     },

@@ -15,6 +15,7 @@ export const path = Object.freeze({
   sigma: 'lab&generation=60&curve=sigmas',
   duel: 'lab&drives=hand&gains=1,1,1&weights.velocity=1,0.1',
   landscape: 'landscape&third=0.05',
+  contest: 'luck&luck=contest&contestants=truncation&seeds=51&budget=4000&target=7.72',
   task: 'lab&generation=100',
   disturbance: 'disturbance&drives=paper-ep&under=slip,0.1,0,1',
   paper: 'curves&drives=paper-ep',
@@ -28,7 +29,11 @@ export const stepNames = /** @type {readonly StepName[]} */ (Object.keys(path));
 export const pathLength = stepNames.indexOf('build') + 1;
 
 /** Links of the first edition know the steps by these numbers, and so do those of today as far as they are the same. @type {readonly StepName[]} */
-const numbered = [...stepNames.slice(0, pathLength - 1), 'lecturers'];
+const numbered = [
+  ...stepNames.slice(0, stepNames.indexOf('contest')),
+  ...stepNames.slice(stepNames.indexOf('contest') + 1, pathLength - 1),
+  'lecturers',
+];
 
 /** How links name a step. @param {number} number */
 export const textOfStep = (number) => {

@@ -5,6 +5,7 @@ import { watch } from '../kit/memo.js';
 import words from './words/index.js';
 import { inline } from './prose.js';
 
+/** @import { Store } from '../run/store.js' */
 /** @import { Live } from './page.js' */
 /** @import { Answer } from './state.js' */
 
@@ -16,6 +17,7 @@ import { inline } from './prose.js';
  * @typedef {object} Quiz
  * @property {string} [shows] The link of a run that shows it; opened when the prediction is made.
  * @property {number} [time] Where the robots' clock then stands, in seconds; without it they drive.
+ * @property {(store: Store) => void} [begins] What the prediction sets going there.
  * @property {true} [watch] The answer waits until the drive has been seen to its end.
  * @property {readonly number[]} [order] In which the choices stand; else in that of the words.
  * @property {(live: Live) => boolean} [ready] Whether what it is answered from is there; without it, at once.

@@ -9,6 +9,7 @@ import { generation } from './steps/generation.js';
 import { sigma } from './steps/sigma.js';
 import { duel } from './steps/duel.js';
 import { landscape } from './steps/landscape.js';
+import { contest } from './steps/contest.js';
 import { task } from './steps/task.js';
 import { disturbance } from './steps/disturbance.js';
 import { paper } from './steps/paper.js';
@@ -56,6 +57,7 @@ export const steps = [
   sigma,
   duel,
   landscape,
+  contest,
   task,
   disturbance,
   paper,

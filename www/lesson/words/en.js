@@ -9,6 +9,7 @@ import { generation } from './en/generation.js';
 import { sigma } from './en/sigma.js';
 import { duel } from './en/duel.js';
 import { landscape } from './en/landscape.js';
+import { contest } from './en/contest.js';
 import { task } from './en/task.js';
 import { disturbance } from './en/disturbance.js';
 import { paper } from './en/paper.js';
@@ -85,6 +86,7 @@ export const steps = {
   sigma,
   duel,
   landscape,
+  contest,
   task,
   disturbance,
   paper,

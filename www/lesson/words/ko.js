@@ -9,6 +9,7 @@ import { generation } from './ko/generation.js';
 import { sigma } from './ko/sigma.js';
 import { duel } from './ko/duel.js';
 import { landscape } from './ko/landscape.js';
+import { contest } from './ko/contest.js';
 import { task } from './ko/task.js';
 import { disturbance } from './ko/disturbance.js';
 import { paper } from './ko/paper.js';
@@ -81,6 +82,7 @@ export const steps = {
   sigma,
   duel,
   landscape,
+  contest,
   task,
   disturbance,
   paper,

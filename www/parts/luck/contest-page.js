@@ -8,17 +8,17 @@ import { download } from '../../kit/download.js';
 import { byIdIn } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { createContestChart } from './contest-chart.js';
-import { contestRequestsOf } from './contest-request.js';
+import { createContestRequests } from './contest-request.js';
 import { contestSight } from './contest-sight.js';
 import { contestCsv, standingsOf } from './contest-summary.js';
-import { isSameButSeed } from './request.js';
+import { isSameButSeed } from './same.js';
 import { changesOf } from './sight.js';
 import { luckSlice } from './state.js';
 import words from './words/index.js';
 
 /** @param {HTMLElement} element @param {Pick<Tools, 'engine' | 'store'>} tools */
 export function createContest(element, { engine, store }) {
-  const requests = contestRequestsOf(engine, store);
+  const requests = createContestRequests(engine, store);
   const luck = () => luckSlice.of(store.get());
   const update = (/** @type {Partial<import('./state.js').LuckState>} */ patch) =>
     luckSlice.update(store, patch);
@@ -66,6 +66,7 @@ export function createContest(element, { engine, store }) {
   return {
     /** @param {State} state */
     draw(state) {
+      requests.follow();
       const { contest, budget, reading } = luckSlice.of(state);
       chart.draw({ contest, standings: show(state), budget, reading, theme: state.theme });
     },

@@ -4,6 +4,7 @@
 /** @import { Contestant } from './contestants.js' */
 import { isTooLongSurvey } from '../../core/bounds.js';
 import { messageOf } from '../../words/errors.js';
+import { isWhole, partsOf } from './contest-asked.js';
 import { entered } from './contestants.js';
 import { luckSlice } from './state.js';
 import words from './words/index.js';
@@ -17,10 +18,6 @@ import words from './words/index.js';
  * @property {readonly Line[]} lines The lab's own first.
  * @property {boolean} cancelled
  */
-
-export const firstSeed = 1;
-/** As many as drive side by side in the lanes of the core. */
-const seedsOfPart = 8;
 
 /** How many runs there are, and how many there would be in the end. @param {Contest} contest */
 export function runsOf({ lines, seeds }) {
@@ -37,25 +34,8 @@ const withLine = (contest, index, patch) => ({
   lines: contest.lines.map((line, i) => (i === index ? { ...line, ...patch } : line)),
 });
 
-/** The seeds [from, to) of each part. @param {number} seeds */
-const partsOf = (seeds) =>
-  Array.from({ length: Math.ceil(seeds / seedsOfPart) }, (_, i) => {
-    const from = firstSeed + i * seedsOfPart;
-    return /** @type {[number, number]} */ ([from, Math.min(from + seedsOfPart, firstSeed + seeds)]);
-  });
-
-/** @type {WeakMap<Store, ReturnType<typeof createContestRequests>>} */
-const known = new WeakMap();
-
-/** The same for all who ask for contests of a page, so that each can end what another has begun. @param {Engine} engine @param {Store} store */
-export function contestRequestsOf(engine, store) {
-  const found = known.get(store) ?? createContestRequests(engine, store);
-  known.set(store, found);
-  return found;
-}
-
 /** @param {Engine} engine @param {Store} store */
-function createContestRequests(engine, store) {
+export function createContestRequests(engine, store) {
   /** @type {AbortController | null} */
   let running = null;
   const luck = () => luckSlice.of(store.get());
@@ -104,6 +84,14 @@ function createContestRequests(engine, store) {
       if (running !== own) return;
       running = null;
       luckSlice.update(store, { contestRuns: false });
+    },
+
+    /** Runs it where the lesson has asked for it, unless it is there. */
+    follow() {
+      const { contest, contestRuns, wanted } = luck();
+      if (!wanted) return;
+      luckSlice.update(store, { wanted: false });
+      if (contestRuns || !isWhole(contest, store.get().experiment, luck())) this.run();
     },
 
     /** What was done stays. */

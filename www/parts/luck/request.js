@@ -26,14 +26,6 @@ const firstSeed = 1;
 export const drivesOf = ({ evolution, starts }, generations) =>
   evolution.population * (generations + 1) * starts.length;
 
-/** Whether two experiments differ in nothing but the seed. @param {Experiment} a @param {Experiment} b */
-export function isSameButSeed(a, b) {
-  const [one, other] = [a, b].map((experiment) =>
-    JSON.stringify({ ...experiment, evolution: { ...experiment.evolution, seed: 0 } }),
-  );
-  return one === other;
-}
-
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
 export function createSeedRequests(engine, store, paper) {
   /** @type {AbortController | null} */

@@ -8,7 +8,8 @@ import { live } from 'lit-html/directives/live.js';
 import { luckSlice } from './state.js';
 import { options, valueIn } from '../../kit/templates.js';
 import words from './words/index.js';
-import { drivesOf, isSameButSeed } from './request.js';
+import { drivesOf } from './request.js';
+import { isSameButSeed } from './same.js';
 
 /**
  * @typedef {object} Events

@@ -24,6 +24,7 @@ export const budgets = /** @type {const} */ ([1000, 4000, 20_000]);
  * @property {number} draw Which of them: the first, or others.
  * @property {Contest | null} contest
  * @property {boolean} contestRuns
+ * @property {boolean} wanted Somebody asks for the contest that is set up.
  * @property {string} contestMessage
  * @property {number} count How many seeds to run next.
  * @property {number} generations For how many generations.
@@ -51,6 +52,7 @@ export const luckSlice = createSlice(
     draw: 0,
     contest: null,
     contestRuns: false,
+    wanted: false,
     contestMessage: '',
     count: 100,
     generations: 200,
@@ -62,5 +64,5 @@ export const luckSlice = createSlice(
     cancelled: false,
     message: '',
   }),
-  ['targetError', 'draw'],
+  ['targetError', 'reading', 'until', 'only', 'draw'],
 );

@@ -16,6 +16,7 @@ export const titles = {
   sigma: 'A step size that adapts itself',
   duel: 'You against evolution',
   landscape: 'The landscape it searched',
+  contest: 'Which part does the work?',
   task: 'Did it learn the task?',
   disturbance: 'When the ground pushes',
   paper: 'The paper’s numbers and ours',

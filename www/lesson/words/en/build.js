@@ -9,7 +9,7 @@ export const build = {
     errors: `*Its errors* follow from that. You need not integrate them, (3) gives them at every sample; but with them you can check the proof of step 4 by pencil:`,
     program: `*The program.* One drive, and one generation. Press the phases of the figure: the lines that do it light up.`,
     check: `*Is it right?* Check the law first, then one drive, then another. All digits come from the program of this page as it runs now; yours may differ in the last two or three.`,
-    task: `*An open task.* In step 11 one price made the difference. Now leave the prices alone, {R} = 1, 1, and find another way to make more than 95 % of unseen starts park: a longer horizon, a price for each start that is missed, other starts to evolve on, a floor for {s} … Evolve, test on starts that you did not evolve on, and with five seeds. Say what it costs. And does it hold elsewhere?`,
+    task: `*An open task.* In step 12 one price made the difference. Now leave the prices alone, {R} = 1, 1, and find another way to make more than 95 % of unseen starts park: a longer horizon, a price for each start that is missed, other starts to evolve on, a floor for {s} … Evolve, test on starts that you did not evolve on, and with five seeds. Say what it costs. And does it hold elsewhere?`,
     recap: `*The lesson in seven sentences.*
 
 *1.* Parking means bringing three errors to zero by choosing two velocities.
@@ -71,7 +71,7 @@ export const build = {
     about: 'About 70 lines each, without any library. The tests of this page run both against its own core.',
   },
   tries: {
-    other: 'The task of step 11 with the goal at 0°: the same gains?',
+    other: 'The task of step 12 with the goal at 0°: the same gains?',
     accelerate: 'The same with limits of acceleration: what changes?',
     few: 'With six robots instead of twenty: does luck grow?',
   },

@@ -86,7 +86,7 @@ export const lecturers = {
           seen: 'Hands come to 13 and park 26 of 32. Evolution comes below 13 with nearly every seed, at a {ky} that nobody tried.',
         },
         task: {
-          text: '*73 to 86 min.* Step 11: one start, many starts, another price. Predict each before it is shown.',
+          text: '*73 to 86 min.* Step 12: one start, many starts, another price. Predict each before it is shown.',
           seen: 'A quarter, half, nearly all of the starts that no evolution saw.',
         },
         end: {

@@ -153,6 +153,10 @@ export function verdictText(verdict, name) {
       return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번 목표에 이르지만, 첫 참가자는 한 번도 이르지 못합니다.`;
     case 'only-first':
       return `${who}: 목표에 한 번도 이르지 못합니다. 첫 참가자는 실행 ${verdict.runs}번 중 ${verdict.reached}번 이릅니다.`;
+    case 'surer':
+      return `${who}: 두 실행을 짝지으면 ${percent(1 - verdict.a12)}에서 더 늦지만 실패가 적어서, 평균으로는 목표에 ${timesText(verdict.times)}배 빨리 이릅니다.`;
+    case 'riskier':
+      return `${who}: 두 실행을 짝지으면 ${percent(verdict.a12)}에서 더 빠르지만 실패가 많아서, 평균으로는 주행이 ${timesText(verdict.times)}배 필요합니다.`;
     default:
       return `${who}: 두 실행을 짝지으면 ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)}에서 ${verdict.kind === 'better' ? '더 낫습니다' : '더 못합니다'}.`;
   }

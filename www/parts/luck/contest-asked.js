@@ -1,0 +1,47 @@
+// The contest that is set up: whether it is there, and how it comes to be without a page.
+/** @import { Engine, Experiment } from '../../core/engine.js' */
+/** @import { Contest } from './contest-request.js' */
+/** @import { LuckState } from './state.js' */
+import { entered } from './contestants.js';
+import { isSameButSeed } from './same.js';
+
+/** @typedef {Pick<LuckState, 'others' | 'seeds' | 'budget'>} Asked */
+
+export const firstSeed = 1;
+/** As many as drive side by side in the lanes of the core. */
+const seedsOfPart = 8;
+
+/** The seeds [from, to) of each part. @param {number} seeds */
+export const partsOf = (seeds) =>
+  Array.from({ length: Math.ceil(seeds / seedsOfPart) }, (_, i) => {
+    const from = firstSeed + i * seedsOfPart;
+    return /** @type {[number, number]} */ ([from, Math.min(from + seedsOfPart, firstSeed + seeds)]);
+  });
+
+/** Whether it is the one that is set up, and whole. @param {Contest | null} contest @param {Experiment} experiment @param {Asked} asked */
+export const isWhole = (contest, experiment, { others, seeds, budget }) =>
+  contest !== null &&
+  contest.seeds === seeds &&
+  contest.budget === budget &&
+  contest.lines
+    .slice(1)
+    .map(({ name }) => name)
+    .join() === others.join() &&
+  contest.lines.every(({ trials, error }) => trials.length === seeds || error !== '') &&
+  isSameButSeed(contest.experiment, experiment);
+
+/** Runs it whole. @param {Engine} engine @param {Experiment} experiment @param {Asked} asked @returns {Promise<Contest>} */
+export async function contestOf(engine, experiment, { others, seeds, budget }) {
+  const names = [null, ...others];
+  const trials = await Promise.all(
+    names.map((name) =>
+      Promise.all(
+        partsOf(seeds).map((part) =>
+          engine.surveys.trials(entered(experiment, name), { seeds: part, drives: budget }),
+        ),
+      ),
+    ),
+  );
+  const lines = names.map((name, i) => ({ name, trials: trials[i].flat(), error: '' }));
+  return { experiment, seeds, budget, lines, cancelled: false };
+}
