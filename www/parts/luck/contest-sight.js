@@ -115,7 +115,7 @@ function targetField({ target, targetError, contest }, standings, { update }) {
 }
 
 /** What one would have said after fewer runs. @param {LuckState} luck @param {Standings} standings @param {ContestEvents} on */
-function fewerSeeds({ draw }, { count, seeds }, { update }) {
+function fewerSeeds({ draw, contestRuns }, { count, seeds }, { update }) {
   const change = (/** @type {Event} */ event) => {
     const only = Number(valueIn(event));
     update({ only: only === seeds ? null : only });
@@ -123,18 +123,14 @@ function fewerSeeds({ draw }, { count, seeds }, { update }) {
   return html`
     <div class="bar contest-fewer">
       <label class="bar"><span>${texts.fewer}</span>
-        <input id="contest-only" type="range" min="1" max=${seeds} .value=${live(String(count))} aria-valuetext=${words.seedsText(count, seeds)} @input=${change}></label>
+        <input id="contest-only" type="range" min="1" max=${seeds} .value=${live(String(count))} .disabled=${contestRuns} aria-valuetext=${words.seedsText(count, seeds)} @input=${change}></label>
       <output id="contest-count" for="contest-only">${words.seedsText(count, seeds)}</output>
-      <button id="contest-others" type="button" class="link" .disabled=${count === seeds} @click=${() => update({ draw: draw + 1 })}>${texts.otherSeeds}</button>
+      <button id="contest-others" type="button" class="link" .disabled=${contestRuns || count === seeds} @click=${() => update({ draw: draw + 1 })}>${texts.otherSeeds}</button>
     </div>`;
 }
 
 /** @param {Standing} standing */
-const sentenceOf = ({ name, error, verdict, told, count }) =>
-  error ||
-  (verdict
-    ? words.verdictText(verdict, name) + (told === null ? '' : ` ${words.toldText(told, count)}`)
-    : '');
+const sentenceOf = ({ name, error, verdict }) => error || (verdict ? words.verdictText(verdict, name) : '');
 
 /** @param {Standings} standings */
 const table = ({ lines }) => html`
@@ -144,7 +140,7 @@ const table = ({ lines }) => html`
     ${lines.map(
       (line, i) => html`<tbody data-contestant=${line.name ?? 'lab'}>
         <tr><th scope="row">${rows[i]}${words.shortName(line.name)}</th>${cellsOf(line).map((text, column) => html`<td>${text}${column === 1 ? intervalOf(line) : nothing}</td>`)}</tr>
-        ${sentenceOf(line) === '' ? nothing : html`<tr class="verdict"><td colspan="6">${sentenceOf(line)}</td></tr>`}
+        ${sentenceOf(line) === '' ? nothing : html`<tr class="verdict"><td colspan="6">${sentenceOf(line)}${line.told === null ? nothing : html` <span>${words.toldText(line.told, line.count)}</span>`}</td></tr>`}
       </tbody>`,
     )}
   </table></div>`;

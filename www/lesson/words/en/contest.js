@@ -22,13 +22,13 @@ function rankText({ comparison, count }, name) {
 
 export const contest = {
   texts: {
-    begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4 000 drives* each time. Nobody counts generations, for they cost one as much and the other ten times that.
+    begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for they cost one as much and the other ten times that.
 
 Two things can be asked of a run: how low is {J} when the drives are used up, or *how many drives until {J} is below a target*? Here it is the second: 7.72, a quarter of a percent above the best that is known.`,
     read: `That is how such a result looks, and it is a result. The shaded bands, half of the runs each, lie upon each other. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would be as uneven. Step 7 showed a better robot falling in the tournament. It costs nothing that can be measured here, and it gains nothing.`,
     drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Whoever had asked for 8.09 alone would have called them a waste.`,
     slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then slide to 3, to 10, to 20. It is not that few runs lie; they leave the question open, and it is we who like to read an answer into them.`,
-    budget: `Drag the *upright* line, the drives at which one reads, from 4 000 to the end. Twenty robots come down early and then stand still: what has not arrived by then hardly ever will. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
+    budget: `Drag the *upright* line, the drives at which one reads, from 4\u202f000 to the end. Twenty robots come down early and then stand still: what has not arrived by then hardly ever will. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
     ellipse: `Why does the famous one lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it believes three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a cliff: beyond {ky} = 0 one pays.
 
 There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=55), or [let it try twenty](landscape&x=kx&y=ky&evolution.method=cma-es&generation=19) before it decides. Which helps more? The last of the things to try lets them run. So is it the method that lost, or who set it up?`,
@@ -65,14 +65,14 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
       choices: ['Nearly always', 'About half of the time', 'Hardly ever'],
       /** @param {{ told: number, few: number }} outcome */
       why: ({ told, few }) =>
-        `In ${told} of 100 draws of ${few} out of the 51 seeds. And this is the largest difference in this step.`,
+        `In ${told} of 100 draws of ${few} out of the 51 seeds. And few differences are as large as this one.`,
     },
     crowd: {
       question:
         'A hundred robots instead of twenty, but no more drives. Of which do more runs get below 7.72?',
       choices: [
-        'Of twenty, after 4 000 drives and after 20 000',
-        'Of twenty after 4 000 drives, of a hundred after 20 000',
+        'Of twenty, after 4\u202f000 drives and after 20\u202f000',
+        'Of twenty after 4\u202f000 drives, of a hundred after 20\u202f000',
         'Of a hundred, both times',
       ],
       /** @param {{ early: Row[], late: Row[], drives: number[] }} outcome */
@@ -89,7 +89,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     },
   },
   tries: {
-    floor: 'The remedy of step 8: {s} never below 0.1, with 20 000 drives',
+    floor: 'The remedy of step 8: {s} never below 0.1, with 20\u202f000 drives',
     crossover: 'Three more parts: crossover, Cauchy’s steps, each child against its own parent',
     robots: 'Six, twenty or a hundred robots, to {J} = 7.8',
     hand: 'As a hand does it, a simplex, and a slope: who gets to 7.8?',

@@ -131,7 +131,7 @@ export const untilText = (drives) => `read after ${grouped(drives)} drives; to t
 export const seedsText = (count, seeds) => `${count} of ${seeds} seeds`;
 /** @param {number} told @param {number} count */
 export const toldText = (told, count) =>
-  `(In ${told} of 100 draws of ${count} ${count === 1 ? 'seed' : 'seeds'} one would have told them apart.)`;
+  `In ${told} of 100 draws of ${count} ${count === 1 ? 'seed' : 'seeds'} one can tell.`;
 /** @param {number} target */
 export const targetLine = (target) => `target ${targetText(target)}`;
 

@@ -1,0 +1,124 @@
+// What the lesson says of the parts and the rivals is so, with the contests that it shows.
+import assert from 'node:assert/strict';
+import { contestOf } from '../../../www/parts/luck/contest-asked.js';
+import { standingsOf } from '../../../www/parts/luck/contest-summary.js';
+import { luckSlice } from '../../../www/parts/luck/state.js';
+import { contest as step, sideOf } from '../../../www/lesson/steps/contest.js';
+import { pageTest } from '../harness/browsers.js';
+import { Evolution } from '../harness/core.js';
+import { engine, opened, shownIn } from './links.js';
+import { answered, tryOf } from './live.js';
+import { test } from '../harness/once.js';
+
+/** The contest of a link, with its target. @param {string} link */
+async function ran(link) {
+  const asked = shownIn(link, luckSlice);
+  assert.equal(asked.view, 'contest');
+  const contest = await contestOf(engine, opened(link).experiment, asked);
+  return (/** @type {import('../../../www/parts/luck/contest-summary.js').Reading} */ reading = {}) =>
+    standingsOf(contest, { target: asked.target, until: asked.until, ...reading }).lines;
+}
+
+test('51 runs cannot tell the tournament from truncation', async () => {
+  const { outcome, why } = await answered('contest', 'tournament');
+  assert.equal(outcome.right, 2);
+  assert.ok(Math.abs(outcome.first.reached - outcome.other.reached) <= 5);
+  assert.match(why[0], /51 runs cannot tell the two apart \(p = 0\.\d/);
+});
+
+test('self-adaptation is no sooner at 8.09, and far ahead at 7.72: the curves cross', async () => {
+  const { outcome, why } = await answered('contest', 'sigma');
+  assert.equal(outcome.right, 1);
+  const { early, late } = outcome;
+  assert.ok(early[1].ert < early[0].ert && sideOf(early[1]) === 0);
+  assert.ok(sideOf(late[1]) < 0 && late[1].reached <= 2 && late[0].reached >= 25);
+  assert.match(why[0], /1 of 51 with σ = 1/);
+});
+
+test('with five seeds one can tell about half of the time, and hardly ever fails to with twenty', async () => {
+  const { outcome } = await answered('contest', 'fewer');
+  assert.equal(outcome.right, 1);
+  assert.ok(outcome.told > 35 && outcome.told < 65, `${outcome.told}`);
+  const lines = await ran(
+    step.blocks.flatMap((block) =>
+      block.kind === 'quiz' && block.name === 'fewer' ? [block.quiz.shows ?? ''] : [],
+    )[0],
+  );
+  assert.ok((lines({ only: 20 })[1].told ?? 0) >= 95);
+  assert.equal(lines({ only: 3 })[1].told, 0);
+  // Other seeds, another sentence.
+  const kinds = new Set(Array.from({ length: 20 }, (_, draw) => lines({ only: 5, draw })[1].verdict?.kind));
+  assert.ok(kinds.has('undecided') && kinds.size > 1, [...kinds].join());
+});
+
+test('a hundred robots lose at 4 000 drives and win at 20 000', async () => {
+  const { outcome } = await answered('contest', 'crowd');
+  assert.equal(outcome.right, 1);
+  const [[few, many], [fewer, more]] = [outcome.early, outcome.late];
+  assert.ok(few.reached > many.reached + 10 && more.reached > fewer.reached + 10);
+  // Twenty robots stand still from there on.
+  assert.ok(fewer.reached - few.reached <= 5, `${few.reached} ${fewer.reached}`);
+});
+
+test('DE gets there soonest, CMA-ES with seven trials hardly', async () => {
+  const { outcome } = await answered('contest', 'rivals');
+  assert.equal(outcome.right, 1);
+  const [ep, de, cma] = outcome.lines;
+  assert.ok(de.ert < ep.ert / 2 && sideOf(de) > 0);
+  assert.ok(cma.ert > 2 * ep.ert && sideOf(cma) < 0);
+});
+
+test('its ellipse has shrunk where J is not lowest; both remedies help', async () => {
+  const { experiment, generation } = opened('landscape&evolution.method=cma-es&population=7&generation=55');
+  const evolution = new Evolution(experiment);
+  for (let i = 0; i < generation; i += 1) evolution.step();
+  const { ellipse } = evolution.record(generation);
+  assert.ok(ellipse);
+  const lengths = ellipse.axes.map((axis) => Math.hypot(...axis));
+  assert.ok(Math.max(...lengths) < 0.1, lengths.join());
+  assert.ok(evolution.statistics().best.cost > 7.76);
+  // As many drives as with twenty trials a generation.
+  assert.ok(Math.abs((generation + 1) * 7 - 20 * 20) <= 10);
+  const [, seven, mirrored, twenty] = (await ran(tryOf('contest', 'remedies')))();
+  assert.ok(mirrored.reached > 1.5 * seven.reached && twenty.reached > 1.5 * mirrored.reached);
+});
+
+test('of the other parts only crossover helps; a child against its own parent is fatal', async () => {
+  const [, crossover, cauchy, parent] = (await ran(tryOf('contest', 'crossover')))();
+  assert.ok(sideOf(crossover) > 0 && crossover.verdict?.kind === 'sooner');
+  assert.equal(sideOf(cauchy), 0);
+  assert.ok(sideOf(parent) < 0 && parent.reached === 0);
+});
+
+test('with a floor no run is lost, and none gets far below its target', async () => {
+  const lines = await ran(tryOf('contest', 'floor'));
+  const [own, floor] = lines();
+  assert.ok(floor.reached === floor.count && own.reached < own.count - 10);
+  const [ownLower, floorLower] = lines({ target: 7.706 });
+  assert.ok(floorLower.reached === 0 && ownLower.reached >= 10);
+});
+
+test('six robots come to 7.8 with no more drives than twenty', async () => {
+  const [twenty, six] = (await ran(tryOf('contest', 'robots')))();
+  assert.ok(six.ert <= twenty.ert);
+});
+
+test('as a hand does it, a simplex and a slope: none comes to 7.8 as soon', async () => {
+  const [own, ...others] = (await ran(tryOf('contest', 'hand')))();
+  for (const other of others) assert.ok(other.ert > own.ert && sideOf(other) < 0, `${other.name}`);
+});
+
+pageTest('what is predicted runs in sight, and is answered from what stands there', async (page) => {
+  await page.open('#lesson&step=contest');
+  await page.click('#quiz-tournament .choice:first-child');
+  const why = await page.until(
+    'the answer',
+    () => document.querySelector('#quiz-tournament .quiz-why strong')?.parentElement?.innerText,
+  );
+  assert.match(String(why), /cannot tell the two apart/);
+  const cells = await page.evaluate(() =>
+    [...document.querySelectorAll('#contest-table tbody')].map((row) => row.querySelector('td')?.textContent),
+  );
+  assert.ok(cells.length === 2 && cells.every((cell) => String(why).includes(String(cell))), cells.join());
+  assert.deepEqual(await page.problems(), []);
+});
