@@ -3,9 +3,10 @@ import assert from 'node:assert/strict';
 import { trials } from '../../../pkg/ep_locomotion.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
-import { pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { saved } from '../harness/saved.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/parts/luck/contestants.js').Contestant} Contestant */
@@ -90,6 +91,57 @@ test('verdicts say what the ranks say', () => {
   assert.ok(verdict?.kind === 'later' && Math.abs(verdict.times - 3) < 1e-12, JSON.stringify(verdict));
 });
 
+test('what is read after fewer drives, or of fewer seeds, is what a shorter contest with them says', () => {
+  const shorter = standingsOf(contestOf(others, 15, 400), { target: 7.9 });
+  const read = standingsOf(small, { target: 7.9, until: 400 });
+  assert.deepEqual(
+    read.lines.map(({ runtimes, ert, median, comparison }) => ({ runtimes, ert, median, comparison })),
+    shorter.lines.map(({ runtimes, ert, median, comparison }) => ({ runtimes, ert, median, comparison })),
+  );
+  const five = standingsOf(contestOf(others, 5, 1000), { target: 7.9 });
+  const few = standingsOf(small, { target: 7.9, only: 5 });
+  for (const [i, line] of five.lines.entries()) {
+    assert.deepEqual(few.lines[i].comparison, line.comparison);
+    assert.deepEqual(few.lines[i].verdict, line.verdict);
+    assert.deepEqual(few.lines[i].interval, line.interval);
+  }
+  // The usual target is that of all runs.
+  assert.equal(standingsOf(small, { only: 5 }).target, standingsOf(small).target);
+  const drawn = standingsOf(small, { only: 5, draw: 3 }).drawn.map(({ trials: runs }) =>
+    runs.map(({ seed }) => seed),
+  );
+  assert.ok(drawn.every((seeds) => String(seeds) === String(drawn[0]) && new Set(seeds).size === 5));
+  assert.notDeepEqual(drawn[0], [1, 2, 3, 4, 5]);
+});
+
+test('what is behind in most pairs and yet cheaper in the mean is said to be surer', () => {
+  const run = (/** @type {number} */ seed, /** @type {number} */ at) => ({
+    seed,
+    drives: Float64Array.of(1, at),
+    costs: Float64Array.of(9, at < 1000 ? 1 : 8),
+    champion: { gains: /** @type {[number, number, number]} */ ([1, 1, 1]), cost: at < 1000 ? 1 : 8 },
+  });
+  const seeds = Array.from({ length: 50 }, (_, i) => i + 1);
+  const fast = seeds.map((seed) => run(seed, seed % 10 < 3 ? 1000 : 10 + seed));
+  const sure = seeds.map((seed) => run(seed, 200 + seed));
+  /** @param {typeof fast} a @param {typeof fast} b */
+  const verdictOf = (a, b) =>
+    standingsOf(
+      {
+        ...small,
+        budget: 1000,
+        seeds: 50,
+        lines: [
+          { name: null, trials: a, error: '' },
+          { name: 'de', trials: b, error: '' },
+        ],
+      },
+      { target: 2 },
+    ).lines[1].verdict?.kind;
+  assert.equal(verdictOf(fast, sure), 'surer');
+  assert.equal(verdictOf(sure, fast), 'riskier');
+});
+
 test('the CSV has a row for each improvement', () => {
   const rows = contestCsv(small).trimEnd().split('\r\n');
   assert.equal(rows[0], 'contestant,seed,drive,J');
@@ -137,16 +189,20 @@ const readTable = (page) =>
 
 /** @param {Contest} contest @param {number | null} target */
 const expectedTable = (contest, target) =>
-  standingsOf(contest, { target }).lines.map(({ name, reached, count, ert, median, comparison }) => ({
-    name: name ?? 'lab',
-    cells: [
-      `${reached} of ${count}`,
-      ert === Infinity ? '∞' : String(Math.round(ert)),
-      median.toFixed(4),
-      comparison?.a12.toFixed(2) ?? '',
-      comparison ? (comparison.p < 0.001 ? '< 0.001' : comparison.p.toFixed(3)) : '',
-    ],
-  }));
+  standingsOf(contest, { target }).lines.map(
+    ({ name, reached, count, ert, interval, median, comparison }) => ({
+      name: name ?? 'lab',
+      cells: [
+        `${reached} of ${count}`,
+        ert === Infinity
+          ? '∞'
+          : `${Math.round(ert)} ${interval.map((end) => (end === Infinity ? '∞' : Math.round(end))).join('–')}`,
+        median.toFixed(4),
+        comparison?.a12.toFixed(2) ?? '',
+        comparison ? (comparison.p < 0.001 ? '< 0.001' : comparison.p.toFixed(3)) : '',
+      ],
+    }),
+  );
 
 const withoutVerdict = (/** @type {Awaited<ReturnType<typeof readTable>>} */ table) =>
   table.map(({ name, cells }) => ({ name, cells }));
@@ -190,4 +246,133 @@ pageTest('cancel keeps what was done and says how much', async (page) => {
   const [lab] = await readTable(page);
   assert.match(lab.cells[0], new RegExp(`of ${done}$`));
   assert.deepEqual(await page.problems(), []);
+});
+
+/** Where the handle of a line stands, and what it says. @param {Page} page @param {string} id */
+const handle = (page, id) =>
+  page.evaluate((name) => {
+    const element = /** @type {HTMLElement} */ (document.getElementById(name));
+    const { left, top, width, height } = element.getBoundingClientRect();
+    return {
+      x: left + width / 2,
+      y: top + height / 2,
+      now: Number(element.getAttribute('aria-valuenow')),
+      text: element.getAttribute('aria-valuetext') ?? '',
+    };
+  }, id);
+
+/** Presses on a handle and moves by so much. @param {Page} page @param {string} id @param {number} dx @param {number} dy @param {'mouse' | 'touch'} kind */
+const dragHandle = (page, id, dx, dy, kind) =>
+  page.evaluate(
+    async (name, right, down, pointerType) => {
+      const element = /** @type {HTMLElement} */ (document.getElementById(name));
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const at = { clientX: left + width / 2, clientY: top + height / 2 };
+      const send = (/** @type {string} */ type, /** @type {object} */ point) =>
+        element.dispatchEvent(
+          new PointerEvent(type, {
+            ...point,
+            pointerId: 1,
+            pointerType,
+            button: 0,
+            buttons: 1,
+            bubbles: true,
+            cancelable: true,
+          }),
+        );
+      // A pointer that is made up cannot be captured.
+      element.setPointerCapture = () => {};
+      element.hasPointerCapture = () => true;
+      send('pointerdown', at);
+      for (const part of [0.5, 1])
+        send('pointermove', { clientX: at.clientX + part * right, clientY: at.clientY + part * down });
+      send('pointerup', at);
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    },
+    id,
+    dx,
+    dy,
+    kind,
+  );
+
+engineTest(
+  'target and budget are dragged by mouse and finger, and moved by keys; the table follows',
+  async (page) => {
+    await openContest(page, `${link}&target=7.9`);
+    await runContest(page);
+    for (const kind of /** @type {const} */ (['mouse', 'touch'])) {
+      const before = await handle(page, 'contest-target-line');
+      await dragHandle(page, 'contest-target-line', 0, -20, kind);
+      const after = await handle(page, 'contest-target-line');
+      assert.ok(
+        after.now > before.now && Math.abs(before.y - 20 - after.y) < 2,
+        JSON.stringify([before, after]),
+      );
+      const typed = await page.evaluate(() =>
+        Number(/** @type {HTMLInputElement} */ (document.getElementById('contest-target')).value),
+      );
+      assert.equal(typed, after.now);
+      assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, after.now));
+    }
+    const { now: target } = await handle(page, 'contest-target-line');
+    const whole = await handle(page, 'contest-until-line');
+    assert.equal(whole.now, 1000);
+    await dragHandle(page, 'contest-until-line', -60, 0, 'touch');
+    const until = await handle(page, 'contest-until-line');
+    assert.ok(until.now < 900 && until.now > 50, JSON.stringify(until));
+    const expected = standingsOf(small, { target, until: until.now }).lines.map(
+      ({ reached }) => `${reached} of 15`,
+    );
+    assert.deepEqual(
+      (await readTable(page)).map(({ cells }) => cells[0]),
+      expected,
+    );
+    await page.evaluate(() => document.getElementById('contest-until-line')?.focus());
+    await page.press(Key.ARROW_RIGHT);
+    await page.until(
+      'a key moves it on',
+      (was) => Number(document.getElementById('contest-until-line')?.getAttribute('aria-valuenow')) > was,
+      until.now,
+    );
+    await page.click('#contest-whole');
+    await page.until(
+      'it is read to the end',
+      () => document.getElementById('contest-until-line')?.getAttribute('aria-valuenow') === '1000',
+    );
+    assert.deepEqual(await page.problems(), []);
+  },
+);
+
+pageTest('a target that is no number is refused, and the one before stays', async (page) => {
+  await openContest(page, `${link}&target=7.9`);
+  await runContest(page);
+  await page.click('#contest-target');
+  await page.press('l', 'o', 'w', Key.ENTER);
+  assert.match(await page.text('#contest-target-error'), /must be a number; it was “low”/);
+  assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 7.9));
+});
+
+pageTest('fewer seeds are drawn from what is there, and others of them', async (page) => {
+  await openContest(page, `${link}&target=7.9&only=5`);
+  await runContest(page);
+  const cells = async () => (await readTable(page)).map((line) => line.cells[0]);
+  const reachedBy = (/** @type {number} */ draw) =>
+    standingsOf(small, { target: 7.9, only: 5, draw }).lines.map(({ reached }) => `${reached} of 5`);
+  assert.deepEqual(await cells(), reachedBy(0));
+  for (const draw of [1, 2, 3]) {
+    await page.click('#contest-others');
+    assert.deepEqual(await cells(), reachedBy(draw));
+  }
+  assert.match((await readTable(page))[1].verdict, /In \d+ of 100 draws of 5 seeds one can tell\./);
+  for (const reading of ['targets', 'ends', 'course']) {
+    await page.click(`#contest-reading-${reading}`);
+    assert.deepEqual(await page.obstacles(), []);
+  }
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('the button writes the CSV of all runs', async (page) => {
+  await openContest(page, link);
+  await runContest(page);
+  assert.equal(await saved(page, '#contest-csv'), contestCsv(small));
 });

@@ -8,7 +8,7 @@
 /** @import { LandscapeState } from './state.js' */
 /** @import { MapModel, Point } from './view.js' */
 import './style.css';
-import { html, noChange, render } from 'lit-html';
+import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { gainNames, landscapeSlice } from './state.js';
 import { showTable } from '../../lab/table-sheet.js';
@@ -19,10 +19,12 @@ import { gainsOf } from '../../run/drivers.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { byIdIn, followSize } from '../../kit/elements.js';
 import { options, valueIn } from '../../kit/templates.js';
+import { tryNow } from '../../core/pending.js';
 import { createSection } from '../section.js';
 import { lab, tables } from '../../words/index.js';
 import words from './words/index.js';
 import { createLandscapeRequests, createSpec, gainsAt, thirdOf } from './request.js';
+import { sketchOf } from './method.js';
 import { axesOf, countOutside, createMap } from './view.js';
 
 const { texts } = words;
@@ -39,6 +41,7 @@ export function createLandscapePage({ engine, store, actions, paper }) {
   const { redraw } = store;
   const on = createEvents(store);
   const pathOf = remember((/** @type {Statistics[]} */ history) => history.map(({ best }) => best.gains));
+  const sketched = createSketches(engine, redraw);
   const read = remember(
     (/** @type {State['experiment']} */ experiment, /** @type {Triple} */ gains) =>
       engine.drive(experiment, [gains])[0],
@@ -52,7 +55,16 @@ export function createLandscapePage({ engine, store, actions, paper }) {
     const isTyping = document.activeElement?.id === 'landscape-third';
     if (changed(own, spec, run, state.population, isTyping))
       render(
-        sight(own, { spec, isTyping, readout: run ? readoutOf(state, spec, run, gains) : '' }, on),
+        sight(
+          own,
+          {
+            spec,
+            isTyping,
+            method: words.methodSketch(state.experiment.evolution.method),
+            readout: run ? readoutOf(state, spec, run, gains) : '',
+          },
+          on,
+        ),
         element,
       );
   };
@@ -69,6 +81,7 @@ export function createLandscapePage({ engine, store, actions, paper }) {
       spec: specOf(state),
       result,
       population: state.population,
+      sketch: sketched(state, specOf(state)),
       path: pathOf(state.history),
       points: pointsOf(state, paper),
       cursor,
@@ -89,6 +102,31 @@ export function createLandscapePage({ engine, store, actions, paper }) {
       const gains = cursor ? gainsUnder(spec, cursor) : gainsOf(state, state.driver, paper);
       show(state, spec, cursor ? read(state.experiment, gains) : scene.driving, gains);
     },
+  };
+}
+
+/** What the method of the lab sees in the generation that is shown; nothing while that is under way. @param {Engine} engine @param {() => void} redraw */
+function createSketches(engine, redraw) {
+  const recorded = remember((/** @type {Statistics} */ { generation }) => engine.record(generation));
+  const sketch = remember(
+    (
+      /** @type {Statistics} */ shown,
+      /** @type {State['experiment']} */ { evolution },
+      /** @type {Spec['x']} */ x,
+      /** @type {Spec['y']} */ y,
+    ) => {
+      const [across, up] = [x, y].map(({ gain }) => gainNames.indexOf(gain));
+      return sketchOf(evolution.method, recorded(shown), (gains) => [gains[across], gains[up]]);
+    },
+  );
+  return (/** @type {State} */ { history, generation, experiment }, /** @type {Spec} */ { x, y }) => {
+    if (experiment.evolution.method === 'ep' || experiment.evolution.method === 'random') return null;
+    /** @type {ReturnType<typeof sketch> | null} */
+    let found = null;
+    tryNow(() => {
+      found = sketch(history[generation], experiment, x, y);
+    }, redraw);
+    return found;
   };
 }
 
@@ -163,8 +201,8 @@ function createEvents(store) {
   };
 }
 
-/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string }} shown @param {Events} on */
-function sight(landscape, { spec, isTyping, readout }, on) {
+/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string, method: string }} shown @param {Events} on */
+function sight(landscape, { spec, isTyping, readout, method }, on) {
   return html`
     <div class="heading">
       <h2 id="landscape-title">${texts.landscapeTitle}</h2>
@@ -176,6 +214,7 @@ function sight(landscape, { spec, isTyping, readout }, on) {
       <label>↑ ${axisChoice('y', landscape, texts.landscapeUp, on)}</label>
       ${thirdGain(landscape, spec.third, isTyping, on)}
     </div>
+    ${method ? html`<p id="landscape-method" class="muted">${method}</p>` : nothing}
     <div id="landscape-map" class="map" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
       aria-label=${words.mapLabel} aria-describedby="landscape-readout">
       <canvas id="landscape-picture" aria-hidden="true"></canvas>

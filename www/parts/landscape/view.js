@@ -1,5 +1,6 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
 /** @import { Individual, Triple } from '../../core/engine.js' */
+/** @import { Sketch } from './method.js' */
 /** @import { Landscape, Spec } from './request.js' */
 /** @import { Axis, CostScale } from './scale.js' */
 import { gainNames } from './state.js';
@@ -20,6 +21,7 @@ import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { endsOfAxis } from './request.js';
 import { createAxis, createCostScale } from './scale.js';
+import { drawSketch } from './sketch.js';
 
 /** @typedef {{ gains: Triple, name: string, mark: 'diamond' | 'cross' | 'ring' | number }} Point A number is the slot of a pin. */
 /**
@@ -27,6 +29,7 @@ import { createAxis, createCostScale } from './scale.js';
  * @property {Spec} spec
  * @property {Landscape | null} result
  * @property {Individual[]} population
+ * @property {Sketch | null} sketch What the method sees, if it is not the paper's.
  * @property {readonly Triple[]} path The best of each generation.
  * @property {readonly Point[]} points
  * @property {readonly [number, number] | null} cursor
@@ -78,7 +81,7 @@ export function createMap({ picture, marks, legend }, onResize) {
   return {
     /** @param {MapModel} model */
     draw(model) {
-      const { spec, result, population, path, points, cursor, size, theme } = model;
+      const { spec, result, population, sketch, path, points, cursor, size, theme } = model;
       if (size.width === 0) return;
       const axes = axesOf(model);
       if (pictureChanged(result, spec.x, spec.y, spec.range, size, barWidth, theme)) {
@@ -98,6 +101,7 @@ export function createMap({ picture, marks, legend }, onResize) {
           spec.y,
           spec.range,
           population,
+          sketch,
           path,
           ...points.flatMap(({ gains, mark }) => [...gains, mark]),
           cursor,
@@ -182,7 +186,7 @@ function drawAxes(context, { frame, x, y }, spec) {
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {MapModel} model */
-function drawMarks(context, { frame, x, y }, { spec, population, path, points, cursor }) {
+function drawMarks(context, { frame, x, y }, { spec, population, sketch, path, points, cursor }) {
   const [across, up] = [gainNames.indexOf(spec.x.gain), gainNames.indexOf(spec.y.gain)];
   /** @param {Triple} gains @returns {[number, number]} */
   const place = (gains) => [x.at(gains[across]), y.at(gains[up])];
@@ -209,6 +213,8 @@ function drawMarks(context, { frame, x, y }, { spec, population, path, points, c
   context.beginPath();
   for (const gains of path) context.lineTo(...place(gains));
   strokeTwice(context, [dark, 4], [light, 2]);
+
+  if (sketch) drawSketch(context, { x, y }, sketch);
 
   context.lineWidth = 1;
   context.strokeStyle = dark;

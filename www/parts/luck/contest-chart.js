@@ -33,8 +33,10 @@ export function createContestChart(root, { onTarget, onUntil }) {
     target.place(grips.target);
     until.place(grips.until);
   });
-  const target = createHandle(root, 'contest-target-line', words.contestTexts.target, onTarget);
-  const until = createHandle(root, 'contest-until-line', words.contestTexts.until, onUntil);
+  // Beside the picture, in which nothing can be worked.
+  const frame = root.parentElement ?? root;
+  const target = createHandle(frame, 'contest-target-line', words.contestTexts.target, onTarget);
+  const until = createHandle(frame, 'contest-until-line', words.contestTexts.until, onUntil);
   const { canvas } = chart;
   let held = target;
   canvas.addEventListener('pointerdown', (event) => {

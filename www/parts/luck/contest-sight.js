@@ -45,8 +45,8 @@ export function contestSight(state, standings, stale, on) {
     <fieldset id="contest-reading" class="segmented small" .hidden=${!standings?.lowest}>
       ${choicesOf('contest-reading', texts.reading, words.readings, luck.reading, (reading) => on.update({ reading }))}
     </fieldset>
-    <div id="contest-chart" class="luck-curve contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
-      aria-label=${words.contestLabel(sentences)}></div>
+    <div class="luck-curve contest-chart"><div id="contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
+      aria-label=${words.contestLabel(sentences)}></div></div>
     ${contest && standings?.lowest ? [targetField(luck, standings, on), fewerSeeds(luck, standings, on)] : nothing}
     ${standings ? table(standings) : nothing}`;
 }

@@ -40,3 +40,17 @@ export const outside = (count) =>
 export const paperEp = 'paper’s EP';
 export const paperArbitrary = 'paper’s arbitrary';
 export const hand = 'by hand';
+
+/** What is drawn of a method, beside its robots. @type {Readonly<Partial<Record<import('../../../core/engine.js').Experiment['evolution']['method'], string>>>} */
+const sketches = {
+  'cma-es':
+    'The ellipses are the distribution that these robots were drawn from, at one and at two standard deviations.',
+  de: 'Lines lead from a robot to what was tried: that robot, moved by the difference of two others (dashed). Solid: it took a place.',
+  'nelder-mead': 'The lines are the simplex. Dashed: what was tried in the place of its worst corner.',
+  'one-plus-one-es': 'The line is the step that was tried.',
+  'one-at-a-time': 'The line is the step that was tried.',
+  'finite-differences':
+    'The lines are the steps that were tried: three short ones for the slope, or one down it.',
+};
+/** @param {import('../../../core/engine.js').Experiment['evolution']['method']} method */
+export const methodSketch = (method) => sketches[method] ?? '';

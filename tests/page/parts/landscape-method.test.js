@@ -1,0 +1,141 @@
+// What the map draws of a method is what the core says of its generation.
+import assert from 'node:assert/strict';
+import { ringOf, sketchOf } from '../../../www/parts/landscape/method.js';
+import { pageTest } from '../harness/browsers.js';
+import { Evolution, experiment } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../harness/core.js').Experiment['evolution']['method']} Method */
+/** @typedef {import('../../../www/core/engine.js').Triple} Triple */
+
+const base = experiment('velocity-limits');
+/** @param {Method} method @param {number} generations */
+function recordsOf(method, generations) {
+  const evolution = new Evolution({ ...base, evolution: { ...base.evolution, method } });
+  for (let i = 0; i < generations; i += 1) evolution.step();
+  return Array.from({ length: generations + 1 }, (_, g) => evolution.record(g));
+}
+/** @type {import('../../../www/parts/landscape/method.js').Shadow} */
+const shadow = ([kx, , ktheta]) => [kx, ktheta];
+
+test('the ellipse is where the density of two gains has fallen as far as at one deviation', () => {
+  for (const { ellipse } of recordsOf('cma-es', 30)) {
+    assert.ok(ellipse);
+    const { mean, axes } = ellipse;
+    const [a, b, c] = [
+      [0, 0],
+      [0, 2],
+      [2, 2],
+    ].map(([i, j]) => axes.reduce((sum, axis) => sum + axis[i] * axis[j], 0));
+    const determinant = a * c - b * b;
+    for (const deviations of [1, 2])
+      for (const [px, py] of ringOf(ellipse, shadow, deviations)) {
+        const [x, y] = [px - mean[0], py - mean[2]];
+        const distance = (c * x * x - 2 * b * x * y + a * y * y) / determinant;
+        assert.ok(Math.abs(distance / deviations ** 2 - 1) < 1e-6, `${distance}`);
+      }
+  }
+});
+
+test('most robots of CMA-ES stand within two deviations of its ellipse', () => {
+  const records = recordsOf('cma-es', 60).slice(1);
+  let [inside, all] = [0, 0];
+  for (const { ellipse, offspring } of records) {
+    assert.ok(ellipse);
+    const { mean, axes } = ellipse;
+    for (const { gains } of offspring) {
+      // In units of the axes, which stand at right angles.
+      const apart = axes.map((axis) => {
+        const squared = axis.reduce((sum, x) => sum + x * x, 0);
+        return axis.reduce((sum, x, j) => sum + x * (gains[j] - mean[j]), 0) / squared;
+      });
+      all += 1;
+      inside += Number(apart.reduce((sum, x) => sum + x * x, 0) < 4);
+    }
+  }
+  // Of a normal distribution of three dimensions 74 %.
+  assert.ok(Math.abs(inside / all - 0.7385) < 0.03, `${inside / all}`);
+});
+
+test('a line of DE leads from a to a + F (b − c), but for what is crossed', () => {
+  let seen = 0;
+  for (const record of recordsOf('de', 20).slice(1)) {
+    const { lines, faint } = sketchOf('de', record, shadow);
+    const won = record.survivors.filter((number) => number >= record.parents.length).length;
+    assert.equal(lines.length, won);
+    assert.equal(faint.length, record.offspring.length - won + won);
+    for (const [i, [a, b, c]] of record.donors.entries()) {
+      const [from, plus, minus] = [a, b, c].map((n) => record.parents[n].gains);
+      const { gains } = record.offspring[i];
+      const crossed = gains.filter((gain, j) => gain === from[j] + 0.5 * (plus[j] - minus[j]));
+      assert.ok(crossed.length >= 1, 'one gain at least is of the mutant');
+      seen += 1;
+    }
+  }
+  assert.equal(seen, 400);
+});
+
+test('the simplex has six edges between its four corners, whatever decides over a fifth', () => {
+  for (const record of recordsOf('nelder-mead', 120)) {
+    const { lines } = sketchOf('nelder-mead', record, shadow);
+    assert.equal(lines.length, 6, `generation ${record.generation}`);
+    const places = new Set(lines.flat().map(String));
+    // A corner that is one step away in the third gain falls on the first.
+    assert.ok(places.size >= 3);
+  }
+});
+
+test('of a method that goes from point to point the line is its step; EP and random search have their own marks', () => {
+  for (const method of /** @type {const} */ (['one-plus-one-es', 'one-at-a-time', 'finite-differences']))
+    for (const record of recordsOf(method, 20).slice(1)) {
+      const { lines } = sketchOf(method, record, shadow);
+      assert.deepEqual(
+        lines,
+        record.offspring.map(({ gains }) => [
+          shadow(/** @type {Triple} */ (record.parents[0].gains)),
+          shadow(/** @type {Triple} */ (gains)),
+        ]),
+      );
+    }
+  for (const method of /** @type {const} */ (['ep', 'random'])) {
+    const { rings, lines, faint } = sketchOf(method, recordsOf(method, 1)[1], shadow);
+    assert.equal(rings.length + lines.length + faint.length, 0);
+  }
+});
+
+/** How many pixels of the marks are not clear. @param {import('../harness/browsers.js').Page} page */
+const inked = (page) =>
+  page.evaluate(() => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('landscape-marks'));
+    const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
+      0,
+      0,
+      canvas.width,
+      canvas.height,
+    );
+    return data.filter((value, i) => i % 4 === 3 && value > 0).length;
+  });
+
+for (const [method, text] of /** @type {const} */ ([
+  ['cma-es', /two standard deviations/],
+  ['de', /difference of two others/],
+  ['nelder-mead', /simplex/],
+]))
+  pageTest(`the map draws ${method} and says what it draws`, async (page) => {
+    await page.open(`#landscape&v=1&evolution.method=${method}&generation=6`);
+    const note = await page.until(
+      'it says so',
+      () => document.getElementById('landscape-method')?.textContent,
+    );
+    assert.match(String(note), text);
+    const drawn = await inked(page);
+    assert.ok(drawn > 0);
+    assert.deepEqual(await page.obstacles(), []);
+    assert.deepEqual(await page.problems(), []);
+    await page.open('#landscape&v=1&generation=6');
+    await page.until(
+      'the landscape of EP says none of it',
+      () => document.getElementById('landscape-readout')?.textContent,
+    );
+    assert.equal(await page.evaluate(() => document.getElementById('landscape-method')), null);
+  });
