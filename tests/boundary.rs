@@ -544,7 +544,7 @@ fn the_tables_are_complete() {
              \"one-plus-one-es\",\"nelder-mead\",\"one-at-a-time\",\"finite-differences\"]}",
             "{\"path\":\"evolution.step\",\"words\":[\"gaussian\",\"cauchy\"]}",
             "{\"path\":\"evolution.selection\",\"words\":[\"tournament\",\"truncation\",\"parent\"]}",
-            "{\"path\":\"evolution.belowZero\",\"words\":[\"penalty\",\"mirror\"]}",
+            "{\"path\":\"evolution.belowZero\",\"words\":[\"penalty\",\"mirror\",\"clamp\"]}",
         ]
     );
     let seeds = [random_seed(), random_seed(), random_seed()].map(|seed| seed.expect("a seed"));

@@ -92,7 +92,7 @@ fn every_method_finds_better_gains_than_it_began_with() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn mirrored_gains_are_never_below_zero_and_others_are() {
+fn mirrored_and_held_gains_are_never_below_zero_and_others_are() {
     for &method in Method::ALL {
         let lowest = |below_zero| {
             let change = |e: &mut EvolutionSettings| {
@@ -103,8 +103,11 @@ fn mirrored_gains_are_never_below_zero_and_others_are() {
             gains.fold(f64::INFINITY, f64::min)
         };
         assert!(lowest(BelowZero::Mirror) >= 0.0, "{method:?}");
+        let held = lowest(BelowZero::Clamp);
+        assert!(held >= 0.0, "{method:?}");
         let stays_within = [Method::Random, Method::FiniteDifferences].contains(&method);
         assert_eq!(lowest(BelowZero::Penalty) >= 0.0, stays_within, "{method:?}");
+        assert_eq!(held > 0.0, stays_within, "{method:?}");
     }
 }
 
@@ -328,7 +331,7 @@ fn wild_experiments_stop_no_method() {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_method_and_ingredient_has_the_same_bits_everywhere() {
     type Change = fn(&mut EvolutionSettings);
-    let known: [(Change, &str); 12] = [
+    let known: [(Change, &str); 13] = [
         (|e| e.method = Method::Random, "503c71ac46b4c41e"),
         (|e| e.method = Method::De, "e331fdff507b742c"),
         (|e| e.method = Method::CmaEs, "2dc6aef4c9a86f7e"),
@@ -341,6 +344,7 @@ fn every_method_and_ingredient_has_the_same_bits_everywhere() {
         (|e| e.selection = Selection::Truncation, "dff8e39eb9a9c3a1"),
         (|e| (e.selection, e.crossover) = (Selection::Parent, 0.7), "949129bf9c59654d"),
         (|e| (e.method, e.below_zero) = (Method::CmaEs, BelowZero::Mirror), "f292f38ac82f560d"),
+        (|e| (e.method, e.below_zero) = (Method::OneAtATime, BelowZero::Clamp), "1e03b46b65ad0a17"),
     ];
     let hashes = known.map(|(change, _)| evolved(searched_by(change), 100).hash());
     assert_eq!(hashes.each_ref().map(String::as_str), known.map(|(_, hash)| hash));

@@ -58,6 +58,8 @@ words! {
         Penalty = "penalty",
         /// They are mirrored at 0 before they are tried.
         Mirror = "mirror",
+        /// They are 0 when they are tried, as at the end of a slider.
+        Clamp = "clamp",
     }
 }
 
@@ -133,6 +135,7 @@ impl EvolutionSettings {
         match self.below_zero {
             BelowZero::Penalty => gains.into(),
             BelowZero::Mirror => gains.map(f64::abs).into(),
+            BelowZero::Clamp => gains.map(|gain| if gain < 0.0 { 0.0 } else { gain }).into(),
         }
     }
 }

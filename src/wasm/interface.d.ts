@@ -136,7 +136,7 @@ export type Step = 'gaussian' | 'cauchy';
 /** Which solutions of a generation of evolutionary programming survive. */
 export type Selection = 'tournament' | 'truncation' | 'parent';
 /** What becomes of gains under 0. */
-export type BelowZero = 'penalty' | 'mirror';
+export type BelowZero = 'penalty' | 'mirror' | 'clamp';
 /** The name of one of the paper's two experiments: Figures 4 and 5, or Figures 6 and 7. */
 export type Preset = 'velocity-limits' | 'acceleration-limits';
 /** One run: arrays with one value a sample, the first at time 0, the last where the run ended. */

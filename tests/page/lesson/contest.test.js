@@ -103,9 +103,11 @@ test('six robots come to 7.8 with no more drives than twenty', async () => {
   assert.ok(six.ert <= twenty.ert);
 });
 
-test('as a hand does it, a simplex and a slope: none comes to 7.8 as soon', async () => {
-  const [own, ...others] = (await ran(tryOf('contest', 'hand')))();
-  for (const other of others) assert.ok(other.ert > own.ert && sideOf(other) < 0, `${other.name}`);
+test('a hand with sliders that end at 0 does well, and is lost without that end', async () => {
+  const [own, hand, endless, simplex] = (await ran(tryOf('contest', 'hand')))();
+  assert.ok(hand.reached > 30 && sideOf(hand) >= 0, `${hand.reached}`);
+  assert.ok(endless.reached < hand.reached / 3 && sideOf(endless) < 0, `${endless.reached}`);
+  assert.ok(simplex.ert > own.ert && sideOf(simplex) < 0);
 });
 
 pageTest('what is predicted runs in sight, and is answered from what stands there', async (page) => {

@@ -327,7 +327,7 @@ const anyExperiment = fc
         sigmaFloor: aWeight,
         selection: fc.constantFrom('tournament', 'truncation', 'parent'),
         crossover: from(0, 1),
-        belowZero: fc.constantFrom('penalty', 'mirror'),
+        belowZero: fc.constantFrom('penalty', 'mirror', 'clamp'),
       }),
     },
     { requiredKeys: [] },

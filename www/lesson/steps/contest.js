@@ -125,7 +125,7 @@ export const contest = {
         ['floor', asked(['floor-0.1', 'fixed'], near, 20_000)],
         ['crossover', asked(['crossover', 'cauchy', 'parent'], near)],
         ['robots', asked(['n-6', 'n-100'], 7.8)],
-        ['hand', asked(['one-at-a-time', 'nelder-mead', 'finite-differences'], 7.8)],
+        ['hand', asked(['hand', 'one-at-a-time', 'nelder-mead'], 7.8)],
         ['remedies', asked(['cma-es-7', 'cma-es-7-mirror', 'cma-es'], near)],
       ],
     },

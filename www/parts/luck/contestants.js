@@ -29,6 +29,8 @@ export const rivals = /** @satisfies {Record<string, Change>} */ ({
   'one-plus-one-es': { method: 'one-plus-one-es' },
   'nelder-mead': { method: 'nelder-mead' },
   'one-at-a-time': { method: 'one-at-a-time' },
+  // With sliders, which end at 0.
+  hand: { method: 'one-at-a-time', belowZero: 'clamp' },
   'finite-differences': { method: 'finite-differences' },
 });
 

@@ -138,8 +138,8 @@ export const settings = {
   },
   'evolution.belowZero': {
     name: 'Gains below 0',
-    help: 'Tried, which costs a penalty, or mirrored at 0 before they are tried.',
-    choices: { penalty: 'penalty', mirror: 'mirrored' },
+    help: 'Tried, which costs a penalty; or mirrored at 0, or held at 0, before they are tried.',
+    choices: { penalty: 'penalty', mirror: 'mirrored', clamp: 'held at 0' },
   },
   'evolution.step': {
     name: 'Steps',

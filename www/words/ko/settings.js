@@ -124,8 +124,8 @@ export const settings = {
   },
   'evolution.belowZero': {
     name: '0보다 작은 이득',
-    help: '벌점을 매기고 그대로 시험하거나, 시험하기 전에 0을 기준으로 뒤집습니다.',
-    choices: { penalty: '벌점', mirror: '뒤집기' },
+    help: '벌점을 매기고 그대로 시험하거나, 시험하기 전에 0을 기준으로 뒤집거나 0에서 멈춥니다.',
+    choices: { penalty: '벌점', mirror: '뒤집기', clamp: '0에서 멈추기' },
   },
   'evolution.step': {
     name: '변이의 분포',

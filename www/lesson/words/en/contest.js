@@ -92,7 +92,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     floor: 'The remedy of step 8: {s} never below 0.1, with 20\u202f000 drives',
     crossover: 'Three more parts: crossover, Cauchy’s steps, each child against its own parent',
     robots: 'Six, twenty or a hundred robots, to {J} = 7.8',
-    hand: 'As a hand does it, a simplex, and a slope: who gets to 7.8?',
+    hand: 'One gain after the other, as a hand does with sliders that end at 0; the same without that end; and a simplex',
     remedies: 'CMA-ES and its remedies',
   },
   notice: [
@@ -100,5 +100,6 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     'Cauchy’s steps change nothing that 51 runs could tell; letting each child fight only its own parent is fatal.',
     'With a floor no run is lost in the end, but none gets much below its target either: then the steps are too long.',
     'Six robots come to 7.8 with no more drives than twenty.',
+    'A hand that moves one slider after the other does well here, for the best {ky} lies at the end of its slider. Take the end away, and it is lost.',
   ],
 };

@@ -71,6 +71,7 @@ const names = {
   'one-plus-one-es': '(1+1)-ES',
   'nelder-mead': 'Nelder–Mead',
   'one-at-a-time': 'one gain at a time',
+  hand: 'one gain at a time, held at 0, as by hand',
   'finite-differences': 'finite differences',
 };
 /** At a line, where there is little room. @type {Readonly<Partial<Record<Contestant, string>>>} */
@@ -86,6 +87,7 @@ const shortNames = {
   'cma-es-7': 'CMA-ES, 7',
   'cma-es-7-mirror': 'CMA-ES, 7, mirrored',
   'one-at-a-time': 'one gain a time',
+  hand: 'as by hand',
   'finite-differences': 'differences',
 };
 

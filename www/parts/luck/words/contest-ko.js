@@ -63,12 +63,14 @@ const names = {
   'one-plus-one-es': '(1+1)-ES',
   'nelder-mead': '넬더–미드',
   'one-at-a-time': '이득을 하나씩',
+  hand: '손으로 하듯 하나씩, 0에서 멈춤',
   'finite-differences': '유한 차분',
 };
 /** At a line, where there is little room. @type {Readonly<Partial<Record<Contestant, string>>>} */
 const shortNames = {
   fixed: 'σ 고정',
   truncation: '토너먼트 없음',
+  hand: '손으로 하듯',
   random: '무작위',
   de: 'DE',
   'cma-es-7': 'CMA-ES, 7번',
