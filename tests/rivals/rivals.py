@@ -3,6 +3,7 @@
     pip install numpy scipy cma
     python tests/rivals/rivals.py            # prints the table
     python tests/rivals/rivals.py --write    # and writes reference.json, with which tests/page/core/rivals.test.js compares the core
+    python tests/rivals/rivals.py --functions  # on functions without a robot: the numbers in tests/rivals.rs
 
 51 runs of 4000 drives each. The costs come from the core (cost.mjs); everything else is independent of it.
 """
@@ -85,9 +86,9 @@ def scipy_de(rng, run, factor=0.5, crossing=0.9, count=20, bounds=None, updating
 
 
 # CMA-ES, pycma, without its active part and without its own endings.
-def pycma(rng, run, count=20, mirror=False, active=False):
+def pycma(rng, run, count=20, mirror=False, active=False, rank_mu=1):
     options = {
-        "popsize": count, "CMA_active": active, "seed": int(rng.integers(1, 2**31)), "verbose": -9, "maxiter": 10**9,
+        "CMA_rankmu": rank_mu, "popsize": count, "CMA_active": active, "seed": int(rng.integers(1, 2**31)), "verbose": -9, "maxiter": 10**9,
         "tolfun": 0, "tolfunhist": 0, "tolx": 0, "tolstagnation": 0, "tolflatfitness": 10**9, "tolconditioncov": 0, "tolfacupx": 1e99, "tolupsigma": 1e99,
     }
     search = cma.CMAEvolutionStrategy(started(rng, 1)[0], 1.0, options)
@@ -206,9 +207,55 @@ def runs_of(search):
     return runs
 
 
+# Functions without a robot: how many evaluations until the value is below 1e-8, from a draw of the same range.
+FUNCTIONS = {
+    "sphere": lambda k: float(np.sum((k - 3) ** 2)),
+    "ellipsoid": lambda k: float(np.sum(np.array([1, 100, 1e4]) * (k - 3) ** 2)),
+    "rosenbrock": lambda k: float(np.sum(100 * (k[1:] - k[:-1] ** 2) ** 2 + (1 - k[:-1]) ** 2)),
+}
+
+
+def function_times(search, function):
+    global core
+    real, times = core, []
+    core = lambda gains: np.array([function(one) for one in np.atleast_2d(gains)])
+    for seed in range(1, RUNS + 1):
+        run = Run()
+        try:
+            search(np.random.default_rng(seed), run)
+        except Spent:
+            pass
+        times.append(run.runtime(1e-8) or np.inf)
+    core = real
+    return times
+
+
+def functions():
+    # The tutorial's first edition, which the core follows, learns the shape by μ_eff − 2 + 1/μ_eff, the second adds 1/4 to that.
+    effective = 2.2548
+    older = (effective - 2 + 1 / effective) / (effective - 2 + 1 / effective + 0.25)
+    methods = {"cma-es": lambda r, f: pycma(r, f, count=7, rank_mu=older), "de": scipy_de, "nelder-mead": scipy_nelder_mead}
+    for method, search in methods.items():
+        for name, function in FUNCTIONS.items():
+            # Where the simplex is small before the value is, it begins anew.
+            if method == "nelder-mead" and name != "sphere":
+                continue
+            times = np.sort(function_times(search, function))
+            print(method, name, [int(t) if np.isfinite(t) else None for t in times[[12, 25, 38]]], flush=True)
+
+
+def simplex_path():
+    """What SciPy's simplex tries from 4, 4, 4."""
+    run, first = Run(), np.full(3, 4.0)
+    minimize(run.one, first, method="Nelder-Mead", options={"initial_simplex": np.vstack([first, first + np.eye(3)]), "maxfev": 100, "xatol": 0, "fatol": 0})
+    return run.tried
+
+
 def main():
+    if "--functions" in sys.argv:
+        return functions()
     named = [one for one in sys.argv[1:] if not one.startswith("--")]
-    reference = {}
+    reference = {"simplex": simplex_path()}
     for name, search in RIVALS.items():
         if named and not any(one in name for one in named):
             continue
@@ -224,7 +271,8 @@ def main():
             {"ends": run.best, "runtimes": [run.runtime(target) for target in TARGETS.values()]} for run in runs
         ]
     if "--write" in sys.argv:
-        (HERE / "reference.json").write_text(json.dumps(reference, indent=None) + "\n")
+        known = json.loads((HERE / "reference.json").read_text()) if named else {}
+        (HERE / "reference.json").write_text(json.dumps({**known, **reference}) + "\n")
 
 
 main()
