@@ -26,6 +26,7 @@ const parts = [
   { name: 'training', link: '#training&v=1&generation=20' },
   { name: 'disturbance', link: '#disturbance&v=1&generation=20' },
   { name: 'luck', link: '#luck&v=1&generation=20' },
+  { name: 'contest', link: '#luck&v=1&luck=contest' },
 ];
 
 /** @type {readonly State[]} */
@@ -39,6 +40,9 @@ const choices = [
   { name: 'generation-children', link: '#generation&v=1&generation=3&phase=mutation&individual=4' },
   { name: 'numbers', link: '#curves&v=1&view=numbers&generation=20' },
   { name: 'stability-log', link: '#curves&v=1&view=stability&scale=log&law=kanayama&generation=4' },
+  { name: 'landscape-ellipse', link: '#landscape&v=1&evolution.method=cma-es&generation=9' },
+  { name: 'landscape-differences', link: '#landscape&v=1&evolution.method=de&generation=9' },
+  { name: 'landscape-simplex', link: '#landscape&v=1&evolution.method=nelder-mead&generation=9' },
   { name: 'landscape-sigma', link: '#landscape&v=1&x=kx&y=ky&third=3&generation=2' },
   { name: 'robustness-time', link: '#robustness&v=1&colour=time&half=2&heading=3' },
   { name: 'robustness-cost', link: '#robustness&v=1&colour=cost&generation=20' },
@@ -58,6 +62,7 @@ const opened = [
   { name: 'table-stability', link: '#curves&v=1&view=stability', press: ['Table'] },
   { name: 'table-generation', link: '#generation&v=1&generation=2', press: ['Table'] },
   { name: 'evolved-luck', link: '#luck&v=1&population=12&opponents=3', press: ['Run 100 seeds'] },
+  { name: 'run-contest', link: '#luck&v=1&luck=contest&seeds=15&budget=1000', press: ['Run 4 × 15 seeds'] },
   { name: 'evolved-training', link: '#training&v=1&population=12&opponents=3', press: ['Evolve all three'] },
   {
     name: 'exercise',
@@ -67,10 +72,13 @@ const opened = [
 ];
 
 /** The steps of the lesson. @type {readonly State[]} */
-const lesson = Array.from({ length: 14 }, (_, i) => ({
-  name: `lesson-${String(i + 1).padStart(2, '0')}`,
-  link: `#lesson&step=${i + 1}`,
-}));
+const lesson = [
+  ...Array.from({ length: 14 }, (_, i) => ({
+    name: `lesson-${String(i + 1).padStart(2, '0')}`,
+    link: `#lesson&step=${i + 1}`,
+  })),
+  ...['contest', 'build'].map((name) => ({ name: `lesson-${name}`, link: `#lesson&step=${name}` })),
+];
 
 /** @type {readonly State[]} */
 const embedded = [

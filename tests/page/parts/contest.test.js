@@ -166,12 +166,15 @@ async function openContest(page, address) {
 
 /** @param {Page} page */
 async function runContest(page) {
+  await page.until('it can run', () => document.getElementById('contest-run'));
+  const text = await page.text('#contest-run');
   await page.click('#contest-run');
   await page.until(
     'it has run',
-    () =>
+    (ready) =>
       document.getElementById('contest-csv')?.hidden === false &&
-      document.getElementById('contest-run')?.textContent?.startsWith('Run'),
+      document.getElementById('contest-run')?.textContent === ready,
+    text,
   );
 }
 
@@ -376,3 +379,59 @@ pageTest('the button writes the CSV of all runs', async (page) => {
   await runContest(page);
   assert.equal(await saved(page, '#contest-csv'), contestCsv(small));
 });
+
+for (const language of /** @type {const} */ (['en', 'ko']))
+  pageTest(`a contest of four that has run needs no scrolling of the page: ${language}`, async (page) => {
+    await openContest(page, `${link}&contestants=n-100,cma-es-7-mirror,de&only=5&until=800&lang=${language}`);
+    await runContest(page);
+    for (const [width, height] of /** @type {const} */ ([
+      [1440, 900],
+      [1366, 768],
+      [1280, 720],
+      [1024, 768],
+    ])) {
+      await page.resize(width, height);
+      const found = await page.evaluate(async () => {
+        for (let frame = 0; frame < 2; frame += 1)
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+        const { scrollWidth, scrollHeight } = document.documentElement;
+        const high = (/** @type {string} */ one) =>
+          document.querySelector(one)?.getBoundingClientRect().height ?? 0;
+        return {
+          excess: [scrollWidth - innerWidth, scrollHeight - innerHeight],
+          chart: high('.contest-chart'),
+          table: high('.contest-scroll'),
+        };
+      });
+      assert.deepEqual(found.excess, [0, 0], `${width} × ${height}`);
+      assert.ok(found.chart >= 110 && found.table >= 100, JSON.stringify(found));
+    }
+  });
+
+engineTest(
+  'in a frame of 400 × 300 the table takes the place of the picture, and can be read',
+  async (page) => {
+    await page.resize(400, 300);
+    await page.open(`?embed${link}`);
+    await runContest(page);
+    assert.deepEqual(await page.obstacles(), []);
+    await page.click('#contest-reading-table');
+    const found = await page.evaluate(() => {
+      const box = (/** @type {string} */ one) => {
+        const { width, height } = /** @type {HTMLElement} */ (
+          document.querySelector(one)
+        ).getBoundingClientRect();
+        return [width, height];
+      };
+      const scroll = /** @type {HTMLElement} */ (document.querySelector('.contest-scroll'));
+      return {
+        chart: box('.contest-chart'),
+        table: box('.contest-scroll'),
+        wide: scroll.scrollWidth - scroll.clientWidth,
+      };
+    });
+    assert.equal(found.chart[1], 0);
+    assert.ok(found.table[1] >= 100 && found.wide <= 0, JSON.stringify(found));
+    assert.deepEqual(await page.obstacles(), []);
+  },
+);

@@ -16,6 +16,8 @@ const views = [
   ...pageNames.map((name) => `${name}&v=1&generation=2&${pin}`),
   ...['stability', 'compare', 'numbers'].map((view) => `curves&v=1&view=${view}&generation=2&${pin}`),
   ...stepNames.map((_, i) => linkOfStep(i + 1)),
+  'luck&v=1&luck=contest',
+  'landscape&v=1&evolution.method=cma-es&generation=3',
 ];
 
 /** @typedef {{ size: Size, media?: Record<string, string>, search?: string, isDue: (view: number) => boolean }} Surroundings */

@@ -134,7 +134,7 @@ const sentenceOf = ({ name, error, verdict }) => error || (verdict ? words.verdi
 
 /** @param {Standings} standings */
 const table = ({ lines }) => html`
-  <div class="contest-scroll"><table id="contest-table" class="contest-table" data-picture="contest">
+  <div class="contest-scroll" tabindex="0" role="region" aria-label=${texts.caption}><table id="contest-table" class="contest-table" data-picture="contest">
     <caption class="visually-hidden">${texts.caption}</caption>
     <thead><tr><td></td>${words.contestColumns.map(({ text, hint }) => html`<th scope="col" title=${hint}>${text}</th>`)}</tr></thead>
     ${lines.map(
