@@ -349,7 +349,10 @@ engineTest(
 pageTest('a target that is no number is refused, and the one before stays', async (page) => {
   await openContest(page, `${link}&target=7.9`);
   await runContest(page);
-  await page.click('#contest-target');
+  await page.focus('#contest-target');
+  await page.evaluate(() =>
+    /** @type {HTMLInputElement} */ (document.getElementById('contest-target')).select(),
+  );
   await page.press('l', 'o', 'w', Key.ENTER);
   assert.match(await page.text('#contest-target-error'), /must be a number; it was “low”/);
   assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 7.9));
@@ -401,9 +404,12 @@ for (const language of /** @type {const} */ (['en', 'ko']))
           excess: [scrollWidth - innerWidth, scrollHeight - innerHeight],
           chart: high('.contest-chart'),
           table: high('.contest-scroll'),
+          wide: [...document.querySelectorAll('body *')]
+            .filter((one) => one.getBoundingClientRect().right > innerWidth + 0.5)
+            .map((one) => one.id || `${one.tagName} ${one.className}`),
         };
       });
-      assert.deepEqual(found.excess, [0, 0], `${width} × ${height}`);
+      assert.deepEqual(found.excess, [0, 0], `${width} × ${height}: ${found.wide}`);
       assert.ok(found.chart >= 110 && found.table >= 100, JSON.stringify(found));
     }
   });
