@@ -161,6 +161,11 @@ test('J, runtimes, their shares and the expected running time are counted drive 
     }
   assert.ok(reached > 5 && reached < 30, 'some are there, some are not');
   const runtimes = runs.map(({ run }) => runtimeOf(run, target));
+  for (const { run } of runs)
+    for (let most = 0; most <= budget; most += 1) {
+      const own = runtimeOf(run, target);
+      assert.equal(runtimeOf(run, target, most), own <= most ? own : Infinity);
+    }
   assert.equal(expectedRunningTime(runtimes, budget), spent / reached);
   let there = 0;
   for (let drive = 0; drive <= budget; drive += 1) {

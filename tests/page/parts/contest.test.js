@@ -114,6 +114,32 @@ test('what is read after fewer drives, or of fewer seeds, is what a shorter cont
   assert.notDeepEqual(drawn[0], [1, 2, 3, 4, 5]);
 });
 
+test('at every target and budget a verdict follows from p, A12 and the expected drives alone', () => {
+  const kinds = new Set();
+  let nearly = 0;
+  for (let i = 0; i <= 60; i += 1)
+    for (const until of [100, 300, 1000])
+      for (const only of [6, 10, 15]) {
+        const { lines } = standingsOf(small, { target: 7.71 + 0.02 * i, until, only });
+        for (const { verdict, comparison, ert, reached } of lines.slice(1)) {
+          const { a12, p } = comparison ?? { a12: 0.5, p: 1 };
+          nearly += Number(p >= 0.05 && p < 0.1);
+          const isSooner = ert < lines[0].ert;
+          const expected =
+            p >= 0.05
+              ? ['undecided']
+              : reached === 0 || lines[0].reached === 0
+                ? ['only-this', 'only-first', 'better', 'worse']
+                : a12 > 0.5
+                  ? [isSooner ? 'sooner' : 'riskier']
+                  : [isSooner ? 'surer' : 'later'];
+          assert.ok(verdict && expected.includes(verdict.kind), `${verdict?.kind}: ${a12} ${p} ${ert}`);
+          kinds.add(verdict.kind);
+        }
+      }
+  assert.ok(nearly > 5 && kinds.size >= 4, `${nearly} ${[...kinds]}`);
+});
+
 test('what is behind in most pairs and yet cheaper in the mean is said to be surer', () => {
   const run = (/** @type {number} */ seed, /** @type {number} */ at) => ({
     seed,
