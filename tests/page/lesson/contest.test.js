@@ -98,9 +98,10 @@ test('with a floor no run is lost, and none gets far below its target', async ()
   assert.ok(floorLower.reached === 0 && ownLower.reached >= 10);
 });
 
-test('six robots come to 7.8 with no more drives than twenty', async () => {
-  const [twenty, six] = (await ran(tryOf('contest', 'robots')))();
-  assert.ok(six.ert <= twenty.ert);
+test('six robots come to 7.8 with no more drives than twenty, which 51 runs cannot tell; a hundred need twice as many', async () => {
+  const [twenty, six, hundred] = (await ran(tryOf('contest', 'robots')))();
+  assert.ok(six.ert <= twenty.ert && sideOf(six) === 0);
+  assert.ok(hundred.ert > 1.8 * twenty.ert && hundred.ert < 2.6 * twenty.ert && sideOf(hundred) < 0);
 });
 
 test('a hand with sliders that end at 0 does well, and is lost without that end', async () => {

@@ -113,7 +113,7 @@ export const lecturers = {
         },
         population: {
           text: 'Six robots instead of twenty: how many drives until J is below 7.8? Then sixty.',
-          seen: 'Here the small population needs fewer drives. One seed proves nothing: use [Luck](luck&population=6).',
+          seen: 'With this seed the small population needs fewer drives. One seed proves nothing: run [the contest](luck&luck=contest&contestants=n-6,n-100&seeds=51&budget=4000&target=7.8). There 51 runs cannot tell six from twenty; a hundred need twice as many drives.',
         },
         kanayama: {
           text: 'Kanayama’s rule instead of the paper’s law. Let it evolve. Why does nobody arrive?',
