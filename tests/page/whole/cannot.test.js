@@ -98,7 +98,7 @@ async function readsLesson(page, language) {
   const korean = language === 'ko';
   assert.equal(seen.language, language);
   assert.equal(seen.heading, korean ? '읽는 수업' : 'The lesson, to read');
-  assert.equal(seen.firsts.length, 14);
+  assert.equal(seen.firsts.length, 15);
   for (const [i, first] of seen.firsts.entries())
     assert.match(first, new RegExp(`^${i + 1}\\. ${korean ? '.*[가-힣]' : '[A-Z]'}`));
   assert.ok(seen.shortest > 200, 'a section of it is empty');
@@ -221,7 +221,7 @@ pageTest('the one file has the lesson to read in it, where the core cannot run',
         seen.filter((section) => section.checkVisibility()).map((section) => section.innerText)
       );
     });
-    assert.equal(sections.length, 14);
+    assert.equal(sections.length, 15);
     assert.match(sections[0], /^1\. [가-힣]/);
   });
 });
