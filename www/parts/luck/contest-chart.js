@@ -97,7 +97,7 @@ function drawShares(context, frame, { x, ticks, drives, shares }, name) {
   drawGrid(context, { x, y, frame }, { x: ticks, y: parts }, parts.map(words.percent));
   for (const [i, share] of shares.entries())
     if (share) {
-      const points = pointsOf({ x, y, frame }, drives, (at) => share[at]);
+      const points = pointsOf({ x, y, frame }, drives, share);
       drawCurve(context, points, { ...styles[i], width: 2 });
     }
   context.setLineDash([]);

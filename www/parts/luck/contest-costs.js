@@ -37,7 +37,11 @@ export function drawCosts(context, frame, { x, ticks, drives }, there) {
   const names = powers.map((power) => words.powerOfTen(Math.round(Math.log10(power))));
   drawGrid(context, { x, y, frame }, { x: ticks, y: powers }, names);
   const points = (/** @type {number[]} */ costs) =>
-    pointsOf({ x, y, frame }, drives, (i) => (Number.isFinite(costs[i]) ? distance(costs[i]) : Number.NaN));
+    pointsOf(
+      { x, y, frame },
+      drives,
+      costs.map((cost) => (Number.isFinite(cost) ? distance(cost) : Number.NaN)),
+    );
   within(context, frame, () => {
     for (const [i, course] of found.entries()) {
       if (!course) continue;
