@@ -1,11 +1,13 @@
 //! What one call may cost, in samples and in bytes: each of these once took all memory, or never ended.
 
 use ep_locomotion::robot::{Gains, Posture};
-use ep_locomotion::run::{Experiment, MAX_BYTES, Preset, Setting};
+use ep_locomotion::run::{
+    Experiment, LEAST_GENERATION, LEAST_SAMPLES, MAX_BYTES, MAX_STARTS, MAX_WORK, Preset, Setting,
+};
 use ep_locomotion::schema::InvalidInput;
-use ep_locomotion::search::LAST_GENERATION;
+use ep_locomotion::search::{LAST_GENERATION, Method, Selection};
 use ep_locomotion::study::{
-    Range, StartGrid, check_error_parts, remaining_errors, robustness, seed_runs,
+    Range, StartGrid, check_error_parts, remaining_errors, robustness, seed_runs, trials,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -30,7 +32,11 @@ fn a_map_of_more_starts_than_fit_in_the_memory_is_refused() {
     let grid = StartGrid { x: range, y: range, headings: 1024 };
     assert_refused(
         robustness(&setting, GAINS, &grid, [0, 300_000_000]),
-        "the number of starts must be at most 4129776, for each takes 65 bytes, but was 300000000",
+        "the number of starts must be at most 20000000 with 1 starts and 1 samples a run, but was 300000000",
+    );
+    assert_refused(
+        robustness(&setting, GAINS, &grid, [0, 4_129_777]),
+        "the number of starts must be at most 4129776, for each takes 65 bytes, but was 4129777",
     );
     assert_eq!(robustness(&setting, GAINS, &grid, [5, 9]).map(|ends| ends.len()), Ok(4));
 }
@@ -71,13 +77,58 @@ fn seeds_are_counted_by_what_each_keeps() {
     let setting = lasting(0.01, |e| e.evolution.population = 1);
     assert_refused(
         seed_runs(&setting, [0, 150_000_000], 0),
-        "the number of seeds must be at most 508400, for each takes 528 bytes, but was 150000000",
+        "the number of drives must be at most 1000000 with 1 starts and 1 samples a run, but was 300000000",
+    );
+    assert_refused(
+        seed_runs(&setting, [0, 104_207], 0),
+        "the number of seeds must be at most 104206, for each takes 2576 bytes, but was 104207",
+    );
+    assert_refused(
+        trials(&setting, [0, 104_207], 1),
+        "the number of seeds must be at most 104206, for each takes 2576 bytes, but was 104207",
     );
     assert_refused(
         seed_runs(&setting, [0, 1], LAST_GENERATION),
-        "the number of drives must be at most 400000000 with 1 starts and 1 samples a run, but was 1073741824",
+        "the number of drives must be at most 1000000 with 1 starts and 1 samples a run, but was 1073741824",
     );
     assert_eq!(seed_runs(&setting, [7, 9], 3).map(|runs| runs.len()), Ok(2));
+}
+
+/// To begin a run takes as long as some samples, and so do the bouts of a tournament.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_not_driving_is_counted_too() {
+    let most = |change: &dyn Fn(&mut Experiment)| {
+        let setting = lasting(0.01, |e| change(e));
+        let message = trials(&setting, [0, 1], 500_000_000).expect_err("refused").to_string();
+        let most = message.split("at most ").nth(1).and_then(|rest| rest.split(' ').next());
+        most.and_then(|most| most.parse::<f64>().ok()).expect("a number")
+    };
+    let truncated = |e: &mut Experiment| e.evolution.selection = Selection::Truncation;
+    let cases: [(f64, &dyn Fn(&mut Experiment)); 5] = [
+        (LEAST_SAMPLES, &truncated),
+        (40.0, &|e| e.horizon = 0.4),
+        (999.0, &|e| e.evolution.opponents = 999),
+        (LEAST_GENERATION, &|e| e.evolution.method = Method::OnePlusOneEs),
+        (LEAST_GENERATION / 2.0, &|e| e.evolution.population = 2),
+    ];
+    for (one, change) in cases {
+        assert_eq!(most(change), (MAX_WORK / one).floor(), "{one}");
+    }
+}
+
+/// The largest population from the most starts is within the bounds as long as its runs are short.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_largest_population_may_start_everywhere() {
+    let largest = |samples: f64| {
+        let mut experiment = Preset::VelocityLimits.experiment();
+        experiment.horizon = samples * experiment.sample_time;
+        experiment.evolution.population = 2000;
+        experiment.starts = vec![Posture::default(); MAX_STARTS as usize];
+        Setting::new(experiment).map(|_| ())
+    };
+    assert_eq!(largest(1.0), Ok(()));
+    assert_eq!(largest(LEAST_SAMPLES), Ok(()));
+    assert!(largest(LEAST_SAMPLES + 1.0).is_err());
 }
 
 #[wasm_bindgen_test(unsupported = test)]

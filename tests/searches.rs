@@ -296,12 +296,6 @@ fn what_cannot_run_is_refused_by_name() {
         refused([0, 52], 8000),
         "the number of drives must be at most 400000 with 1 starts and 1000 samples a run, but was 416000"
     );
-    let mut short = searched_by(|e| e.population = 1);
-    short.horizon = 0.01;
-    let short = Setting::new(short).expect("valid");
-    assert!(
-        trials(&short, [0, 100_000_000], 1).expect_err("refused").to_string().contains("528 bytes")
-    );
     assert_eq!(trials(&setting, [5, 5], 10).map(|trials| trials.len()), Ok(0));
 }
 

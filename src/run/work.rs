@@ -6,8 +6,17 @@ use crate::schema::InvalidInput;
 /// Most samples that one call may have to drive: robots × starts × samples. It bounds how long a call can take.
 pub const MAX_WORK: f64 = 4e8;
 
+/// A run counts as so many samples at least: to draw its gains, to begin it and to tell how it ended takes that long.
+pub const LEAST_SAMPLES: f64 = 20.0;
+
+/// A generation counts as so many samples at least.
+pub const LEAST_GENERATION: f64 = 400.0;
+
 /// Most bytes that what a call gives back may take.
 pub const MAX_BYTES: f64 = 256.0 * 1024.0 * 1024.0;
+
+/// What a plain object takes outside, with its columns, beside the numbers in them.
+pub(crate) const BYTES_OF_AN_OBJECT: f64 = 2048.0;
 
 /// Something that a call does many times.
 #[derive(Clone, Copy, Debug)]
@@ -25,8 +34,16 @@ pub(crate) struct Work<'a> {
 impl Work<'_> {
     /// Refuses what takes more than [`MAX_WORK`] samples or [`MAX_BYTES`] bytes.
     pub(crate) fn check(self, e: &Experiment) -> Result<(), InvalidInput> {
+        self.check_each(e, e.work_from(self.starts))
+    }
+
+    /// The same for trials of a search, which does more than to drive.
+    pub(crate) fn check_trials(self, e: &Experiment) -> Result<(), InvalidInput> {
+        self.check_each(e, e.work_of_a_trial())
+    }
+
+    fn check_each(self, e: &Experiment, one: f64) -> Result<(), InvalidInput> {
         let Self { field, count, starts, bytes } = self;
-        let one = starts.max(1) as f64 * (e.horizon / e.sample_time).max(1.0);
         let refuse = |expected| Err(InvalidInput::new(field, expected, format!("{count}")));
         if count * one > MAX_WORK {
             let (most, starts) = ((MAX_WORK / one).floor(), starts.max(1));
@@ -40,5 +57,19 @@ impl Work<'_> {
             return refuse(format!("at most {most}, for each takes {bytes} bytes"));
         }
         Ok(())
+    }
+}
+
+impl Experiment {
+    /// What a trial of the search takes, in samples. Where it is not the driving that takes longest, it is the bouts (one
+    /// takes as long as half a sample, and for each trial there are two solutions), or the generation about it.
+    pub(crate) fn work_of_a_trial(&self) -> f64 {
+        let bouts = f64::from(self.evolution.bouts());
+        let generation = LEAST_GENERATION / f64::from(self.evolution.most_trials());
+        self.work_from(self.starts.len()).max(bouts).max(generation)
+    }
+
+    fn work_from(&self, starts: usize) -> f64 {
+        starts.max(1) as f64 * (self.horizon / self.sample_time).max(LEAST_SAMPLES)
     }
 }

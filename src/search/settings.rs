@@ -125,6 +125,14 @@ impl EvolutionSettings {
         }
     }
 
+    /// How many bouts of the tournament each solution has.
+    pub(crate) fn bouts(&self) -> u32 {
+        match (self.method, self.selection) {
+            (Method::Ep, Selection::Tournament) => self.opponents,
+            _ => 0,
+        }
+    }
+
     /// A σ, or the floor where it is under that.
     pub(super) fn floored(&self, sigma: f64) -> f64 {
         if sigma < self.sigma_floor { self.sigma_floor } else { sigma }

@@ -174,10 +174,9 @@ impl Evolution {
         let snapshot = SNAPSHOT_BASE + size_of_val(self.search.population());
         let bytes = self.snapshots.len() * snapshot;
         let experiment = self.setting.experiment();
-        let trials = experiment.evolution.most_trials();
-        let drives = f64::from(trials) * experiment.starts.len() as f64;
-        let again =
-            2.0 * f64::from(self.snapshot_interval) * drives * f64::from(self.setting.samples());
+        let generation =
+            f64::from(experiment.evolution.most_trials()) * experiment.work_of_a_trial();
+        let again = 2.0 * f64::from(self.snapshot_interval) * generation;
         if bytes > SNAPSHOT_BYTES && again <= MAX_WORK {
             let mut keep = false;
             self.snapshots.retain(|_| {

@@ -2,7 +2,7 @@
 
 use super::part::{read_part, validate_part};
 use crate::robot::Gains;
-use crate::run::{Setting, Work};
+use crate::run::{BYTES_OF_AN_OBJECT, Setting, Work};
 use crate::schema::{
     Allowed, Column, Input, InvalidInput, Place, Source, read_object, record, told,
 };
@@ -69,13 +69,15 @@ pub fn seed_runs(
     let (count, starts) = (f64::from(end - first), experiment.starts.len());
     // Evolution and random search.
     let drives = 2.0 * n * g * count;
-    Work { field: "the number of drives", count: drives, starts, bytes: 0.0 }.check(experiment)?;
+    Work { field: "the number of drives", count: drives, starts, bytes: 0.0 }
+        .check_trials(experiment)?;
     let kept = f64::from(settings.population.max(settings.most_trials()));
-    let bytes = kept * BYTES_OF_A_SOLUTION + g * 2.0 * size_of::<f64>() as f64;
+    let columns = g * size_of::<[f64; 2]>() as f64;
+    let bytes = kept * BYTES_OF_A_SOLUTION + columns + BYTES_OF_AN_OBJECT;
     Work { field: "the number of seeds", count, starts: 1, bytes }.check(experiment)?;
 
-    let races = (first..end).map(|seed| Race::new(EvolutionSettings { seed, ..settings }));
-    let mut races: Vec<_> = races.collect();
+    let race = |seed| Race::new(EvolutionSettings { seed, ..settings }, generations);
+    let mut races: Vec<_> = (first..end).map(race).collect();
     for generation in 0..=generations {
         let broods: Vec<_> = races.iter_mut().map(|race| race.asked(generation)).collect();
         let all = broods.iter().flat_map(|(brood, drawn)| [brood.trials(), drawn.clone()].concat());
@@ -105,9 +107,9 @@ struct Race {
 }
 
 impl Race {
-    fn new(settings: EvolutionSettings) -> Self {
+    fn new(settings: EvolutionSettings, generations: u32) -> Self {
         let (search, random) = (search(settings.method), Draws::default());
-        let [best, drawn] = [Vec::new(), Vec::new()];
+        let [best, drawn] = [0; 2].map(|_| Vec::with_capacity(generations as usize + 1));
         Self { settings, search, random, lowest: f64::INFINITY, best, drawn }
     }
 

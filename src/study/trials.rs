@@ -3,7 +3,7 @@
 use super::part::{read_part, validate_part};
 use super::seeds::BYTES_OF_A_SOLUTION;
 use crate::robot::Gains;
-use crate::run::{Setting, Work};
+use crate::run::{BYTES_OF_AN_OBJECT, Setting, Work};
 use crate::schema::{
     Allowed, Column, Input, InvalidInput, Place, Source, read_object, record, told,
 };
@@ -78,9 +78,11 @@ pub fn trials(setting: &Setting, seeds: [u32; 2], drives: u32) -> Result<Vec<Tri
     let (experiment, e) = (setting.experiment(), setting.experiment().evolution);
     let (count, starts) = (f64::from(end - first), experiment.starts.len());
     let all = f64::from(drives) * count;
-    Work { field: "the number of drives", count: all, starts, bytes: 0.0 }.check(experiment)?;
+    Work { field: "the number of drives", count: all, starts, bytes: 0.0 }
+        .check_trials(experiment)?;
     let kept = f64::from(e.population.max(e.most_trials()));
-    let bytes = kept * BYTES_OF_A_SOLUTION + f64::from(drives) * size_of::<[f64; 2]>() as f64;
+    let columns = f64::from(drives) * size_of::<[f64; 2]>() as f64;
+    let bytes = kept * BYTES_OF_A_SOLUTION + columns + BYTES_OF_AN_OBJECT;
     Work { field: "the number of seeds", count, starts: 1, bytes }.check(experiment)?;
 
     let mut runs: Vec<_> =
