@@ -34,7 +34,7 @@ impl Gains {
     }
 
     /// Triples (kx, ky, kθ) one after the other, as many as are given.
-    pub fn read_all<S: Source>(given: &S) -> Result<Vec<Self>, S::Error> {
+    pub fn read_all<S: Source>(given: &S) -> Result<Vec<Self>, InvalidInput> {
         let numbers = read_numbers(given)?;
         let refused = |name, expected: &str, found| InvalidInput::new(name, expected, found).into();
         if !numbers.len().is_multiple_of(3) {
@@ -48,7 +48,7 @@ impl Gains {
     }
 
     /// One triple.
-    pub fn read_one<S: Source>(given: &S) -> Result<Self, S::Error> {
+    pub fn read_one<S: Source>(given: &S) -> Result<Self, InvalidInput> {
         match Self::read_all(given)?[..] {
             [gains] => Ok(gains),
             ref several => {
@@ -74,13 +74,13 @@ fn gain_name(index: usize) -> String {
     if index < 3 { name.into() } else { format!("{name} (gains[{index}])") }
 }
 
-fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>, S::Error> {
+fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>, InvalidInput> {
     const MOST: usize = 3 * MAX_TRIPLES;
     let place = Place::Named("gains");
     if let Some(numbers) = given.column(place, MOST)? {
         return Ok(numbers);
     }
-    let Some(count) = given.length(true)? else {
+    let Some(count) = given.length(true) else {
         return Err(refused(given, place, "a Float64Array or an array of numbers"));
     };
     if count > MOST {
@@ -89,7 +89,7 @@ fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>, S::Error> {
     let number = |i| {
         let mut number = 0.0;
         let name = gain_name(i);
-        f64::read(&mut number, &given.element(i)?, Place::Named(&name), &Allowed::ANY)?;
+        f64::read(&mut number, &given.element(i), Place::Named(&name), &Allowed::ANY)?;
         Ok(number)
     };
     (0..count).map(number).collect()
@@ -134,7 +134,12 @@ impl Input for Gains {
         Ok(())
     }
 
-    fn read<S: Source>(&mut self, given: &S, _: Place<'_>, _: &Allowed) -> Result<(), S::Error> {
+    fn read<S: Source>(
+        &mut self,
+        given: &S,
+        _: Place<'_>,
+        _: &Allowed,
+    ) -> Result<(), InvalidInput> {
         *self = Self::read_one(given)?;
         Ok(())
     }

@@ -74,7 +74,7 @@ impl Input for Vec<Posture> {
         given: &S,
         place: Place<'_>,
         allowed: &Allowed,
-    ) -> Result<(), S::Error> {
+    ) -> Result<(), InvalidInput> {
         let most = allowed.max as usize;
         let expected = || format!("an array of {} to {most}", allowed.min);
         if let Some(numbers) = given.column(place, 3 * most)? {
@@ -87,12 +87,12 @@ impl Input for Vec<Posture> {
             *self = postures.map(|p| Posture { x: p[0], y: p[1], theta: p[2] }).collect();
             return Ok(());
         }
-        let count = given.length(false)?.filter(|count| *count <= most);
+        let count = given.length(false).filter(|count| *count <= most);
         let count = count.ok_or_else(|| refused(given, place, expected()))?;
         self.clear();
         for i in 0..count {
             let mut posture = Posture::default();
-            posture.read(&given.element(i)?, Place::Element(&place, i), allowed)?;
+            posture.read(&given.element(i), Place::Element(&place, i), allowed)?;
             self.push(posture);
         }
         Ok(())

@@ -56,7 +56,7 @@ record! { input
 
 impl Experiment {
     /// Takes over what is given; every field that is left out stays as it is. Numbers are checked by [`Self::validate`].
-    pub fn read<S: Source>(&mut self, given: &S) -> Result<(), S::Error> {
+    pub fn read<S: Source>(&mut self, given: &S) -> Result<(), InvalidInput> {
         Input::read(self, given, Place::Experiment, &Allowed::ANY)
     }
 

@@ -21,14 +21,11 @@ pub trait Input: Plain {
         given: &S,
         place: Place<'_>,
         allowed: &Allowed,
-    ) -> Result<(), S::Error>;
+    ) -> Result<(), InvalidInput>;
 }
 
-/// A plain value that somebody gave.
+/// A plain value that somebody gave. One that cannot be read is of no kind, and its description says so.
 pub trait Source: Sized {
-    /// What can be wrong with it.
-    type Error: From<InvalidInput>;
-
     /// Whether it is there at all.
     fn is_given(&self) -> bool;
     /// Whether it is null.
@@ -40,15 +37,15 @@ pub trait Source: Sized {
     /// The text that it is.
     fn text(&self) -> Option<String>;
     /// The numbers that it is, side by side; refused if they are more than allowed.
-    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, Self::Error>;
+    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput>;
     /// How many elements it has, if it is a list; also one of numbers side by side, if those may be.
-    fn length(&self, columns: bool) -> Result<Option<usize>, Self::Error>;
+    fn length(&self, columns: bool) -> Option<usize>;
     /// The element with this index.
-    fn element(&self, index: usize) -> Result<Self, Self::Error>;
+    fn element(&self, index: usize) -> Self;
     /// Whether it is an object with no fields but these.
-    fn keys(&self, known: &[&'static str]) -> Result<Keys, Self::Error>;
+    fn keys(&self, known: &[&'static str]) -> Keys;
     /// The field with this name.
-    fn field(&self, name: &'static str) -> Result<Self, Self::Error>;
+    fn field(&self, name: &'static str) -> Self;
     /// What it is, in words for a message.
     fn description(&self) -> String;
 }
@@ -61,6 +58,8 @@ pub enum Keys {
     Known,
     /// One is not known: this.
     Unknown(String),
+    /// Its owner throws when they are looked at.
+    Unreadable,
 }
 
 /// The error that says what a value must be.
@@ -68,8 +67,8 @@ pub(crate) fn refused<S: Source>(
     given: &S,
     place: Place<'_>,
     expected: impl Into<String>,
-) -> S::Error {
-    InvalidInput::new(place.to_string(), expected, given.description()).into()
+) -> InvalidInput {
+    InvalidInput::new(place.to_string(), expected, given.description())
 }
 
 /// The error that says how many numbers there may be.
@@ -83,13 +82,16 @@ pub(crate) fn read_object<S: Source>(
     given: &S,
     place: Place<'_>,
     known: &[&'static str],
-) -> Result<(), S::Error> {
-    match given.keys(known)? {
+) -> Result<(), InvalidInput> {
+    match given.keys(known) {
         Keys::Known => Ok(()),
         Keys::NoObject => Err(refused(given, place, "an object")),
+        Keys::Unreadable => {
+            Err(InvalidInput::new(place.to_string(), "an object", "one that cannot be read"))
+        }
         Keys::Unknown(key) => {
             let expected = format!("an object with no fields but {}", known.join(", "));
-            Err(InvalidInput::new(place.to_string(), expected, format!("one with {key}")).into())
+            Err(InvalidInput::new(place.to_string(), expected, format!("one with {key}")))
         }
     }
 }
@@ -113,7 +115,7 @@ impl Input for f64 {
         given: &S,
         place: Place<'_>,
         allowed: &Allowed,
-    ) -> Result<(), S::Error> {
+    ) -> Result<(), InvalidInput> {
         *self = given.number().ok_or_else(|| refused(given, place, allowed.expected()))?;
         Ok(())
     }
@@ -133,7 +135,7 @@ impl Input for u32 {
         given: &S,
         place: Place<'_>,
         allowed: &Allowed,
-    ) -> Result<(), S::Error> {
+    ) -> Result<(), InvalidInput> {
         let whole = given.number().filter(|number| Allowed::SEED.allows(*number));
         *self = whole.ok_or_else(|| refused(given, place, allowed.expected()))? as u32;
         Ok(())
@@ -154,7 +156,7 @@ impl Input for Option<f64> {
         given: &S,
         place: Place<'_>,
         allowed: &Allowed,
-    ) -> Result<(), S::Error> {
+    ) -> Result<(), InvalidInput> {
         *self = if given.is_null() { None } else { Some(0.0) };
         self.as_mut().map_or(Ok(()), |number| number.read(given, place, allowed))
     }
@@ -172,7 +174,7 @@ impl Input for bool {
         given: &S,
         place: Place<'_>,
         _: &Allowed,
-    ) -> Result<(), S::Error> {
+    ) -> Result<(), InvalidInput> {
         *self = given.truth().ok_or_else(|| refused(given, place, "true or false"))?;
         Ok(())
     }
@@ -193,12 +195,12 @@ impl<T: Input, const N: usize> Input for [T; N] {
         given: &S,
         place: Place<'_>,
         allowed: &Allowed,
-    ) -> Result<(), S::Error> {
-        if given.length(false)? != Some(N) {
+    ) -> Result<(), InvalidInput> {
+        if given.length(false) != Some(N) {
             return Err(refused(given, place, format!("an array of {N}")));
         }
         for (i, element) in self.iter_mut().enumerate() {
-            element.read(&given.element(i)?, Place::Element(&place, i), allowed)?;
+            element.read(&given.element(i), Place::Element(&place, i), allowed)?;
         }
         Ok(())
     }

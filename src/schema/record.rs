@@ -65,10 +65,10 @@ macro_rules! record {
                 given: &S,
                 place: crate::schema::Place<'_>,
                 _: &crate::schema::Allowed,
-            ) -> Result<(), S::Error> {
+            ) -> Result<(), crate::schema::InvalidInput> {
                 crate::schema::read_object(given, place, &[$($key),+])?;
                 $(
-                    let field = given.field($key)?;
+                    let field = given.field($key);
                     if $required || field.is_given() {
                         crate::schema::Input::read(
                             &mut self.$field,

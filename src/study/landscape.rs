@@ -43,7 +43,7 @@ impl Input for Gain {
         given: &S,
         place: Place<'_>,
         _: &Allowed,
-    ) -> Result<(), S::Error> {
+    ) -> Result<(), InvalidInput> {
         let word = given.text();
         let gain = match word.as_deref() {
             Some("kθ") => Some(Self::Theta),
@@ -108,17 +108,17 @@ impl Axis {
         Range { from, to, count }.validate(name)
     }
 
-    fn read<S: Source>(given: &S, place: Place<'_>) -> Result<Self, S::Error> {
+    fn read<S: Source>(given: &S, place: Place<'_>) -> Result<Self, InvalidInput> {
         let mut axis = Self { gain: Gain::X, from: 0.0, to: 0.0, count: 0, log: false };
         read_object(given, place, &["gain", "from", "to", "count", "log"])?;
         let at = |name| Place::Field(&place, name);
-        axis.gain.read(&given.field("gain")?, at("gain"), &Allowed::ANY)?;
-        axis.from.read(&given.field("from")?, at("from"), &Allowed::ANY)?;
-        axis.to.read(&given.field("to")?, at("to"), &Allowed::ANY)?;
+        axis.gain.read(&given.field("gain"), at("gain"), &Allowed::ANY)?;
+        axis.from.read(&given.field("from"), at("from"), &Allowed::ANY)?;
+        axis.to.read(&given.field("to"), at("to"), &Allowed::ANY)?;
         let count = Allowed::whole(0, MAX_AXIS_COUNT);
-        axis.count.read(&given.field("count")?, at("count"), &count)?;
+        axis.count.read(&given.field("count"), at("count"), &count)?;
         axis.count.check(at("count"), &count)?;
-        let log = given.field("log")?;
+        let log = given.field("log");
         if log.is_given() {
             axis.log.read(&log, at("log"), &Allowed::ANY)?;
         }
@@ -153,14 +153,14 @@ told! {
 
 impl Landscape {
     /// A landscape, and which of its rows are asked for.
-    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2]), S::Error> {
+    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2]), InvalidInput> {
         let place = Place::Named("landscape");
         read_object(given, place, &["x", "y", "gains", "rows"])?;
         let at = |name| Place::Field(&place, name);
         let [x, y] =
-            [Axis::read(&given.field("x")?, at("x"))?, Axis::read(&given.field("y")?, at("y"))?];
-        let gains = Gains::read_one(&given.field("gains")?)?;
-        let rows = read_part(&given.field("rows")?, at("rows"), y.count)?;
+            [Axis::read(&given.field("x"), at("x"))?, Axis::read(&given.field("y"), at("y"))?];
+        let gains = Gains::read_one(&given.field("gains"))?;
+        let rows = read_part(&given.field("rows"), at("rows"), y.count)?;
         Ok((Self { x, y, gains }, rows))
     }
 

@@ -21,15 +21,15 @@ pub(super) fn read_part<S: Source>(
     given: &S,
     place: Place<'_>,
     count: u32,
-) -> Result<[u32; 2], S::Error> {
+) -> Result<[u32; 2], InvalidInput> {
     if !given.is_given() {
         return Ok([0, count]);
     }
-    if given.length(false)? != Some(2) {
+    if given.length(false) != Some(2) {
         return Err(refused(given, place, "an array of 2"));
     }
     let end = |i| {
-        let (end, allowed) = (given.element(i)?, Allowed::whole(0, count));
+        let (end, allowed) = (given.element(i), Allowed::whole(0, count));
         let number = end.number().filter(|number| allowed.allows(*number));
         number
             .map(|number| number as u32)

@@ -29,14 +29,14 @@ told! {
 
 impl SeedRuns {
     /// Seeds and generations.
-    pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
         let place = Place::Named("seeds");
         read_object(given, place, &["seeds", "generations"])?;
-        let seeds = read_part(&given.field("seeds")?, Place::Field(&place, "seeds"), u32::MAX)?;
+        let seeds = read_part(&given.field("seeds"), Place::Field(&place, "seeds"), u32::MAX)?;
         let (at, allowed) =
             (Place::Field(&place, "generations"), Allowed::whole(0, LAST_GENERATION));
         let mut generations = 0;
-        generations.read(&given.field("generations")?, at, &allowed)?;
+        generations.read(&given.field("generations"), at, &allowed)?;
         generations.check(at, &allowed)?;
         Ok(Self { seeds, generations })
     }

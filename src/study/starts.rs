@@ -30,7 +30,7 @@ record! { required (Copy)
 
 impl Circle {
     /// A circle.
-    pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
         let mut circle = Self { x: 0.0, y: 0.0, radius: 0.0, count: 0, seed: 0 };
         let place = Place::Named("circle");
         Input::read(&mut circle, given, place, &Allowed::ANY)?;
@@ -209,33 +209,33 @@ told! {
 
 impl PartOfGrid {
     /// A grid, and which of its starts are asked for.
-    pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
         read_object(given, Place::Named("grid"), &["x", "y", "headings", "part"])?;
         Self::read_fields(given)
     }
 
-    fn read_fields<S: Source>(given: &S) -> Result<Self, S::Error> {
+    fn read_fields<S: Source>(given: &S) -> Result<Self, InvalidInput> {
         let place = Place::Named("grid");
         let at = |name| Place::Field(&place, name);
         let none = Range { from: 0.0, to: 0.0, count: 0 };
         let mut grid = StartGrid { x: none, y: none, headings: 0 };
         for (name, range) in [("x", &mut grid.x), ("y", &mut grid.y)] {
-            range.read(&given.field(name)?, at(name), &Allowed::ANY)?;
+            range.read(&given.field(name), at(name), &Allowed::ANY)?;
             range.check(at(name), &Allowed::ANY)?;
         }
         let headings = Allowed::whole(0, MAX_AXIS_COUNT);
-        grid.headings.read(&given.field("headings")?, at("headings"), &headings)?;
+        grid.headings.read(&given.field("headings"), at("headings"), &headings)?;
         grid.headings.check(at("headings"), &headings)?;
-        let part = read_part(&given.field("part")?, at("part"), grid.most())?;
+        let part = read_part(&given.field("part"), at("part"), grid.most())?;
         Ok(Self { grid, part })
     }
 }
 
 impl GridOfRobot {
     /// A robot, a grid, and which of its starts are asked for.
-    pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
         read_object(given, Place::Named("grid"), &["gains", "x", "y", "headings", "part"])?;
-        let gains = Gains::read_one(&given.field("gains")?)?;
+        let gains = Gains::read_one(&given.field("gains"))?;
         Ok(Self { gains, starts: PartOfGrid::read_fields(given)? })
     }
 }

@@ -33,13 +33,13 @@ told! {
 
 impl Trials {
     /// Seeds and drives.
-    pub fn read<S: Source>(given: &S) -> Result<Self, S::Error> {
+    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
         let place = Place::Named("trials");
         read_object(given, place, &["seeds", "drives"])?;
-        let seeds = read_part(&given.field("seeds")?, Place::Field(&place, "seeds"), u32::MAX)?;
+        let seeds = read_part(&given.field("seeds"), Place::Field(&place, "seeds"), u32::MAX)?;
         let at = Place::Field(&place, "drives");
         let mut drives = 0;
-        drives.read(&given.field("drives")?, at, &DRIVES)?;
+        drives.read(&given.field("drives"), at, &DRIVES)?;
         drives.check(at, &DRIVES)?;
         Ok(Self { seeds, drives })
     }

@@ -109,7 +109,7 @@ of_experiment! {
 pub fn starts_on_circle(
     #[wasm_bindgen(unchecked_param_type = "Circle")] circle: JsValue,
 ) -> Result<JsValue> {
-    Ok(plain(&Circle::read(&Given(circle))?.starts()?))
+    Ok(plain(&Circle::read(&Given::of(circle))?.starts()?))
 }
 
 /// The starts of `robustness` on the same grid, in their order: at most 10 000 in one call.
@@ -117,7 +117,7 @@ pub fn starts_on_circle(
 pub fn starts_on_grid(
     #[wasm_bindgen(unchecked_param_type = "Grid")] grid: JsValue,
 ) -> Result<JsValue> {
-    let PartOfGrid { grid, part } = PartOfGrid::read(&Given(grid))?;
+    let PartOfGrid { grid, part } = PartOfGrid::read(&Given::of(grid))?;
     Ok(plain(&grid.postures(part)?))
 }
 
@@ -186,7 +186,7 @@ impl Simulation {
     ) -> Result<Simulation> {
         let setting = setting(experiment)?;
         let from = start(&setting, from)?;
-        let state = EpisodeState::new(&setting, Gains::read_one(&Given(gains))?, from);
+        let state = EpisodeState::new(&setting, Gains::read_one(&Given::of(gains))?, from);
         Ok(Self { setting, state })
     }
 

@@ -30,21 +30,21 @@ mod caught {
 }
 
 /// The given experiment, completed with the fields of the usual one.
-pub(super) fn setting(given: JsValue) -> Result<Setting, JsValue> {
+pub(super) fn setting(given: JsValue) -> Result<Setting, InvalidInput> {
     let mut experiment: Experiment = Preset::VelocityLimits.experiment();
-    experiment.read(&Given(given))?;
-    Ok(Setting::new(experiment)?)
+    experiment.read(&Given::of(given))?;
+    Setting::new(experiment)
 }
 
 /// A number that has a name.
-pub(super) fn number(given: JsValue, name: &str) -> Result<f64, JsValue> {
+pub(super) fn number(given: JsValue, name: &str) -> Result<f64, InvalidInput> {
     let mut number = 0.0;
-    number.read(&Given(given), Place::Named(name), &Allowed::ANY)?;
+    number.read(&Given::of(given), Place::Named(name), &Allowed::ANY)?;
     Ok(number)
 }
 
 /// The index of a start posture; 0 if it is left out.
-pub(super) fn start(setting: &Setting, given: JsValue) -> Result<u32, JsValue> {
+pub(super) fn start(setting: &Setting, given: JsValue) -> Result<u32, InvalidInput> {
     if given.is_undefined() {
         return Ok(0);
     }
@@ -53,95 +53,99 @@ pub(super) fn start(setting: &Setting, given: JsValue) -> Result<u32, JsValue> {
     Ok(start as u32)
 }
 
-/// A value of JavaScript.
-pub(super) struct Given(pub(super) JsValue);
+/// A value of JavaScript; none where its owner throws when it is looked at.
+pub(super) struct Given(Option<JsValue>);
+
+impl Given {
+    pub(super) fn of(value: JsValue) -> Self {
+        Self(Some(value))
+    }
+}
 
 impl Source for Given {
-    type Error = JsValue;
-
     fn is_given(&self) -> bool {
-        !self.0.is_undefined()
+        self.0.as_ref().is_none_or(|value| !value.is_undefined())
     }
 
     fn is_null(&self) -> bool {
-        self.0.is_null()
+        self.0.as_ref().is_some_and(JsValue::is_null)
     }
 
     fn number(&self) -> Option<f64> {
-        self.0.as_f64()
+        self.0.as_ref()?.as_f64()
     }
 
     fn truth(&self) -> Option<bool> {
-        self.0.as_bool()
+        self.0.as_ref()?.as_bool()
     }
 
     fn text(&self) -> Option<String> {
-        self.0.as_string()
+        self.0.as_ref()?.as_string()
     }
 
-    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, JsValue> {
-        if !self.0.is_instance_of::<Float64Array>() {
+    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
+        let Some(value) = self.0.as_ref().filter(|value| value.is_instance_of::<Float64Array>())
+        else {
             return Ok(None);
-        }
+        };
         let refused = |_| refused(self, place, "a Float64Array or an array of numbers");
-        let copy = caught::Copy::of(&self.0).map_err(refused)?;
+        let copy = caught::Copy::of(value).map_err(refused)?;
         let copy: &Float64Array = copy.unchecked_ref();
         let count = copy.length() as usize;
         if count > most {
-            return Err(too_many(place, most, count).into());
+            return Err(too_many(place, most, count));
         }
         Ok(Some(copy.to_vec()))
     }
 
-    fn length(&self, columns: bool) -> Result<Option<usize>, JsValue> {
-        let is_list = is_array(&self.0) || (columns && ArrayBuffer::is_view(&self.0));
-        if !is_list {
-            return Ok(None);
-        }
-        Ok(length(&self.0)?.as_f64().map(|length| length as usize))
+    fn length(&self, columns: bool) -> Option<usize> {
+        let list = self.0.as_ref().filter(|value| is_list(value, columns))?;
+        let length = named("length", |name| Reflect::get(list, name)).ok()?;
+        length.as_f64().map(|length| length as usize)
     }
 
-    fn element(&self, index: usize) -> Result<Self, JsValue> {
-        Reflect::get_u32(&self.0, index as u32).map(Given)
+    fn element(&self, index: usize) -> Self {
+        Self(self.0.as_ref().and_then(|list| Reflect::get_u32(list, index as u32).ok()))
     }
 
-    fn keys(&self, known: &[&'static str]) -> Result<Keys, JsValue> {
-        let value = &self.0;
-        if !value.is_object() || is_array(value) || ArrayBuffer::is_view(value) {
-            return Ok(Keys::NoObject);
+    fn keys(&self, known: &[&'static str]) -> Keys {
+        let Some(value) = self.0.as_ref().filter(|value| value.is_object()) else {
+            return Keys::NoObject;
+        };
+        if is_list(value, true) {
+            return Keys::NoObject;
         }
+        let Ok(keys) = Reflect::own_keys(value.unchecked_ref()) else { return Keys::Unreadable };
         // The names are read only where there are more than are known: to read them takes long.
-        let keys = Reflect::own_keys(value.unchecked_ref())?;
-        let mut found = 0;
-        for name in known {
-            found += u32::from(named(name, |name| caught::has_own(value, name))?);
+        let own =
+            |name: &&'static str| named(name, |name| caught::has_own(value, name)).unwrap_or(false);
+        if known.iter().copied().filter(own).count() == keys.length() as usize {
+            return Keys::Known;
         }
-        if found == keys.length() {
-            return Ok(Keys::Known);
-        }
-        Ok(unknown(&keys, known).map_or(Keys::Known, Keys::Unknown))
+        unknown(&keys, known).map_or(Keys::Known, Keys::Unknown)
     }
 
     /// Its own field; what it inherits does not count.
-    fn field(&self, name: &'static str) -> Result<Self, JsValue> {
-        named(name, |name| {
-            let own = caught::has_own(&self.0, name)?;
-            let field = if own { Reflect::get(&self.0, name)? } else { JsValue::UNDEFINED };
-            Ok(Given(field))
-        })
+    fn field(&self, name: &'static str) -> Self {
+        let Some(value) = &self.0 else { return Self(None) };
+        let field = named(name, |name| match caught::has_own(value, name)? {
+            true => Reflect::get(value, name),
+            false => Ok(JsValue::UNDEFINED),
+        });
+        Self(field.ok())
     }
 
     fn description(&self) -> String {
-        let value = &self.0;
+        let Some(value) = &self.0 else { return "one that cannot be read".into() };
         if let Some(number) = value.as_f64() {
             return shown(number);
         }
         if let Some(text) = value.as_string() {
             return quoted(&text);
         }
-        if is_array(value) {
-            let length = length(value).ok().and_then(|length| length.as_f64());
-            return format!("an array of {}", shown(length.unwrap_or_default()));
+        if is_list(value, false) {
+            let length = self.length(false).map_or("elements".into(), |length| length.to_string());
+            return format!("an array of {length}");
         }
         match value.as_bool() {
             Some(truth) => truth.to_string(),
@@ -167,14 +171,9 @@ fn unknown(keys: &Array, known: &[&'static str]) -> Option<String> {
     })
 }
 
-/// How many elements an array says that it has.
-fn length(value: &JsValue) -> Result<JsValue, JsValue> {
-    named("length", |name| Reflect::get(value, name))
-}
-
-/// Whether it is an array; one of which this cannot be said is none.
-fn is_array(value: &JsValue) -> bool {
-    caught::is_array(value).unwrap_or(false)
+/// Whether it is an array, or numbers side by side, if those may be; one of which this cannot be said is none.
+fn is_list(value: &JsValue, columns: bool) -> bool {
+    caught::is_array(value).unwrap_or(false) || (columns && ArrayBuffer::is_view(value))
 }
 
 /// The beginning of a text in quotation marks.

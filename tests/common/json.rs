@@ -50,8 +50,6 @@ impl Writer for Json {
 pub struct Given<'a>(pub Option<&'a Value>);
 
 impl Source for Given<'_> {
-    type Error = InvalidInput;
-
     fn is_given(&self) -> bool {
         self.0.is_some()
     }
@@ -76,22 +74,22 @@ impl Source for Given<'_> {
         Ok(None)
     }
 
-    fn length(&self, _: bool) -> Result<Option<usize>, InvalidInput> {
-        Ok(self.0.and_then(Value::as_array).map(Vec::len))
+    fn length(&self, _: bool) -> Option<usize> {
+        self.0.and_then(Value::as_array).map(Vec::len)
     }
 
-    fn element(&self, index: usize) -> Result<Self, InvalidInput> {
-        Ok(Given(self.0.and_then(|list| list.get(index))))
+    fn element(&self, index: usize) -> Self {
+        Given(self.0.and_then(|list| list.get(index)))
     }
 
-    fn keys(&self, known: &[&'static str]) -> Result<Keys, InvalidInput> {
-        let Some(object) = self.0.and_then(Value::as_object) else { return Ok(Keys::NoObject) };
+    fn keys(&self, known: &[&'static str]) -> Keys {
+        let Some(object) = self.0.and_then(Value::as_object) else { return Keys::NoObject };
         let unknown = object.keys().find(|key| !known.contains(&key.as_str()));
-        Ok(unknown.map_or(Keys::Known, |key| Keys::Unknown(format!("'{key}'"))))
+        unknown.map_or(Keys::Known, |key| Keys::Unknown(format!("'{key}'")))
     }
 
-    fn field(&self, name: &'static str) -> Result<Self, InvalidInput> {
-        Ok(Given(self.0.and_then(|object| object.get(name))))
+    fn field(&self, name: &'static str) -> Self {
+        Given(self.0.and_then(|object| object.get(name)))
     }
 
     fn description(&self) -> String {

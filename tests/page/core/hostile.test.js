@@ -2,172 +2,23 @@ import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import * as core from '../harness/core.js';
 import { test } from '../harness/once.js';
-
-/** @typedef {(...given: any[]) => unknown} Call */
+import {
+  answersTo,
+  callsOf,
+  hostile,
+  pathsOf,
+  refusal,
+  revoked,
+  spring,
+  traps,
+  withOther,
+} from './hostile/calls.js';
 
 const { Evolution, Simulation } = core;
-const evolution = new Evolution({});
-evolution.step();
-
-/** Every function of the core, each with arguments that it takes. @type {readonly (readonly [string, Call, readonly unknown[]])[]} */
-const calls = [
-  ['experiment', core.experiment, [core.experiment('acceleration-limits')]],
-  ['simulate', core.simulate, [{ horizon: 0.1 }, [3, 0.1, 5], 0]],
-  ['simulateAll', core.simulateAll, [{ horizon: 0.1 }, [3, 0.1, 5, 1, 1, 1], 0]],
-  ['evaluate', core.evaluate, [{ horizon: 0.1 }, Float64Array.of(3, 0.1, 5)]],
-  ['fares', core.fares, [{ starts: [{}, { x: 1 }] }, [3, 0.1, 5]]],
-  ['stability', core.stability, [{ horizon: 0.1 }, [3, 0.1, 5], 0]],
-  ['errorParts', core.errorParts, [{ horizon: 0.1 }, [3, 0.1, 5]]],
-  ['remainingErrors', core.remainingErrors, [{ horizon: 0.1 }, [3, 0.1, 5], 0.05]],
-  [
-    'landscape',
-    core.landscape,
-    [
-      { horizon: 0.1 },
-      {
-        x: { gain: 'kx', from: 1, to: 9, count: 3, log: true },
-        y: { gain: 'ky', from: 0, to: 1, count: 2 },
-        gains: [1, 2, 3],
-        rows: [0, 2],
-      },
-    ],
-  ],
-  [
-    'robustness',
-    core.robustness,
-    [
-      { horizon: 0.1 },
-      {
-        gains: [3, 2, 5],
-        x: { from: 0, to: 1, count: 2 },
-        y: { from: 0, to: 1, count: 1 },
-        headings: 3,
-        part: [0, 6],
-      },
-    ],
-  ],
-  [
-    'seedRuns',
-    core.seedRuns,
-    [
-      { horizon: 0.1, evolution: { population: 2 } },
-      { seeds: [1, 3], generations: 1 },
-    ],
-  ],
-  ['startsOnCircle', core.startsOnCircle, [{ x: 0, y: 0, radius: 1, count: 3, seed: 1 }]],
-  [
-    'startsOnGrid',
-    core.startsOnGrid,
-    [{ x: { from: 0, to: 1, count: 2 }, y: { from: 0, to: 1, count: 1 }, headings: 3, part: [0, 6] }],
-  ],
-  ['lawTerms', core.lawTerms, [{}, [3, 0.1, 5], { x: 1, y: -1, theta: 0.5 }]],
-  ['winsBout', core.winsBout, [1, 2]],
-  ['Simulation', (...given) => new Simulation(given[0], given[1], given[2]).step(), [{}, [3, 0.1, 5], 0]],
-  ['Evolution', (given) => new Evolution(given).hash(), [{ horizon: 0.1, evolution: { population: 3 } }]],
-  ['statistics', (given) => evolution.statistics(given), [1]],
-  ['record', (given) => evolution.record(given), [1]],
-  ['population', (given) => evolution.population(given), [1]],
-];
-
-class Trap extends Error {}
-const spring = () => {
-  throw new Trap('sprung');
-};
-/** Every way to look at an object throws, or every one but the first. */
-const traps = Object.fromEntries(
-  ['get', 'has', 'ownKeys', 'getOwnPropertyDescriptor', 'getPrototypeOf'].map((name) => [name, spring]),
-);
-const revoked = Proxy.revocable({}, {});
-revoked.revoke();
-const detached = new Float64Array(3);
-structuredClone(detached.buffer, { transfer: [detached.buffer] });
-
-/** What no caller means well with. @type {readonly (() => unknown)[]} */
-const hostile = [
-  ...[undefined, null, true, '', '1', 'kx', Symbol('s'), 1n, 2n ** 64n, Number.NaN].map(
-    (value) => () => value,
-  ),
-  ...[Infinity, -Infinity, -0, 5e-324, 1e308, -1e308, 0.5, 2 ** 32, -1].map((value) => () => value),
-  ...[
-    () => 0,
-    class {},
-    new Date(Number.NaN),
-    new Map(),
-    Promise.resolve(),
-    /x/,
-    new Number(1),
-    new String('kx'),
-  ].map((value) => () => value),
-  ...[
-    [],
-    {},
-    [[]],
-    Object.assign([], { 1: 1, 3: 2 }),
-    new Array(2 ** 32 - 1),
-    Object.create(null),
-    Object.create({ law: 'none' }),
-  ].map((value) => () => value),
-  ...[detached, new Float64Array(4e6), new BigInt64Array(3), new DataView(new ArrayBuffer(24))].map(
-    (value) => () => value,
-  ),
-  ...[new Float64Array(new SharedArrayBuffer(24)), Object.create(Float64Array.prototype)].map(
-    (value) => () => value,
-  ),
-  () => revoked.proxy,
-  () => new Proxy({}, traps),
-  () => new Proxy([1, 2, 3], traps),
-  () =>
-    new Proxy([1, 2, 3], { get: (target, key) => (key === 'length' ? 2 ** 40 : Reflect.get(target, key)) }),
-  () => new Proxy({ x: 1, y: 1, law: 'kanayama' }, { getOwnPropertyDescriptor: spring }),
-  () => new Proxy([1, 2, 3], { get: (target, key) => (key === '1' ? spring() : Reflect.get(target, key)) }),
-  () => Object.defineProperty(new Float64Array(3), 'length', { value: 1e9 }),
-  () => Object.defineProperty(new Float32Array(3), 'length', { value: '3' }),
-  () => Object.defineProperty({}, 'x', { get: spring, enumerable: true }),
-  () => Object.defineProperty([1], 0, { get: spring }),
-  () => ({ toString: spring, valueOf: spring, toJSON: spring, [Symbol.toPrimitive]: spring }),
-  () => Object.assign([1, 2, 3], { [Symbol.iterator]: spring, constructor: spring }),
-  () => JSON.parse('{"__proto__": {"x": 1}, "constructor": {"prototype": {"x": 1}}}'),
-  () => ({ ['x'.repeat(1e5)]: 1 }),
-  () => {
-    /** @type {any} */
-    const itself = {};
-    return Object.assign(itself, { goal: itself, starts: [itself], x: itself });
-  },
-];
-
-/** Where a value can stand within another: every path of its objects and arrays, and the whole. @param {unknown} value @returns {string[][]} */
-const pathsOf = (value) =>
-  value !== null && typeof value === 'object'
-    ? [[], ...Object.entries(value).flatMap(([key, inner]) => pathsOf(inner).map((path) => [key, ...path]))]
-    : [[]];
-
-/** A copy with something else at this path. @param {any} value @param {readonly string[]} path @param {unknown} other @returns {any} */
-function withOther(value, [key, ...rest], other) {
-  if (key === undefined) return other;
-  const copy = ArrayBuffer.isView(value) ? [.../** @type {any} */ (value)] : structuredClone(value);
-  copy[key] = withOther(value[key], rest, other);
-  return copy;
-}
+const calls = callsOf(core);
 
 /** What the core says to good arguments, to the bit. */
-const answers = () => JSON.stringify(calls.map(([, call, given]) => call(...given)));
-
-/** Calls with these arguments: there is an answer, or an Error that says what is wrong. @param {Call} call @param {readonly unknown[]} given @returns {string | null} */
-function refusal(call, given) {
-  try {
-    call(...given);
-    return null;
-  } catch (error) {
-    assert.ok(error instanceof Error, String(error));
-    assert.ok(!(error instanceof WebAssembly.RuntimeError), error.message);
-    assert.doesNotMatch(error.message, /internal error|unreachable|recursive use/);
-    assert.ok(error.message.length < 1000, error.message.slice(0, 1000));
-    // What the caller's own objects throw is the caller's.
-    if (error.constructor === Error) assert.match(error.message, / must be .*, but was /s);
-    else assert.ok(error instanceof Trap || error instanceof TypeError, String(error));
-    return error.message;
-  }
-}
+const answers = () => answersTo(calls);
 
 test('whatever a function is given in whatever place, it answers or says what is wrong, and lives on', () => {
   const before = answers();
@@ -183,6 +34,33 @@ test('what is refused is named by its path', () => {
     const said = refusal(core.experiment, [withOther(core.experiment('velocity-limits'), path, Symbol('s'))]);
     assert.ok(said?.startsWith(`${name} must be `), `${name}: ${said}`);
   }
+});
+
+test('what throws when it is looked at is named by its path, too', () => {
+  for (const [given, said] of /** @type {const} */ ([
+    [revoked.proxy, 'experiment must be an object, but was one that cannot be read'],
+    [{ goal: new Proxy({}, traps) }, 'goal must be an object, but was one that cannot be read'],
+    [
+      { goal: Object.defineProperty({}, 'x', { get: spring }) },
+      'goal.x must be a number from -1000 to 1000 m, but was one that cannot be read',
+    ],
+    [{ starts: [{}, revoked.proxy] }, 'starts[1] must be an object, but was one that cannot be read'],
+    [
+      { weights: { final: Object.defineProperty([1, 1, 1], 2, { get: spring }) } },
+      'weights.final[2] must be a number from 0 to 1000000, but was one that cannot be read',
+    ],
+    [
+      Object.defineProperty({}, 'law', { get: spring }),
+      "law must be 'shim-kim' or 'kanayama', but was one that cannot be read",
+    ],
+  ]))
+    assert.equal(refusal(core.experiment, [given]), said);
+  const gains = Object.defineProperty([1, 2, 3], 1, { get: spring });
+  assert.equal(refusal(core.evaluate, [{}, gains]), 'ky must be a number, but was one that cannot be read');
+  assert.equal(
+    refusal(core.evaluate, [{}, revoked.proxy]),
+    'gains must be a Float64Array or an array of numbers, but was of type object',
+  );
 });
 
 test('values of every kind that nobody thought of are refused alike', () => {
