@@ -103,7 +103,10 @@ fn what_is_not_driving_is_counted_too() {
         let most = message.split("at most ").nth(1).and_then(|rest| rest.split(' ').next());
         most.and_then(|most| most.parse::<f64>().ok()).expect("a number")
     };
-    let truncated = |e: &mut Experiment| e.evolution.selection = Selection::Truncation;
+    let truncated = |e: &mut Experiment| {
+        e.evolution.selection = Selection::Truncation;
+        e.evolution.population = 100;
+    };
     let cases: [(f64, &dyn Fn(&mut Experiment)); 5] = [
         (LEAST_SAMPLES, &truncated),
         (40.0, &|e| e.horizon = 0.4),
