@@ -5,6 +5,7 @@ import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'nod
 import { homedir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { tidyGlue } from './glue.mjs';
 import { Failure, lastChange, run, runPackage, step, task } from './run.mjs';
 import { installTools } from './tools.mjs';
 
@@ -18,11 +19,19 @@ export async function buildCore() {
   const sourceTime = String(lastChange(...sources));
   const built = existsSync(stamp) && readFileSync(stamp, 'utf8') === sourceTime;
   const ours = existsSync(wasm) && lastChange(wasm) <= lastChange(stamp);
-  if (built && ours) return;
+  if (built && ours) return buildLink();
   rmSync(stamp, { force: true });
   await step('compiling the core to WebAssembly', compile, '1 minute at first, then 10 s');
   await step('optimising the WebAssembly', () => optimise(wasm));
   writeFileSync(stamp, sourceTime);
+  await buildLink();
+}
+
+/** How the package reads links. */
+async function buildLink() {
+  if (lastChange('pkg/link.js') >= lastChange('src/link.js', 'www/link', 'www/words', '.tasks')) return;
+  const build = ['build', '--config', '.tasks/vite.config.js', '--logLevel', 'warn', '--mode', 'link'];
+  await step('joining the package’s reader of links', () => runPackage('vite/bin/vite.js', build));
 }
 
 /** What wasm-pack would do, which need not be there. */
@@ -32,6 +41,7 @@ async function compile() {
   const folder = process.env.CARGO_TARGET_DIR ?? 'target';
   const module = join(folder, target, 'release', 'ep_locomotion.wasm');
   await run('wasm-bindgen', [module, '--target', 'web', '--out-dir', 'pkg']);
+  tidyGlue('pkg');
 }
 
 /** Panic messages name the source files of libraries: without the folder in which this machine keeps them. */

@@ -15,6 +15,29 @@ const element = {
   emptyOutDir: false,
 };
 
+/** How the package reads links: one file beside the core, with English words. @type {import('vite').BuildOptions} */
+const link = {
+  target: 'es2022',
+  minify: false,
+  outDir: fileOf('../pkg'),
+  emptyOutDir: false,
+  lib: { entry: fileOf('../src/link.js'), formats: ['es'], fileName: () => 'link.js' },
+};
+
+/** The core stays outside, for it must be the one that is ready; words are of one language. @type {import('vite').Plugin} */
+const inPackage = {
+  name: 'in-package',
+  enforce: 'pre',
+  resolveId(source) {
+    if (source === '../pkg/ep_locomotion.js') return { id: './ep_locomotion.js', external: true };
+    if (source === '../words/index.js') return source;
+  },
+  load: (id) =>
+    id === '../words/index.js'
+      ? `export * as link from ${JSON.stringify(fileOf('../www/words/en/link.js'))};`
+      : undefined,
+};
+
 export default defineConfig(({ mode }) => ({
   root: fileOf('..'),
   base: './',
@@ -32,4 +55,5 @@ export default defineConfig(({ mode }) => ({
   worker: { format: 'iife' },
   plugins: [instead({ isOneFile: mode === 'offline' }), mode === 'offline' ? oneFile() : hints()],
   ...(mode === 'element' && { build: element }),
+  ...(mode === 'link' && { build: link, plugins: [inPackage] }),
 }));

@@ -12,7 +12,9 @@ const gains = Float64Array.of(3.23673, 0.09678, 5.17891);
 async function load(folder) {
   /** @type {Core} */
   const core = await import(pathToFileURL(resolve(folder, 'ep_locomotion.js')).href);
-  await core.default({ module_or_path: readFileSync(join(folder, 'ep_locomotion_bg.wasm')) });
+  const bytes = readFileSync(join(folder, 'ep_locomotion_bg.wasm'));
+  // Earlier builds know the longer name.
+  await core.default(/** @type {any} */ ({ module: bytes, module_or_path: bytes }));
   return core;
 }
 

@@ -54,7 +54,10 @@ pub fn declarations() -> String {
 
 /// What may be given for an experiment; the only type that no value has.
 const PARTIAL: &str = "\
-/** An experiment in which any field may be left out; the preset `velocity-limits` fills it in. Starts may be their numbers side by side. */
+/**
+ * An experiment in which any field may be left out; the preset `velocity-limits` fills it in, or with
+ * `experiment(partial, preset)` another. Starts may be their numbers side by side.
+ */
 export type PartialExperiment = {
   [K in keyof Experiment]?: K extends 'starts' ? Posture[] | Float64Array
     : Experiment[K] extends unknown[] ? Experiment[K]

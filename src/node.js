@@ -7,6 +7,6 @@ export * from '../pkg/ep_locomotion.js';
 const core = new URL('../pkg/ep_locomotion_bg.wasm', import.meta.url);
 
 /** @type {typeof load} */
-export default function init(source = { module_or_path: readFile(core) }) {
+export default function init(source = { module: readFile(core) }) {
   return load(source);
 }

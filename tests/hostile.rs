@@ -318,7 +318,7 @@ fn the_largest_experiments_are_allowed_and_no_larger() {
     let check = |change: Change, one_more| {
         let mut experiment = Preset::VelocityLimits.experiment();
         change(&mut experiment, one_more);
-        Setting::new(experiment).map(drop).map_err(|error| error.field)
+        Setting::new(experiment).map(drop).map_err(|error| error.field.clone())
     };
     let rules: [(Change, &str); 5] = [
         (|e, more| e.starts = vec![Posture::default(); 10_000 + more as usize], "starts"),

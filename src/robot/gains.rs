@@ -36,7 +36,7 @@ impl Gains {
     /// Triples (kx, ky, kθ) one after the other, as many as are given.
     pub fn read_all<S: Source>(given: &S) -> Result<Vec<Self>, InvalidInput> {
         let numbers = read_numbers(given)?;
-        let refused = |name, expected: &str, found| InvalidInput::new(name, expected, found).into();
+        let refused = |name, expected: &str, found| InvalidInput::new(name, expected, found);
         if !numbers.len().is_multiple_of(3) {
             let found = format!("{} numbers", numbers.len());
             return Err(refused("gains".into(), "three numbers for each robot", found));
@@ -53,7 +53,7 @@ impl Gains {
             [gains] => Ok(gains),
             ref several => {
                 let found = format!("{} numbers", 3 * several.len());
-                Err(InvalidInput::new("gains", "three numbers (kx, ky, kθ)", found).into())
+                Err(InvalidInput::new("gains", "three numbers (kx, ky, kθ)", found))
             }
         }
     }
@@ -84,7 +84,7 @@ fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>, InvalidInput> {
         return Err(refused(given, place, "a Float64Array or an array of numbers"));
     };
     if count > MOST {
-        return Err(too_many(place, MOST, count).into());
+        return Err(too_many(place, MOST, count));
     }
     let number = |i| {
         let mut number = 0.0;

@@ -82,7 +82,7 @@ impl Input for Vec<Posture> {
             if !postures.remainder().is_empty() {
                 let expected = "three numbers (x, y, θ) for each posture";
                 let found = format!("{} numbers", numbers.len());
-                return Err(InvalidInput::new(place.to_string(), expected, found).into());
+                return Err(InvalidInput::new(place.to_string(), expected, found));
             }
             *self = postures.map(|p| Posture { x: p[0], y: p[1], theta: p[2] }).collect();
             return Ok(());

@@ -1,10 +1,15 @@
 //! Which numbers a field may be, and the error that says so.
 
 use core::fmt;
+use core::ops::Deref;
 
-/// An input that was refused: which field, what it must be, and what it was.
+/// An input that was refused. It is small, for most readings have none.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct InvalidInput {
+pub struct InvalidInput(Box<Refusal>);
+
+/// Which field was refused, what it must be, and what it was.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
     /// The field, by the name that it has outside.
     pub field: String,
     /// What it must be.
@@ -19,7 +24,16 @@ impl InvalidInput {
         expected: impl Into<String>,
         found: impl Into<String>,
     ) -> Self {
-        Self { field: field.into(), expected: expected.into(), found: found.into() }
+        let [field, expected, found] = [field.into(), expected.into(), found.into()];
+        Self(Box::new(Refusal { field, expected, found }))
+    }
+}
+
+impl Deref for InvalidInput {
+    type Target = Refusal;
+
+    fn deref(&self) -> &Refusal {
+        &self.0
     }
 }
 

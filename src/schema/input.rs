@@ -96,6 +96,40 @@ pub(crate) fn read_object<S: Source>(
     }
 }
 
+/// Adds the rows of one field of a record.
+#[inline(never)]
+pub(crate) fn field_rows<T: Input>(path: &str, key: &str, allowed: &Allowed, rows: &mut Fields) {
+    let dot = if path.is_empty() { "" } else { "." };
+    T::fields(&[path, dot, key].concat(), allowed, rows);
+}
+
+/// Checks one field of a record. Like [`read_field`] it stands once for each type, not once for each field.
+#[inline(never)]
+pub(crate) fn check_field<T: Input>(
+    value: &T,
+    (record, key): (&Place<'_>, &str),
+    allowed: &Allowed,
+) -> Result<(), InvalidInput> {
+    value.check(Place::Field(record, key), allowed)
+}
+
+/// Takes over one field of a record, where it is given or must be.
+#[inline(never)]
+pub(crate) fn read_field<T: Input, S: Source>(
+    value: &mut T,
+    given: &S,
+    (record, key): (&Place<'_>, &'static str),
+    allowed: &Allowed,
+    required: bool,
+) -> Result<(), InvalidInput> {
+    let field = given.field(key);
+    if required || field.is_given() {
+        value.read(&field, Place::Field(record, key), allowed)?;
+    }
+    Ok(())
+}
+
+#[inline(never)]
 fn number_field(path: &str, allowed: &Allowed, rows: &mut Fields) {
     let Allowed { unit, min, max, integer, nullable } = *allowed;
     rows.numbers.push(Field { path: path.into(), unit, min, max, integer, nullable });

@@ -20,7 +20,7 @@ mod field;
 
 mod input;
 
-pub use allowed::{Allowed, InvalidInput};
+pub use allowed::{Allowed, InvalidInput, Refusal};
 pub use field::{Field, Fields, WordField};
 pub use input::{Input, Keys, Source};
 pub use place::Place;
@@ -28,6 +28,6 @@ pub use plain::{Column, Columns, Flags, Plain, Writer};
 pub use types::{Declared, Types};
 
 pub(crate) use allowed::shown;
-pub(crate) use input::{read_object, refused, too_many};
+pub(crate) use input::{check_field, field_rows, read_field, read_object, refused, too_many};
 pub(crate) use record::{record, told};
 pub(crate) use words::words;

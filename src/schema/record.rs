@@ -33,16 +33,17 @@ macro_rules! record {
                 fn of<T: crate::schema::Input>(
                     _: fn(&$name) -> &T,
                     path: &str,
+                    key: &str,
                     allowed: &crate::schema::Allowed,
                     rows: &mut crate::schema::Fields,
                 ) {
-                    T::fields(path, allowed, rows);
+                    crate::schema::field_rows::<T>(path, key, allowed, rows);
                 }
-                let dot = if path.is_empty() { "" } else { "." };
                 $(of(
                     |record| &record.$field,
-                    &format!("{path}{dot}{}", $key),
-                    &crate::schema::record!(@allowed $($allowed)?),
+                    path,
+                    $key,
+                    crate::schema::record!(@allowed $($allowed)?),
                     rows,
                 );)+
             }
@@ -52,10 +53,10 @@ macro_rules! record {
                 place: crate::schema::Place<'_>,
                 _: &crate::schema::Allowed,
             ) -> Result<(), crate::schema::InvalidInput> {
-                $(crate::schema::Input::check(
+                $(crate::schema::check_field(
                     &self.$field,
-                    crate::schema::Place::Field(&place, $key),
-                    &crate::schema::record!(@allowed $($allowed)?),
+                    (&place, $key),
+                    crate::schema::record!(@allowed $($allowed)?),
                 )?;)+
                 Ok(())
             }
@@ -67,23 +68,22 @@ macro_rules! record {
                 _: &crate::schema::Allowed,
             ) -> Result<(), crate::schema::InvalidInput> {
                 crate::schema::read_object(given, place, &[$($key),+])?;
-                $(
-                    let field = given.field($key);
-                    if $required || field.is_given() {
-                        crate::schema::Input::read(
-                            &mut self.$field,
-                            &field,
-                            crate::schema::Place::Field(&place, $key),
-                            &crate::schema::record!(@allowed $($allowed)?),
-                        )?;
-                    }
-                )+
+                $(crate::schema::read_field(
+                    &mut self.$field,
+                    given,
+                    (&place, $key),
+                    crate::schema::record!(@allowed $($allowed)?),
+                    $required,
+                )?;)+
                 Ok(())
             }
         }
     };
-    (@allowed) => { crate::schema::Allowed::ANY };
-    (@allowed $allowed:expr) => { $allowed };
+    (@allowed) => { &crate::schema::Allowed::ANY };
+    (@allowed $allowed:expr) => {{
+        const ALLOWED: crate::schema::Allowed = $allowed;
+        &ALLOWED
+    }};
     ($(($($derive:ident),*))?
         $(#[doc = $about:literal])+
         pub struct $name:ident $(<$scalar:ident = f64>)? {

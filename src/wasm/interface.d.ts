@@ -573,7 +573,10 @@ export interface PaperResult {
 }
 /** How the paper found its gains: by evolutionary programming, or as "arbitrarily selected positive values". */
 export type PaperMethod = 'ep' | 'arbitrary';
-/** An experiment in which any field may be left out; the preset `velocity-limits` fills it in. Starts may be their numbers side by side. */
+/**
+ * An experiment in which any field may be left out; the preset `velocity-limits` fills it in, or with
+ * `experiment(partial, preset)` another. Starts may be their numbers side by side.
+ */
 export type PartialExperiment = {
   [K in keyof Experiment]?: K extends 'starts' ? Posture[] | Float64Array
     : Experiment[K] extends unknown[] ? Experiment[K]

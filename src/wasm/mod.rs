@@ -10,9 +10,9 @@ mod task;
 use serde_wasm_bindgen::to_value;
 use wasm_bindgen::prelude::*;
 
-pub use task::Task;
+pub use task::*;
 
-use self::read::{Given, number, setting, start};
+use self::read::{Given, number, preset, setting, start};
 use self::write::plain;
 use crate::robot::Gains;
 use crate::run::{EpisodeState, Experiment, PAPER_RESULTS, Preset, Setting};
@@ -37,7 +37,8 @@ pub fn throw_panics() {
     }));
 }
 
-/// The experiment with a preset's name, or the given one with every field that it leaves out filled in.
+/// The experiment of a preset, or the given fields of one with every other field filled in. With both, in whichever order,
+/// the preset is what fills in; without, `velocity-limits` does.
 ///
 /// Throws an Error that names the field when one is unknown, of a wrong type, or out of its range.
 #[wasm_bindgen(unchecked_return_type = "Experiment")]
@@ -47,61 +48,18 @@ pub fn experiment(
         unchecked_param_type = "Preset | PartialExperiment"
     )]
     given: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "PartialExperiment | Preset")] other: JsValue,
 ) -> Result<JsValue> {
-    match given.as_string() {
-        Some(name) => Ok(plain(&Preset::find(&name)?.experiment())),
-        None => Ok(plain(setting(given)?.experiment())),
+    let (preset, changes) = match given.as_string() {
+        Some(name) => (Preset::find(&name)?, Some(other).filter(|other| !other.is_undefined())),
+        None if other.is_undefined() => (Preset::VelocityLimits, Some(given)),
+        None => (preset(other)?, Some(given)),
+    };
+    let mut experiment = preset.experiment();
+    if let Some(changes) = changes {
+        experiment.read(&Given::of(changes))?;
     }
-}
-
-/// Functions of an experiment: each does what the method of a task does.
-macro_rules! of_experiment {
-    ($(
-        $(#[doc = $doc:literal])+
-        $name:ident as $js:literal($($given:ident: $type:literal),+ $(; $last:ident)?) -> $returned:literal;
-    )+) => {$(
-        $(#[doc = $doc])+
-        #[wasm_bindgen(js_name = $js, unchecked_return_type = $returned)]
-        pub fn $name(
-            #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
-            $(#[wasm_bindgen(unchecked_param_type = $type)] $given: JsValue,)+
-            $(#[wasm_bindgen(unchecked_optional_param_type = "number")] $last: JsValue,)?
-        ) -> Result<JsValue> {
-            Task::new(experiment)?.$name($($given,)+ $($last)?)
-        }
-    )+};
-}
-
-of_experiment! {
-    /// J of each gain triple, the mean over the start postures: n triples in, n costs out.
-    evaluate as "evaluate"(gains: "Gains") -> "Float64Array";
-    /// Drives one robot from `starts[start]` (0 if left out) to the end of its run.
-    simulate as "simulate"(gains: "Gains"; start) -> "Run";
-    /// Drives a robot with each gain triple from `starts[start]` (0 if left out): what `simulate` does, for many at once.
-    simulate_all as "simulateAll"(gains: "Gains"; start) -> "Run[]";
-    /// J over two gains, row by row: `x.count` values for each row of `rows`.
-    landscape as "landscape"(landscape: "Landscape") -> "Float64Array";
-    /// How a robot with these gains fares from many starts: positions on a grid, each with several headings.
-    robustness as "robustness"(grid: "StartGrid") -> "Robustness";
-    /// What the control law of the experiment makes of an error posture (3): the terms of its command, and the rate of V that it
-    /// promises.
-    law_terms as "lawTerms"(gains: "Gains", error: "Posture") -> "LawTerms";
-    /// How one robot fares from each of the experiment's starts: J, t_f and whether it arrives.
-    fares as "fares"(gains: "Gains") -> "Robustness";
-    /// The Lyapunov function of one run from `starts[start]` (0 if left out): what the law promises of it, and what becomes of that.
-    stability as "stability"(gains: "Gains"; start) -> "Stability";
-    /// The parts of the error over time that Theorem 2 bounds, of one run from each start posture.
-    ///
-    /// A robot that arrives stops there; with tolerances of 0 it goes on to the horizon.
-    error_parts as "errorParts"(gains: "Gains") -> "ErrorParts[]";
-    /// What remains of the error in the last `seconds` of a run from each start posture, beside the sets of Theorem 2.
-    ///
-    /// A robot that arrives stops there; with tolerances of 0 it goes on to the horizon.
-    remaining_errors as "remainingErrors"(gains: "Gains", seconds: "number") -> "RemainingErrors";
-    /// Evolution with many seeds, beside random search with the same number of drives.
-    seed_runs as "seedRuns"(seeds: "SeedRuns") -> "SeedRun[]";
-    /// The method of the experiment with many seeds: at which drives the best J fell, and to what.
-    trials as "trials"(trials: "Trials") -> "Trial[]";
+    Ok(plain(Setting::new(experiment)?.experiment()))
 }
 
 /// Start postures evenly on a circle, each with a random heading.

@@ -36,6 +36,14 @@ pub(super) fn setting(given: JsValue) -> Result<Setting, InvalidInput> {
     Setting::new(experiment)
 }
 
+/// The preset with a name.
+pub(super) fn preset(given: JsValue) -> Result<Preset, InvalidInput> {
+    match given.as_string() {
+        Some(name) => Preset::find(&name),
+        None => Err(refused(&Given::of(given), Place::Named("preset"), Preset::expected())),
+    }
+}
+
 /// A number that has a name.
 pub(super) fn number(given: JsValue, name: &str) -> Result<f64, InvalidInput> {
     let mut number = 0.0;

@@ -47,13 +47,18 @@ impl Writer for Values {
     }
 
     fn object<const N: usize>(&self, fields: [(&'static str, JsValue); N]) -> JsValue {
-        let object = Object::new();
-        for (name, value) in fields {
-            // It cannot fail: the object is new and plain.
-            let _ = named(name, |name| Reflect::set(&object, name, &value));
-        }
-        object.into()
+        object(&fields)
     }
+}
+
+/// Not once for each number of fields.
+fn object(fields: &[(&'static str, JsValue)]) -> JsValue {
+    let object = Object::new();
+    for (name, value) in fields {
+        // It cannot fail: the object is new and plain.
+        let _ = named(name, |name| Reflect::set(&object, name, value));
+    }
+    object.into()
 }
 
 thread_local! {

@@ -13,7 +13,7 @@ export * from '../../pkg/ep_locomotion.js';
 
 export const wasm = new URL('../../pkg/ep_locomotion_bg.wasm', import.meta.url);
 /** Of the one instance of the core. */
-export const { memory } = await init({ module_or_path: await readFile(wasm) });
+export const { memory } = await init({ module: await readFile(wasm) });
 
 /** In the place of the page's workers, this thread. @type {import('./pool.js').Run} */
 const run = async ({ call, parts }) => {

@@ -18,6 +18,7 @@ import { exerciseKeys, withVariant } from './exercise.js';
 import { changesOf, namesIn, pathOf, withField } from './experiment.js';
 import { driveKeys, lessonKey, pinKeys } from './keys.js';
 import { isSealed } from './seal.js';
+import { readAll } from './together.js';
 import { decoded, encoded, oneOf, pairOf } from './values.js';
 
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
@@ -120,10 +121,12 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     if (step !== undefined && !lesson.named(step).isThere) problems.push(words.noStep(short(step)));
     const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
     const empty = { ...emptyRun(page ?? 'lab', preset, engine), student: { ...nobody, who } };
+    /** @type {Opened} */
+    const first = { ...empty, parts: usualParts };
     const fields = namesIn(empty.experiment);
     // One for all, for there may be thousands.
     const stranger = new Error(words.unknownField);
-    const { opened, refused } = readAll(given, { ...empty, parts: usualParts }, (before, key, text) => {
+    const { opened, refused } = readAll(given, first, (before, key, text) => {
       const row = known.get(key);
       if (row) return row.read(before, text, engine);
       const path = pathOf(key);
@@ -220,29 +223,6 @@ const emptyRun = (page, preset, engine) => ({
   student: nobody,
   parts: {},
 });
-
-/** A value may be allowed only beside one that comes after it, as a short sample time is with a short horizon. @param {Iterable<[string, string]>} given @param {Opened} opened @param {(opened: Opened, key: string, text: string) => Opened} read */
-function readAll(given, opened, read) {
-  /** @type {[string, string][]} */
-  let left = [...given];
-  /** @type {[string, unknown][]} */
-  let refused;
-  let before;
-  do {
-    before = left;
-    left = [];
-    refused = [];
-    for (const [key, text] of before) {
-      try {
-        opened = read(opened, key, text);
-      } catch (error) {
-        left.push([key, text]);
-        refused.push([key, error]);
-      }
-    }
-  } while (left.length < before.length);
-  return { opened, refused };
-}
 
 /** Who drives by hand has gains. @param {Opened} opened @param {(key: string, why: string) => void} refuse @returns {Opened} */
 function withGains(opened, refuse) {

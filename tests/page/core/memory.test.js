@@ -7,7 +7,7 @@ import { callsOf, hostile, pathsOf, refusal, withOther } from './hostile/calls.j
 
 /** An instance of its own, for what other tests have not freed takes memory too. @type {typeof import('../../../pkg/ep_locomotion.js')} */
 const core = await import(`${glue}?alone`);
-const { memory } = await core.default({ module_or_path: await readFile(wasm) });
+const { memory } = await core.default({ module: await readFile(wasm) });
 const calls = callsOf(core);
 
 /** The level that the README states, in bytes. */

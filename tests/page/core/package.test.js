@@ -95,6 +95,8 @@ test('the package holds what it needs, and nothing of the machine that built it'
     'pkg/ep_locomotion.d.ts',
     'pkg/ep_locomotion.js',
     'pkg/ep_locomotion_bg.wasm',
+    'pkg/link.js',
+    'src/link.d.ts',
     'src/node.js',
   ]);
   const places = [top, process.env.CARGO_HOME].filter((place) => place !== undefined);
@@ -124,19 +126,92 @@ test("under Node the README's example prints the core's numbers", async () => {
   assert.deepEqual(printed.trim().split('\n'), expectedLines());
 });
 
+test('a call before the core is ready says so, and init takes bytes by either name', async () => {
+  await install();
+  const early = `import init, { Task, evaluate } from 'ep-locomotion';
+    import { readFileSync } from 'node:fs';
+    for (const call of [() => evaluate({}, [1, 2, 3]), () => new Task({})])
+      try { call(); } catch (error) { console.log(error.message); }
+    const bytes = readFileSync('node_modules/ep-locomotion/pkg/ep_locomotion_bg.wasm');
+    await init({ NAME: bytes });
+    console.log(evaluate({}, [1, 2, 3]).length);`;
+  for (const name of ['module', 'module_or_path']) {
+    await writeFile(join(project, 'early.js'), early.replace('NAME', name));
+    const printed = execFileSync(process.execPath, ['early.js'], { cwd: project, encoding: 'utf8' });
+    const said = 'ep-locomotion: call init() and wait for it before anything else';
+    assert.deepEqual(printed.trim().split('\n'), [said, said, '1']);
+  }
+});
+
+test('the types show no name of the inside of the core', async () => {
+  await install();
+  const types = await readFile(join(installed, 'pkg', 'ep_locomotion.d.ts'), 'utf8');
+  const code = types.replaceAll(/\/\*\*.*?\*\//gs, '');
+  assert.deepEqual(code.match(/\w+_\w*/g), null);
+  assert.doesNotMatch(types, /r"/);
+});
+
+test('the package reads links of the page', async () => {
+  await install();
+  const reading = `import init from 'ep-locomotion';
+    import { openLink } from 'ep-locomotion/link';
+    await init();
+    const links = ['https://a.host/ep/index.html#curves&amp;v=1&preset=acceleration-limits&seed=7&horizon=5&gains=3,0.1,5&drives=hand&t=1.5',
+      'lab&goal.theta=90deg&sampleTime=0.001&limits.speed=off&gains=1,2&horizn=3', ''];
+    console.log(JSON.stringify(links.map(openLink)));`;
+  await writeFile(join(project, 'reading.js'), reading);
+  const printed = execFileSync(process.execPath, ['reading.js'], { cwd: project, encoding: 'utf8' });
+  const [first, second, third] = JSON.parse(printed);
+  const usual = experiment('velocity-limits');
+  const changed = experiment('acceleration-limits', { horizon: 5, evolution: { seed: 7 } });
+  const { preset, part, gains, drives, others, problems } = first;
+  assert.deepEqual(first.experiment, changed);
+  assert.deepEqual(
+    { preset, part, gains, drives, others, problems },
+    {
+      preset: 'acceleration-limits',
+      part: 'curves',
+      gains: [3, 0.1, 5],
+      drives: 'hand',
+      others: { v: '1', t: '1.5' },
+      problems: [],
+    },
+  );
+  assert.deepEqual(second.experiment, {
+    ...usual,
+    goal: { ...usual.goal, theta: Math.PI / 2 },
+    sampleTime: 0.001,
+    limits: { ...usual.limits, speed: null },
+  });
+  assert.deepEqual(second.others, { horizn: '3' });
+  assert.match(second.problems.join(), /^gains: it must be three numbers/);
+  assert.deepEqual([third.part, third.experiment, third.problems], ['lab', usual, []]);
+});
+
 test('a strict TypeScript project has the types of all of it', async () => {
   const fixture = fileURLToPath(new URL('package/consumer.ts', import.meta.url));
   await cp(fixture, join(project, 'consumer.ts'));
   await writeFile(join(project, 'example.ts'), await install());
-  const files = ['consumer.ts', 'example.ts'];
-  // As old as the language may be, and with the package's own declarations checked too.
-  const compilerOptions = { strict: true, noEmit: true, target: 'es2022', module: 'nodenext', types: [] };
-  await writeFile(join(project, 'tsconfig.json'), JSON.stringify({ compilerOptions, files }));
   const compiler = fileURLToPath(new URL('../../../node_modules/typescript/bin/tsc', import.meta.url));
-  try {
-    execFileSync(process.execPath, [compiler, '-p', project], { encoding: 'utf8' });
-  } catch (error) {
-    assert.fail(/** @type {{ stdout: string }} */ (error).stdout);
+  for (const [file, lib] of /** @type {const} */ ([
+    // The package's own declarations are checked too, and need nothing of a browser.
+    ['consumer.ts', ['es2022']],
+    ['example.ts', ['es2022', 'dom']],
+  ])) {
+    const compilerOptions = {
+      strict: true,
+      noEmit: true,
+      target: 'es2022',
+      lib,
+      module: 'nodenext',
+      types: [],
+    };
+    await writeFile(join(project, 'tsconfig.json'), JSON.stringify({ compilerOptions, files: [file] }));
+    try {
+      execFileSync(process.execPath, [compiler, '-p', project], { encoding: 'utf8' });
+    } catch (error) {
+      assert.fail(/** @type {{ stdout: string }} */ (error).stdout);
+    }
   }
 });
 

@@ -28,6 +28,7 @@ import init, {
   version,
   winsBout,
 } from 'ep-locomotion';
+import { type LinkedRun, openLink } from 'ep-locomotion/link';
 
 type Same<A, B> = (<T>() => T extends A ? 1 : 2) extends <T>() => T extends B ? 1 : 2 ? true : false;
 /** A value of exactly this type; `any` is of no type but itself. */
@@ -35,6 +36,7 @@ function exactly<Wanted>() {
   return <Given>(_value: Given, ..._same: Same<Given, Wanted> extends true ? [] : ['another type']) => {};
 }
 
+await init({ module: new Uint8Array(8) });
 await init();
 const gains = Float64Array.of(3.23673, 0.09678, 5.17891);
 const e = experiment('velocity-limits');
@@ -42,6 +44,11 @@ exactly<Experiment>()(e);
 exactly<number | null>()(e.limits.speed);
 exactly<[number, number, number]>()(e.weights.final);
 exactly<Experiment>()(experiment({ horizon: 5, goal: { x: 1 } }));
+
+exactly<Experiment>()(experiment({ horizon: 5 }, 'acceleration-limits'));
+exactly<Experiment>()(experiment('acceleration-limits', { horizon: 5 }));
+exactly<LinkedRun>()(openLink('lab&seed=7'));
+exactly<Experiment>()(openLink('lab').experiment);
 
 const run = simulate(e, gains, 0);
 exactly<Run>()(run);

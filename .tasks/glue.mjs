@@ -1,0 +1,68 @@
+// What wasm-bindgen writes beside the module, as the package gives it: a call before init() says so, nothing in sight has a
+// name of the core's inside, and the types need no library but the language's own.
+import { readFileSync, writeFileSync } from 'node:fs';
+
+/** Each text stands there once, or wasm-bindgen has changed. @type {readonly (readonly [string, string])[]} */
+const glue = [
+  [
+    'let wasmModule, wasmInstance, wasm;',
+    `const absent = new Proxy({}, {
+    get() {
+        throw new Error('ep-locomotion: call init() and wait for it before anything else');
+    },
+});
+let wasmModule, wasmInstance, wasm = absent;`,
+  ],
+  [
+    'function initSync(module) {\n    if (wasm !== undefined) return wasm;',
+    'function initSync(module) {\n    if (wasm !== absent) return wasm;',
+  ],
+  [
+    'async function __wbg_init(module_or_path) {\n    if (wasm !== undefined) return wasm;',
+    'async function __wbg_init(module_or_path) {\n    if (wasm !== absent) return wasm;',
+  ],
+  [
+    '({module_or_path} = module_or_path)',
+    'module_or_path = module_or_path.module ?? module_or_path.module_or_path',
+  ],
+];
+
+const end = `/** The core's address or answer, or its bytes; the file beside this one if it is left out. */
+export type Source = string | { readonly href: string } | { arrayBuffer(): Promise<ArrayBuffer> } | ArrayBuffer | ArrayBufferView | object;
+
+/** What the core lives in. */
+export interface Core {
+    readonly memory: { readonly buffer: ArrayBuffer };
+}
+
+/** Makes the core ready from its bytes, or from a compiled module, at once. */
+export function initSync(from: { module: ArrayBuffer | ArrayBufferView | object }): Core;
+
+/** Makes the core ready. Nothing else can be called before. */
+export default function init(from?: { module: Source | Promise<Source> }): Promise<Core>;
+`;
+
+/** Tidies what stands in a folder. @param {string} folder */
+export function tidyGlue(folder) {
+  const [script, types] = ['ep_locomotion.js', 'ep_locomotion.d.ts'].map((name) => `${folder}/${name}`);
+  let text = readFileSync(script, 'utf8');
+  for (const [from, to] of glue) {
+    if (text.split(from).length !== 2) throw new Error(`${script} has not once: ${from}`);
+    text = text.replace(from, to);
+  }
+  writeFileSync(script, withoutStart(text, script));
+
+  const declared = readFileSync(types, 'utf8');
+  const at = declared.indexOf('export type InitInput');
+  if (at < 0) throw new Error(`${types} has no InitInput`);
+  writeFileSync(types, withoutStart(declared.slice(0, at), types) + end);
+}
+
+/** Without what the core calls itself when it is made ready. @param {string} text @param {string} file */
+function withoutStart(text, file) {
+  const parts = text.split(
+    /\/\*\*(?:(?!\*\/).)*\*\/\nexport function throw_panics\(\)(?:: void;| \{\n[^}]*\})\n+/s,
+  );
+  if (parts.length !== 2) throw new Error(`${file} has not one throw_panics`);
+  return parts.join('');
+}

@@ -1,0 +1,24 @@
+import type { Experiment, Preset } from '../pkg/ep_locomotion.js';
+
+/** What a link of the page runs. */
+export interface LinkedRun {
+  /** The part of the page. */
+  part: string;
+  /** The preset from which the experiment differs. */
+  preset: Preset;
+  /** All of it, with what the link changes. */
+  experiment: Experiment;
+  /** The generation on screen. */
+  generation: number;
+  /** Whose gains drive: 'evolved', 'hand', or one of the paper's two choices. */
+  drives: string;
+  /** The gains that were set by hand, if any. */
+  gains: readonly [number, number, number] | null;
+  /** What else the link carries, which is about the page alone: as text, by its key. */
+  others: Record<string, string>;
+  /** What of it is wrong, and was left as it is in the preset. */
+  problems: string[];
+}
+
+/** The run of a link: a whole address, or what follows its #. The core must be ready. */
+export function openLink(link: string): LinkedRun;
