@@ -97,22 +97,23 @@ fn seeds_are_counted_by_what_each_keeps() {
 /// To begin a run takes as long as some samples, and so do the bouts of a tournament.
 #[wasm_bindgen_test(unsupported = test)]
 fn what_is_not_driving_is_counted_too() {
-    let most = |change: &dyn Fn(&mut Experiment)| {
-        let setting = lasting(0.01, |e| change(e));
+    let most = |change: fn(&mut Experiment)| {
+        let setting = lasting(0.01, change);
         let message = trials(&setting, [0, 1], 500_000_000).expect_err("refused").to_string();
         let most = message.split("at most ").nth(1).and_then(|rest| rest.split(' ').next());
         most.and_then(|most| most.parse::<f64>().ok()).expect("a number")
     };
-    let truncated = |e: &mut Experiment| {
+    let truncated: fn(&mut Experiment) = |e| {
         e.evolution.selection = Selection::Truncation;
         e.evolution.population = 100;
     };
-    let cases: [(f64, &dyn Fn(&mut Experiment)); 5] = [
-        (LEAST_SAMPLES, &truncated),
-        (40.0, &|e| e.horizon = 0.4),
-        (999.0, &|e| e.evolution.opponents = 999),
-        (LEAST_GENERATION, &|e| e.evolution.method = Method::OnePlusOneEs),
-        (LEAST_GENERATION / 2.0, &|e| e.evolution.population = 2),
+    type Change = fn(&mut Experiment);
+    let cases: [(f64, Change); 5] = [
+        (LEAST_SAMPLES, truncated),
+        (40.0, |e| e.horizon = 0.4),
+        (999.0, |e| e.evolution.opponents = 999),
+        (LEAST_GENERATION, |e| e.evolution.method = Method::OnePlusOneEs),
+        (LEAST_GENERATION / 2.0, |e| e.evolution.population = 2),
     ];
     for (one, change) in cases {
         assert_eq!(most(change), (MAX_WORK / one).floor(), "{one}");

@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::PRESET;
 use common::json::{Given, written};
 use ep_locomotion::run::{Experiment, Preset, Setting};
 use ep_locomotion::schema::Field;
@@ -55,6 +56,28 @@ const RANGES: [(&str, f64, f64, &str, Kind); 32] = [
     ("evolution.crossover", 0.0, 1.0, "", Real),
 ];
 
+/// Path, and what may stand there.
+const WORDS: [(&str, &[&str]); 6] = [
+    ("law", &["shim-kim", "kanayama"]),
+    ("disturbance.kind", &["none", "random", "slip"]),
+    (
+        "evolution.method",
+        &[
+            "ep",
+            "random",
+            "de",
+            "cma-es",
+            "one-plus-one-es",
+            "nelder-mead",
+            "one-at-a-time",
+            "finite-differences",
+        ],
+    ),
+    ("evolution.step", &["gaussian", "cauchy"]),
+    ("evolution.selection", &["tournament", "truncation", "parent"]),
+    ("evolution.belowZero", &["penalty", "mirror"]),
+];
+
 /// What an experiment with this value in the last of these fields is told.
 fn verdict(path: &str, value: &Value) -> Result<(), String> {
     let mut preset = Preset::VelocityLimits.experiment();
@@ -84,6 +107,24 @@ fn the_table_of_ranges_is_this_one() {
     };
     let expected = RANGES.map(|(path, min, max, unit, kind)| (path.into(), min, max, unit, kind));
     assert!(fields.iter().map(row).eq(expected), "{fields:#?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_table_of_words_is_this_one() {
+    let fields = Experiment::fields().words;
+    assert!(fields.iter().map(|field| (field.path.as_str(), field.words)).eq(WORDS), "{fields:#?}");
+}
+
+/// Links and files rest on it.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_usual_experiment_is_this_one() {
+    let known: Value = serde_json::from_str(PRESET).expect("JSON");
+    let preset = written(&Preset::VelocityLimits.experiment());
+    // JSON has one kind of zero, and writes whole numbers as such.
+    let numbers = |value: &Value| {
+        value.to_string().replace(".0,", ",").replace(".0}", "}").replace(".0]", "]")
+    };
+    assert_eq!(numbers(&preset), numbers(&known));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -5,6 +5,10 @@
 pub mod bits;
 #[path = "boundary.rs"]
 pub mod boundary;
+#[path = "boundary_runs.rs"]
+pub mod boundary_runs;
+#[path = "boundary_studies.rs"]
+pub mod boundary_studies;
 #[path = "bounds.rs"]
 pub mod bounds;
 #[path = "episodes.rs"]

@@ -1,6 +1,8 @@
 //! Seeded random material for the tests of laws.
 #![allow(dead_code)] // each test file uses its own part
 
+#[cfg(target_arch = "wasm32")]
+pub mod javascript;
 pub mod json;
 
 use ep_locomotion::robot::{
@@ -9,6 +11,19 @@ use ep_locomotion::robot::{
 use ep_locomotion::run::{Experiment, Preset};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
+
+/// The usual experiment, as it is told outside.
+pub const PRESET: &str = "{\"law\":\"shim-kim\",\"starts\":[{\"x\":0,\"y\":0,\"theta\":0}],\
+         \"goal\":{\"x\":2,\"y\":2,\"theta\":0.7853981633974483},\
+         \"referenceVelocity\":{\"linear\":0,\"angular\":0},\"sampleTime\":0.01,\"horizon\":10,\
+         \"limits\":{\"speed\":2,\"turnRate\":6.283185307179586,\"acceleration\":null,\
+         \"turnAcceleration\":null},\"tolerance\":{\"position\":0.05,\"heading\":0.05,\"speed\":null,\"turnRate\":null},\
+         \"weights\":{\"final\":[1,1,1],\"velocity\":[1,1],\"penalty\":1000},\
+         \"disturbance\":{\"kind\":\"none\",\"linear\":0,\"angular\":0,\"seed\":0},\
+         \"evolution\":{\"population\":20,\"opponents\":10,\"seed\":1,\
+         \"initialRange\":[0.01,10],\"initialSigma\":1,\
+         \"method\":\"ep\",\"step\":\"gaussian\",\"adaptation\":1,\"sigmaFloor\":0,\
+         \"selection\":\"tournament\",\"crossover\":0,\"belowZero\":\"penalty\"}}";
 
 pub struct Random(pub Xoshiro256PlusPlus);
 
