@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::PRESET;
 use common::json::{Given, written};
+use common::{PRESET, WORDS};
 use ep_locomotion::run::{Experiment, Preset, Setting};
 use ep_locomotion::schema::Field;
 use serde_json::{Value, json};
@@ -54,28 +54,6 @@ const RANGES: [(&str, f64, f64, &str, Kind); 32] = [
     ("evolution.adaptation", 0.0, 10.0, "", Real),
     ("evolution.sigmaFloor", 0.0, 1e6, "", Real),
     ("evolution.crossover", 0.0, 1.0, "", Real),
-];
-
-/// Path, and what may stand there.
-const WORDS: [(&str, &[&str]); 6] = [
-    ("law", &["shim-kim", "kanayama"]),
-    ("disturbance.kind", &["none", "random", "slip"]),
-    (
-        "evolution.method",
-        &[
-            "ep",
-            "random",
-            "de",
-            "cma-es",
-            "one-plus-one-es",
-            "nelder-mead",
-            "one-at-a-time",
-            "finite-differences",
-        ],
-    ),
-    ("evolution.step", &["gaussian", "cauchy"]),
-    ("evolution.selection", &["tournament", "truncation", "parent"]),
-    ("evolution.belowZero", &["penalty", "mirror"]),
 ];
 
 /// What an experiment with this value in the last of these fields is told.

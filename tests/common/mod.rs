@@ -12,6 +12,28 @@ use ep_locomotion::run::{Experiment, Preset};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 
+/// The fields that are words: their paths, and what may stand there.
+pub const WORDS: [(&str, &[&str]); 6] = [
+    ("law", &["shim-kim", "kanayama"]),
+    ("disturbance.kind", &["none", "random", "slip"]),
+    (
+        "evolution.method",
+        &[
+            "ep",
+            "random",
+            "de",
+            "cma-es",
+            "one-plus-one-es",
+            "nelder-mead",
+            "one-at-a-time",
+            "finite-differences",
+        ],
+    ),
+    ("evolution.step", &["gaussian", "cauchy"]),
+    ("evolution.selection", &["tournament", "truncation", "parent"]),
+    ("evolution.belowZero", &["penalty", "mirror"]),
+];
+
 /// The usual experiment, as it is told outside.
 pub const PRESET: &str = "{\"law\":\"shim-kim\",\"starts\":[{\"x\":0,\"y\":0,\"theta\":0}],\
          \"goal\":{\"x\":2,\"y\":2,\"theta\":0.7853981633974483},\

@@ -290,7 +290,7 @@ const aSeed = fc.nat({ max: 2 ** 32 - 1 });
 /** Any experiment that the core allows, from the smallest numbers to the largest. */
 const anyExperiment = fc
   .record(
-    {
+    /** @satisfies {Record<keyof Experiment, unknown>} */ ({
       law: wordOf('law'),
       starts: fc.array(aPosture, { minLength: 1, maxLength: 5 }),
       goal: aPosture,
@@ -315,21 +315,23 @@ const anyExperiment = fc
         angular: from(-100, 100),
         seed: aSeed,
       }),
-      evolution: fc.record({
-        population: fc.integer({ min: 1, max: 2000 }),
-        opponents: fc.integer({ min: 1, max: 1000 }),
-        seed: aSeed,
-        initialRange: fc.tuple(from(-1e6, 0), from(1e-9, 1e6)),
-        initialSigma: aWeight,
-        method: fc.constantFrom('ep', 'random', 'cma-es', 'nelder-mead', 'one-at-a-time'),
-        step: fc.constantFrom('gaussian', 'cauchy'),
-        adaptation: from(0, 10),
-        sigmaFloor: aWeight,
-        selection: fc.constantFrom('tournament', 'truncation', 'parent'),
-        crossover: from(0, 1),
-        belowZero: fc.constantFrom('penalty', 'mirror', 'clamp'),
-      }),
-    },
+      evolution: fc.record(
+        /** @satisfies {Record<keyof Experiment['evolution'], unknown>} */ ({
+          population: fc.integer({ min: 1, max: 2000 }),
+          opponents: fc.integer({ min: 1, max: 1000 }),
+          seed: aSeed,
+          initialRange: fc.tuple(from(-1e6, 0), from(1e-9, 1e6)),
+          initialSigma: aWeight,
+          method: fc.constantFrom('ep', 'random', 'cma-es', 'nelder-mead', 'one-at-a-time'),
+          step: fc.constantFrom('gaussian', 'cauchy'),
+          adaptation: from(0, 10),
+          sigmaFloor: aWeight,
+          selection: fc.constantFrom('tournament', 'truncation', 'parent'),
+          crossover: from(0, 1),
+          belowZero: fc.constantFrom('penalty', 'mirror', 'clamp'),
+        }),
+      ),
+    }),
     { requiredKeys: [] },
   )
   .map((partial) => {
