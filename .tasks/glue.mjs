@@ -28,18 +28,21 @@ let wasmModule, wasmInstance, wasm = absent;`,
 ];
 
 const end = `/** The core's address or answer, or its bytes; the file beside this one if it is left out. */
-export type Source = string | { readonly href: string } | { arrayBuffer(): Promise<ArrayBuffer> } | ArrayBuffer | ArrayBufferView | object;
+export type InitInput = string | { readonly href: string } | { arrayBuffer(): Promise<ArrayBuffer> } | ArrayBuffer | ArrayBufferView | object;
 
 /** What the core lives in. */
-export interface Core {
+export interface InitOutput {
     readonly memory: { readonly buffer: ArrayBuffer };
 }
 
+/** Its bytes, or a compiled module. */
+export type SyncInitInput = ArrayBuffer | ArrayBufferView | object;
+
 /** Makes the core ready from its bytes, or from a compiled module, at once. */
-export function initSync(from: { module: ArrayBuffer | ArrayBufferView | object }): Core;
+export function initSync(from: { module: SyncInitInput }): InitOutput;
 
 /** Makes the core ready. Nothing else can be called before. */
-export default function init(from?: { module: Source | Promise<Source> }): Promise<Core>;
+export default function init(from?: { module: InitInput | Promise<InitInput> }): Promise<InitOutput>;
 `;
 
 /** Tidies what stands in a folder. @param {string} folder */
