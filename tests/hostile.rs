@@ -247,7 +247,9 @@ fn the_ends_of_every_range_are_allowed_and_nothing_beyond() {
         }
         assert!(field.min < field.max);
         assert_eq!(allowed.allows(field.min + 0.5), !field.integer, "{}", field.path);
-        assert_eq!(field.nullable, field.path.starts_with("limits."));
+        let is_limit = field.path.starts_with("limits.")
+            || ["tolerance.speed", "tolerance.turnRate"].contains(&field.path.as_str());
+        assert_eq!(field.nullable, is_limit, "{}", field.path);
         let null = if field.nullable { ", or null for no limit" } else { "" };
         assert!(allowed.expected().ends_with(null), "{}", allowed.expected());
     }
