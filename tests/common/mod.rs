@@ -31,7 +31,7 @@ pub const WORDS: [(&str, &[&str]); 6] = [
     ),
     ("evolution.step", &["gaussian", "cauchy"]),
     ("evolution.selection", &["tournament", "truncation", "parent"]),
-    ("evolution.belowZero", &["penalty", "mirror"]),
+    ("evolution.belowZero", &["penalty", "mirror", "clamp"]),
 ];
 
 /// The usual experiment, as it is told outside.
