@@ -17,6 +17,7 @@ import { exercise as exerciseWords } from '../../words/index.js';
 import { frameOf } from '../frame-text.js';
 import { createAimFields } from './aim-fields.js';
 import { createPreview } from './preview.js';
+import { createPackaging } from '../scorm/button.js';
 import words from '../words/index.js';
 
 const { texts } = words;
@@ -36,6 +37,7 @@ export function createMaker({ engine, store, actions, links }) {
     status = text;
     store.redraw();
   };
+  const packaging = createPackaging(say);
   const close = () => {
     actions.makeExercise({ open: false });
     byId('keep-button').focus();
@@ -68,13 +70,18 @@ export function createMaker({ engine, store, actions, links }) {
       panel.hidden = !open;
       if (!open) return preview.draw(null);
       const link = links.linkOf(givenOf(state, draft), engine.experiment);
-      if (changed(draft, link, status, aim.version(), preview.chosen())) {
+      if (changed(draft, link, status, aim.version(), preview.chosen(), packaging.asks())) {
         const addresses = {
           link: addressOf(location.href, link, false),
           frame: frameOf(state, link, preview.chosen() ?? undefined),
         };
         render(
-          panelOf(draft, addresses, status, { ...on, fields: aim.fields(draft), preview: preview.choice() }),
+          panelOf(draft, addresses, status, {
+            ...on,
+            fields: aim.fields(draft),
+            preview: preview.choice(),
+            packaging: packaging.template(link, draft),
+          }),
           panel,
         );
       }
@@ -99,7 +106,7 @@ function givenOf(state, draft) {
 
 /**
  * @param {Exercise} draft @param {{ link: string, frame: string }} addresses @param {string} status
- * @param {{ fields: unknown, preview: unknown, close: () => void, change: (draft: Exercise) => void, copyLink: () => void, copyFrame: () => void }} on
+ * @param {{ fields: unknown, preview: unknown, packaging: unknown, close: () => void, change: (draft: Exercise) => void, copyLink: () => void, copyFrame: () => void }} on
  */
 const panelOf = (draft, { link, frame }, status, on) => html`
   <div class="settings-head">
@@ -121,6 +128,7 @@ const panelOf = (draft, { link, frame }, status, on) => html`
     <button id="maker-copy-link" type="button" class="primary" @click=${on.copyLink}>${texts.makerCopyLink}</button>
     <input id="maker-frame" type="text" readonly aria-label=${texts.makerFrame} .value=${frame} @focus=${selectAll}>
     <button id="maker-copy-frame" type="button" @click=${on.copyFrame}>${texts.makerCopyFrame}</button>
+    ${on.packaging}
     <p id="maker-status" class="muted" role="status">${status}</p>
   </div>`;
 

@@ -47,6 +47,9 @@ export const texts = {
   makerPoints: 'Points at two values, and between them on a line (or nothing)',
   makerPointsAt: 'points at',
   makerVary: 'Drawn for each student from their number',
+  scormButton: 'Package for Moodle (SCORM 1.2)',
+  scormTitle: 'Exercise: gains of a robot',
+  scormFile: 'The page as one file',
   makerClose: 'Close the exercise',
 };
 
@@ -56,6 +59,26 @@ export const fingerprint = (hash, generations) =>
 
 export const copied = 'The link is copied.';
 export const notCopied = 'This browser lets no page copy: the link is selected, copy it by the keyboard.';
+
+/** The exercise as a package for a learning platform. */
+export const scorm = {
+  /** What the package says by itself; … is what the platform says. */
+  sentences: {
+    refused:
+      'The learning platform did not keep this (…). Press Hand in, copy the receipt, and hand it in by hand.',
+    tooLong:
+      'The receipt is too long for this platform. Press Hand in, copy the receipt, and hand it in by hand.',
+    nobody: 'No learning platform answers here, so nothing is kept. Press Hand in, and copy the receipt.',
+  },
+  writing: 'The package is being written …',
+  /** @param {number} bytes */
+  written: (bytes) =>
+    `The package is saved (${(bytes / 1e6).toFixed(1)} MB). Upload it as a SCORM package; in Moodle: Add an activity, SCORM package.`,
+  /** @param {string} file */
+  choose: (file) => `This page cannot read its own file here. Choose ${file}, the page as one file.`,
+  /** @param {string} reason */
+  failed: (reason) => `The package was not written: ${reason}`,
+};
 
 export const foreignFile = 'it is no run that this page has saved.';
 

@@ -47,6 +47,9 @@ export const texts = {
   makerPoints: '두 값에서의 점수와 그 사이의 직선(비우면 없음)',
   makerPointsAt: '점, 값',
   makerVary: '학번에 따라 학생마다 다르게',
+  scormButton: 'Moodle용 패키지(SCORM 1.2)',
+  scormTitle: '과제: 로봇의 이득 찾기',
+  scormFile: '파일 하나로 된 이 페이지',
   makerClose: '과제 만들기 닫기',
 };
 
@@ -57,6 +60,26 @@ export const fingerprint = (hash, generations) =>
 export const copied = '링크를 복사했습니다.';
 export const notCopied =
   '이 브라우저는 페이지의 복사를 허용하지 않습니다. 링크를 선택해 두었으니 키보드로 복사하십시오.';
+
+/** The exercise as a package for a learning platform. */
+export const scorm = {
+  /** What the package says by itself; … is what the platform says. */
+  sentences: {
+    refused: '학습 플랫폼이 저장하지 못했습니다(…). ‘제출하기’를 누르고 제출물을 복사하여 직접 제출하십시오.',
+    tooLong: '제출물이 이 플랫폼에는 너무 깁니다. ‘제출하기’를 누르고 제출물을 복사하여 직접 제출하십시오.',
+    nobody:
+      '응답하는 학습 플랫폼이 없어 아무것도 저장되지 않습니다. ‘제출하기’를 누르고 제출물을 복사하십시오.',
+  },
+  writing: '패키지를 만드는 중 …',
+  /** @param {number} bytes */
+  written: (bytes) =>
+    `패키지를 저장했습니다(${(bytes / 1e6).toFixed(1)} MB). SCORM 패키지로 올리십시오. Moodle에서는 활동 추가, SCORM 패키지입니다.`,
+  /** @param {string} file */
+  choose: (file) =>
+    `여기서는 페이지가 자신의 파일을 읽지 못합니다. 파일 하나로 된 페이지 ${file}을 고르십시오.`,
+  /** @param {string} reason */
+  failed: (reason) => `패키지를 만들지 못했습니다: ${reason}`,
+};
 
 export const foreignFile = '이 페이지가 저장한 실행이 아닙니다.';
 

@@ -1,0 +1,122 @@
+// Between a learning platform that speaks SCORM 1.2 and the exercise in the frame: who works on it goes in; the receipt, the
+// score and the time come out, and what was done so far comes back when the attempt is resumed.
+
+(() => {
+  /** What exercise.js says. @type {{ link: string, texts: import('../package.js').Sentences }} */
+  const { link, texts } = /** @type {any} */ (globalThis).exercise;
+  const figure = /** @type {HTMLIFrameElement} */ (document.getElementById('figure'));
+  const told = /** @type {HTMLElement} */ (document.getElementById('told'));
+  const begun = Date.now();
+  /** Of cmi.suspend_data, in characters. */
+  const most = 4096;
+  const lms = platform();
+
+  /** The platform stands in a window around this one, or in that which opened it. @returns {any} */
+  function platform() {
+    for (const first of [window, window.opener])
+      for (let one = first, i = 0; one && i < 20; i += 1) {
+        try {
+          if (one.API) return one.API;
+          if (one.parent === one) break;
+          one = one.parent;
+        } catch {
+          break;
+        }
+      }
+    return null;
+  }
+
+  /** @param {string} text */
+  function tell(text) {
+    told.textContent = text;
+    told.hidden = false;
+  }
+
+  /** Whether the platform did it; if not, the student is told, once for all. @param {string} name @param {string[]} given */
+  function ask(name, ...given) {
+    if (!lms) return '';
+    try {
+      const answer = String(lms[name](...given));
+      const code = String(lms.LMSGetLastError());
+      if (code === '0' && (name === 'LMSGetValue' || answer === 'true')) return answer;
+      // A value that nobody has set is no failure.
+      if (name === 'LMSGetValue') return '';
+      tell(texts.refused.replace('…', `${code} ${lms.LMSGetErrorString(code)}`.trim()));
+    } catch (error) {
+      tell(texts.refused.replace('…', String(error)));
+    }
+    return '';
+  }
+
+  const set = (/** @type {string} */ field, /** @type {string | number} */ value) =>
+    ask('LMSSetValue', `cmi.core.${field}`, String(value));
+
+  let receipt = '';
+  let latest = '';
+
+  /** The receipt in its own line, then how far the work has come. */
+  function keep() {
+    const lines = [receipt, latest].filter(Boolean);
+    while (lines.join('\n').length > most) lines.pop();
+    if (lines.length === 0 && receipt) tell(texts.tooLong);
+    if (lines.length > 0) ask('LMSSetValue', 'cmi.suspend_data', lines.join('\n'));
+  }
+
+  /** @param {{ met: boolean | null, points: number | null, most: number | null }} result */
+  function score({ met, points, most: all }) {
+    if (met === null) return set('lesson_status', 'completed');
+    const share = points === null || !all ? (met ? 1 : 0) : points / all;
+    set('score.min', 0);
+    set('score.max', 100);
+    set('score.raw', Math.round(10_000 * Math.min(1, Math.max(0, share))) / 100);
+    return set('lesson_status', met ? 'passed' : 'failed');
+  }
+
+  /** @type {Readonly<Record<string, (message: any) => void>>} */
+  const heard = {
+    drive: () => figure.contentWindow?.postMessage({ ep: 1, type: 'read' }, '*'),
+    state(state) {
+      latest = `#${state.link}`;
+      keep();
+    },
+    handin(result) {
+      receipt = `#${result.link.slice(result.link.indexOf('#') + 1)}`;
+      latest = '';
+      keep();
+      score(result);
+      ask('LMSCommit', '');
+    },
+  };
+
+  addEventListener('message', ({ source, data }) => {
+    if (source !== figure.contentWindow || data?.ep !== 1) return;
+    if (Object.hasOwn(heard, data.type)) heard[data.type](data);
+  });
+
+  let isOver = false;
+  addEventListener('pagehide', () => {
+    if (isOver) return;
+    isOver = true;
+    const seconds = (Date.now() - begun) / 1000;
+    const two = (/** @type {number} */ value) => String(Math.floor(value)).padStart(2, '0');
+    const hours = String(Math.min(9999, Math.floor(seconds / 3600))).padStart(4, '0');
+    set('session_time', `${hours}:${two((seconds / 60) % 60)}:${two(seconds % 60)}`);
+    set('exit', 'suspend');
+    ask('LMSCommit', '');
+    ask('LMSFinish', '');
+  });
+
+  document.documentElement.lang = texts.language;
+  document.title = texts.title;
+  figure.title = texts.title;
+  if (!lms) tell(texts.nobody);
+  ask('LMSInitialize', '');
+  const lines = ask('LMSGetValue', 'cmi.suspend_data')
+    .split('\n')
+    .filter((line) => /^#\w+&/.test(line));
+  [receipt = '', latest = ''] = lines[0]?.includes('&handin=') ? lines : ['', lines[0]];
+  const who = ask('LMSGetValue', 'cmi.core.student_id');
+  if (!receipt && lms) set('lesson_status', 'incomplete');
+  const own = `${link}${who ? `&who=${encodeURIComponent(who)}` : ''}`;
+  figure.src = `ep-locomotion.html?embed${latest || receipt || `#${own}`}`;
+})();
