@@ -1,7 +1,16 @@
 // npm run build: the core as pkg/, the static site as dist/, and the whole page in dist/ep-locomotion.html.
 //
-//   npm run build -- core   only pkg/, which is all that npm pack needs
-import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+//   npm run build -- core     only pkg/, which is all that npm pack needs
+//   npm run build -- python   all, and the core without JavaScript: what a wheel of python/ holds
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { homedir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -11,20 +20,46 @@ import { installTools } from './tools.mjs';
 
 const sources = ['src', 'Cargo.toml', 'Cargo.lock', '.cargo'];
 const wasm = 'pkg/ep_locomotion_bg.wasm';
-/** Holds the time of the sources that were built. Written last, so that a build that was interrupted is done again. */
-const stamp = 'pkg/.complete';
+/** The core for hosts without JavaScript, which the wheel of python/ holds. */
+const bytesWasm = 'pkg/ep_locomotion_bytes.wasm';
 
 /** The core, compiled, joined to JavaScript and optimised, unless nothing has changed. */
 export async function buildCore() {
+  await unlessBuilt(wasm, 'pkg/.complete', async () => {
+    await step('compiling the core to WebAssembly', compile, '1 minute at first, then 10 s');
+    await step('optimising the WebAssembly', () => optimise(wasm));
+  });
+  await buildLink();
+}
+
+/** The core without imports, unless nothing has changed. */
+export const buildBytes = () =>
+  unlessBuilt(bytesWasm, 'pkg/.complete-bytes', () =>
+    step(
+      'compiling the core for Python',
+      async () => {
+        mkdirSync('pkg', { recursive: true });
+        copyFileSync(await compiled('--no-default-features', '--features', 'bytes'), bytesWasm);
+        await optimise(bytesWasm);
+      },
+      '10 s',
+    ),
+  );
+
+/**
+ * Builds a module whose sources have changed.
+ * @param {string} module
+ * @param {string} stamp holds the time of the sources that were built. Written last, so that a build that was interrupted is done again
+ * @param {() => Promise<void>} build
+ */
+async function unlessBuilt(module, stamp, build) {
   const sourceTime = String(lastChange(...sources));
   const built = existsSync(stamp) && readFileSync(stamp, 'utf8') === sourceTime;
-  const ours = existsSync(wasm) && lastChange(wasm) <= lastChange(stamp);
-  if (built && ours) return buildLink();
+  const ours = existsSync(module) && lastChange(module) <= lastChange(stamp);
+  if (built && ours) return;
   rmSync(stamp, { force: true });
-  await step('compiling the core to WebAssembly', compile, '1 minute at first, then 10 s');
-  await step('optimising the WebAssembly', () => optimise(wasm));
+  await build();
   writeFileSync(stamp, sourceTime);
-  await buildLink();
 }
 
 /** How the package reads links. */
@@ -36,12 +71,16 @@ async function buildLink() {
 
 /** What wasm-pack would do, which need not be there. */
 async function compile() {
-  const target = 'wasm32-unknown-unknown';
-  await run('cargo', ['build', '--lib', '--release', '--target', target, '--config', withoutHome]);
-  const folder = process.env.CARGO_TARGET_DIR ?? 'target';
-  const module = join(folder, target, 'release', 'ep_locomotion.wasm');
-  await run('wasm-bindgen', [module, '--target', 'web', '--out-dir', 'pkg']);
+  await run('wasm-bindgen', [await compiled(), '--target', 'web', '--out-dir', 'pkg']);
   tidyGlue('pkg');
+}
+
+/** Where cargo writes the module. @param {string[]} features */
+async function compiled(...features) {
+  const target = ['--target', 'wasm32-unknown-unknown'];
+  await run('cargo', ['build', '--lib', '--release', ...target, ...features, '--config', withoutHome]);
+  const folder = process.env.CARGO_TARGET_DIR ?? 'target';
+  return join(folder, target[1], 'release', 'ep_locomotion.wasm');
 }
 
 /** Panic messages name the source files of libraries: without the folder in which this machine keeps them. */
@@ -78,12 +117,13 @@ export const buildSite = () =>
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   await task(async () => {
     const only = process.argv.slice(2);
-    if (only.some((name) => name !== 'core')) {
-      throw new Failure(`npm run build knows only "core", not ${only.join(', ')}`);
+    if (only.some((name) => name !== 'core' && name !== 'python')) {
+      throw new Failure(`npm run build knows only "core" and "python", not ${only.join(', ')}`);
     }
     await installTools();
     await buildCore();
-    if (only.length > 0) return;
+    if (only.includes('python')) await buildBytes();
+    if (only.includes('core')) return;
     await buildSite();
     console.log('\nThe site is in dist/: copy that folder to any static host.');
     console.log(

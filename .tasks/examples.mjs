@@ -1,9 +1,10 @@
-// The examples that Python builds, beside those that run as they are: the book, and the widget for notebooks.
+// What Python builds, beside the examples that run as they are: the book, and the wheel of python/.
 //
 //   node .tasks/examples.mjs   after npm run build
 import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { buildBytes } from './build.mjs';
 import { ask, Failure, run, step, task, top } from './run.mjs';
 
 const requirements = 'examples/requirements.txt';
@@ -62,14 +63,16 @@ async function install(program) {
   writeFileSync(stamp, readFileSync(requirements));
 }
 
-/** What needs the site: the book shows its figures, the widget holds its page. */
-export const finishExamples = () =>
-  step('building the widget for notebooks', async () => {
+/** What needs the site: the book shows its figures, the wheel holds its page, and a core of its own. */
+export async function finishExamples() {
+  await buildBytes();
+  await step('building the wheel for Python', async () => {
     cpSync('dist', join(book, 'ep'), { recursive: true });
-    await pip('wheel', '--no-deps', '--no-build-isolation', '--wheel-dir', output, 'examples/notebook');
+    await pip('wheel', '--no-deps', '--no-build-isolation', '--wheel-dir', output, './python');
     const [wheel] = readdirSync(output).filter((name) => name.endsWith('.whl'));
     await pip('install', '--no-deps', '--force-reinstall', join(output, wheel));
   });
+}
 
 /** @param {string[]} args */
 const pip = (...args) => run(python, ['-m', 'pip', '--quiet', '--disable-pip-version-check', ...args]);

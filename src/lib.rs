@@ -16,6 +16,7 @@
 //! | [`run`] | experiment, presets, cost (9), one run, many runs at once | an experiment is checked once, in [`run::Setting::new`]; `run/work.rs` says what a call may cost |
 //! | [`study`] | history, landscape, robustness, seeds, starts, stability, remaining error | every job can be split by index without changing a bit |
 //! | `wasm` | the same for JavaScript | the only room that knows it |
+//! | `bytes` | the same for whoever runs WebAssembly elsewhere, such as Python | imports nothing |
 //!
 //! ```
 //! use ep_locomotion::robot::Gains;
@@ -62,6 +63,10 @@ mod declarations;
 
 pub use declarations::declarations;
 
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", feature = "javascript"))]
 #[allow(unsafe_code)] // wasm-bindgen writes some
 pub mod wasm;
+
+#[cfg(all(target_arch = "wasm32", feature = "bytes"))]
+#[allow(unsafe_code)] // names that are called from outside
+pub mod bytes;

@@ -36,7 +36,8 @@ pub use setting::Setting;
 pub use trajectory::Run;
 pub use work::{LEAST_GENERATION, LEAST_SAMPLES, MAX_BYTES, MAX_WORK};
 
-#[cfg(target_arch = "wasm32")] // natively an episode keeps its setting
+#[cfg(all(target_arch = "wasm32", feature = "javascript"))]
+// elsewhere an episode keeps its setting
 pub(crate) use episode::EpisodeState;
 pub(crate) use runs::Departure;
 pub(crate) use work::{BYTES_OF_AN_OBJECT, Work};

@@ -22,6 +22,10 @@ pub trait Writer {
     fn null(&self) -> Self::Value;
     /// A number.
     fn number(&self, number: f64) -> Self::Value;
+    /// A whole number, for whom it is another thing.
+    fn whole(&self, number: u32) -> Self::Value {
+        self.number(f64::from(number))
+    }
     /// True or false.
     fn truth(&self, truth: bool) -> Self::Value;
     /// A text.
@@ -107,7 +111,7 @@ macro_rules! simple {
 
 simple! {
     f64: "number" = |value, to| to.number(*value);
-    u32: "number" = |value, to| to.number(f64::from(*value));
+    u32: "number" = |value, to| to.whole(*value);
     bool: "boolean" = |value, to| to.truth(*value);
     String: "string" = |value, to| to.text(value);
     &'static str: "string" = |value, to| to.text(value);

@@ -1,4 +1,4 @@
-"""A robot learns to park: the figures of ep-locomotion in a notebook.
+"""A figure of the page in a notebook.
 
     from ep_locomotion import EpLocomotion
 
@@ -18,6 +18,10 @@ from pathlib import Path
 import anywidget
 import traitlets
 
+from ._bytes import one_triple
+from ._evolution import row
+from ._task import experiment as whole_experiment
+
 _here = Path(__file__).parent
 
 
@@ -31,8 +35,38 @@ class EpLocomotion(anywidget.AnyWidget):
 
     link = traitlets.Unicode("lab", help="The part and the run to open: the end of the page's address, after its #.").tag(sync=True)
     experiment = traitlets.Dict(help="Fields of the experiment that are other than in the link; {} for none.").tag(sync=True)
+    gains = traitlets.Any(None, allow_none=True, help="Three gains (kx, ky, kθ) to drive by hand; None for the best of the generation.").tag(sync=True)
     state = traitlets.Dict(help="What the figure answered last: the whole experiment, the drive, the hash …").tag(sync=True)
     error = traitlets.Unicode(help="What was wrong with what was set last; empty if nothing.").tag(sync=True)
+
+    def __init__(self, **given):
+        for name in given:
+            self._refuse_unknown(name)
+        super().__init__(**given)
+
+    def __setattr__(self, name, value):
+        if not name.startswith("_"):
+            self._refuse_unknown(name)
+        super().__setattr__(name, value)
+
+    def _refuse_unknown(self, name):
+        """Python would take a misspelt name for a new one."""
+        if not hasattr(type(self), name):
+            raise AttributeError(f"a figure has no {name!r}: it has link, experiment and gains")
+
+    @traitlets.validate("experiment")
+    def _refuse_wrong(self, proposal):
+        if proposal.value:
+            try:
+                whole_experiment(proposal.value)
+            except ImportError:
+                # Without wasmtime the page says it.
+                pass
+        return proposal.value
+
+    @traitlets.validate("gains")
+    def _three_numbers(self, proposal):
+        return None if proposal.value is None else one_triple(proposal.value)
 
     @traitlets.observe("link", "experiment")
     def _begin_anew(self, _change):
@@ -45,19 +79,5 @@ class EpLocomotion(anywidget.AnyWidget):
 
     @property
     def history(self):
-        """Every generation so far as one dict, with the numbers of the page's own CSV in the same order.
-
-        J and the gains are those of the best; gains in 1/s, 1/(m² s) and rad/s, sigmas in the same units.
-        """
-        return [
-            {
-                "generation": one["generation"],
-                "drives": one["evaluations"],
-                "best": one["best"]["cost"],
-                "median": one["median"],
-                "worst": one["worst"],
-                **dict(zip(("kx", "ky", "ktheta"), one["best"]["gains"])),
-                **dict(zip(("sigma_x", "sigma_y", "sigma_theta"), one["meanSigmas"])),
-            }
-            for one in self._statistics
-        ]
+        """Every generation so far as one dict, with the numbers of the page's own CSV, as ``Evolution.history`` has it."""
+        return [row(one) for one in self._statistics]

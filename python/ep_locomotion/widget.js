@@ -58,26 +58,43 @@ async function render({ model, el }) {
     const missing = model.get('_wanted') - (history.length - 1);
     if (missing > 0) await figure.step(missing);
   };
-  const begin = async () => {
+  const forget = () => {
     model.set('error', '');
     refusal.textContent = '';
+  };
+  /** The same run, with the robot that these gains drive; without any, that of the generation. */
+  const drive = async () => {
+    const { experiment, generations: generation } = figure.state;
+    const gains = model.get('gains') ?? undefined;
+    await figure.set({ experiment, gains, generation });
+  };
+  const begin = async () => {
+    forget();
     figure.link = model.get('link');
     const experiment = model.get('experiment');
     // The answer comes when the link is opened, whatever is asked.
     await (Object.keys(experiment).length > 0 ? figure.set({ experiment }) : figure.read());
+    if (model.get('gains')) await drive();
     await advance();
+  };
+  const driveAnew = async () => {
+    forget();
+    await drive();
   };
   const beginInTurn = () => inTurn(begin);
   const advanceInTurn = () => inTurn(advance);
+  const driveInTurn = () => inTurn(driveAnew);
 
   el.append(refusal, figure);
   beginInTurn();
   model.on('change:link', beginInTurn);
   model.on('change:experiment', beginInTurn);
+  model.on('change:gains', driveInTurn);
   model.on('change:_wanted', advanceInTurn);
   return () => {
     model.off('change:link', beginInTurn);
     model.off('change:experiment', beginInTurn);
+    model.off('change:gains', driveInTurn);
     model.off('change:_wanted', advanceInTurn);
     clearTimeout(timer);
     el.replaceChildren();

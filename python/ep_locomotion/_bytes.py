@@ -1,0 +1,182 @@
+"""Plain values as bytes, and back; the tags are those of src/bytes/value.rs."""
+
+import itertools
+import math
+import struct
+import sys
+from array import array
+from collections.abc import Iterable, Mapping, Sequence
+from numbers import Real
+
+_NULL, _FALSE, _TRUE, _NUMBER, _TEXT, _COLUMN, _FLAGS, _LIST, _OBJECT, _OTHER, _WHOLE = (
+    bytes([tag]) for tag in range(11)
+)
+
+#: An experiment goes four deep.
+_DEEPEST = 60
+#: A million gain triples take 24 MB.
+_LARGEST = 1 << 26
+
+
+def _counted(tag, count, *rest):
+    return b"".join((tag, count.to_bytes(4, "little"), *rest))
+
+
+def _text(tag, text):
+    data = text.encode(errors="replace")
+    return _counted(tag, len(data), data)
+
+
+def _floats(numbers):
+    """Eight bytes each, little-endian."""
+    if sys.byteorder == "big":
+        numbers.byteswap()
+    return numbers.tobytes()
+
+
+def request(name, given):
+    """A call in bytes; what is given is in bytes already."""
+    asked = _counted(_LIST, 1 + len(given), _text(_TEXT, name), *given)
+    if len(asked) > _LARGEST:
+        raise ValueError(f"what is given must be at most {_LARGEST} bytes, but was {len(asked)}")
+    return asked
+
+
+def encoded(value, depth=_DEEPEST):
+    """A value in bytes. Arrays of numpy, series of pandas and the like count as the lists that they are."""
+    if depth == 0:
+        raise ValueError("what is given must be nested less deeply")
+    if value is None:
+        return _NULL
+    if getattr(value, "shape", None) == () and hasattr(value, "item"):
+        value = value.item()
+    if isinstance(value, bool):
+        return _TRUE if value else _FALSE
+    if isinstance(value, Real):
+        return _NUMBER + struct.pack("<d", _number(value))
+    if isinstance(value, str):
+        return _text(_TEXT, value)
+    if isinstance(value, Mapping):
+        fields = ((_text(b"", str(name)), encoded(field, depth - 1)) for name, field in value.items())
+        return _counted(_OBJECT, len(value), *itertools.chain.from_iterable(fields))
+    if getattr(value, "ndim", 1) == 2:
+        return _column(value)
+    if not isinstance(value, (str, bytes, bytearray)) and hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
+        return _counted(_LIST, len(value), *(encoded(one, depth - 1) for one in value))
+    return _text(_OTHER, type(value).__name__)
+
+
+def _number(value):
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
+
+
+def _column(table):
+    """The rows of an array one after the other."""
+    flat = array("d", itertools.chain.from_iterable(table.tolist()))
+    return _counted(_COLUMN, len(flat), _floats(flat))
+
+
+def encoded_gains(gains):
+    """Gain triples in bytes, and what becomes of the numbers that come back, one for each triple."""
+    numpy = sys.modules.get("numpy")
+    if hasattr(gains, "to_numpy"):
+        gains = gains.to_numpy()
+    if numpy is not None and isinstance(gains, numpy.ndarray):
+        if gains.ndim not in (1, 2) or gains.shape[-1] != 3:
+            raise ValueError(_wrong(f"an array of shape {gains.shape}"))
+        if gains.dtype.kind in "fiu":
+            data = numpy.ascontiguousarray(gains, "<f8").tobytes()
+            answer = numpy.array if gains.ndim == 2 else _single
+            return _counted(_COLUMN, gains.size, data), answer
+    if not isinstance(gains, Iterable) or isinstance(gains, (str, bytes, Mapping)):
+        raise ValueError(_wrong(f"of type {type(gains).__name__}"))
+    rows = gains.tolist() if hasattr(gains, "tolist") else list(gains)
+    if not any(_is_row(row) for row in rows):
+        if rows and len(rows) != 3:
+            raise ValueError(_wrong(f"an array of {len(rows)}"))
+        return _encoded_numbers(rows), _single if rows else list
+    for i, row in enumerate(rows):
+        if not _is_row(row) or len(row) != 3:
+            found = f"an array of {len(row)}" if _is_row(row) else f"of type {type(row).__name__}"
+            raise ValueError(f"gains[{i}] must be three numbers (kx, ky, kθ), but was {found}")
+    return _encoded_numbers(list(itertools.chain.from_iterable(rows))), list
+
+
+def one_triple(gains):
+    """Three finite numbers."""
+    given, answer = encoded_gains(gains)
+    numbers = decoded(given)
+    if answer is not _single:
+        raise ValueError(f"gains must be three numbers (kx, ky, kθ), but was {len(numbers)} numbers")
+    for name, number in zip(("kx", "ky", "kθ"), numbers):
+        if not isinstance(number, float) or not math.isfinite(number):
+            raise ValueError(f"{name} must be a finite number, but was {number!r}")
+    return numbers
+
+
+def _wrong(found):
+    return f"gains must be three numbers (kx, ky, kθ) or rows of three, but was {found}"
+
+
+def _is_row(value):
+    return hasattr(value, "__len__") and not isinstance(value, (str, bytes, Mapping)) and getattr(value, "shape", None) != ()
+
+
+def _single(numbers):
+    return numbers[0]
+
+
+def _encoded_numbers(numbers):
+    """Side by side where they are numbers; else as they are, so that the core says which is none."""
+    if all(issubclass(kind, Real) and kind is not bool for kind in set(map(type, numbers))):
+        try:
+            flat = array("d", numbers)
+        except OverflowError:
+            flat = array("d", map(_number, numbers))
+        return _counted(_COLUMN, len(flat), _floats(flat))
+    return encoded(numbers)
+
+
+def decoded(data):
+    """The value that bytes are."""
+    return _Reader(data).value()
+
+
+class _Reader:
+    def __init__(self, data):
+        self._data = data
+        self._at = 0
+
+    def value(self):
+        tag = self._take(1)
+        if tag == _NUMBER:
+            return struct.unpack("<d", self._take(8))[0]
+        if tag in (_NULL, _FALSE, _TRUE):
+            return {_NULL: None, _FALSE: False, _TRUE: True}[bytes(tag)]
+        if tag == _TEXT:
+            return self._text()
+        count = self._count()
+        if tag == _WHOLE:
+            return count
+        if tag == _COLUMN:
+            return list(struct.unpack(f"<{count}d", self._take(8 * count)))
+        if tag == _FLAGS:
+            return list(map(bool, self._take(count)))
+        if tag == _LIST:
+            return [self.value() for _ in range(count)]
+        return {self._text(): self.value() for _ in range(count)}
+
+    def _text(self):
+        return self._take(self._count()).decode()
+
+    def _count(self):
+        return int.from_bytes(self._take(4), "little")
+
+    def _take(self, count):
+        self._at += count
+        return bytes(self._data[self._at - count : self._at])

@@ -1,0 +1,103 @@
+"""A run of evolutionary programming, or of one of its rivals, that remembers every generation."""
+
+from ._bytes import decoded, encoded
+from ._core import Instance, ask
+
+
+class Evolution:
+    """Generation 0 of an experiment, or of the preset of this name; ``step`` goes on from there.
+
+    The same experiment gives the same bits as in the page, in Node and natively: ``hash()`` says so.
+    """
+
+    def __init__(self, experiment):
+        self._given = encoded(ask("experiment", experiment) if isinstance(experiment, str) else experiment)
+        self._begin(0)
+
+    def _begin(self, generation):
+        self._core = Instance()
+        self._experiment = self._core.call("begin_evolution", self._given)
+        self._generation = 0
+        for _ in range(generation):
+            self._advance()
+
+    def _advance(self):
+        answer = self._core.call("step")
+        self._generation += 1
+        return answer
+
+    def _call(self, name, *given):
+        return decoded(self._ready().call(name, *map(encoded, given)))
+
+    def _ready(self):
+        # The same experiment comes to the same generation again.
+        if self._core.is_lost:
+            self._begin(self._generation)
+        return self._core
+
+    def __reduce__(self):
+        return (_evolved, (self.experiment, self._generation))
+
+    @property
+    def experiment(self):
+        """The experiment with every field filled in."""
+        return decoded(self._experiment)
+
+    @property
+    def generation(self):
+        """The number of the newest generation."""
+        return self._generation
+
+    def step(self, generations=1):
+        """Evolves so many generations; the newest in short."""
+        if isinstance(generations, bool) or not isinstance(generations, int) or generations < 1:
+            raise ValueError(f"generations must be a whole number from 1, but was {generations!r}")
+        for _ in range(generations):
+            self._ready()
+            answer = self._advance()
+        return decoded(answer)
+
+    def statistics(self, generation=None):
+        """One generation in short; the newest if left out."""
+        return self._call("statistics", generation)
+
+    def record(self, generation=None):
+        """One generation in full: parents, offspring, opponents, wins, who survives; the newest if left out."""
+        return self._call("record", generation)
+
+    def population(self, generation=None):
+        """The population that a generation left, best ranked first; the newest if left out."""
+        return self._call("population", generation)
+
+    def hash(self):
+        """16 hexadecimal digits over every number of the history."""
+        return self._call("hash")
+
+    @property
+    def history(self):
+        """Every generation as one dict, for ``pandas.DataFrame`` and the like, with the numbers of the page's own CSV."""
+        return [row(self.statistics(generation)) for generation in range(self._generation + 1)]
+
+
+def _evolved(experiment, generation):
+    evolution = Evolution(experiment)
+    for _ in range(generation):
+        evolution._advance()
+    return evolution
+
+
+def row(statistics):
+    """A generation with the numbers of the page's own CSV in the same order.
+
+    J and the gains are those of the best; gains in 1/s, 1/(m² s) and rad/s, sigmas in the same units.
+    """
+    best = statistics["best"]
+    return {
+        "generation": statistics["generation"],
+        "drives": int(statistics["evaluations"]),
+        "best": best["cost"],
+        "median": statistics["median"],
+        "worst": statistics["worst"],
+        **dict(zip(("kx", "ky", "ktheta"), best["gains"])),
+        **dict(zip(("sigma_x", "sigma_y", "sigma_theta"), statistics["meanSigmas"])),
+    }

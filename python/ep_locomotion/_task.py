@@ -1,0 +1,102 @@
+"""An experiment that is read once and driven often, and what drives one once."""
+
+import functools
+
+from ._bytes import decoded, encoded, encoded_gains
+from ._core import Instance, ask
+
+
+def experiment(given="velocity-limits", changes=None):
+    """A whole experiment: the preset of this name, or the one that these fields make of ``velocity-limits``.
+
+    ``changes`` are fields that are to be other than there. A field that is unknown, of a wrong type or out of its range is
+    a ValueError that names it.
+    """
+    return ask("experiment", given, {} if changes is None else changes)
+
+
+class Task:
+    """An experiment, or the name of a preset, that is read once and driven often.
+
+    A task has a core of its own: tasks in several threads compute side by side.
+    """
+
+    def __init__(self, experiment):
+        self._given = encoded(ask("experiment", experiment) if isinstance(experiment, str) else experiment)
+        self._begin()
+
+    def _begin(self):
+        self._core = Instance()
+        self._experiment = self._core.call("begin_task", self._given)
+
+    def _call(self, name, *given):
+        if self._core.is_lost:
+            self._begin()
+        return decoded(self._core.call(name, *given))
+
+    def __reduce__(self):
+        return (Task, (self.experiment,))
+
+    @property
+    def experiment(self):
+        """The experiment with every field filled in."""
+        return decoded(self._experiment)
+
+    def evaluate(self, gains):
+        """J of each gain triple (kx, ky, kθ), the mean over the start postures.
+
+        A triple gives a number, a list of triples a list, and an array of numpy with a row for each triple an array.
+        """
+        given, answer = encoded_gains(gains)
+        return answer(self._call("evaluate", given))
+
+    def simulate(self, gains, start=0):
+        """Drives one robot from ``starts[start]`` to the end of its run: a dict of lists with one value a sample, and J."""
+        return self._call("simulate", encoded_gains(gains)[0], encoded(start))
+
+    def landscape(self, landscape):
+        """J over two gains, row by row: ``{"x": {"gain": "x", "from": …, "to": …, "count": …}, "y": …, "gains": …}``."""
+        return self._call("landscape", encoded(landscape))
+
+    def robustness(self, grid):
+        """How a robot fares from many starts: ``{"gains": …, "x": {"from": …, "to": …, "count": …}, "y": …, "headings": …}``."""
+        return self._call("robustness", encoded(grid))
+
+    def fares(self, gains):
+        """How one robot fares from each of the experiment's starts: J, t_f and whether it arrives."""
+        return self._call("fares", encoded_gains(gains)[0])
+
+    def stability(self, gains, start=0):
+        """The Lyapunov function of one run from ``starts[start]``: what the law promises, and what becomes of that."""
+        return self._call("stability", encoded_gains(gains)[0], encoded(start))
+
+    def trials(self, trials):
+        """The experiment's method with the seeds [first, end): ``{"seeds": [first, end], "drives": …}``: when the best J fell, and to what."""
+        return self._call("trials", encoded(trials))
+
+
+@functools.lru_cache(maxsize=8)
+def _kept(_, given):
+    task = Task.__new__(Task)
+    task._given = given
+    task._begin()
+    return task
+
+
+def _task(experiment):
+    """A task, kept for who asks again in the same thread."""
+    import threading
+
+    if isinstance(experiment, str):
+        experiment = ask("experiment", experiment)
+    return _kept(threading.get_ident(), encoded(experiment))
+
+
+def evaluate(experiment, gains):
+    """J of each gain triple: ``Task(experiment).evaluate(gains)``. Many triples in one call are much the faster."""
+    return _task(experiment).evaluate(gains)
+
+
+def simulate(experiment, gains, start=0):
+    """One run: ``Task(experiment).simulate(gains, start)``."""
+    return _task(experiment).simulate(gains, start)
