@@ -8,6 +8,8 @@ import { buildBytes } from './build.mjs';
 import { ask, Failure, run, step, task, top } from './run.mjs';
 
 const requirements = 'examples/requirements.txt';
+/** Large, and of each machine's own code: where they cannot be had, the optimisers are not tested. */
+const optimisers = 'examples/optimisers/requirements.txt';
 const environment = '.tools/python';
 /** Holds what was installed. Written last, so that what was interrupted is done again. */
 const stamp = `${environment}/.complete`;
@@ -22,8 +24,10 @@ export const python = join(
 /** The book, with the site beside it as ep/. */
 export const book = join(top, output, 'book', '_build', 'html');
 
-const isInstalled = () =>
-  existsSync(stamp) && readFileSync(stamp, 'utf8') === readFileSync(requirements, 'utf8');
+const isInstalled = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted();
+
+/** All that is to be installed. */
+const wanted = () => [requirements, optimisers].map((file) => readFileSync(file, 'utf8')).join('');
 
 /** Whether the book and the widget are there to be tested. */
 export const areBuilt = () => existsSync(join(book, 'ep')) && existsSync(python);
@@ -43,7 +47,7 @@ export function findPython() {
 /** Installs what is missing, and builds the book, neither of which needs the site. @param {string} program */
 export async function prepareExamples(program) {
   if (!isInstalled()) {
-    await step('installing the Python packages of the examples', () => install(program), '30 s');
+    await step('installing the Python packages of the examples', () => install(program), '1 minute');
   }
   await step('building the book', async () => {
     rmSync(output, { recursive: true, force: true });
@@ -59,8 +63,14 @@ export async function prepareExamples(program) {
 async function install(program) {
   rmSync(environment, { recursive: true, force: true });
   await run(program, ['-m', 'venv', environment]);
-  await pip('install', '--no-compile', '--no-deps', '--requirement', requirements);
-  writeFileSync(stamp, readFileSync(requirements));
+  const packages = ['install', '--no-compile', '--no-deps', '--requirement'];
+  await pip(...packages, requirements);
+  try {
+    await pip(...packages, optimisers, '--only-binary', ':all:');
+  } catch {
+    console.log(`Absent, and what needs them was not tested: the packages of ${optimisers}`);
+  }
+  writeFileSync(stamp, wanted());
 }
 
 /** What needs the site: the book shows its figures, the wheel holds its page, and a core of its own. */

@@ -55,7 +55,7 @@ class Task:
         return self._call("simulate", encoded_gains(gains)[0], encoded(start))
 
     def landscape(self, landscape):
-        """J over two gains, row by row: ``{"x": {"gain": "x", "from": …, "to": …, "count": …}, "y": …, "gains": …}``."""
+        """J over two gains, row by row: ``{"x": {"gain": "kx", "from": …, "to": …, "count": …}, "y": …, "gains": …}``."""
         return self._call("landscape", encoded(landscape))
 
     def robustness(self, grid):

@@ -12,10 +12,10 @@ import { test } from '../harness/once.js';
 import { saved } from '../harness/saved.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {{ traits: Record<string, any>, history: Record<string, number>[], error: string }} Answer */
+/** @typedef {{ traits: Record<string, any>, history: Record<string, number>[], error: string, refused: string }} Answer */
 
 const readme = await readFile(new URL('../../../README.md', import.meta.url), 'utf8');
-const example = /```python\n(.*?)```/s.exec(readme)?.[1] ?? '';
+const example = /```python\n(from ep_locomotion import EpLocomotion\n.*?)```/s.exec(readme)?.[1] ?? '';
 
 /** Starts Python, in which `w` is a widget. */
 function startKernel() {
@@ -97,6 +97,37 @@ const rowsOf = (text) => {
   return rows.map((row) => row.split(',').map(Number));
 };
 
+test('what is misspelt or no gains is refused by Python at once', {
+  skip: !areBuilt() && 'npm test builds the wheel where Python is',
+}, async () => {
+  const kernel = startKernel();
+  try {
+    const begun = await kernel.run(example);
+    assert.equal(begun.refused, '');
+    for (const [code, message] of /** @type {const} */ ([
+      ['w.experiment = {"flavour": "red"}', /^ValueError: experiment must be .* one with 'flavour'$/],
+      ['w.experiment = {"goal": {"x": 1e9}}', /^ValueError: goal\.x must be a number from -1000 to 1000 m/],
+      ['EpLocomotion(experiment={"flavour": "red"})', /^ValueError: .*'flavour'/],
+      ['EpLocomotion(experimant={})', /^AttributeError: a figure has no 'experimant'/],
+      ['w.gain = [1, 2, 3]', /^AttributeError: a figure has no 'gain': it has link, experiment and gains$/],
+      ['w.gains = [1, 2]', /^ValueError: gains must be three numbers/],
+      ['w.gains = [[1, 2, 3]]', /^ValueError: gains must be three numbers/],
+      ['w.gains = [1, float("nan"), 2]', /^ValueError: ky must be a finite number/],
+      ['w.gains = ["1", 2, 3]', /^ValueError: kx must be a finite number/],
+    ])) {
+      const { refused, traits } = await kernel.run(code);
+      assert.match(refused, message, code);
+      assert.deepEqual(traits.experiment, begun.traits.experiment);
+      assert.equal(traits.gains, null);
+    }
+    const driven = await kernel.run('w.gains = (1, 2, 3)');
+    assert.equal(driven.refused, '');
+    assert.deepEqual(driven.traits.gains, [1, 2, 3]);
+  } finally {
+    kernel.end();
+  }
+});
+
 if (areBuilt())
   pageTest('the history of a widget is the table that the page saves, value by value', async (page) => {
     const kernel = startKernel();
@@ -142,8 +173,18 @@ if (areBuilt())
         [20, 40, 60, 80, 100],
       );
 
-      const wrong = await kernel.run('w.experiment = {"flavour": "red"}');
-      await give(page, 'receive', wrong.traits);
+      // By hand, and back.
+      const driven = await kernel.run('w.gains = (10, 10, 10)');
+      await give(page, 'receive', driven.traits);
+      const byHand = await sentBy(page, `${has(4)} && sent.state.drive.gains[0] === 10`);
+      assert.deepEqual(byHand.state.drive.gains, [10, 10, 10]);
+      assert.equal(byHand.state.hash, other.traits.state.hash);
+      const back = await kernel.run('w.gains = None', byHand);
+      await give(page, 'receive', back.traits);
+      await sentBy(page, `${has(4)} && sent.state.drive.gains[0] === ${other.history[4].kx}`);
+
+      // As from a Python that cannot compute, and so cannot refuse.
+      await give(page, 'receive', { ...back.traits, experiment: { flavour: 'red' } });
       assert.match((await kernel.run('', await sentBy(page, 'sent.error'))).error, /flavour/);
       assert.match(await page.text('#cell > p'), /flavour/);
       const linked = await kernel.run(

@@ -1,0 +1,38 @@
+"""What is asked in JSON, one Python expression a line, is answered in JSON, with the same bits.
+
+JSON has no infinite numbers: they come as {"float": "inf"}.
+"""
+
+import json
+import math
+import sys
+
+import ep_locomotion as ep
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+
+def plain(value):
+    if isinstance(value, float) and not math.isfinite(value):
+        return {"float": str(value)}
+    if isinstance(value, dict):
+        return {name: plain(field) for name, field in value.items()}
+    if isinstance(value, (list, tuple)):
+        return list(map(plain, value))
+    if numpy is not None and isinstance(value, numpy.ndarray):
+        return {"array": plain(value.tolist())}
+    return value
+
+
+names = {"ep": ep, "numpy": numpy, "math": math, "json": json}
+for line in sys.stdin:
+    asked = json.loads(line)
+    names["given"] = asked["given"]
+    try:
+        answer = {"value": plain(eval(asked["expression"], names))}
+    except Exception as error:
+        answer = {"error": type(error).__name__, "message": str(error)}
+    print(json.dumps(answer, allow_nan=False), flush=True)
