@@ -136,7 +136,7 @@ test('statistics, records, populations and the history are those of Node', optio
     ]),
   );
   assert.deepEqual(
-    history.map(({ generation, drives, best }) => [generation, drives, best]),
+    history.map((/** @type {any} */ { generation, drives, best }) => [generation, drives, best]),
     Array.from({ length: 13 }, (_, i) => {
       const { evaluations, best } = evolution.statistics(i);
       return [i, evaluations, best.cost];
