@@ -134,7 +134,10 @@ async function testSources() {
 /** The core as WebAssembly. With every optimisation the tests of the page run it, under Node and in the browsers. */
 async function testModule() {
   const target = ['--target', 'wasm32-unknown-unknown'];
-  await step('lint of the Rust for WebAssembly', () => clippy('--lib', ...target));
+  await step('lint of the Rust for WebAssembly', async () => {
+    await clippy('--lib', ...target);
+    await clippy('--lib', ...target, '--no-default-features', '--features', 'bytes');
+  });
   await step('the same tests as WebAssembly under Node', () =>
     // A panic loses the instance that it happens in.
     counted('cargo', ['test', ...target, '--test', 'wasm', '--test', 'panics'], {

@@ -36,7 +36,7 @@ class Evolution:
         return self._core
 
     def __reduce__(self):
-        return (_evolved, (self.experiment, self._generation))
+        return (_evolved, (self.experiment, self.generation))
 
     @property
     def experiment(self):
@@ -46,7 +46,7 @@ class Evolution:
     @property
     def generation(self):
         """The number of the newest generation."""
-        return self._generation
+        return self._call("generation")
 
     def step(self, generations=1):
         """Evolves so many generations; the newest in short."""
@@ -76,7 +76,7 @@ class Evolution:
     @property
     def history(self):
         """Every generation as one dict, for ``pandas.DataFrame`` and the like, with the numbers of the page's own CSV."""
-        return [row(self.statistics(generation)) for generation in range(self._generation + 1)]
+        return [row(self.statistics(generation)) for generation in range(self.generation + 1)]
 
 
 def _evolved(experiment, generation):

@@ -64,6 +64,12 @@ test('a drive, and whatever else is asked of a task, is what it is under Node', 
   }
 });
 
+test('the core that Python runs asks nothing of whoever runs it', options, async () => {
+  const path = new URL('../../../pkg/ep_locomotion_bytes.wasm', import.meta.url);
+  const module = await WebAssembly.compile(await readFile(path));
+  assert.deepEqual(WebAssembly.Module.imports(module), []);
+});
+
 test('tables of fields, the paper’s results and trials are those of the core', options, () => {
   const trials = { seeds: [3, 6], drives: 200 };
   const starts = { x: { from: 0, to: 1, count: 2 }, y: { from: 0, to: 1, count: 2 }, headings: 3 };
