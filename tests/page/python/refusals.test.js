@@ -1,0 +1,118 @@
+// What Python gives in vain is refused by name, in the words that the core has for it under Node.
+import assert from 'node:assert/strict';
+import { areBuilt } from '../../../.tasks/examples.mjs';
+import * as core from '../harness/core.js';
+import { test } from '../harness/once.js';
+import { askPython } from './python.js';
+
+const options = { skip: !areBuilt() && 'npm test builds the wheel where Python is' };
+
+/** What the core says under Node when it refuses. @param {() => unknown} call */
+function refusal(call) {
+  try {
+    call();
+  } catch (error) {
+    return /** @type {Error} */ (error).message;
+  }
+  assert.fail('it was not refused');
+}
+
+test('what is wrong is a ValueError with the words that Node has for it', options, () => {
+  const wrong = [
+    { gaol: { x: 1, y: 1, theta: 0 } },
+    { goal: { x: 1e9 } },
+    { goal: { z: 1 } },
+    { horizon: 'long' },
+    { horizon: null },
+    { limits: { speed: -1 } },
+    { limits: true },
+    { starts: [] },
+    { starts: [{ x: 0, y: 0, theta: 'left' }] },
+    { law: 'murphy' },
+    { weights: { finalError: [1, 2] } },
+    { evolution: { population: 1.5 } },
+    { evolution: { population: 1e7 } },
+    { x: 'a very long name that nobody would give to a field of an experiment' },
+  ];
+  const answers = askPython(
+    wrong.flatMap((given) => [
+      { expression: 'ep.evaluate(given, [1, 2, 3])', given },
+      { expression: 'ep.Evolution(given)', given },
+    ]),
+  );
+  wrong.forEach((given, i) => {
+    const message = refusal(() => core.evaluate(/** @type {any} */ (given), [1, 2, 3]));
+    for (const answer of answers.slice(2 * i, 2 * i + 2))
+      assert.deepEqual(answer, { error: 'ValueError', message });
+  });
+});
+
+test('gains of every wrong shape are refused by name', options, () => {
+  /** @type {readonly (readonly [string, RegExp])[]} */
+  const rows = [
+    ['[1, 2]', /^gains must be three numbers .* but was an array of 2$/],
+    ['[[1, 2, 3], [1, 2]]', /^gains\[1\] must be three numbers .* but was an array of 2$/],
+    ['[[1, 2, 3], 5]', /^gains\[1\] must be three numbers .* but was of type int$/],
+    ['[[1, 2, 3], [1, 2, math.nan]]', /^kθ \(gains\[5\]\) must be a finite number, but was NaN$/],
+    ['[1, math.inf, 1]', /^ky must be a finite number, but was Infinity$/],
+    ['[10**400, 1, 1]', /^kx must be a finite number, but was Infinity$/],
+    ['[1, "a", 3]', /^ky must be a number, but was 'a'$/],
+    ['[True, 2, 3]', /^kx must be a number, but was true$/],
+    ['[1, None, 3]', /^ky must be a number, but was null$/],
+    ['[1, 2, {}]', /^kθ must be a number, but was of type object$/],
+    ['[[1, 2, set()]]', /^kθ must be a number, but was of type set$/],
+    ['"abc"', /^gains must be three numbers .* but was of type str$/],
+    ['5', /^gains must be three numbers .* but was of type int$/],
+    ['None', /^gains must be three numbers .* but was of type NoneType$/],
+    ['{"kx": 1}', /^gains must be three numbers .* but was of type dict$/],
+    ['[[1, 2, 3]] * 1_000_001', /^gains must be at most 3000000 numbers, but was 3000003 numbers$/],
+    ['[[1, 2, 3]] * 3_000_000', /^what is given must be at most \d+ bytes/],
+  ];
+  const answers = askPython(rows.map(([gains]) => ({ expression: `ep.evaluate({}, ${gains})` })));
+  rows.forEach(([gains, message], i) => {
+    assert.equal(answers[i].error, 'ValueError', gains);
+    assert.match(String(answers[i].message), message, gains);
+  });
+});
+
+test('whatever else is wrong is refused, and nothing is lost by it', options, () => {
+  const before = core.evaluate({}, [10, 10, 10])[0];
+  /** @type {readonly (readonly [string, string, RegExp])[]} */
+  const rows = [
+    ['ep.evaluate("hello", [1, 2, 3])', 'ValueError', /^experiment must be 'velocity-limits' or/],
+    ['ep.evaluate(5, [1, 2, 3])', 'ValueError', /^experiment must be an object, but was 5$/],
+    [
+      'ep.evaluate({"goal": ep}, [1, 2, 3])',
+      'ValueError',
+      /^goal must be an object, but was of type module$/,
+    ],
+    [
+      '(lambda a: (a.append(a), ep.evaluate({"starts": a}, [1, 2, 3])))([])',
+      'ValueError',
+      /nested less deeply$/,
+    ],
+    ['ep.simulate({}, [1, 2, 3], 1)', 'ValueError', /^start must be a whole number from 0 to 0, but was 1$/],
+    ['ep.simulate({}, [1, 2, 3], "0")', 'ValueError', /^start must be a number, but was '0'$/],
+    ['ep.simulate({}, [[1, 2, 3]] * 2)', 'ValueError', /^gains must be three numbers/],
+    [
+      'ep.evaluate({"horizon": 1e5, "sampleTime": 1}, [[1, 2, 3]] * 5000)',
+      'ValueError',
+      /at most 4000 with 1 starts/,
+    ],
+    ['ep.Evolution({}).step(0)', 'ValueError', /^generations must be a whole number from 1, but was 0$/],
+    [
+      'ep.Evolution({}).statistics(1)',
+      'ValueError',
+      /^generation must be a whole number from 0 to 0, the newest, but was 1$/,
+    ],
+    ['ep.Evolution({}).record(0.5)', 'ValueError', /^generation must be a whole number/],
+    ['ep.nothing', 'AttributeError', /no attribute 'nothing'/],
+  ];
+  const last = { expression: 'ep.evaluate({}, [10, 10, 10])' };
+  const answers = askPython([...rows.map(([expression]) => ({ expression })), last]);
+  rows.forEach(([expression, error, message], i) => {
+    assert.equal(answers[i].error, error, expression);
+    assert.match(String(answers[i].message), message, expression);
+  });
+  assert.equal(answers.at(-1)?.value, before);
+});
