@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, fares, paperGains, startsOnCircle } from '../harness/core.js';
 import { read } from '../harness/reading.js';
 
@@ -131,6 +131,33 @@ pageTest('the three evolved rows are what evolution and the core give', async (p
   for (const { unseen } of Object.values(rows)) assert.ok(finding.includes(unseen), `${unseen}: ${finding}`);
   assert.deepEqual(await page.problems(), []);
   assert.deepEqual(await page.obstacles(), []);
+});
+
+engineTest('fifteen seeds are a dot each, where the core says that their robots arrive', async (page) => {
+  await page.open('#training');
+  await evolveAll(page);
+  await page.click('#training-seeds');
+  const dots = await page.until('there are dots', () => {
+    const of = (/** @type {string} */ name) =>
+      [...document.querySelectorAll(`#training-${name} .training-dot`)].map((dot) =>
+        Number.parseFloat(/** @type {HTMLElement} */ (dot).style.left),
+      );
+    const all = { one: of('one'), circle: of('circle'), grid: of('grid') };
+    return all.grid.length > 0 && all;
+  });
+  const sets = setsOf(velocityLimits);
+  const { evolution } = velocityLimits;
+  for (const name of /** @type {const} */ (['one', 'circle', 'grid'])) {
+    assert.equal(dots[name].length, 15);
+    for (const i of [0, 14]) {
+      const experiment = { ...velocityLimits, evolution: { ...evolution, seed: evolution.seed + i } };
+      const { unseen } = rowOf(velocityLimits, evolved(experiment, sets[name]), sets[name]);
+      assert.equal(`${dots[name][i].toFixed(0)} %`, unseen, `${name}, seed ${evolution.seed + i}`);
+    }
+  }
+  const [low, high] = [Math.min(...dots.circle), Math.max(...dots.circle)].map((share) => share.toFixed(0));
+  assert.ok((await text(page, 'training-finding')).includes(`${low} to ${high} %`));
+  assert.deepEqual(await page.problems(), []);
 });
 
 pageTest('a row drives its gains, and a start of its picture is driven from', async (page) => {

@@ -18,6 +18,7 @@ import { hidesPaper } from '../../run/exercise.js';
 import { createPicture } from './picture.js';
 import { changesOf, createTraining, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
+import { seedCount } from './spread.js';
 import { tableOf } from './table.js';
 
 const { texts } = words;
@@ -34,7 +35,7 @@ export function createTrainingPage({ engine, store, actions, paper }) {
   /** @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles */
   const show = (state, rows, titles) => {
     if (changed(trainingSlice.of(state), state.experiment, rows, ...titles))
-      render(sight(state, rows, titles, { choose, evolve, update }), element);
+      render(sight(state, rows, titles, { choose, evolve, spread: training.spread, update }), element);
   };
   show(store.get(), rowsOf(store.get()), ['', '']);
   const pictures = ['seen', 'unseen'].map((name) =>
@@ -157,11 +158,11 @@ function createRows() {
 
 /**
  * @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles Of the pictures.
- * @param {{ choose: (name: RowName) => void, evolve: () => void, update: (patch: Partial<TrainingState>) => void }} on
+ * @param {{ choose: (name: RowName) => void, evolve: () => void, spread: () => void, update: (patch: Partial<TrainingState>) => void }} on
  */
-function sight(state, rows, titles, { choose, evolve, update }) {
+function sight(state, rows, titles, { choose, evolve, spread: onSpread, update }) {
   const { experiment } = state;
-  const { evolved, message, cancelled, progress, generations } = trainingSlice.of(state);
+  const { evolved, spread, message, cancelled, progress, generations } = trainingSlice.of(state);
   const runs = progress !== null;
   const changes = evolved ? changesOf(evolved.experiment, experiment) : [];
   const status = [
@@ -187,13 +188,21 @@ function sight(state, rows, titles, { choose, evolve, update }) {
           generations,
         )}
       </select>
+      <button id="training-seeds" type="button" title=${words.seedsHint(seedCount)} .disabled=${runs || !evolved || spread !== null}
+        @click=${onSpread}>${words.seedsButton(seedCount)}</button>
       <progress id="training-progress" max="1" class=${runs ? '' : 'visually-hidden'}
         aria-label=${texts.trainingProgress} .value=${progress ?? 0}></progress>
     </div>
     <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'}>${
-      evolved ? words.lesson(evolved) : ep ? words.question(ep) : words.driving
+      evolved
+        ? spread
+          ? words.spreadText(spread, unseenCount)
+          : words.lesson(evolved)
+        : ep
+          ? words.question(ep)
+          : words.driving
     }</p>
-    ${tableOf(rows, chosenOf(state), unseenCount, choose)}
+    ${tableOf(rows, spread, chosenOf(state), unseenCount, choose)}
     <div class="training-pictures" data-picture="training" data-name=${words.texts.trainingPicture}>
       <p id="training-seen-title">${titles[0]}</p>
       <p id="training-unseen-title">${titles[1]}</p>

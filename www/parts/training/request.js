@@ -4,12 +4,14 @@
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
 /** @import { SetName } from './sets.js' */
+/** @import { TrainingState } from './state.js' */
 import { trainingSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { createRefining } from '../../core/refine.js';
 import { remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
-import { createSets, setNames } from './sets.js';
+import { createSets, setNames, testOn } from './sets.js';
+import { evolveSeeds } from './spread.js';
 
 /** @typedef {SetName | 'paper-ep' | 'paper-arbitrary' | 'hand'} RowName */
 /** How gains fare from a set of starts; J is the mean over all of them. @typedef {{ starts: Posture[], arrived: Uint8Array, count: number, cost: number }} Fares */
@@ -32,13 +34,6 @@ export function handOf(state) {
   );
   return isRow ? byHand : handGains;
 }
-
-/** A population of one, because who drives from many starts here is not evolved on them. @param {Experiment} experiment @param {Posture[]} starts @returns {Experiment} */
-const testOn = (experiment, starts) => ({
-  ...experiment,
-  starts,
-  evolution: { ...experiment.evolution, population: 1 },
-});
 
 /**
  * How robots fare from their own starts, from those that no evolution sees, and from the experiment's own.
@@ -145,6 +140,24 @@ export function createTraining(engine, store, paper) {
 
   const specOf = createSpec();
 
+  /** Whether it came to its end. @param {(options: { signal: AbortSignal, onProgress: (share: number) => void }) => Promise<Partial<TrainingState>>} work */
+  async function attempt(work) {
+    evolution = new AbortController();
+    const { signal } = evolution;
+    const onProgress = (/** @type {number} */ progress) => trainingSlice.update(store, { progress });
+    trainingSlice.update(store, { progress: 0, cancelled: false, message: '' });
+    try {
+      const found = await work({ signal, onProgress });
+      trainingSlice.update(store, { ...found, progress: null });
+      return true;
+    } catch (error) {
+      const cancelled = signal.aborted;
+      evolution.abort();
+      trainingSlice.update(store, { progress: null, cancelled, message: cancelled ? '' : messageOf(error) });
+      return false;
+    }
+  }
+
   return {
     setsOf,
 
@@ -156,32 +169,23 @@ export function createTraining(engine, store, paper) {
       given.follow(specOf(state.experiment, ep, arbitrary, handOf(state)), state.dragging);
     },
 
-    /** On each set of starts, with the experiment's own seed and settings. @returns {Promise<boolean>} whether it came to its end */
-    async evolve() {
-      evolution = new AbortController();
-      const { signal } = evolution;
-      const { experiment } = store.get();
-      const { generations } = trainingSlice.of(store.get());
-      trainingSlice.update(store, { progress: 0, cancelled: false, message: '' });
-      try {
-        const evolved = await evolveAll(engine, setsOf(experiment), experiment, generations, {
-          signal,
-          onProgress: (progress) => trainingSlice.update(store, { progress }),
-        });
-        trainingSlice.update(store, { byHand: handOf(store.get()), progress: null });
-        trainingSlice.update(store, { evolved });
-        return true;
-      } catch (error) {
-        const cancelled = signal.aborted;
-        evolution.abort();
-        trainingSlice.update(store, {
-          progress: null,
-          cancelled,
-          message: cancelled ? '' : messageOf(error),
-        });
-        return false;
-      }
-    },
+    /** On each set of starts, with the experiment's own seed and settings. */
+    evolve: () =>
+      attempt(async (options) => {
+        const { experiment } = store.get();
+        const { generations } = trainingSlice.of(store.get());
+        const evolved = await evolveAll(engine, setsOf(experiment), experiment, generations, options);
+        return { evolved, spread: null, byHand: handOf(store.get()) };
+      }),
+
+    /** What was evolved, with other seeds. */
+    spread: () =>
+      attempt(async (options) => {
+        const { evolved } = trainingSlice.of(store.get());
+        return evolved
+          ? { spread: await evolveSeeds(engine, setsOf(evolved.experiment), evolved, options) }
+          : {};
+      }),
 
     /** What was evolved last stays. */
     cancel() {

@@ -56,3 +56,10 @@ function gridAround({ x, y, theta }) {
     };
   });
 }
+
+/** A population of one, because who drives from many starts here is not evolved on them. @param {Experiment} experiment @param {Posture[]} starts @returns {Experiment} */
+export const testOn = (experiment, starts) => ({
+  ...experiment,
+  starts,
+  evolution: { ...experiment.evolution, population: 1 },
+});

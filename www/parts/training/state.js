@@ -1,6 +1,7 @@
 // What Training keeps in the state.
 /** @import { Triple } from '../../core/engine.js' */
 /** @import { Evolved, Result, RowName, Spec } from './request.js' */
+/** @import { Spread } from './spread.js' */
 import { createSlice } from '../../run/store.js';
 
 /**
@@ -11,6 +12,7 @@ import { createSlice } from '../../run/store.js';
  * @property {boolean} cancelled
  * @property {string} message
  * @property {Evolved | null} evolved
+ * @property {Spread | null} spread Of what was evolved, with other seeds.
  * @property {{ spec: Spec, results: Partial<Record<RowName, Result>> } | null} given What was not evolved here.
  * @property {Triple | null} byHand Gains by hand, kept while a row of the table drives.
  */
@@ -24,6 +26,7 @@ export const trainingSlice = createSlice(
     cancelled: false,
     message: '',
     evolved: null,
+    spread: null,
     given: null,
     byHand: null,
   }),

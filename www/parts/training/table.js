@@ -1,24 +1,25 @@
 // The table: one row for each set of gains, with how they fare.
 /** @import { Result, RowName } from './request.js' */
-import { html } from 'lit-html';
+/** @import { Spread } from './spread.js' */
+import { html, nothing } from 'lit-html';
 import { styled } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 
 /** What a row shows; `result` is null before there is one. @typedef {{ name: RowName, text: string, result: Result | null, old: boolean }} Row */
 
-/** @param {readonly Row[]} rows @param {RowName} chosen @param {number} unseen How many starts are never seen. @param {(name: RowName) => void} onChoose */
-export function tableOf(rows, chosen, unseen, onChoose) {
+/** @param {readonly Row[]} rows @param {Spread | null} spread @param {RowName} chosen @param {number} unseen How many starts are never seen. @param {(name: RowName) => void} onChoose */
+export function tableOf(rows, spread, chosen, unseen, onChoose) {
   const heads = words.columns.map((text, i) => (i === 2 ? words.unseenColumn(unseen) : text));
   return html`
     <table id="training-table" class="training-table" aria-label=${words.texts.trainingTable}>
       <thead><tr>${heads.map((text) => html`<th scope="col">${text}</th>`)}</tr></thead>
-      <tbody>${rows.map((row) => rowOf(row, row.name === chosen, onChoose))}</tbody>
+      <tbody>${rows.map((row) => rowOf(row, spread, unseen, row.name === chosen, onChoose))}</tbody>
     </table>`;
 }
 
-/** @param {Row} row @param {boolean} chosen @param {(name: RowName) => void} onChoose */
-function rowOf({ name, text, result, old }, chosen, onChoose) {
+/** @param {Row} row @param {Spread | null} spread @param {number} unseen @param {boolean} chosen @param {(name: RowName) => void} onChoose */
+function rowOf({ name, text, result, old }, spread, unseen, chosen, onChoose) {
   const isTrained = name === 'one' || name === 'circle' || name === 'grid';
   /** @param {(result: Result) => string} write */
   const shown = (write) => (result ? write(result) : words.none);
@@ -35,10 +36,20 @@ function rowOf({ name, text, result, old }, chosen, onChoose) {
           )}</span>
       </th>
       <td class="training-seen">${isTrained ? shown(({ training }) => share(training)) : words.none}</td>
-      <td class="training-unseen"><span class="training-bar"><span ${styled('width', `${filled}%`)}></span></span><strong>${shown(
+      <td class="training-unseen"><span class="training-bar"><span ${styled('width', `${filled}%`)}></span>${isTrained && spread ? dotsOf(spread[name], unseen) : nothing}</span><strong>${shown(
         ({ unseen }) => share(unseen),
       )}</strong></td>
       <td class="training-cost">${shown(({ unseen }) => words.cost(unseen.cost))}</td>
       <td class="training-own">${shown(({ own }) => words.cost(own))}</td>
     </tr>`;
 }
+
+/** In so many lines, for many seeds come to nearly the same. */
+const lines = 3;
+
+/** A dot for each seed, where its bar would end. @param {readonly number[]} counts @param {number} unseen */
+const dotsOf = (counts, unseen) =>
+  counts.map(
+    (count, i) =>
+      html`<i class="training-dot" ${styled('left', `${(100 * count) / unseen}%`)} ${styled('--line', String(i % lines))}></i>`,
+  );

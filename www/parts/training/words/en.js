@@ -16,6 +16,10 @@ export const texts = {
 
 export const evolveAll = 'Evolve all three';
 export const evolveAgain = 'Evolve again';
+/** @param {number} count */
+export const seedsButton = (count) => `${count} seeds`;
+/** @param {number} count */
+export const seedsHint = (count) => `Evolve all three again with other seeds: a dot for each of ${count}`;
 export const cancel = 'Cancel';
 /** @param {number} generations */
 export const generationsChoice = (generations) => `${generations} generations`;
@@ -87,6 +91,13 @@ export function lesson({ results: { one, circle, grid } }) {
   ];
   const best = circle.unseen.count >= grid.unseen.count ? circle : grid;
   return `${found.join(' ')} ${moral(one, best)}`.trim();
+}
+
+/** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen */
+export function spreadText({ one, circle, grid }, unseen) {
+  const range = (/** @type {readonly number[]} */ counts) =>
+    `${fixed((100 * Math.min(...counts)) / unseen, 0)} to ${percent(Math.max(...counts), unseen)}`;
+  return `One seed is a matter of luck. With ${one.length} seeds the robots evolved on one start arrive from ${range(one)} of the starts they never saw, those of the circle from ${range(circle)}, those of the grid from ${range(grid)}.`;
 }
 
 /** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many */

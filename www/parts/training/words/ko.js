@@ -15,6 +15,10 @@ export const texts = {
 
 export const evolveAll = '세 가지 모두 진화';
 export const evolveAgain = '다시 진화';
+/** @param {number} count */
+export const seedsButton = (count) => `시드 ${count}개`;
+/** @param {number} count */
+export const seedsHint = (count) => `다른 시드로 세 가지를 다시 진화시켜 ${count}개를 점으로 표시합니다`;
 export const cancel = '취소';
 /** @param {number} generations */
 export const generationsChoice = (generations) => `${generations}세대`;
@@ -78,6 +82,13 @@ export function lesson({ results: { one, circle, grid } }) {
   const found = `처음 보는 출발점 ${grouped(one.unseen.starts.length)}개 중 도착 비율: 출발점 ${one.training.starts.length}개로 진화하면 ${percentOf(one)}, 원 위의 ${circle.training.starts.length}개로는 ${percentOf(circle)}, 격자의 ${grid.training.starts.length}개로는 ${percentOf(grid)}입니다.`;
   const best = circle.unseen.count >= grid.unseen.count ? circle : grid;
   return `${found} ${moral(one, best)}`.trim();
+}
+
+/** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen */
+export function spreadText({ one, circle, grid }, unseen) {
+  const range = (/** @type {readonly number[]} */ counts) =>
+    `${fixed((100 * Math.min(...counts)) / unseen, 0)}~${percent(Math.max(...counts), unseen)}`;
+  return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.length}개로 진화시키면 처음 보는 출발점에서 도착하는 비율은 출발점 하나로 진화한 로봇이 ${range(one)}, 원으로 진화한 로봇이 ${range(circle)}, 격자로 진화한 로봇이 ${range(grid)}입니다.`;
 }
 
 /** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many */
