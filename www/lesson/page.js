@@ -12,8 +12,19 @@ import { steps } from './steps.js';
 import { progressSlice } from './state.js';
 import { createStage, stageOf } from './stage.js';
 import { createTally } from './tally.js';
-import './lineage.css';
+import './error-posture.css';
 import './style.css';
+import './formula.css';
+import './quiz.css';
+import './near.css';
+import './pushes.css';
+import './standings.css';
+import './sheets.css';
+import './duel.css';
+import './stage.css';
+import './lineage.css';
+import './energy.css';
+import './build.css';
 
 /** @import { TemplateResult } from 'lit-html' */
 /** @import { Engine, PaperResult, Sample, Samples, Triple } from '../core/engine.js' */

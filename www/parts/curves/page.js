@@ -4,6 +4,7 @@
 /** @import { Page, Tools } from '../part.js' */
 /** @import { CurvesView } from './state.js' */
 import './style.css';
+import './places.css';
 import './stability/style.css';
 import { html, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';

@@ -5,6 +5,8 @@
 /** @import { DetailsModel } from './details.js' */
 /** @import { Anatomy, Phase } from './record.js' */
 import './style.css';
+import './chosen.css';
+import './places.css';
 import { html, render } from 'lit-html';
 import { choicesOf } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';

@@ -7,6 +7,7 @@
 /** @import { TrainingState } from './state.js' */
 /** @import { Row } from './table.js' */
 import './style.css';
+import './places.css';
 import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
