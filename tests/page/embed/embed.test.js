@@ -383,6 +383,11 @@ engineTest(
         (await heardFrom(page, 0)).filter(
           ({ type, subject }) => type === 'height' || subject === 'lti.frameResize',
         );
+      await page.until('a height is told', () =>
+        /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
+          /** @type {unknown} */ (window)
+        ).heard.some(({ data }) => data.subject === 'lti.frameResize'),
+      );
       assert.deepEqual(await heights(), [
         { ep: 1, type: 'height', height: 300 },
         { subject: 'lti.frameResize', height: 300 },
