@@ -5,6 +5,7 @@ import { rows } from '../../../www/settings/table.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, fields, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
 import { middleOf, read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -14,64 +15,11 @@ const velocityLimits = experiment('velocity-limits');
 /** @param {[number, number, number]} final @returns {Experiment} */
 const weighing = (final) => ({ ...velocityLimits, weights: { ...velocityLimits.weights, final } });
 
-/** Opens a group of the open panel, as with a press on its name. @param {Page} page @param {string} group */
-const openGroup = (page, group) => page.click(`#settings-${group}:not([open]) summary`);
-
-/** @param {Page} page */
-const openSettings = (page) => page.click('#settings-button');
-
-/** Types into a setting over what it holds. @param {Page} page @param {string} id @param {string} text */
-async function type(page, id, text) {
-  await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
-  await page.focus(`#setting-${id}`);
-  await page.press(...text, Key.ENTER);
-}
-
-/** What a person reads about a setting. @param {Page} page @param {string} id */
-const setting = (page, id) =>
-  page.evaluate(async (name) => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
-    const field = /** @type {HTMLInputElement} */ (document.getElementById(`setting-${name}`));
-    const row = /** @type {HTMLElement} */ (field.closest('.setting'));
-    const error = /** @type {HTMLElement} */ (row.querySelector('.field-error'));
-    const back = /** @type {HTMLElement} */ (row.querySelector('.back'));
-    const distance = error.getBoundingClientRect().top - field.getBoundingClientRect().bottom;
-    return {
-      value: field.value,
-      isEnabled: !field.disabled,
-      error: error.checkVisibility() && Math.abs(distance) < 60 ? error.innerText : '',
-      back: back.checkVisibility() ? (back.getAttribute('aria-label') ?? '') : null,
-    };
-  }, id);
-
-/** @param {Page} page */
-const summary = (page) =>
-  page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
-    const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
-    return {
-      button: element('settings-button').innerText,
-      changed: element('settings-changed').innerText,
-      isPresetOffered: element('settings-preset').checkVisibility(),
-      canUndo: element('settings-undo').getAttribute('aria-disabled') === 'false',
-      canRedo: element('settings-redo').getAttribute('aria-disabled') === 'false',
-    };
-  });
-
 /** That generation 0 of this experiment is on screen. @param {Page} page @param {Experiment} from */
 async function assertBegun(page, from) {
   const { generation, cost, gains } = await read(page);
   assert.deepEqual({ generation, cost, gains }, { generation: '0', ...evolve(from).shown });
 }
-
-/** @param {Page} page @param {string} modifiers @param {string} key */
-const chord = async (page, modifiers, key) => {
-  let actions = page.driver.actions();
-  for (const modifier of modifiers) actions = actions.keyDown(modifier);
-  actions = actions.keyDown(key).keyUp(key);
-  for (const modifier of modifiers) actions = actions.keyUp(modifier);
-  await actions.perform();
-};
 
 /** Drags the knob of a slider by some pixels, in steps. @param {Page} page @param {string} id @param {number} from The share of the slider where its knob is. @param {number} dx */
 async function slide(page, id, from, dx) {
@@ -300,77 +248,6 @@ pageTest('what is changed is seen, and goes back one by one or all together', as
   await page.click('#settings-preset');
   assert.equal((await summary(page)).changed, 'As in the preset');
   assert.deepEqual((await read(page)).gains, gains);
-});
-
-pageTest('undo and redo step through drags, presets, seeds and settings', async (page) => {
-  await openSettings(page);
-  const moments = [await read(page)];
-  const { x, y } = await middleOf(page, 'goal-position', 'goal-position');
-  await page.drag('#goal-position', [
-    { x, y },
-    { x: x - 30, y: y + 20 },
-    { x: x - 60, y: y + 40 },
-  ]);
-  moments.push(await read(page));
-  await page.click('#preset-acceleration-limits');
-  moments.push(await read(page));
-  await type(page, 'weights-penalty', '10');
-  await type(page, 'limits-speed', '1');
-  moments.push(await read(page));
-  /** @param {Awaited<ReturnType<typeof read>>} moment */
-  const told = ({ cost, gains, preset, goal, seed }) => ({ cost, gains, preset, goal, seed });
-  const assertAt = async (/** @type {number} */ i) =>
-    assert.deepEqual(told(await read(page)), told(moments[i]));
-
-  // The undo of a text field is left to the text field.
-  await page.focus('#setting-limits-speed');
-  await page.press('7');
-  await chord(page, Key.CONTROL, 'z');
-  await assertAt(3);
-  await chord(page, Key.CONTROL, 'a');
-  await page.press('1', Key.ENTER);
-  await chord(page, Key.CONTROL, 'z');
-  assert.equal((await setting(page, 'limits-speed')).value, '2');
-  await page.focus('#settings-button');
-  await chord(page, Key.CONTROL, 'z');
-  await assertAt(2);
-  await chord(page, Key.CONTROL, 'z');
-  await assertAt(1);
-  await page.click('#settings-undo');
-  await assertAt(0);
-  assert.equal((await summary(page)).canUndo, false);
-  await page.click('#settings-redo');
-  await assertAt(1);
-  await page.focus('#settings-button');
-  await chord(page, Key.CONTROL + Key.SHIFT, 'z');
-  await assertAt(2);
-  await chord(page, Key.CONTROL, 'y');
-  await chord(page, Key.CONTROL, 'y');
-  await assertAt(3);
-  assert.equal((await summary(page)).canRedo, false);
-
-  // Something new ends what could be done again.
-  await page.click('#settings-undo');
-  await page.click('#new-seed');
-  assert.equal((await summary(page)).canRedo, false);
-  await page.click('#settings-undo');
-  await page.click('#settings-undo');
-  await assertAt(2);
-});
-
-engineTest('an arrow key that is held is one step of undo, each press another', async (page) => {
-  const { goal } = await read(page);
-  await page.focus('#goal-position');
-  const { ARROW_UP: up } = Key;
-  await page.driver.actions().keyDown(up).keyDown(up).keyDown(up).keyUp(up).perform();
-  // The driver of WebKit presses a held key once, the others three times.
-  const held = (await read(page)).goal;
-  assert.equal(held.y, goal.y + (page.engine === 'webkit' ? 0.1 : 0.3));
-  await page.press(Key.ARROW_RIGHT);
-  await chord(page, Key.CONTROL, 'z');
-  assert.deepEqual((await read(page)).goal, held);
-  await chord(page, Key.CONTROL, 'z');
-  assert.deepEqual((await read(page)).goal, goal);
 });
 
 engineTest('the panel is opened, used and closed with the keyboard alone', async (page) => {

@@ -1,0 +1,76 @@
+// What was done is undone and done again, step by step.
+import assert from 'node:assert/strict';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { chord, openSettings, setting, summary, type } from '../harness/panel.js';
+import { middleOf, read } from '../harness/reading.js';
+
+pageTest('undo and redo step through drags, presets, seeds and settings', async (page) => {
+  await openSettings(page);
+  const moments = [await read(page)];
+  const { x, y } = await middleOf(page, 'goal-position', 'goal-position');
+  await page.drag('#goal-position', [
+    { x, y },
+    { x: x - 30, y: y + 20 },
+    { x: x - 60, y: y + 40 },
+  ]);
+  moments.push(await read(page));
+  await page.click('#preset-acceleration-limits');
+  moments.push(await read(page));
+  await type(page, 'weights-penalty', '10');
+  await type(page, 'limits-speed', '1');
+  moments.push(await read(page));
+  /** @param {Awaited<ReturnType<typeof read>>} moment */
+  const told = ({ cost, gains, preset, goal, seed }) => ({ cost, gains, preset, goal, seed });
+  const assertAt = async (/** @type {number} */ i) =>
+    assert.deepEqual(told(await read(page)), told(moments[i]));
+
+  // The undo of a text field is left to the text field.
+  await page.focus('#setting-limits-speed');
+  await page.press('7');
+  await chord(page, Key.CONTROL, 'z');
+  await assertAt(3);
+  await chord(page, Key.CONTROL, 'a');
+  await page.press('1', Key.ENTER);
+  await chord(page, Key.CONTROL, 'z');
+  assert.equal((await setting(page, 'limits-speed')).value, '2');
+  await page.focus('#settings-button');
+  await chord(page, Key.CONTROL, 'z');
+  await assertAt(2);
+  await chord(page, Key.CONTROL, 'z');
+  await assertAt(1);
+  await page.click('#settings-undo');
+  await assertAt(0);
+  assert.equal((await summary(page)).canUndo, false);
+  await page.click('#settings-redo');
+  await assertAt(1);
+  await page.focus('#settings-button');
+  await chord(page, Key.CONTROL + Key.SHIFT, 'z');
+  await assertAt(2);
+  await chord(page, Key.CONTROL, 'y');
+  await chord(page, Key.CONTROL, 'y');
+  await assertAt(3);
+  assert.equal((await summary(page)).canRedo, false);
+
+  // Something new ends what could be done again.
+  await page.click('#settings-undo');
+  await page.click('#new-seed');
+  assert.equal((await summary(page)).canRedo, false);
+  await page.click('#settings-undo');
+  await page.click('#settings-undo');
+  await assertAt(2);
+});
+
+engineTest('an arrow key that is held is one step of undo, each press another', async (page) => {
+  const { goal } = await read(page);
+  await page.focus('#goal-position');
+  const { ARROW_UP: up } = Key;
+  await page.driver.actions().keyDown(up).keyDown(up).keyDown(up).keyUp(up).perform();
+  // The driver of WebKit presses a held key once, the others three times.
+  const held = (await read(page)).goal;
+  assert.equal(held.y, goal.y + (page.engine === 'webkit' ? 0.1 : 0.3));
+  await page.press(Key.ARROW_RIGHT);
+  await chord(page, Key.CONTROL, 'z');
+  assert.deepEqual((await read(page)).goal, held);
+  await chord(page, Key.CONTROL, 'z');
+  assert.deepEqual((await read(page)).goal, goal);
+});

@@ -1,0 +1,107 @@
+// The words of both languages, as they stand in the sources.
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { pageNames } from '../../../www/parts/parts.js';
+import { languageOf } from '../../../www/words/language.js';
+import { test } from '../harness/once.js';
+import { en, ko, latinWord, sameInBoth } from '../harness/words.js';
+
+const source = fileURLToPath(new URL('../../../www/', import.meta.url));
+
+/** Every text of a language by its place; functions are named. @param {unknown} value @param {string} place @returns {[string, string][]} */
+function textsOf(value, place) {
+  if (typeof value === 'function') return [[place, 'function']];
+  if (value === null || typeof value !== 'object') return [[place, `${typeof value}: ${value}`]];
+  return Object.entries(value).flatMap(([key, inner]) => textsOf(inner, place ? `${place}.${key}` : key));
+}
+
+/** Places that hold an identifier, which is the same in every language. @param {string} place */
+const isIdentifier = (place) =>
+  /\.(value|id|symbol|className|unit|letter|index)$|^lab\.(costParts|untils)\.\d\.0$|^keys\.single\.\d\.[02]$|^lab\.gains|^(disturbance|curves)\.units|^luck\.gainColumns|^disturbance\.(formulas|parts)|^lesson\.steps\.build\.program\.\w+\.\d+\.1$/.test(
+    place,
+  );
+
+test('Korean has the words of English, and none of them is English', () => {
+  const [english, korean] = [en, ko].map((words) => new Map(textsOf(words, '')));
+  assert.deepEqual([...korean.keys()].sort(), [...english.keys()].sort());
+  const kind = (/** @type {string | undefined} */ text) => text?.split(':')[0];
+  for (const [place, text] of english) {
+    assert.equal(kind(korean.get(place)), kind(text), place);
+    if (!text.startsWith('string: ') || isIdentifier(place)) continue;
+    const own = text.slice('string: '.length).replaceAll(sameInBoth, '');
+    if (latinWord.test(own)) assert.notEqual(korean.get(place), text, `${place} is English in Korean`);
+  }
+});
+
+test('every part of the page has its name and what it is for', () => {
+  for (const { lab } of [en, ko])
+    for (const name of pageNames) {
+      assert.ok(lab.pages[name], `${name} has no name`);
+      assert.ok(lab.taglines(20)[name], `nothing says what ${name} is for`);
+    }
+});
+
+const modules = readdirSync(source, { recursive: true, encoding: 'utf8' }).filter((name) =>
+  name.endsWith('.js'),
+);
+
+test('no language has anything of the other, so that one is loaded without the other', () => {
+  for (const name of modules) {
+    const own = /(^|[\\/])(en|ko|common)(?=[\\/]|\.js$)/.exec(name.replace(/^words/, ''))?.[2];
+    if (!own) continue;
+    const others = ['en', 'ko'].filter((language) => language !== own).join('|');
+    const text = readFileSync(join(source, name), 'utf8');
+    assert.doesNotMatch(text, new RegExp(`(from|import\\() ?'[^']*\\b(${others})(/|\\.js)`), name);
+  }
+});
+
+test('no view has words of its own language', () => {
+  // The element stands in pages of others, and has its language from them.
+  const views = modules.filter(
+    (name) => !/(^|[\\/])words[\\/]/.test(name) && name !== join('embed', 'element.js'),
+  );
+  assert.ok(views.length > 50);
+  for (const name of views)
+    assert.doesNotMatch(readFileSync(join(source, name), 'utf8'), /from '[^']*words\/(en|ko)(\/|\.js)/, name);
+});
+
+test('every word of index.html comes from the languages, which have one for each of its places', () => {
+  const html = readFileSync(join(source, '../index.html'), 'utf8');
+  // What is there before the page runs cannot know the language: it is told in both.
+  const built = html.replace(/<(title|noscript)>.*?<\/\1>|<div id="instead".*?<\/div>/gs, '');
+  const tags = [...built.matchAll(/<[a-z][^>]*>([^<]*)/g)];
+  assert.ok(tags.length > 50);
+  for (const [tag, text] of tags) {
+    assert.ok(!/\p{L}/u.test(text) || /^<[^>]* data-text="/.test(tag), tag);
+    assert.doesNotMatch(
+      tag,
+      /^<[^>]* (aria-(label|description|valuetext|roledescription)|title|placeholder|alt)="/,
+    );
+  }
+  const keys = [...built.matchAll(/ data-(?:text|label|content)="([^"]*)"/g)].map(([, key]) => key);
+  for (const [language, words] of Object.entries({ en, ko })) {
+    const texts = Object.assign(
+      {},
+      ...Object.values(words).map((part) => ('texts' in part ? part.texts : {})),
+    );
+    for (const key of keys) assert.match(texts[key] ?? '', /\p{L}/u, `${language} has nothing for ${key}`);
+  }
+});
+
+test('the link says the language; without a link the browser does', () => {
+  for (const [link, preferred, language] of /** @type {const} */ ([
+    ['', ['en-GB'], 'en'],
+    ['', ['ko-KR', 'en'], 'ko'],
+    ['', ['fr', 'ko'], 'ko'],
+    ['', ['fr'], 'en'],
+    ['', [], 'en'],
+    ['lab', ['ko'], 'en'],
+    ['lab&v=1&seed=7', ['ko'], 'en'],
+    ['lab&v=1&lang=ko', ['en'], 'ko'],
+    ['curves&v=1&seed=7&lang=ko', ['en'], 'ko'],
+    ['lab&v=1&lang=xx', ['ko'], 'en'],
+  ]))
+    assert.equal(languageOf(link, preferred), language, `#${link} for ${preferred}`);
+});
