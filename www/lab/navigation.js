@@ -1,7 +1,16 @@
 // The parts of the page: links to all, and only what belongs to the open one in sight.
 import { html, nothing, render } from 'lit-html';
+import { followSize } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { lesson as lessonWords, lab as strings } from '../words/index.js';
+
+/** Where the links have no room beside each other, the one of the open page is in sight. @param {HTMLElement} nav */
+function showCurrent(nav) {
+  const link = nav.querySelector('[aria-current]');
+  if (!link || nav.scrollWidth <= nav.clientWidth) return;
+  const [at, all] = [link, nav].map((element) => element.getBoundingClientRect());
+  nav.scrollLeft += at.left + at.width / 2 - (all.left + all.width / 2);
+}
 
 /**
  * @param {readonly string[]} pages @param {HTMLElement} nav @param {HTMLElement} tagline
@@ -21,6 +30,7 @@ export function createPages(pages, nav, tagline, onOpen, onLesson) {
     return html`<a id="page-${name}" href="#${name}" aria-current=${isOpen ? 'page' : nothing} @click=${onClick}>${text}</a>`;
   };
   const changed = watch();
+  followSize(nav, () => showCurrent(nav));
   return {
     /** @param {string} open @param {number} lesson @param {number} population */
     draw(open, lesson, population) {
@@ -32,6 +42,7 @@ export function createPages(pages, nav, tagline, onOpen, onLesson) {
         pages.map((name) => linkTo(name, name === current)),
         nav,
       );
+      showCurrent(nav);
       // Each names the pages it belongs to. Parts are made while the page is open.
       for (const part of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-page]')))
         part.hidden = !part.dataset.page?.split(' ').includes(open);

@@ -174,3 +174,17 @@ pageTest('nothing is in the way of assistive technology', async (page) => {
   await read(page);
   assert.deepEqual(await page.obstacles(), []);
 });
+
+pageTest('on a telephone the name of the open part is in sight, whichever it is', async (page) => {
+  await page.resize(390, 844);
+  for (const name of ['park', 'training', 'luck']) {
+    await page.open(`#${name}`);
+    const isInSight = await page.evaluate((open) => {
+      const [link, nav] = [`page-${open}`, 'pages'].map((id) =>
+        /** @type {HTMLElement} */ (document.getElementById(id)).getBoundingClientRect(),
+      );
+      return link.left >= nav.left - 1 && link.right <= nav.right + 1;
+    }, name);
+    assert.ok(isInSight, name);
+  }
+});
