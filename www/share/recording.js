@@ -58,6 +58,14 @@ class Recorder {
   translate(x, y) {
     this.matrix = this.matrix.translate(x, y);
   }
+  /** @param {number} angle In radians. */
+  rotate(angle) {
+    this.matrix = this.matrix.rotate((180 * angle) / Math.PI);
+  }
+  /** @param {number} x @param {number} y */
+  scale(x, y) {
+    this.matrix = this.matrix.scale(x, y);
+  }
   /** @param {number[]} dash */
   setLineDash(dash) {
     this.dash = dash;
@@ -73,6 +81,10 @@ class Recorder {
   /** @param {number} x @param {number} y */
   lineTo(x, y) {
     this.#path.lineTo(x, y);
+  }
+  /** @param {Parameters<Outline['quadraticCurveTo']>} numbers */
+  quadraticCurveTo(...numbers) {
+    this.#path.quadraticCurveTo(...numbers);
   }
   closePath() {
     this.#path.closePath();

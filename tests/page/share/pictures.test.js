@@ -1,7 +1,11 @@
 // Pictures of what is on screen: each is offered, looks like the screen, and says where it comes from.
 import assert from 'node:assert/strict';
 import { crc32 } from 'node:zlib';
+import { links } from '../../../www/lesson/links.js';
 import { engineTest } from '../harness/browsers.js';
+import { test } from '../harness/once.js';
+
+const pageNames = links.pages;
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {{ name: string, key: string, texts: readonly string[], lines: number, apart?: boolean }} Expected Some of its texts, and how many shapes there are at least. Apart: other things stand between its parts. */
@@ -21,6 +25,12 @@ const textOf = (page, id, beginning) =>
 
 /** @type {readonly Part[]} */
 const parts = [
+  {
+    page: 'park',
+    setUp: (page) =>
+      page.until('all have driven', () => document.querySelector('.park-side [role="status"]')?.textContent),
+    pictures: [{ name: 'The parking place', key: 'park', texts: [], lines: 200 }],
+  },
   {
     page: 'lab',
     setUp: async (page) => {
@@ -275,6 +285,13 @@ const readSvg = (page, text) =>
 const margin = 12;
 const base64 = (/** @type {string} */ type, /** @type {Buffer} */ bytes) =>
   `data:${type};base64,${bytes.toString('base64')}`;
+
+test('the pictures of every part are tried', () => {
+  assert.deepEqual(
+    pageNames.filter((name) => parts.every(({ page }) => page !== name)),
+    [],
+  );
+});
 
 for (const { page: name, setUp, pictures } of parts)
   engineTest(`${name}: ${pictures.map((one) => one.key).join(', ')} as files`, async (page) => {

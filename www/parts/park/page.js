@@ -30,6 +30,7 @@ export function createParkPage({ engine, store, paper, links }) {
   const element = createSection('park');
   const plane = create('div', 'park-plane');
   plane.dataset.picture = 'park';
+  plane.dataset.name = words.pictureName;
   const [floor, robots] = [document.createElement('canvas'), document.createElement('canvas')];
   floor.setAttribute('aria-hidden', 'true');
   robots.setAttribute('role', 'img');
@@ -121,6 +122,10 @@ export function createParkPage({ engine, store, paper, links }) {
     element,
     draw(state) {
       const { theme } = state;
+      // Other gains, where an exercise hides the paper's.
+      const isUntouched = slice().gains === null && slice().bred.length === 0;
+      if (isUntouched && film.drives !== handFilm(gainsNow()).drives)
+        show({ ...handFilm(gainsNow()), time: 0 });
       picture({ film, theme, size: { width: plane.clientWidth, height: plane.clientHeight } });
       const { evolving, bred } = slice();
       // While generations rush by, what each comes to.

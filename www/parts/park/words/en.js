@@ -4,6 +4,7 @@
 import { fixed, grouped } from '../../../words/en/numbers.js';
 
 export const title = 'Park them all';
+export const pictureName = 'The parking place';
 
 /** @param {number} count */
 export const invitation = (count) =>

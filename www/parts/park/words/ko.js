@@ -4,6 +4,7 @@
 import { fixed, grouped } from '../../../words/ko/numbers.js';
 
 export const title = '모두 주차시키기';
+export const pictureName = '주차장과 로봇';
 
 /** @param {number} count */
 export const invitation = (count) =>
