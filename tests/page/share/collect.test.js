@@ -111,6 +111,16 @@ test('what is cut, forged, of another exercise, of another version, too long, or
     assert.equal(checked.length, 1, what);
     assert.match(remarksOf(checked[0], checked).join('; '), remark, what);
   }
+  // What was cut has no points, also where nothing is left of its digits; a link that never was a receipt is judged.
+  const half = text.slice(0, text.indexOf('&handin='));
+  for (const [given, worth, isJudged] of /** @type {const} */ ([
+    [text.slice(0, -3), 'broken', false],
+    [half, 'broken', false],
+    [link.slice(0, link.indexOf('&handin=')), 'none', true],
+  ])) {
+    const [{ checked }] = (await checkAll(given)).rows;
+    assert.deepEqual([checked?.worth, checked?.judged !== null], [worth, isJudged], given.slice(-20));
+  }
   const long = await checkAll(`${text}${'x'.repeat(10_000_000)}`);
   assert.match(remarksOf(long.rows[0], long.rows).join(), /too long/);
   // Judged by the exercise as it was given, whatever the hand-in says of it.

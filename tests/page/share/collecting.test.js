@@ -61,7 +61,7 @@ engineTest('a class is checked, sorted, opened, pinned and saved for the gradebo
   await checked(page, 5);
   assert.match(
     await page.text('#collect-status'),
-    /^5 hand-ins in .*: 3 meet the aim, 1 cannot be read, 3 more/,
+    /^5 hand-ins in .*: 2 meet the aim, 1 cannot be read, 3 more/,
   );
   const rows = await cells(page);
   assert.deepEqual(
@@ -72,6 +72,7 @@ engineTest('a class is checked, sorted, opened, pinned and saved for the gradebo
   assert.match(String(rows[3][8]), /no hand-in in it: “Hello”/);
   assert.match(String(rows[4][8]), /cut or changed/);
   assert.deepEqual([rows[0][5], rows[1][5], rows[3][5]], ['met', 'not met', '']);
+  assert.deepEqual(rows[4].slice(5, 7), ['cut', '']);
   assert.equal(
     await page.evaluate(
       () => document.querySelectorAll('#collect-sheet img, #collect img, #collect b').length,
@@ -89,11 +90,12 @@ engineTest('a class is checked, sorted, opened, pinned and saved for the gradebo
     (row) => /** @type {string[]} */ (row),
   );
   assert.deepEqual(
-    csv.slice(0, 3).map((row) => row.slice(0, 4)),
+    [0, 1, 2, 5].map((row) => csv[row].slice(0, 4)),
     [
       ['Name', 'Email address', 'Points', 'Aim'],
       ['Ann', 'ann@x.org', '10', 'met'],
       ['Bob', 'bob@x.org', String(b.judged?.points), 'not met'],
+      ['Eve', 'eve@x.org', '', 'cut'],
     ],
   );
 

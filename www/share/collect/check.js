@@ -63,8 +63,8 @@ export function createChecker(engine, links) {
     return { gains: population[0].gains, drives: statistics.evaluations };
   }
 
-  /** @param {Linked} run @param {Given} given @param {AbortSignal} signal @returns {Promise<Checked>} */
-  async function check(run, given, signal) {
+  /** @param {Linked} run @param {Entry} entry @param {Given} given @param {{ signal: AbortSignal, turn: () => Promise<void> }} options @returns {Promise<Checked>} */
+  async function check(run, entry, given, { signal, turn }) {
     const { exercise } = given.run;
     const { who, handin } = run.student;
     const told = toldIn(handin);
@@ -73,6 +73,9 @@ export function createChecker(engine, links) {
     const asGiven = engine.experiment(drawnFor(given.base, who ? exercise.vary : [], who));
     const there = await measure(engine, exercise.aim, asGiven, gains, { signal });
     const made = drives ?? told?.drives ?? 0;
+    // Many come at once.
+    await turn();
+    const worth = worthOf(run, entry, told, own);
     return {
       who,
       run,
@@ -83,17 +86,21 @@ export function createChecker(engine, links) {
       drives: made,
       minutes: told?.minutes ?? null,
       isTold: drives === null,
-      judged: exercise.aim && judged(exercise.aim, exercise.scale, { value: there.value, drives: made }),
-      worth: worthOf(run, told, own),
+      // Of what was cut or changed nobody knows what it was.
+      judged:
+        exercise.aim && worth !== 'broken'
+          ? judged(exercise.aim, exercise.scale, { value: there.value, drives: made })
+          : null,
+      worth,
       told: told?.cost ?? null,
       differs: differencesOf(run, given, asGiven, engine),
       answers: told?.answers ?? '',
     };
   }
 
-  /** @param {Linked} run @param {ReturnType<typeof toldIn>} told @param {import('../handin/measure.js').Measured} own @returns {Worth} */
-  function worthOf(run, told, own) {
-    if (!run.student.handin) return 'none';
+  /** @param {Linked} run @param {Entry} entry @param {ReturnType<typeof toldIn>} told @param {import('../handin/measure.js').Measured} own @returns {Worth} */
+  function worthOf(run, entry, told, own) {
+    if (!run.student.handin) return entry.isReceipt ? 'broken' : 'none';
     if (!told || !isWhole(run, engine, links)) return 'broken';
     if (holds(told, own)) return 'holds';
     return told.program === engine.version() ? 'otherResult' : 'otherProgram';
@@ -138,7 +145,7 @@ export function createChecker(engine, links) {
         if (typeof run === 'string') return { ...row, problem: { said: run } };
         if (isHeavy(run, given)) return { ...row, problem: 'heavy' };
         try {
-          return { ...row, checked: await check(run, given, signal), problem: '' };
+          return { ...row, checked: await check(run, entry, given, { signal, turn }), problem: '' };
         } catch (error) {
           signal.throwIfAborted();
           return { ...row, problem: { said: messageOf(error) } };

@@ -5,7 +5,7 @@ import { createTurns } from '../../kit/loop.js';
 import { mostCharacters } from '../../link/link.js';
 import { mark } from '../handin/mark.js';
 
-/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | null }} Entry */
+/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | null, isReceipt: boolean }} Entry `isReceipt`: it says that it is one. */
 
 /** In characters. */
 export const mostOfAll = 12_000_000;
@@ -62,7 +62,8 @@ export function createReader(pages) {
 
   /** @param {string} text @param {string} name @param {Entry['ident']} [ident] @returns {Entry} */
   function entryOf(text, name, ident = {}) {
-    const about = { name: name.slice(0, 80), ident, text: beginning(saidIn(text.slice(0, 2000))) };
+    const said = beginning(saidIn(text.slice(0, 2000)));
+    const about = { name: name.slice(0, 80), ident, text: said, isReceipt: text.includes(mark) };
     if (text.length > mostOfOne) return { ...about, link: null, why: 'long' };
     const link = linkIn(text);
     if (link === null) return { ...about, link, why: 'none' };
@@ -134,7 +135,14 @@ export function createReader(pages) {
     },
 
     /** @param {string} path @returns {Entry} */
-    tooLong: (path) => ({ name: nameOfFile(path), ident: {}, text: '', link: null, why: 'long' }),
+    tooLong: (path) => ({
+      name: nameOfFile(path),
+      ident: {},
+      text: '',
+      link: null,
+      why: 'long',
+      isReceipt: false,
+    }),
   };
 }
 

@@ -60,7 +60,7 @@ function keyOf(column, row, index, rows) {
   const last = Number.POSITIVE_INFINITY;
   if (column === 'name') return nameOf(row).toLowerCase() || '\uffff';
   if (column === 'cost') return checked?.cost ?? last;
-  if (column === 'met') return checked ? Number(checked.judged?.isMet ?? false) : -1;
+  if (column === 'met') return checked ? Number(checked.judged?.isMet ?? -0.5) : -1;
   if (column === 'points') return checked?.judged?.points ?? -1;
   if (column === 'drives') return checked?.drives ?? last;
   if (column === 'remark') return -remarksOf(row, rows).length - (checked ? 0 : 10);
@@ -108,6 +108,12 @@ function headOf(column, order, sort) {
   return button;
 }
 
+/** @param {import('./check.js').Checked} checked */
+function metText({ judged, worth }) {
+  if (worth === 'broken') return words.cut;
+  return judged ? (judged.isMet ? words.met : words.notMet) : '';
+}
+
 /** @param {Row} row @param {number} index @param {readonly Row[]} rows @param {boolean} isPinned @param {{ open: (row: number) => void, pin: (row: number, isPinned: boolean) => void }} on */
 function cellsOf(row, index, rows, isPinned, { open, pin }) {
   const { checked } = row;
@@ -128,7 +134,7 @@ function cellsOf(row, index, rows, isPinned, { open, pin }) {
     nameOf(row),
     who && who !== nameOf(row) ? who : '',
     words.numberText(cost),
-    judged ? (judged.isMet ? words.met : words.notMet) : '',
+    metText(checked),
     judged?.points == null ? '' : String(judged.points),
     words.drivesText(drives, isTold),
     remarks,
@@ -151,7 +157,7 @@ export function csvOf(rows, page) {
       nameOf(row),
       ...idents.map((column) => entry.ident[column] ?? ''),
       judged?.points ?? (judged ? Number(judged.isMet) : ''),
-      judged ? (judged.isMet ? words.met : words.notMet) : '',
+      checked ? metText(checked) : '',
       checked ? digits(checked.cost) : '',
       checked?.drives ?? '',
       checked?.minutes ?? '',

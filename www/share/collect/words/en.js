@@ -49,13 +49,15 @@ export const pinLabel = (name) => `Pin the run of ${name}`;
 
 export const met = 'met';
 export const notMet = 'not met';
+/** Of a receipt that did not come whole: it has no points. */
+export const cut = 'cut';
 
 /** @param {number} drives @param {boolean} isTold */
 export const drivesText = (drives, isTold) => (isTold ? `${drives} (says)` : String(drives));
 
 /** @type {Readonly<Record<Exclude<Worth, 'holds' | 'otherResult'>, string>>} */
 export const worths = {
-  broken: 'the receipt was cut or changed',
+  broken: 'the receipt was cut or changed: no points',
   otherProgram: 'made by another version of the program',
   none: 'a link without a receipt',
 };

@@ -49,13 +49,15 @@ export const pinLabel = (name) => `${name}의 주행 고정`;
 
 export const met = '달성';
 export const notMet = '미달';
+/** Of a receipt that did not come whole: it has no points. */
+export const cut = '잘림';
 
 /** @param {number} drives @param {boolean} isTold */
 export const drivesText = (drives, isTold) => (isTold ? `${drives}(본인 기록)` : String(drives));
 
 /** @type {Readonly<Record<Exclude<Worth, 'holds' | 'otherResult'>, string>>} */
 export const worths = {
-  broken: '잘렸거나 바뀐 제출물',
+  broken: '잘렸거나 바뀐 제출물이어서 점수 없음',
   otherProgram: '다른 버전의 프로그램으로 만든 제출물',
   none: '제출물이 아닌 링크',
 };
