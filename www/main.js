@@ -93,9 +93,9 @@ async function start(engine) {
     // What they ask for of their own may still be under way.
     tryNow(() => lesson.draw(state, scene), loop.request);
     tryNow(() => made.of(state.page)?.draw(state, scene), loop.request);
+    exercise.draw(state, made.size, scene);
     if (!isComputing) address?.follow(state);
     settings.draw(state);
-    exercise.draw(state, made.size, scene);
     embed?.draw(state);
     share.draw(state);
     pinButton.draw(state, scene);

@@ -12,6 +12,13 @@ function showCurrent(nav) {
   nav.scrollLeft += at.left + at.width / 2 - (all.left + all.width / 2);
 }
 
+/** Of those that name the pages they belong to. @param {Iterable<Element>} elements @param {string} page */
+export function showOn(elements, page) {
+  for (const element of elements)
+    if (element instanceof HTMLElement && element.dataset.page)
+      element.hidden = !element.dataset.page.split(' ').includes(page);
+}
+
 /**
  * @param {readonly string[]} pages @param {HTMLElement} nav @param {HTMLElement} tagline
  * @param {(page: string) => void} onOpen @param {() => void} onLesson
@@ -43,9 +50,8 @@ export function createPages(pages, nav, tagline, onOpen, onLesson) {
         nav,
       );
       showCurrent(nav);
-      // Each names the pages it belongs to. Parts are made while the page is open.
-      for (const part of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-page]')))
-        part.hidden = !part.dataset.page?.split(' ').includes(open);
+      // Parts are made while the page is open.
+      showOn(document.querySelectorAll('[data-page]'), open);
     },
   };
 }

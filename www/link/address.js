@@ -4,7 +4,6 @@
 /** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
 /** @import { Links } from './link.js' */
-import { byId } from '../kit/elements.js';
 import { isEmbedded } from '../kit/host.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { withExercise } from './link.js';
@@ -61,6 +60,13 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
     written = link;
   };
 
+  /** To the parts and the lesson: an exercise may have taken them out of the document. @type {Map<string, HTMLElement | null>} */
+  const ways = new Map();
+  const lead = (/** @type {string} */ name, /** @type {string} */ link) => {
+    const way = ways.get(name) ?? document.getElementById(`page-${name}`);
+    ways.set(name, way);
+    way?.setAttribute('href', `#${link}`);
+  };
   const other = createLanguageSwitch((name) => linkOf(store.get(), engine.experiment, name));
 
   addEventListener('popstate', () => {
@@ -78,12 +84,8 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
     /** Writes what has changed, once it rests. @param {State} state */
     follow(state) {
       if (!isDue(state) || !changed(...links.carried(state))) return;
-      for (const name of pages)
-        byId(`page-${name}`).setAttribute('href', `#${linkFor({ ...state, page: name, lesson: 0 })}`);
-      byId('page-lesson').setAttribute(
-        'href',
-        `#${withExercise(linkOfStep(state.lastStep), state.exercise, state.student)}`,
-      );
+      for (const name of pages) lead(name, linkFor({ ...state, page: name, lesson: 0 }));
+      lead('lesson', withExercise(linkOfStep(state.lastStep), state.exercise, state.student));
       other.follow();
       // Another part at once, so that "back" is there when it is wanted.
       if (isElsewhere(state)) write();

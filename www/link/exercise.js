@@ -3,7 +3,7 @@
 /** @import { Opened } from '../run/actions/page.js' */
 /** @import { Key } from './keys.js' */
 import { most } from '../run/aim.js';
-import { groupNames, isEmpty, mostOfTask, tidyTask } from '../run/exercise.js';
+import { groupNames, isEmpty, isHiddenWithPaper, mostOfTask, tidyTask } from '../run/exercise.js';
 import { drawnFor, mostOfWho, variedNames } from '../run/variant.js';
 import { link as words } from '../words/index.js';
 import { number, numberText, oneOf } from './values.js';
@@ -64,6 +64,10 @@ export function withVariant(opened, refuse, check) {
   if (driver.startsWith('paper-') && exercise.hidden.includes('paper')) {
     refuse('drives', words.hiddenPaper);
     return withVariant({ ...opened, driver: 'evolved' }, refuse, check);
+  }
+  if (opened.lesson > 0 && isHiddenWithPaper(exercise, 'lesson')) {
+    refuse('lesson', words.paperInLesson);
+    return withVariant({ ...opened, lesson: 0 }, refuse, check);
   }
   if (exercise.scale && !exercise.aim) {
     refuse('points', words.noAim);

@@ -78,7 +78,8 @@ export function createParts(parts, tools, onLoaded) {
 function createPlace(name) {
   const { element: place, fail } = createWaiting();
   place.dataset.page = name;
-  byId('evolving').before(place);
+  // What an exercise hides stands nowhere: this does.
+  byId('cost').after(place);
   return {
     fail,
     /** @param {HTMLElement} [element] */

@@ -47,9 +47,16 @@ export const tidyTask = (text) =>
 /** The exercise that the page shows: the link's, or the one in the making. @param {Pick<State, 'exercise' | 'maker'>} state */
 export const shownExercise = ({ exercise, maker }) => (maker.open ? maker.draft : exercise);
 
-/** @param {Exercise} exercise @param {Group} group @returns {Way} */
-export const wayOf = ({ locked, hidden }, group) =>
+/** As the exercise says. @param {Exercise} exercise @param {Group} group @returns {Way} */
+const wayGiven = ({ locked, hidden }, group) =>
   hidden.includes(group) ? 'hidden' : locked.includes(group) ? 'locked' : 'free';
+
+/** In words, tables and tries the lesson tells the paper's gains and what they cost: it is hidden with them. @param {Exercise} exercise @param {Group} group */
+export const isHiddenWithPaper = ({ hidden }, group) => group === 'lesson' && hidden.includes('paper');
+
+/** @param {Exercise} exercise @param {Group} group @returns {Way} */
+export const wayOf = (exercise, group) =>
+  isHiddenWithPaper(exercise, group) ? 'hidden' : wayGiven(exercise, group);
 
 /** Nothing of the page may show what the paper's gains are, or what they cost. @param {Pick<State, 'exercise' | 'maker'>} state */
 export const hidesPaper = (state) => wayOf(shownExercise(state), 'paper') === 'hidden';
@@ -57,7 +64,7 @@ export const hidesPaper = (state) => wayOf(shownExercise(state), 'paper') === 'h
 /** @param {Exercise} exercise @param {Group} group @param {Way} way @returns {Exercise} */
 export function withWay(exercise, group, way) {
   const inOrder = (/** @type {Way} */ wanted) =>
-    groupNames.filter((name) => (name === group ? way : wayOf(exercise, name)) === wanted);
+    groupNames.filter((name) => (name === group ? way : wayGiven(exercise, name)) === wanted);
   return { ...exercise, locked: inOrder('locked'), hidden: inOrder('hidden') };
 }
 

@@ -2,7 +2,6 @@
 import { html } from 'lit-html';
 import { byId } from '../kit/elements.js';
 import { isEmbedded } from '../kit/host.js';
-import { once } from '../kit/memo.js';
 import { createSheet } from '../kit/sheet.js';
 import { keys as words, opening } from '../words/index.js';
 
@@ -16,16 +15,17 @@ export function createKeys(openChecks) {
     sheet.dialog.close();
     openChecks();
   };
-  const fill = once(() =>
+  const fill = () =>
     sheet.draw(html`
       <p class="muted">${texts.keysEverywhere}</p>
-      <dl id="keys-list" class="keys-list">${[...words.single, ...words.focused].map(
-        ([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`,
-      )}</dl>
+      <dl id="keys-list" class="keys-list">${[
+        // Of what an exercise hides there is none.
+        ...words.single.filter(([, , id]) => document.getElementById(id)),
+        ...words.focused,
+      ].map(([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`)}</dl>
       <label class="check"><input id="keys-single" type="checkbox" checked
         @change=${() => (areAllowed = !areAllowed)}> <span>${texts.keysSingle}</span></label>
-      <p class="sheet-foot"><button id="keys-checks" type="button" @click=${check}>${opening.texts.checksButton}</button></p>`),
-  );
+      <p class="sheet-foot"><button id="keys-checks" type="button" @click=${check}>${opening.texts.checksButton}</button></p>`);
   const open = () => {
     fill();
     sheet.open();

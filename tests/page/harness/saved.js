@@ -6,13 +6,14 @@ export function saved(page, button) {
     const create = URL.createObjectURL;
     /** @type {Promise<string>} */
     const text = new Promise((resolve) => {
+      // Some are saved a little later.
       URL.createObjectURL = (blob) => {
+        URL.createObjectURL = create;
         /** @type {Blob} */ (blob).text().then(resolve);
         return create(blob);
       };
     });
     /** @type {HTMLElement} */ (document.querySelector(selector)).click();
-    URL.createObjectURL = create;
     return text;
   }, button);
 }

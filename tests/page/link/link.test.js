@@ -125,7 +125,7 @@ test('every key of a link is read as it is written', () => {
       exercise: {
         task: 'Park.',
         locked: ['run'],
-        hidden: ['paper'],
+        hidden: ['seed'],
         aim: { wanted: { kind: 'cost', below: 8.1 }, drives: 4000 },
         scale: { values: [9, 7.75], points: [0, 10] },
         vary: ['goal'],
@@ -268,6 +268,7 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
     ['lab&vary=goal,wind', /vary was left out.*one of goal, starts, seed/],
     [`lab&who=${'x'.repeat(81)}`, /who was left out.*at most 80/],
     ['lab&hide=paper&drives=paper-ep', /drives was left out.*hidden/],
+    ['lab&hide=paper&lesson=law', /lesson was left out.*paper’s gains/],
     [`lab&task=${'x'.repeat(301)}`, /task was left out.*at most 300 characters, but has 301/],
     ['lab&preset=none', /preset.*one of velocity-limits/],
     ['lab&%E0%A4%A=1', /no such setting/],

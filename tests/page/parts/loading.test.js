@@ -31,7 +31,7 @@ test('a part is asked for once, by its address and when it is opened', async (t)
   t.after(() => {
     globalThis.document = document;
   });
-  globalThis.document = parseHTML('<main><section id="evolving"></section></main>').document;
+  globalThis.document = parseHTML('<main><section id="cost"></section></main>').document;
   let count = 0;
   const part = /** @type {import('../../../www/parts/part.js').Part} */ (
     /** @type {unknown} */ ({

@@ -234,31 +234,6 @@ engineTest('who makes an exercise sees the very figure that students get', async
   assert.deepEqual(await page.problems(), []);
 });
 
-pageTest('hidden gains of the paper stand nowhere, and nothing is compared with them', async (page) => {
-  const all = () =>
-    page.evaluate(() =>
-      [
-        document.body.textContent,
-        ...[...document.querySelectorAll('[aria-label]')].map((one) => one.getAttribute('aria-label')),
-      ].join('\n'),
-    );
-  await page.open('#lab&v=1');
-  assert.match(await all(), /7\.935/);
-  const paths = [
-    '#lab&v=1&hide=paper',
-    '#lab&v=1&hide=paper&drives=hand&gains=3,0,4',
-    '#curves&v=1&hide=paper',
-    '#training&v=1&hide=paper',
-    '#landscape&v=1&hide=paper',
-  ];
-  for (const path of paths) {
-    await page.open(path);
-    // J and gains of the paper's EP and of its arbitrary choice.
-    assert.doesNotMatch(await all(), /7\.935|9\.016|3\.237|5\.179/, path);
-    assert.deepEqual(await page.problems(), [], path);
-  }
-});
-
 pageTest(
   'an answer to the lesson’s question is told to the host, and stands in what is handed in',
   async (page) => {

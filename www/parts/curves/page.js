@@ -7,7 +7,6 @@ import './style.css';
 import './places.css';
 import './stability/style.css';
 import { html, render } from 'lit-html';
-import { byId } from '../../kit/elements.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
@@ -58,7 +57,8 @@ export function createCurvesPage(tools) {
       const { view } = curvesSlice.of(state);
       show(view);
       // What a gain does to V̇ is seen while it is moved.
-      byId('gains').hidden = view !== 'stability';
+      const gains = document.getElementById('gains');
+      if (gains) gains.hidden = view !== 'stability';
       views[view].draw(state, scene, {
         name: lab.driverName(state.driver, state.generation, state.found),
         time: Math.min(state.robot.time, scene.driving.finalTime),

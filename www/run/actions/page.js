@@ -4,7 +4,7 @@
 /** @import { Basis } from './basis.js' */
 import { whenThere } from '../../core/pending.js';
 import { boxAround } from '../../kit/transform.js';
-import { noExercise, wayOf } from '../exercise.js';
+import { isHiddenWithPaper, noExercise, shownExercise, wayOf } from '../exercise.js';
 import { playsPhases } from '../pace.js';
 import { isFull, pinOf, renamed, withoutPin, withPin } from '../pins.js';
 import { newWork, noTrial } from '../state.js';
@@ -110,7 +110,9 @@ export function createPage(basis, openPage, catchUp) {
     /** @param {Partial<MakerState>} patch */
     makeExercise(patch) {
       const { settings, maker } = store.get();
-      store.update({ maker: { ...maker, ...patch }, settings: { ...settings, open: false } });
+      const made = { ...maker, ...patch };
+      store.update({ maker: made, settings: { ...settings, open: false } });
+      if (isHiddenWithPaper(shownExercise(store.get()), 'lesson')) store.update({ lesson: 0 });
     },
 
     /** @param {State['size']} size */

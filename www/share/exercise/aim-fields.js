@@ -44,7 +44,7 @@ function asked({ kind, value, drives, points }) {
   return { aim, scale: points.every((text) => text.trim() === '') ? null : scaleOf(`${a}:${p},${b}:${q}`) };
 }
 
-/** @param {() => Exercise} draft @param {(draft: Exercise) => void} change @param {() => void} redraw */
+/** @param {() => Exercise} draft @param {(patch: Partial<Exercise>) => void} change @param {() => void} redraw */
 export function createAimFields(draft, change, redraw) {
   let fields = blank;
   let error = '';
@@ -57,7 +57,7 @@ export function createAimFields(draft, change, redraw) {
     try {
       const next = asked(fields);
       error = '';
-      change({ ...draft(), ...next });
+      change(next);
     } catch (reason) {
       error = messageOf(reason);
       redraw();
@@ -79,10 +79,7 @@ export function createAimFields(draft, change, redraw) {
     /** @param {Varied} name */
     vary(name) {
       const { vary } = draft();
-      change({
-        ...draft(),
-        vary: variedNames.filter((one) => vary.includes(one) !== (one === name)),
-      });
+      change({ vary: variedNames.filter((one) => vary.includes(one) !== (one === name)) });
     },
   };
 

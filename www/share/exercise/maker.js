@@ -1,9 +1,11 @@
 // The panel in which a lecturer makes an exercise; the page beside it shows at once what students will see.
-/** @import { Exercise, Group } from '../../run/exercise.js' */
+/** @import { Engine, PaperResult, Triple } from '../../core/engine.js' */
+/** @import { Opened } from '../../run/actions/page.js' */
+/** @import { Exercise, Group, Way } from '../../run/exercise.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { SheetTools } from '../load.js' */
 import './maker.css';
-import { html, render } from 'lit-html';
+import { html, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { copy } from '../../kit/copy.js';
 import { byId, create } from '../../kit/elements.js';
@@ -11,10 +13,21 @@ import { addressOf } from '../../kit/host.js';
 import { watch } from '../../kit/memo.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { closeButton, selectAll, valueIn } from '../../kit/templates.js';
-import { groupNames, isEmpty, mostOfTask, wayOf, withWay } from '../../run/exercise.js';
+import { createTask, preset as parkPreset } from '../../parts/park/task.js';
+import {
+  asksSomething,
+  groupNames,
+  isEmpty,
+  isHiddenWithPaper,
+  mostOfTask,
+  wayOf,
+  withWay,
+} from '../../run/exercise.js';
+import { noTrial } from '../../run/state.js';
 import { nobody, undrawn } from '../../run/variant.js';
 import { exercise as exerciseWords } from '../../words/index.js';
 import { frameOf } from '../frame-text.js';
+import { withoutAnswer } from '../handin/work.js';
 import { createAimFields } from './aim-fields.js';
 import { createPreview } from './preview.js';
 import { createPackaging } from '../scorm/button.js';
@@ -23,28 +36,30 @@ import words from '../words/index.js';
 const { texts } = words;
 
 /** @param {SheetTools} tools */
-export function createMaker({ engine, store, actions, links }) {
+export function createMaker({ engine, store, actions, links, paper }) {
   const panel = create('aside', 'settings maker');
   panel.id = 'maker';
   panel.hidden = true;
   panel.setAttribute('aria-labelledby', 'maker-title');
   byId('instrument').prepend(panel);
   let status = '';
-  const change = (/** @type {Exercise} */ draft) => actions.makeExercise({ draft });
-  const aim = createAimFields(() => store.get().maker.draft, change, store.redraw);
+  const draftNow = () => store.get().maker.draft;
+  const change = (/** @type {Partial<Exercise>} */ patch) =>
+    actions.makeExercise({ draft: { ...draftNow(), ...patch } });
+  const aim = createAimFields(draftNow, change, store.redraw);
   const preview = createPreview(store.redraw);
   const say = (/** @type {string} */ text) => {
     status = text;
     store.redraw();
   };
   const packaging = createPackaging(say);
-  const close = () => {
-    actions.makeExercise({ open: false });
-    byId('keep-button').focus();
-  };
+  const close = () => actions.makeExercise({ open: false });
   const on = {
     close,
-    change,
+    /** Not of what was drawn: two may be pressed within one frame. @param {Group} group @param {Way} way */
+    choose: (group, way) => change(withWay(draftNow(), group, way)),
+    type: (/** @type {Event} */ event) => change({ task: valueIn(event) }),
+    toLab: () => actions.openLinked(parkedInLab(engine, store.get()), []),
     copyLink: () => copy('maker-link', words.copied, words.notCopied).then(say),
     copyFrame: () => copy('maker-frame', words.textCopied, words.textNotCopied).then(say),
   };
@@ -68,15 +83,20 @@ export function createMaker({ engine, store, actions, links }) {
       const { open, draft } = state.maker;
       const isOther = openChanged(open);
       panel.hidden = !open;
-      if (!open) return preview.draw(null);
-      const link = links.linkOf(givenOf(state, draft), engine.experiment);
-      if (changed(draft, link, status, aim.version(), preview.chosen(), packaging.asks())) {
+      if (!open) {
+        // The button may have been hidden until now.
+        if (isOther) byId('keep-button')?.focus();
+        return preview.draw(null);
+      }
+      const link = links.linkOf(givenOf(state, draft, paper), engine.experiment);
+      const isRefused = state.page === withoutAnswer && asksSomething(draft);
+      if (changed(draft, link, status, aim.version(), preview.chosen(), packaging.asks(), isRefused)) {
         const addresses = {
           link: addressOf(location.href, link, false),
           frame: frameOf(state, link, preview.chosen() ?? undefined),
         };
         render(
-          panelOf(draft, addresses, status, {
+          panelOf(draft, isRefused ? null : addresses, status, {
             ...on,
             fields: aim.fields(draft),
             preview: preview.choice(),
@@ -91,24 +111,48 @@ export function createMaker({ engine, store, actions, links }) {
   };
 }
 
-/** What students get: as it is on screen, but drawn for nobody yet, and driven by what may be seen. @param {State} state @param {Exercise} draft @returns {State} */
-function givenOf(state, draft) {
-  const { exercise, student, driver } = state;
-  const isHidden = driver.startsWith('paper-') && wayOf(draft, 'paper') === 'hidden';
-  return {
+/** What students get: as it is on screen, but drawn for nobody yet, and driven by what may be seen. @param {State} state @param {Exercise} draft @param {readonly PaperResult[]} paper @returns {State} */
+function givenOf(state, draft, paper) {
+  const { exercise, student, driver, pins, handGains } = state;
+  const given = {
     ...state,
     exercise: draft,
     student: nobody,
     experiment: undrawn(state.experiment, exercise.vary, student) ?? state.experiment,
-    driver: isHidden ? 'evolved' : driver,
+  };
+  if (wayOf(draft, 'paper') !== 'hidden') return given;
+  const isPapers = (/** @type {Triple | null} */ gains) =>
+    paper.some((row) => String(row.gains) === String(gains));
+  return {
+    ...given,
+    driver: driver.startsWith('paper-') ? 'evolved' : driver,
+    pins: pins.filter(({ gains }) => !isPapers(gains)),
+    handGains: driver !== 'hand' && isPapers(handGains) ? null : handGains,
   };
 }
 
+/** The task of the parking place, where it can be handed in. @param {Engine} engine @param {State} state @returns {Opened} */
+const parkedInLab = (engine, { pins, exercise, student }) => ({
+  page: 'lab',
+  lesson: 0,
+  preset: parkPreset,
+  experiment: createTask(engine).experiment(1),
+  generation: 0,
+  driver: 'evolved',
+  handGains: null,
+  found: 'hand',
+  trial: noTrial,
+  pins,
+  exercise,
+  student,
+  parts: {},
+});
+
 /**
- * @param {Exercise} draft @param {{ link: string, frame: string }} addresses @param {string} status
- * @param {{ fields: unknown, preview: unknown, packaging: unknown, close: () => void, change: (draft: Exercise) => void, copyLink: () => void, copyFrame: () => void }} on
+ * @param {Exercise} draft @param {{ link: string, frame: string } | null} addresses None where it could not be handed in. @param {string} status
+ * @param {Record<'fields' | 'preview' | 'packaging', unknown> & Record<'close' | 'copyLink' | 'copyFrame' | 'toLab', () => void> & { choose: (group: Group, way: Way) => void, type: (event: Event) => void }} on
  */
-const panelOf = (draft, { link, frame }, status, on) => html`
+const panelOf = (draft, addresses, status, on) => html`
   <div class="settings-head">
     <h2 id="maker-title">${texts.makerTitle}</h2>
     ${closeButton('maker-close', texts.makerClose, on.close)}
@@ -118,29 +162,38 @@ const panelOf = (draft, { link, frame }, status, on) => html`
     ${on.preview}
     <label for="maker-task" class="maker-label">${texts.makerTask}</label>
     <textarea id="maker-task" rows="3" aria-describedby="maker-count" maxlength=${mostOfTask} .value=${live(draft.task)}
-      @input=${(/** @type {Event} */ event) => on.change({ ...draft, task: valueIn(event) })}></textarea>
+      @input=${on.type}></textarea>
     <p id="maker-count" class="muted">${words.countText(draft.task.length, mostOfTask)}</p>
     ${on.fields}
-    <div id="maker-groups">${groupNames.map((group) => rowOf(draft, group, on.change))}</div>
+    <div id="maker-groups">${groupNames.map((group) => rowOf(draft, group, on.choose))}</div>
   </div>
   <div class="maker-foot">
-    <input id="maker-link" type="text" readonly aria-label=${texts.makerLink} .value=${link} @focus=${selectAll}>
-    <button id="maker-copy-link" type="button" class="primary" @click=${on.copyLink}>${texts.makerCopyLink}</button>
-    <input id="maker-frame" type="text" readonly aria-label=${texts.makerFrame} .value=${frame} @focus=${selectAll}>
-    <button id="maker-copy-frame" type="button" @click=${on.copyFrame}>${texts.makerCopyFrame}</button>
-    ${on.packaging}
+    ${
+      addresses
+        ? html`<input id="maker-link" type="text" readonly aria-label=${texts.makerLink} .value=${addresses.link} @focus=${selectAll}>
+          <button id="maker-copy-link" type="button" class="primary" @click=${on.copyLink}>${texts.makerCopyLink}</button>
+          <input id="maker-frame" type="text" readonly aria-label=${texts.makerFrame} .value=${addresses.frame} @focus=${selectAll}>
+          <button id="maker-copy-frame" type="button" @click=${on.copyFrame}>${texts.makerCopyFrame}</button>
+          ${on.packaging}`
+        : html`<p id="maker-refused" class="field-error" role="alert">${texts.makerPark}</p>
+          <button id="maker-to-lab" type="button" class="primary" @click=${on.toLab}>${texts.makerToLab}</button>`
+    }
     <p id="maker-status" class="muted" role="status">${status}</p>
   </div>`;
 
-/** @param {Exercise} draft @param {Group} group @param {(draft: Exercise) => void} onChange */
-const rowOf = (draft, group, onChange) => html`
+/** @param {Exercise} draft @param {Group} group @param {(group: Group, way: Way) => void} onChoose */
+const rowOf = (draft, group, onChoose) => html`
   <div class="maker-row">
     <span class="maker-name" aria-hidden="true">${exerciseWords.groups[group]}</span>
     <fieldset id="maker-${group}" class="segmented">${choicesOf(
       `maker-${group}`,
       exerciseWords.groups[group],
-      words.ways,
+      words.ways.map((way) => ({
+        ...way,
+        disabled: isHiddenWithPaper(draft, group) && way.value !== 'hidden',
+      })),
       wayOf(draft, group),
-      (way) => onChange(withWay(draft, group, way)),
+      (way) => onChoose(group, way),
     )}</fieldset>
+    ${isHiddenWithPaper(draft, group) ? html`<p class="muted maker-why">${texts.makerPaperInLesson}</p>` : nothing}
   </div>`;

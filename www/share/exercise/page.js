@@ -1,10 +1,12 @@
 // An exercise as who follows the link sees it: the task at the top, and the controls that are locked or hidden.
-/** @import { Exercise, Group } from '../../run/exercise.js' */
+/** @import { Group } from '../../run/exercise.js' */
 /** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 import { byId } from '../../kit/elements.js';
 import { isEmbedded } from '../../kit/host.js';
 import { once, watch } from '../../kit/memo.js';
+import { showOn } from '../../lab/navigation.js';
+import { parts } from '../../parts/parts.js';
 import { exercise as words } from '../../words/index.js';
 import {
   asksSomething,
@@ -15,10 +17,12 @@ import {
   tidyTask,
   wayOf,
 } from '../../run/exercise.js';
+import { createAway } from './away.js';
+import { keepFromLinks, lock, lockAgain } from './locks.js';
 
 /** @typedef {Partial<Record<Group, { lock?: string, hide?: string }>>} Places Where the controls of a group stand, as selectors: what is locked, and what is gone when they are hidden. */
 
-/** Those of the lab and the lesson. @type {Places} */
+/** Those of the lab, the lesson, the settings and Share. @type {Places} */
 const own = {
   gains: { lock: '#gains', hide: '#gains, #gains-note' },
   drives: { lock: '#drives, .standing-name', hide: '#drives' },
@@ -27,19 +31,23 @@ const own = {
     hide: 'label:has(> #drives-paper-ep), label:has(> #drives-paper-arbitrary)',
   },
   postures: { lock: '#handles, #restore-postures', hide: '#handles, #postures .hint' },
-  run: { lock: '#evolution-clock, #evolution-pace', hide: '.evolving' },
+  run: { lock: '#evolution-clock, #evolution-pace', hide: '#evolving' },
   seed: { lock: '#new-seed', hide: '#new-seed' },
   clock: { lock: '#robot-clock', hide: '#robot-clock' },
   settings: {
     lock: '#preset, #settings-button, #weights',
-    hide: '#preset, #settings-button, #weights',
+    hide: '#preset, #settings-button, #settings, #weights',
   },
-  parts: { lock: '#pages a:not(#page-lesson)', hide: '#pages a:not(#page-lesson)' },
+  parts: {
+    lock: '#pages a:not(#page-lesson)',
+    // Those that were open before.
+    hide: ['#pages a:not(#page-lesson)', ...parts.map(({ name }) => `section.${name}[hidden]`)].join(', '),
+  },
   lesson: {
     lock: '#page-lesson, #lesson-step, #lesson a',
-    hide: '#page-lesson, .lesson-head, .lesson-foot, .tries, .sheet-link',
+    hide: '#page-lesson, .lesson-head, .lesson-foot, .tries, .sheet-link, #lesson[hidden] > *',
   },
-  share: { lock: '#keep-button', hide: '#keep-button' },
+  share: { lock: '#keep-button', hide: '#keep-button, #keep, #code, #collect' },
 };
 
 /** What there is to do is loaded with the first exercise that asks for something. @param {import('../handin/work.js').WorkTools} tools */
@@ -80,17 +88,15 @@ export function createExercise({ places, ...tools }) {
       ),
     );
   for (const type of ['click', 'auxclick']) document.addEventListener(type, keepFromLinks, true);
+  const keeper = createKeeper(all, store);
 
   const changed = watch();
-  const placesChanged = watch();
   return {
     /** @param {State} state @param {number} made How many parts of the page have been opened. @param {Scene} scene */
     draw(state, made, scene) {
       const exercise = shownExercise(state);
       work(state, scene);
-      // Each step of the lesson has controls of its own, and so has each part.
-      if (placesChanged(exercise, state.lesson, made))
-        for (const group of groupNames) lay(all, exercise, group);
+      keeper.follow(state, made);
       if (!changed(exercise, state.student.handin)) return;
       document.body.toggleAttribute('data-exercise', asksSomething(exercise));
       section.hidden = isEmpty(exercise) && state.student.handin === '';
@@ -104,34 +110,49 @@ export function createExercise({ places, ...tools }) {
   };
 }
 
-/** @param {readonly Places[]} places @param {Exercise} exercise @param {Group} group */
-function lay(places, exercise, group) {
-  const way = wayOf(exercise, group);
-  const found = (/** @type {'lock' | 'hide'} */ kind) =>
-    places.flatMap((one) => {
-      const selector = one[group]?.[kind];
-      return selector ? [...document.querySelectorAll(selector)] : [];
-    });
-  for (const element of found('lock')) lock(element, way === 'locked');
-  for (const element of found('hide')) element.toggleAttribute('data-away', way === 'hidden');
-}
+/** Keeps locked what is locked, and away what is hidden, also where a view makes it anew. @param {readonly Places[]} places @param {import('../../run/store.js').Store} store */
+function createKeeper(places, store) {
+  const away = createAway((element) => showOn([element], store.get().page));
+  const changed = watch();
+  let [locked, hidden] = ['', ''];
 
-/** A control, or a fieldset of them, by the browser's own means; what is no form says so itself. @param {Element} element @param {boolean} locked */
-function lock(element, locked) {
-  if (element.hasAttribute('data-locked') === locked) return;
-  element.toggleAttribute('data-locked', locked);
-  if ('disabled' in element) element.disabled = locked;
-  else if (locked) element.setAttribute('aria-disabled', 'true');
-  else element.removeAttribute('aria-disabled');
-  const others = (element.getAttribute('aria-describedby') ?? '').replace(/ ?exercise-locks$/, '');
-  const described = locked ? `${others} exercise-locks`.trim() : others;
-  if (described) element.setAttribute('aria-describedby', described);
-  else element.removeAttribute('aria-describedby');
-}
+  /** @param {'lock' | 'hide'} kind @param {readonly Group[]} groups */
+  const selectorOf = (kind, groups) =>
+    places
+      .flatMap((one) => groups.map((group) => one[group]?.[kind]))
+      .filter((selector) => selector !== undefined)
+      .join(', ');
+  const found = (/** @type {string} */ selector) => (selector ? document.querySelectorAll(selector) : []);
 
-/** A link cannot be disabled. @param {Event} event */
-function keepFromLinks(event) {
-  if (!(event.target instanceof Element) || !event.target.closest('a[data-locked]')) return;
-  event.preventDefault();
-  event.stopPropagation();
+  const keep = () => {
+    away.take(hidden);
+    for (const element of found(locked)) lock(element, true);
+    observer.takeRecords();
+  };
+  const observer = new MutationObserver((records) => {
+    for (const { type, target } of records)
+      if (type === 'attributes') lockAgain(/** @type {Element} */ (target));
+    keep();
+  });
+
+  return {
+    /** @param {State} state @param {number} made How many parts of the page have been opened. */
+    follow(state, made) {
+      const exercise = shownExercise(state);
+      // Each step of the lesson has controls of its own, and so has each part.
+      if (!changed(exercise, state.page, state.lesson, made)) return;
+      const of = (/** @type {import('../../run/exercise.js').Way} */ way) =>
+        groupNames.filter((group) => wayOf(exercise, group) === way);
+      observer.disconnect();
+      const isBack = away.bringBack();
+      [locked, hidden] = [selectorOf('lock', of('locked')), selectorOf('hide', of('hidden'))];
+      for (const element of found('[data-locked]'))
+        if (!locked || !element.matches(locked)) lock(element, false);
+      keep();
+      if (locked || hidden)
+        observer.observe(document.body, { childList: true, subtree: true, attributeFilter: ['disabled'] });
+      // What is back is drawn once more.
+      if (isBack) store.redraw();
+    },
+  };
 }

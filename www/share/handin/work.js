@@ -21,7 +21,7 @@ import words from './words/index.js';
 const { texts } = words;
 
 /** In its own sliders the parking place has gains of its own, which no link carries. */
-const withoutAnswer = 'park';
+export const withoutAnswer = 'park';
 
 /** @typedef {import('../../parts/part.js').Tools & { answersOf: (state: State) => import('./receipt.js').Answers, onHandIn: (handed: HandedIn) => void }} WorkTools */
 

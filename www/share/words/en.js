@@ -47,6 +47,10 @@ export const texts = {
   makerPoints: 'Points at two values, and between them on a line (or nothing)',
   makerPointsAt: 'points at',
   makerVary: 'Drawn for each student from their number',
+  makerPaperInLesson: 'The lesson tells the paper’s gains: it is hidden with them.',
+  makerPark:
+    'What is tried in Park cannot be handed in. The lab has the same 32 starts, the sliders and evolution.',
+  makerToLab: 'Go on in the lab',
   scormButton: 'Package for Moodle (SCORM 1.2)',
   scormTitle: 'Exercise: gains of a robot',
   scormFile: 'The page as one file',

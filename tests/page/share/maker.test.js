@@ -1,0 +1,101 @@
+// The panel in which a lecturer makes an exercise: quick hands, every field, and a part whose answers cannot be handed in.
+import assert from 'node:assert/strict';
+import { groupNames } from '../../../www/run/exercise.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** @param {Page} page @param {string} [fragment] */
+async function openMaker(page, fragment = '#lab&v=1') {
+  await page.open(fragment);
+  await page.click('#keep-button');
+  await page.until('Share is there', () => document.getElementById('keep-exercise'));
+  await page.click('#keep-exercise');
+  await page.until('the maker is open', () => document.getElementById('maker-task')?.checkVisibility());
+}
+
+/** @param {Page} page */
+const linkMade = (page) =>
+  page.evaluate(
+    () =>
+      /** @type {HTMLInputElement | null} */ (document.getElementById('maker-link'))?.value.split('#')[1] ??
+      '',
+  );
+
+pageTest('what is pressed and typed within one frame is all kept', async (page) => {
+  await openMaker(page);
+  await page.evaluate(() => {
+    for (const id of [
+      'maker-gains-locked',
+      'maker-run-hidden',
+      'maker-seed-locked',
+      'maker-vary-goal',
+      'maker-vary-seed',
+    ])
+      document.getElementById(id)?.click();
+    const task = /** @type {HTMLTextAreaElement} */ (document.getElementById('maker-task'));
+    task.value = 'Park.';
+    task.dispatchEvent(new Event('input', { bubbles: true }));
+  });
+  assert.match(
+    await linkMade(page),
+    /&lock=gains,seed&hide=run&task=Park\.&vary=goal%2Cseed$|&lock=gains,seed&hide=run&task=Park\.&vary=goal,seed$/,
+  );
+});
+
+engineTest('every field of the maker has a name and room, and what is wrong is said', async (page) => {
+  await openMaker(page);
+  await page.focus('#maker-aim');
+  // Each kind of aim has the same fields, with other values.
+  for (const kind of ['cost', 'parks', 'unseen']) {
+    await page.click(`#maker-aim option[value="${kind}"]`);
+    await page.until('its fields are there', () => document.getElementById('maker-points-1'));
+    assert.deepEqual(await page.obstacles('#maker'), [], kind);
+  }
+  await page.focus('#maker-value');
+  await page.press(Key.BACK_SPACE, Key.BACK_SPACE, Key.BACK_SPACE, '2');
+  await page.until('the error is said', () => document.getElementById('maker-aim-error')?.checkVisibility());
+  assert.deepEqual(await page.obstacles('#maker'), []);
+  const unnamed = await page.evaluate(() =>
+    [
+      .../** @type {NodeListOf<HTMLInputElement>} */ (
+        document.querySelectorAll('#maker :is(input, select, textarea)')
+      ),
+    ]
+      .filter((field) => !field.labels?.length && !field.ariaLabel)
+      .map(({ id }) => id),
+  );
+  assert.deepEqual(unnamed, []);
+  // What is hidden while it is made, and the button that opened the panel with it.
+  for (const group of groupNames) await page.click(`#maker-${group}-hidden`);
+  await page.press(Key.ESCAPE);
+  await page.until('the panel is closed', () => document.activeElement?.id === 'keep-button');
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('what cannot be handed in is not made: Park leads on into the lab', async (page) => {
+  await openMaker(page, '#park&v=1');
+  // To lock its sliders is no task.
+  await page.click('#maker-run-hidden');
+  assert.match(await linkMade(page), /^park&v=1&hide=run$/);
+  await page.focus('#maker-task');
+  await page.press(...'Park all.');
+  await page.until('it is refused', () => document.getElementById('maker-refused'));
+  assert.match(await page.text('#maker-refused'), /tried in Park cannot be handed in/);
+  assert.equal(
+    await page.evaluate(() => document.querySelector('#maker-link, #maker-frame, #maker-scorm')),
+    null,
+  );
+  assert.deepEqual(await page.obstacles('#maker'), []);
+  await page.click('#maker-to-lab');
+  await page.until(
+    'the lab is open',
+    () => document.body.dataset.open === 'lab' && document.getElementById('maker-link'),
+  );
+  const link = await linkMade(page);
+  assert.match(link, /^lab&v=1&.*&hide=run&task=Park%20all\.$/);
+  assert.equal(decodeURIComponent(/&start=([^&]*)/.exec(link)?.[1] ?? '').split(';').length, 32);
+  await page.open(`#${link}`);
+  await page.until('it can be handed in', () => document.getElementById('hand-in'));
+  assert.deepEqual(await page.problems(), []);
+});
