@@ -13,8 +13,10 @@ The core computes here, without a browser, with the same bits as in the page:
     evolution.step(30)["best"]
 
 ``Task(experiment)`` reads an experiment once. The fields of an experiment are those of the page's files:
-``experiment()`` shows them all, ``fields()`` their ranges. In a notebook ``EpLocomotion`` is a figure of the page.
+``experiment()`` shows them all, ``fields()`` their ranges, ``ep_locomotion.types`` names them for type checkers. In a notebook ``EpLocomotion`` is a figure of the page.
 """
+
+from __future__ import annotations
 
 from importlib.metadata import version as _version
 from typing import TYPE_CHECKING
@@ -24,7 +26,8 @@ from ._evolution import Evolution
 from ._task import Task, evaluate, experiment, simulate
 
 if TYPE_CHECKING:
-    from ._widget import EpLocomotion
+    from ._widget import EpLocomotion as EpLocomotion
+    from .types import Circle, Field, Grid, PaperResult, Posture, WordField
 
 __all__ = [
     "EpLocomotion",
@@ -43,32 +46,32 @@ __all__ = [
 __version__ = _version("ep-locomotion")
 
 
-def fields():
+def fields() -> list[Field]:
     """Every number of an experiment with its unit and range."""
     return _ask("fields")
 
 
-def word_fields():
+def word_fields() -> list[WordField]:
     """Every field of an experiment that is one of a few words, with the words."""
     return _ask("word_fields")
 
 
-def paper():
+def paper() -> list[PaperResult]:
     """The results that the paper prints."""
     return _ask("paper")
 
 
-def starts_on_circle(circle):
+def starts_on_circle(circle: Circle) -> list[Posture]:
     """Start postures evenly on a circle, each with a random heading: ``{"x", "y", "radius", "count", "seed"}``."""
     return _ask("starts_on_circle", circle)
 
 
-def starts_on_grid(grid):
+def starts_on_grid(grid: Grid) -> list[Posture]:
     """Start postures at every position of a grid: ``{"x": {"from", "to", "count"}, "y": …, "headings"}``."""
     return _ask("starts_on_grid", grid)
 
 
-def __getattr__(name):
+def __getattr__(name: str):
     # The widget wants anywidget, which computing does not.
     if name == "EpLocomotion":
         from ._widget import EpLocomotion

@@ -1,7 +1,15 @@
 """A run of evolutionary programming, or of one of its rivals, that remembers every generation."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 from ._bytes import decoded, encoded
 from ._core import Instance, ask
+
+if TYPE_CHECKING:
+    from ._task import Given
+    from .types import Experiment, GenerationRecord, Individual, Statistics
 
 
 class Evolution:
@@ -10,7 +18,7 @@ class Evolution:
     The same experiment gives the same bits as in the page, in Node and natively: ``hash()`` says so.
     """
 
-    def __init__(self, experiment):
+    def __init__(self, experiment: Given):
         self._given = encoded(ask("experiment", experiment) if isinstance(experiment, str) else experiment)
         self._begin(0)
 
@@ -39,16 +47,16 @@ class Evolution:
         return (_evolved, (self.experiment, self.generation))
 
     @property
-    def experiment(self):
+    def experiment(self) -> Experiment:
         """The experiment with every field filled in."""
         return decoded(self._experiment)
 
     @property
-    def generation(self):
+    def generation(self) -> int:
         """The number of the newest generation."""
         return self._call("generation")
 
-    def step(self, generations=1):
+    def step(self, generations: int = 1) -> Statistics:
         """Evolves so many generations; the newest in short."""
         if isinstance(generations, bool) or not isinstance(generations, int) or generations < 1:
             raise ValueError(f"generations must be a whole number from 1, but was {generations!r}")
@@ -57,24 +65,24 @@ class Evolution:
             answer = self._advance()
         return decoded(answer)
 
-    def statistics(self, generation=None):
+    def statistics(self, generation: int | None = None) -> Statistics:
         """One generation in short; the newest if left out."""
         return self._call("statistics", generation)
 
-    def record(self, generation=None):
+    def record(self, generation: int | None = None) -> GenerationRecord:
         """One generation in full: parents, offspring, opponents, wins, who survives; the newest if left out."""
         return self._call("record", generation)
 
-    def population(self, generation=None):
+    def population(self, generation: int | None = None) -> list[Individual]:
         """The population that a generation left, best ranked first; the newest if left out."""
         return self._call("population", generation)
 
-    def hash(self):
+    def hash(self) -> str:
         """16 hexadecimal digits over every number of the history."""
         return self._call("hash")
 
     @property
-    def history(self):
+    def history(self) -> list[dict[str, Any]]:
         """Every generation as one dict, for ``pandas.DataFrame`` and the like, with the numbers of the page's own CSV."""
         return [row(self.statistics(generation)) for generation in range(self.generation + 1)]
 

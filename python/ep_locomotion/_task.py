@@ -1,12 +1,35 @@
 """An experiment that is read once and driven often, and what drives one once."""
 
+from __future__ import annotations
+
 import functools
+from typing import TYPE_CHECKING, Any, Sequence, overload
 
 from ._bytes import decoded, encoded, encoded_gains
 from ._core import Instance, ask
 
+if TYPE_CHECKING:
+    from typing import Union
 
-def experiment(given="velocity-limits", changes=None):
+    from .types import (
+        Array,
+        Experiment,
+        Gains,
+        Landscape,
+        PartialExperiment,
+        Preset,
+        Robustness,
+        Run,
+        Stability,
+        StartGrid,
+        Trial,
+        Trials,
+    )
+
+    Given = Union[Preset, Experiment, PartialExperiment]
+
+
+def experiment(given: Given = "velocity-limits", changes: PartialExperiment | None = None) -> Experiment:
     """A whole experiment: the preset of this name, or the one that these fields make of ``velocity-limits``.
 
     ``changes`` are fields that are to be other than there. A field that is unknown, of a wrong type or out of its range is
@@ -21,11 +44,11 @@ class Task:
     A task has a core of its own: tasks in several threads compute side by side.
     """
 
-    def __init__(self, experiment):
+    def __init__(self, experiment: Given):
         self._given = encoded(ask("experiment", experiment) if isinstance(experiment, str) else experiment)
         self._begin()
 
-    def _begin(self):
+    def _begin(self) -> None:
         self._core = Instance()
         self._experiment = self._core.call("begin_task", self._given)
 
@@ -38,11 +61,17 @@ class Task:
         return (Task, (self.experiment,))
 
     @property
-    def experiment(self):
+    def experiment(self) -> Experiment:
         """The experiment with every field filled in."""
         return decoded(self._experiment)
 
-    def evaluate(self, gains):
+    @overload
+    def evaluate(self, gains: Sequence[float]) -> float: ...
+    @overload
+    def evaluate(self, gains: Sequence[Sequence[float]]) -> list[float]: ...
+    @overload
+    def evaluate(self, gains: Array) -> Any: ...
+    def evaluate(self, gains: Gains) -> Any:
         """J of each gain triple (kx, ky, kθ), the mean over the start postures.
 
         A triple gives a number, a list of triples a list, and an array of numpy with a row for each triple an array.
@@ -50,27 +79,27 @@ class Task:
         given, answer = encoded_gains(gains)
         return answer(self._call("evaluate", given))
 
-    def simulate(self, gains, start=0):
+    def simulate(self, gains: Sequence[float] | Array, start: int = 0) -> Run:
         """Drives one robot from ``starts[start]`` to the end of its run: a dict of lists with one value a sample, and J."""
         return self._call("simulate", encoded_gains(gains)[0], encoded(start))
 
-    def landscape(self, landscape):
+    def landscape(self, landscape: Landscape) -> list[float]:
         """J over two gains, row by row: ``{"x": {"gain": "kx", "from": …, "to": …, "count": …}, "y": …, "gains": …}``."""
         return self._call("landscape", encoded(landscape))
 
-    def robustness(self, grid):
+    def robustness(self, grid: StartGrid) -> Robustness:
         """How a robot fares from many starts: ``{"gains": …, "x": {"from": …, "to": …, "count": …}, "y": …, "headings": …}``."""
         return self._call("robustness", encoded(grid))
 
-    def fares(self, gains):
+    def fares(self, gains: Sequence[float] | Array) -> Robustness:
         """How one robot fares from each of the experiment's starts: J, t_f and whether it arrives."""
         return self._call("fares", encoded_gains(gains)[0])
 
-    def stability(self, gains, start=0):
+    def stability(self, gains: Sequence[float] | Array, start: int = 0) -> Stability:
         """The Lyapunov function of one run from ``starts[start]``: what the law promises, and what becomes of that."""
         return self._call("stability", encoded_gains(gains)[0], encoded(start))
 
-    def trials(self, trials):
+    def trials(self, trials: Trials) -> list[Trial]:
         """The experiment's method with the seeds [first, end): ``{"seeds": [first, end], "drives": …}``: when the best J fell, and to what."""
         return self._call("trials", encoded(trials))
 
@@ -83,7 +112,7 @@ def _kept(_, given):
     return task
 
 
-def _task(experiment):
+def _task(experiment: Given) -> Task:
     """A task, kept for who asks again in the same thread."""
     import threading
 
@@ -92,11 +121,17 @@ def _task(experiment):
     return _kept(threading.get_ident(), encoded(experiment))
 
 
-def evaluate(experiment, gains):
+@overload
+def evaluate(experiment: Given, gains: Sequence[float]) -> float: ...
+@overload
+def evaluate(experiment: Given, gains: Sequence[Sequence[float]]) -> list[float]: ...
+@overload
+def evaluate(experiment: Given, gains: Array) -> Any: ...
+def evaluate(experiment: Given, gains: Gains) -> Any:
     """J of each gain triple: ``Task(experiment).evaluate(gains)``. Many triples in one call are much the faster."""
     return _task(experiment).evaluate(gains)
 
 
-def simulate(experiment, gains, start=0):
+def simulate(experiment: Given, gains: Sequence[float] | Array, start: int = 0) -> Run:
     """One run: ``Task(experiment).simulate(gains, start)``."""
     return _task(experiment).simulate(gains, start)
