@@ -25,6 +25,8 @@ pub mod lanes_and_survey;
 pub mod motion_and_law;
 #[path = "oracle.rs"]
 pub mod oracle;
+#[path = "plans.rs"]
+pub mod plans;
 #[path = "properties.rs"]
 pub mod properties;
 #[path = "ranges.rs"]

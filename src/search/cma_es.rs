@@ -3,8 +3,9 @@
 
 use rand_distr::{Distribution, StandardNormal};
 
-use super::generation::{Brood, Ellipse, GenerationRecord, Making};
+use super::generation::{Brood, GenerationRecord, Making};
 use super::individual::{Individual, first_drawn};
+use super::plan::{Ellipse, Plan};
 use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use super::symmetric::{Matrix, UNIT, Vector, dot, eigen, plus, spectral};
@@ -50,6 +51,11 @@ impl Search for CmaEs {
         };
         self.found.follow(&record);
         record
+    }
+
+    fn plan(&self, e: &EvolutionSettings) -> Plan {
+        let Rates { weights, .. } = Rates::new(e.population as usize);
+        Plan { ellipse: Some(self.normal(e).ellipse()), weights, ..Plan::NONE }
     }
 
     found!(found);

@@ -28,12 +28,16 @@ impl Search for DifferentialEvolution {
             return Brood::initial(first.collect());
         }
         let mut rng = stream(e.seed, Purpose::Partners, generation);
+        let (mut donors, mut bases) = (Vec::new(), Vec::new());
         let trials = (0..members.len()).map(|own| {
-            let donors = others(own, members.len(), &mut rng);
-            (donors.map(|donor| donor as u32).to_vec(), trial(e, members, own, donors, &mut rng))
+            let others = others(own, members.len(), &mut rng);
+            let mutant = mutant(others.map(|donor| &members[donor]));
+            donors.push(others.map(|donor| donor as u32).to_vec());
+            bases.push(mutant);
+            trial(e, &members[own], &mutant, &mut rng)
         });
-        let (donors, trials) = trials.unzip();
-        let making = Making { donors, ..Making::default() };
+        let trials = trials.collect();
+        let making = Making { donors, bases, ..Making::default() };
         Brood::beside(members, trials, generation).made_by(making)
     }
 
@@ -69,20 +73,24 @@ fn others(own: usize, count: usize, rng: &mut impl Rng) -> [usize; 3] {
     [taken[1], taken[2], taken[3]]
 }
 
+/// a + F (b − c).
+fn mutant(donors: [&Individual; 3]) -> Individual {
+    let [a, b, c] = donors.map(|donor| donor.gains.to_array());
+    Individual::new([0, 1, 2].map(|j| a[j] + FACTOR * (b[j] - c[j])).into(), [0.0; 3])
+}
+
 /// The mutant, crossed with the member; at least one gain is the mutant's.
 fn trial(
     e: &EvolutionSettings,
-    members: &[Individual],
-    own: usize,
-    donors: [usize; 3],
+    member: &Individual,
+    mutant: &Individual,
     rng: &mut impl Rng,
 ) -> Individual {
-    let [a, b, c] = donors.map(|donor| members[donor].gains.to_array());
-    let member = members[own].gains.to_array();
+    let [member, mutant] = [member, mutant].map(|one| one.gains.to_array());
     let always = rng.random_range(0..3_u32) as usize;
     let gains = [0, 1, 2].map(|j| {
         let is_crossed = rng.random::<f64>() < CROSSOVER;
-        if is_crossed || j == always { a[j] + FACTOR * (b[j] - c[j]) } else { member[j] }
+        if is_crossed || j == always { mutant[j] } else { member[j] }
     });
     Individual::new(e.tried(gains), [0.0; 3])
 }

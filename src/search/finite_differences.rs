@@ -2,6 +2,7 @@
 
 use super::generation::{Brood, GenerationRecord};
 use super::individual::{Individual, first_drawn};
+use super::plan::Plan;
 use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use super::symmetric::{UNIT, Vector, dot, plus};
@@ -11,8 +12,8 @@ use super::symmetric::{UNIT, Vector, dot, plus};
 #[derive(Clone, Debug, Default)]
 pub struct FiniteDifferences {
     found: Found,
-    /// The direction in which J falls, of length 1; nothing while it is to be found.
-    direction: Option<Vector>,
+    /// How much J rises by each gain; nothing while it is to be found.
+    slope: Option<Vector>,
     /// How far the next step goes.
     length: f64,
 }
@@ -29,7 +30,7 @@ impl Search for FiniteDifferences {
             return Brood::initial(vec![first_drawn(e, 0)]);
         };
         let k = point.gains.to_array();
-        let trials = match self.direction {
+        let trials = match self.direction() {
             None => UNIT.map(|axis| plus(k, PROBE, axis)).to_vec(),
             Some(direction) => vec![plus(k, self.length, direction)],
         };
@@ -40,7 +41,7 @@ impl Search for FiniteDifferences {
 
     fn tell(&mut self, e: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
         let brood = brood.with_costs(costs);
-        let record = match (brood.generation, self.direction) {
+        let record = match (brood.generation, self.slope) {
             (0, _) => {
                 self.length = e.initial_sigma;
                 brood.founded()
@@ -48,17 +49,16 @@ impl Search for FiniteDifferences {
             (_, None) => {
                 let here = brood.parents[0].cost;
                 let slope = [0, 1, 2].map(|j| (costs[j] - here) / PROBE);
-                let steepness = dot(slope, slope).sqrt();
+                let steepness = steepness(slope);
                 // Where it is level, or no slope can be told, another probe finds the same.
-                let is_told = steepness > 0.0 && steepness.is_finite();
-                self.direction = is_told.then(|| slope.map(|s| -s / steepness));
+                self.slope = (steepness > 0.0 && steepness.is_finite()).then_some(slope);
                 brood.survived_by(&|number| number == 0)
             }
             (_, Some(_)) => {
                 let is_better = brood.offspring[0].is_better_than(&brood.parents[0]);
                 self.length *= if is_better { 2.0 } else { 0.5 };
                 if is_better || self.length < SHORTEST {
-                    self.direction = None;
+                    self.slope = None;
                 }
                 self.length = self.length.max(SHORTEST);
                 brood.survived_by(&|number| (number == 1) == is_better)
@@ -70,5 +70,21 @@ impl Search for FiniteDifferences {
         record
     }
 
+    fn plan(&self, _: &EvolutionSettings) -> Plan {
+        let steps = self.direction().map(|direction| direction.map(|way| self.length * way));
+        Plan { slope: self.slope, steps, ..Plan::NONE }
+    }
+
     found!(found);
+}
+
+impl FiniteDifferences {
+    /// The direction in which J falls, of length 1.
+    fn direction(&self) -> Option<Vector> {
+        self.slope.map(|slope| slope.map(|s| -s / steepness(slope)))
+    }
+}
+
+fn steepness(slope: Vector) -> f64 {
+    dot(slope, slope).sqrt()
 }

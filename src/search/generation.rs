@@ -2,19 +2,10 @@
 
 use super::individual::Individual;
 use super::mutation::Mutation;
+use super::plan::{Ellipse, Plan};
 use super::tournament::{Tournament, in_order};
 use crate::robot::Gains;
-use crate::schema::{record, told};
-
-record! {
-    /// The normal distribution from which CMA-ES draws a generation.
-    pub struct Ellipse {
-        /// Its centre.
-        pub mean: Gains => "mean",
-        /// The three semi-axes of its ellipsoid of one standard deviation, the longest first.
-        pub axes: Vec<[f64; 3]> => "axes",
-    }
-}
+use crate::schema::told;
 
 /// What made the new solutions of a generation, as far as a method draws it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,7 +14,7 @@ pub struct Making {
     pub mutations: Vec<Mutation>,
     /// For each new solution the numbers of the other parents in it.
     pub donors: Vec<Vec<u32>>,
-    /// What each mutation began with, where parents are crossed.
+    /// What each mutation began with, where parents are crossed; the mutants of differential evolution.
     pub bases: Vec<Individual>,
     /// The distribution of CMA-ES.
     pub ellipse: Option<Ellipse>,
@@ -44,7 +35,8 @@ pub struct GenerationRecord {
     pub mutations: Vec<Mutation>,
     /// For each offspring the numbers of the other parents in it; empty where there are none.
     pub donors: Vec<Vec<u32>>,
-    /// What each mutation began with, where parents are crossed; else empty.
+    /// What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution,
+    /// before they are crossed; else empty.
     pub bases: Vec<Individual>,
     /// The distribution from which CMA-ES drew the offspring.
     pub ellipse: Option<Ellipse>,
@@ -54,6 +46,10 @@ pub struct GenerationRecord {
     pub ranking: Vec<u32>,
     /// The numbers of those that survive, best ranked first: the first of the ranking.
     pub survivors: Vec<u32>,
+    /// What the method went by; filled in where a history is asked for a generation.
+    pub plan: Plan,
+    /// What it goes by next; filled in there, too.
+    pub next: Plan,
 }
 
 told! {
@@ -71,7 +67,8 @@ told! {
         /// For each offspring the numbers of the other parents in it: with whom its parent was crossed, or a, b and c of
         /// a + F (b − c) in differential evolution. Empty where a method crosses nothing.
         "donors" => |record| &record.donors,
-        /// What each mutation began with, where parents are crossed; else empty.
+        /// What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution, before
+        /// they are crossed; else empty.
         "bases" => |record| &record.bases,
         /// The distribution from which CMA-ES drew the offspring; null for other methods.
         "ellipse" => |record| record.ellipse.as_ref(),
@@ -84,6 +81,10 @@ told! {
         "ranking" => |record| &record.ranking,
         /// Those that survive, best ranked first.
         "survivors" => |record| &record.survivors,
+        /// What the method went by, besides its population.
+        "plan" => |record| &record.plan,
+        /// What it goes by in the next generation.
+        "next" => |record| &record.next,
     }
 }
 
@@ -176,6 +177,8 @@ impl Brood {
             tournament,
             ranking,
             survivors,
+            plan: Plan::NONE,
+            next: Plan::NONE,
         }
     }
 }

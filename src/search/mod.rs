@@ -10,6 +10,8 @@ mod mutation;
 
 mod tournament;
 
+mod plan;
+
 mod generation;
 
 mod statistics;
@@ -41,13 +43,14 @@ pub use cma_es::CmaEs;
 pub use differential_evolution::DifferentialEvolution;
 pub use evolutionary_programming::EvolutionaryProgramming;
 pub use finite_differences::FiniteDifferences;
-pub use generation::{Brood, Ellipse, GenerationRecord, Making};
+pub use generation::{Brood, GenerationRecord, Making};
 pub use individual::Individual;
 pub use methods::search;
 pub use mutation::{LearningRates, Mutation};
 pub use nelder_mead::NelderMead;
 pub use one_at_a_time::OneAtATime;
 pub use one_plus_one::OnePlusOne;
+pub use plan::{Ellipse, Motion, Plan};
 pub use random::RandomSearch;
 pub use search::Search;
 pub use settings::{BelowZero, EvolutionSettings, Method, Selection, Step};

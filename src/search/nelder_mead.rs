@@ -2,6 +2,7 @@
 
 use super::generation::{Brood, GenerationRecord};
 use super::individual::{Individual, best, first_drawn};
+use super::plan::{Motion, Plan};
 use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use super::symmetric::{UNIT, Vector, plus};
@@ -9,47 +10,36 @@ use super::symmetric::{UNIT, Vector, plus};
 /// Four corners, of which the worst is to be replaced.
 ///
 /// While a second trial is to decide over a reflected corner, that stands beside the four.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct NelderMead {
     found: Found,
-    phase: Phase,
+    /// What is tried next.
+    motion: Motion,
     /// How often it has begun.
     begun: u32,
-}
-
-/// What is tried next.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-enum Phase {
-    /// A new simplex.
-    #[default]
-    Begin,
-    /// The worst corner on the other side of the centre of the others.
-    Reflect,
-    /// Twice as far, for the reflected one is the best.
-    Expand,
-    /// Half as far, for the reflected one would be the worst.
-    ContractOutside,
-    /// Half of the way to the worst, for the reflected one is worse still.
-    ContractInside,
-    /// All corners but the best, half of the way to it.
-    Shrink,
 }
 
 /// A simplex whose edges are no longer than this in any gain begins anew.
 const SMALLEST: f64 = 1e-4;
 
+impl Default for NelderMead {
+    fn default() -> Self {
+        Self { found: Found::default(), motion: Motion::Begin, begun: 0 }
+    }
+}
+
 impl Search for NelderMead {
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood {
-        let trials = match self.phase {
-            Phase::Begin => corners(e, self.begun),
-            Phase::Shrink => {
+        let trials = match self.motion {
+            Motion::Begin => corners(e, self.begun),
+            Motion::Shrink => {
                 let [lowest, others @ ..] = self.simplex();
                 others.map(|corner| between(corner, lowest, 0.5)).to_vec()
             }
-            Phase::Reflect => vec![self.beyond(1.0)],
-            Phase::Expand => vec![self.beyond(2.0)],
-            Phase::ContractOutside => vec![self.beyond(0.5)],
-            Phase::ContractInside => vec![self.beyond(-0.5)],
+            Motion::Reflection => vec![self.beyond(1.0)],
+            Motion::Expansion => vec![self.beyond(2.0)],
+            Motion::OutsideContraction => vec![self.beyond(0.5)],
+            Motion::InsideContraction => vec![self.beyond(-0.5)],
         };
         let new = |gains: Vector| Individual::new(e.tried(gains), [0.0; 3]);
         let trials = trials.into_iter().map(new).collect();
@@ -62,9 +52,9 @@ impl Search for NelderMead {
     fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
         let brood = brood.with_costs(costs);
         let trial = best(&brood.offspring);
-        let (survives, next) = match self.phase {
-            Phase::Begin => ([false; 6], Phase::Reflect),
-            Phase::Shrink => ([true, false, false, false, false, false], Phase::Reflect),
+        let (survives, next) = match self.motion {
+            Motion::Begin => ([false; 6], Motion::Reflection),
+            Motion::Shrink => ([true, false, false, false, false, false], Motion::Reflection),
             _ => self.decided(&trial),
         };
         // What shrinks, and what begins, is taken whatever it costs.
@@ -76,13 +66,21 @@ impl Search for NelderMead {
                 Some(_) => is_new || survives[5],
             }),
         };
-        self.begun += u32::from(self.phase == Phase::Begin);
+        self.begun += u32::from(self.motion == Motion::Begin);
         self.found.follow(&record);
-        self.phase = next;
-        if next == Phase::Reflect && self.is_small() {
-            self.phase = Phase::Begin;
+        self.motion = next;
+        if next == Motion::Reflection && self.is_small() {
+            self.motion = Motion::Begin;
         }
         record
+    }
+
+    fn plan(&self, _: &EvolutionSettings) -> Plan {
+        let corners = match self.motion {
+            Motion::Begin => Vec::new(),
+            _ => self.parted().0.map(|number| number as u32).to_vec(),
+        };
+        Plan { motion: Some(self.motion), corners, ..Plan::NONE }
     }
 
     found!(found);
@@ -90,7 +88,7 @@ impl Search for NelderMead {
 
 impl NelderMead {
     /// Which of the five that stand, and whether the trial, survive; and what comes next.
-    fn decided(&self, trial: &Individual) -> ([bool; 6], Phase) {
+    fn decided(&self, trial: &Individual) -> ([bool; 6], Motion) {
         let all = &self.found.population;
         // A reflected corner stands among the four where it was ranked.
         let (simplex, reflected) = self.parted();
@@ -102,32 +100,32 @@ impl NelderMead {
             survives
         };
         let worst_number = simplex[3];
-        match (self.phase, reflected) {
-            (Phase::Expand, Some(number)) if trial.is_better_than(&all[number]) => {
-                (keep(&[worst_number, number], true), Phase::Reflect)
+        match (self.motion, reflected) {
+            (Motion::Expansion, Some(number)) if trial.is_better_than(&all[number]) => {
+                (keep(&[worst_number, number], true), Motion::Reflection)
             }
-            (Phase::Expand, Some(_)) => (keep(&[worst_number], false), Phase::Reflect),
-            (Phase::ContractOutside, Some(number)) if !all[number].is_better_than(trial) => {
-                (keep(&[worst_number, number], true), Phase::Reflect)
+            (Motion::Expansion, Some(_)) => (keep(&[worst_number], false), Motion::Reflection),
+            (Motion::OutsideContraction, Some(number)) if !all[number].is_better_than(trial) => {
+                (keep(&[worst_number, number], true), Motion::Reflection)
             }
-            (Phase::ContractInside, _) if trial.is_better_than(&worst) => {
-                (keep(&[worst_number], true), Phase::Reflect)
+            (Motion::InsideContraction, _) if trial.is_better_than(&worst) => {
+                (keep(&[worst_number], true), Motion::Reflection)
             }
-            (Phase::ContractOutside, Some(number)) => (keep(&[number], false), Phase::Shrink),
-            (Phase::ContractInside, _) => (keep(&[], false), Phase::Shrink),
-            _ if trial.is_better_than(&lowest) => (keep(&[], true), Phase::Expand),
-            _ if trial.is_better_than(&third) => (keep(&[worst_number], true), Phase::Reflect),
-            _ if trial.is_better_than(&worst) => (keep(&[], true), Phase::ContractOutside),
-            _ => (keep(&[], false), Phase::ContractInside),
+            (Motion::OutsideContraction, Some(number)) => (keep(&[number], false), Motion::Shrink),
+            (Motion::InsideContraction, _) => (keep(&[], false), Motion::Shrink),
+            _ if trial.is_better_than(&lowest) => (keep(&[], true), Motion::Expansion),
+            _ if trial.is_better_than(&third) => (keep(&[worst_number], true), Motion::Reflection),
+            _ if trial.is_better_than(&worst) => (keep(&[], true), Motion::OutsideContraction),
+            _ => (keep(&[], false), Motion::InsideContraction),
         }
     }
 
     /// The numbers of the four corners, best first, and of the reflected one, if a trial is to decide over it: that is
     /// the best while it is expanded, and the last but one while it is contracted.
     fn parted(&self) -> ([usize; 4], Option<usize>) {
-        match self.phase {
-            Phase::Expand => ([1, 2, 3, 4], Some(0)),
-            Phase::ContractOutside => ([0, 1, 2, 4], Some(3)),
+        match self.motion {
+            Motion::Expansion => ([1, 2, 3, 4], Some(0)),
+            Motion::OutsideContraction => ([0, 1, 2, 4], Some(3)),
             _ => ([0, 1, 2, 3], None),
         }
     }

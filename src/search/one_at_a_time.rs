@@ -2,6 +2,7 @@
 
 use super::generation::{Brood, GenerationRecord};
 use super::individual::{Individual, first_drawn};
+use super::plan::Plan;
 use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 
@@ -47,6 +48,11 @@ impl Search for OneAtATime {
         let point = &mut self.found.population[0];
         *point = point.with_sigmas(self.steps.map(f64::abs));
         record
+    }
+
+    fn plan(&self, _: &EvolutionSettings) -> Plan {
+        let has_begun = !self.found.population.is_empty();
+        Plan { steps: has_begun.then_some(self.steps), ..Plan::NONE }
     }
 
     found!(found);

@@ -4,6 +4,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::generation::{Brood, GenerationRecord};
 use super::individual::{Individual, first_drawn};
+use super::plan::Plan;
 use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use super::symmetric::plus;
@@ -44,6 +45,10 @@ impl Search for OnePlusOne {
             *parent = parent.with_sigmas(parent.sigmas.map(|sigma| DECAY * sigma));
         }
         record
+    }
+
+    fn plan(&self, _: &EvolutionSettings) -> Plan {
+        Plan { steps: self.0.population.first().map(|parent| parent.sigmas), ..Plan::NONE }
     }
 
     found!(0);

@@ -4,6 +4,7 @@ use core::fmt::Debug;
 
 use super::generation::{Brood, GenerationRecord};
 use super::individual::Individual;
+use super::plan::Plan;
 use super::settings::EvolutionSettings;
 
 /// A search for the gains of least cost. It asks for trials, and is told what they cost.
@@ -31,6 +32,11 @@ pub trait Search: Debug {
     /// # Panics
     /// If nothing was driven.
     fn best(&self) -> Individual;
+
+    /// What it goes by when it asks next, besides its population.
+    fn plan(&self, _: &EvolutionSettings) -> Plan {
+        Plan::NONE
+    }
 
     /// Another that stands where this one does.
     fn copied(&self) -> Box<dyn Search>;

@@ -109,7 +109,10 @@ impl Evolution {
             0 => search(self.setting.experiment().evolution.method),
             _ => self.search_after(number - 1),
         };
-        Ok(self::generation(&self.setting, search.as_mut(), number))
+        let e = &self.setting.experiment().evolution;
+        let plan = search.plan(e);
+        let record = self::generation(&self.setting, search.as_mut(), number);
+        Ok(GenerationRecord { plan, next: search.plan(e), ..record })
     }
 
     /// The population that a generation left, best ranked first; the error says which there are.

@@ -273,7 +273,10 @@ export interface GenerationRecord {
    * a + F (b − c) in differential evolution. Empty where a method crosses nothing.
    */
   donors: number[][];
-  /** What each mutation began with, where parents are crossed; else empty. */
+  /**
+   * What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution, before
+   * they are crossed; else empty.
+   */
   bases: Individual[];
   /** The distribution from which CMA-ES drew the offspring; null for other methods. */
   ellipse: Ellipse | null;
@@ -288,6 +291,10 @@ export interface GenerationRecord {
   ranking: number[];
   /** Those that survive, best ranked first. */
   survivors: number[];
+  /** What the method went by, besides its population. */
+  plan: Plan;
+  /** What it goes by in the next generation. */
+  next: Plan;
 }
 /**
  * The draws that made one offspring, standard normal unless the steps are Cauchy's. One for each component is our reading
@@ -308,6 +315,23 @@ export interface Ellipse {
   /** The three semi-axes of its ellipsoid of one standard deviation, the longest first. */
   axes: [number, number, number][];
 }
+/** What a method goes by when it asks, besides its population; null or empty is what it does not have. */
+export interface Plan {
+  /** The move of Nelder and Mead's simplex. */
+  motion: Motion | null;
+  /** Its four corners by their places in the population, best first; empty where a simplex begins. */
+  corners: number[];
+  /** The distribution from which CMA-ES draws. */
+  ellipse: Ellipse | null;
+  /** By how much the trials of CMA-ES will move its mean, the best first; those after them do not count. */
+  weights: number[];
+  /** How much J rises by a gain, as finite differences have told. */
+  slope: [number, number, number] | null;
+  /** The next step in each gain: down the slope; one gain at a time, when it is its turn; σ of the (1+1) strategy. */
+  steps: [number, number, number] | null;
+}
+/** A move of Nelder and Mead's simplex. */
+export type Motion = 'begin' | 'reflection' | 'expansion' | 'outside-contraction' | 'inside-contraction' | 'shrink';
 /** How much a σ changes by itself, τ, and how much all three change together, τ'. */
 export interface LearningRates {
   /** τ */
