@@ -443,13 +443,13 @@ engineTest('each phase is readable for everybody, in sight without scrolling', a
 
 /** Each method has its own phases, and none of them makes the page stumble. */
 const methods = /** @type {const} */ ([
-  ['evolution.method=random', ['parents', 'drive', 'survivors']],
-  ['evolution.method=de', ['parents', 'drive', 'survivors']],
-  ['evolution.method=cma-es', ['parents', 'drive', 'survivors']],
-  ['evolution.method=one-plus-one-es', ['parents', 'drive', 'survivors']],
-  ['evolution.method=nelder-mead', ['parents', 'drive', 'survivors']],
-  ['evolution.method=one-at-a-time', ['parents', 'drive', 'survivors']],
-  ['evolution.method=finite-differences', ['parents', 'drive', 'survivors']],
+  ['evolution.method=random', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=de', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=cma-es', ['parents', 'mutation', 'drive', 'ranking', 'survivors']],
+  ['evolution.method=one-plus-one-es', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=nelder-mead', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=one-at-a-time', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=finite-differences', ['parents', 'mutation', 'drive', 'survivors']],
   ['evolution.selection=truncation', ['parents', 'mutation', 'drive', 'ranking', 'survivors']],
   ['evolution.crossover=1', phases],
 ]);

@@ -1,6 +1,7 @@
 // What the map draws of a method is what the core says of its generation.
 import assert from 'node:assert/strict';
-import { ringOf, sketchOf } from '../../../www/parts/landscape/method.js';
+import { ringOf } from '../../../www/kit/ellipse.js';
+import { sketchOf } from '../../../www/parts/landscape/method.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -15,7 +16,7 @@ function recordsOf(method, generations) {
   for (let i = 0; i < generations; i += 1) evolution.step();
   return Array.from({ length: generations + 1 }, (_, g) => evolution.record(g));
 }
-/** @type {import('../../../www/parts/landscape/method.js').Shadow} */
+/** @type {import('../../../www/kit/ellipse.js').Shadow} */
 const shadow = ([kx, , ktheta]) => [kx, ktheta];
 
 test('the ellipse is where the density of two gains has fallen as far as at one deviation', () => {

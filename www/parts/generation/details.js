@@ -1,17 +1,21 @@
 // What the chosen individual went through in a phase, in the numbers of the record.
 /** @import { TemplateResult } from 'lit-html' */
 /** @import { Individual, Run } from '../../core/engine.js' */
+/** @import { Successes } from './detail-methods.js' */
 /** @import { Anatomy, GenerationRecord, Phase } from './record.js' */
 import { html, nothing } from 'lit-html';
 import { winsBout } from '../../core/rules.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { bell } from './bell.js';
+import { forgets } from './phases.js';
+import { gainRows, headline, link, symbol } from './detail.js';
+import { learntBy, madeBy, standsBy, weighedBy } from './detail-methods.js';
 import { isInitial, partnerOf } from './record.js';
 
 /** @typedef {GenerationRecord['mutations'][number]} Mutation */
 /** @typedef {{ own: number, common: number }} Rates */
-/** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, run: Run, starts: number }} DetailsModel */
+/** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, run: Run, starts: number, successes: Successes | null }} DetailsModel */
 /** @typedef {{ rates: Rates, choose: (number: number) => void }} Context */
 
 /** More bouts than that are told as a number. */
@@ -29,18 +33,23 @@ const contents = {
   parents({ anatomy, chosen }) {
     const { record, all } = anatomy;
     const { cost, gains, sigmas } = all[chosen];
-    const from = isInitial(record) ? words.initialText : words.ranked(chosen + 1, record.generation - 1);
+    const from = isInitial(record)
+      ? words.initialText(anatomy)
+      : words.ranked(chosen + 1, record.generation - 1);
+    const told = headline(anatomy, chosen, `J ${words.costWriter(anatomy)(cost)}`, from);
+    if (anatomy.method !== 'ep') return html`${told}${standsBy(anatomy, chosen)}`;
     const row = (/** @type {number} */ i) => html`
       ${bell(null)}
       <p class="equation">${symbol('k', i)} = ${words.gainText(gains[i])}</p>
       <p class="equation">${symbol('σ', i)} = ${words.sigmaText(sigmas[i])}</p>`;
     return html`
-      ${headline(anatomy, chosen, `J ${words.costWriter(anatomy)(cost)}`, from)}
+      ${told}
       ${gainRows('gain-rows', row)}`;
   },
 
   mutation({ anatomy, chosen }, { rates, choose }) {
     const { record, count } = anatomy;
+    if (anatomy.method !== 'ep') return madeBy(anatomy, chosen, choose);
     const pair = chosen % count;
     // Where parents are crossed, it begins with what came of that.
     const parent = record.bases[pair] ?? record.parents[pair];
@@ -58,7 +67,7 @@ const contents = {
   },
 
   drive({ anatomy, chosen, run, starts }, { choose }) {
-    const { all } = anatomy;
+    const { all, method } = anatomy;
     const { cost, gains } = all[chosen];
     const write = words.costWriter(anatomy);
     const partner = partnerOf(anatomy, chosen);
@@ -71,7 +80,7 @@ const contents = {
       ${headline(anatomy, chosen, `J ${write(cost)}`, lab.outcomeText(run))}
       <p class="triple">${gains.map((gain, i) => html`<span>${symbol('k', i)} = ${words.gainText(gain)}</span>`)}</p>
       ${starts > 1 ? html`<p class="muted">${words.meanText(starts)}</p>` : html`<p class="parts"><i>J</i>${sum}</p>`}
-      <p>${words.comparedText(cost, all[partner].cost)}${link(anatomy, partner, choose)}, J ${write(all[partner].cost)}</p>`;
+      ${forgets(method) ? nothing : html`<p>${words.comparedText(cost, all[partner].cost)}${link(anatomy, partner, choose)}, J ${write(all[partner].cost)}</p>`}`;
   },
 
   tournament({ anatomy, chosen }, { choose }) {
@@ -92,22 +101,28 @@ const contents = {
   },
 
   ranking({ anatomy, chosen }, { choose }) {
-    const { staying, ranking, ranks } = anatomy;
-    const near = ranking.map((_, rank) => rank).slice(Math.max(0, staying - aroundCut), staying + aroundCut);
+    const { counting, ranked, ranks } = anatomy;
+    const last = Math.min(ranked, counting + aroundCut);
+    const near = Array.from({ length: ranked }, (_, rank) => rank).slice(
+      Math.max(0, counting - aroundCut),
+      last,
+    );
     const own = ranks[chosen];
     const rows = [...new Set([own, ...near])].sort((a, b) => a - b);
     return html`
       ${headline(anatomy, chosen, words.fateText(anatomy, chosen))}
       <ol class="ranks">${rows.map((rank) => rankRow(anatomy, rank, own, choose))}</ol>
-      ${upset(anatomy)}`;
+      ${anatomy.method === 'ep' ? upset(anatomy) : weighedBy(anatomy, chosen)}`;
   },
 
-  survivors({ anatomy, chosen }) {
-    const { record, all, staying, ranking } = anatomy;
+  survivors({ anatomy, chosen, successes }) {
+    const { record, all, staying, ranking, method } = anatomy;
     const write = words.costWriter(anatomy);
     const best = (/** @type {Individual[]} */ some) => Math.min(...some.map(({ cost }) => cost));
     const after = best(ranking.slice(0, staying).map((number) => all[number]));
-    const told = () => html`<p>${words.bestText(best(record.parents), after, write)}</p>${upset(anatomy)}`;
+    const told = () => html`
+      <p>${words.bestText(method, best(record.parents), after, write)}</p>
+      ${method === 'ep' || method === 'de' ? upset(anatomy) : learntBy(anatomy, successes)}`;
     return html`
       ${headline(anatomy, chosen, `J ${write(all[chosen].cost)}`, words.fateText(anatomy, chosen))}
       ${isInitial(record) ? nothing : told()}`;
@@ -116,22 +131,6 @@ const contents = {
 
 /** @param {Anatomy} anatomy */
 const upset = (anatomy) => html`<p class="upset">${words.upsetText(anatomy)}</p>`;
-
-/** @param {Anatomy} anatomy @param {number} number @param {string[]} facts */
-const headline = (anatomy, number, ...facts) =>
-  html`<p class="headline"><strong>${words.capital(words.nameOf(anatomy, number))}</strong><span>${facts.join(' · ')}</span></p>`;
-
-/** @param {Anatomy} anatomy @param {number} number @param {(number: number) => void} choose */
-const link = (anatomy, number, choose) =>
-  html`<button class="link on-paper" type="button" @click=${() => choose(number)}>${words.nameOf(anatomy, number)}</button>`;
-
-/** @param {string} className @param {(i: number) => TemplateResult} row */
-const gainRows = (className, row) =>
-  html`<div class=${className}>${lab.gains.map(({ id }, i) => html`<div class="gain-row ${id}">${row(i)}</div>`)}</div>`;
-
-/** @param {string} letter @param {number} i */
-const symbol = (letter, i) =>
-  html`<span class="symbol ${lab.gains[i].id}">${letter}<sub>${lab.gains[i].index}</sub></span>`;
 
 /** k + σ N = k′ @param {Individual} parent @param {Individual} child @param {Mutation} draws @param {number} i */
 function gainEquation(parent, child, draws, i) {
@@ -157,14 +156,16 @@ function commonEquation({ common }, rates) {
 
 /** @param {Anatomy} anatomy @param {number} rank @param {number} own @param {(number: number) => void} choose */
 function rankRow(anatomy, rank, own, choose) {
-  const { ranking, record, all, staying } = anatomy;
+  const { ranking, record, all, counting } = anatomy;
   const individual = ranking[rank];
-  const classes = [rank === own && 'own', rank >= staying ? 'falls' : 'stays', rank === staying && 'first'];
+  const classes = [rank === own && 'own', rank >= counting ? 'falls' : 'stays', rank === counting && 'first'];
+  const { weights } = record.plan;
+  const told = weights.length > 0 ? words.weightText(weights[rank] ?? 0) : nothing;
   return html`
     <li class=${classes.filter(Boolean).join(' ')}>
       <span class="rank">${rank + 1}.</span>
       ${link(anatomy, individual, choose)}
-      <span class="wins">${record.wins.length > 0 ? words.winsText(record.wins[individual]) : nothing}</span>
+      <span class="wins">${record.wins.length > 0 ? words.winsText(record.wins[individual]) : told}</span>
       <span class="cost">J ${words.costWriter(anatomy)(all[individual].cost)}</span>
     </li>`;
 }

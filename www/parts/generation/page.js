@@ -15,16 +15,10 @@ import { playsPhases } from '../../run/pace.js';
 import words from './words/index.js';
 import { createSection } from '../section.js';
 import { detailsOf } from './details.js';
+import { successesIn } from './detail-methods.js';
+import { phasesOf, phasesOfMethod } from './phases.js';
 import { createPicture } from './picture.js';
-import {
-  chosenOf,
-  createAnatomy,
-  createChosenDrives,
-  isInitial,
-  phaseAfter,
-  phaseOf,
-  phasesOf,
-} from './record.js';
+import { chosenOf, createAnatomy, createChosenDrives, isInitial, phaseAfter, phaseOf } from './record.js';
 import { generationSlice } from './state.js';
 import { createSteps } from './steps.js';
 import { generationTable } from './table.js';
@@ -57,8 +51,13 @@ export function createGenerationPage({ engine, store, actions }) {
       const hurries = state.evolving && !playsPhases(state);
       const starts = state.experiment.starts.length;
       // Only in one phase the drive itself is told.
-      if (changed(anatomy, phase, chosen, hurries, starts, phase === 'drive' ? scene.driving : null))
-        render(contentOf({ anatomy, phase, chosen, run: scene.driving, starts }, hurries, on), element);
+      if (changed(anatomy, phase, chosen, hurries, starts, phase === 'drive' ? scene.driving : null)) {
+        const successes = successesIn(anatomy, state.history);
+        render(
+          contentOf({ anatomy, phase, chosen, run: scene.driving, starts, successes }, hurries, on),
+          element,
+        );
+      }
       picture ??= createPicture(element, { onChoose: choose });
       picture.draw({ anatomy, phase, chosen, still: hurries });
     },
@@ -76,7 +75,7 @@ function contentOf(model, hurries, { steps, onTable, ...context }) {
     <div class="heading">
       <h2 id="generation-title">${words.title(anatomy.record.generation)}</h2>
       <p id="generation-key" class="generation-key muted" data-picture="generation" .hidden=${initial}><span
-        class="key parent">${words.parentKey}</span><span class="key offspring">${words.offspringKey}</span></p>
+        class="key parent">${words.keyOf(anatomy, 'parent')}</span><span class="key offspring">${words.keyOf(anatomy, 'offspring')}</span></p>
       <button id="generation-table" type="button" class="link muted" @click=${onTable}>${words.texts.generationTable}</button>
     </div>
     <fieldset id="generation-phases" class="segmented">
@@ -99,11 +98,19 @@ function contentOf(model, hurries, { steps, onTable, ...context }) {
 }
 
 /** Not each generation has all. @param {Anatomy} anatomy */
-const choices = ({ record }) =>
-  words.phases.map((choice) => ({ ...choice, disabled: !phasesOf(record).includes(choice.value) }));
+function choices(anatomy) {
+  const there = phasesOf(anatomy);
+  return phasesOfMethod(anatomy.method).map((value) => ({
+    value,
+    text: words.phaseName(anatomy, value),
+    disabled: !there.includes(value),
+  }));
+}
 
 /** @param {Anatomy} anatomy @param {Phase} phase */
 function whereNext(anatomy, phase) {
   const following = phaseAfter(anatomy, phase, 1);
-  return following ? words.nextPhase(following) : words.nextGeneration(anatomy.record.generation + 1);
+  return following
+    ? words.nextPhase(words.phaseName(anatomy, following))
+    : words.nextGeneration(anatomy.record.generation + 1);
 }

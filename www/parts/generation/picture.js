@@ -1,22 +1,19 @@
-// The picture of a generation: every individual is a mark that keeps its height, its J, through all phases.
+// The picture of a generation: every individual is a mark. Its height is its J; or it lies where its gains are, seen from two sides.
 /** @import { Place, Size } from './places.js' */
 /** @import { Anatomy, Phase } from './record.js' */
-import { winsBout } from '../../core/rules.js';
-import { tickStep, ticks as ticksOf } from 'd3-array';
 import { followSize, svg } from '../../kit/elements.js';
 import { isChord } from '../../kit/keyboard.js';
-import { sameDigits } from '../../kit/chart.js';
 import { watch } from '../../kit/memo.js';
 import words from './words/index.js';
+import { drawCostAxis } from './cost-axis.js';
+import { drawGainAxes, drawSketch, gainPlaces, sidesOf } from './gain-view.js';
 import { isCrowd, moveTo, place, prepare, show as showMarks } from './marks.js';
-import { columnsOf, heightOf, margin, orderOf, placesOf, radiusOf } from './places.js';
-import { isInitial } from './record.js';
+import { boutLines, notesOf } from './notes.js';
+import { shownIn } from './phases.js';
+import { orderOf, placesOf, radiusOf } from './places.js';
 
 /** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, still: boolean }} PictureModel Still: nobody has asked for motion. */
-/** @typedef {{ model: PictureModel, size: Size, places: Place[] }} Drawn */
-
-/** More lines than that hide what they lead to. */
-const mostBouts = 60;
+/** @typedef {{ model: PictureModel, size: Size, places: Place[], twins: Place[] | null }} Drawn Twins: the same from another side. */
 
 /** @param {HTMLElement} element The part. @param {{ onChoose: (number: number) => void }} on */
 export function createPicture(element, { onChoose }) {
@@ -71,16 +68,21 @@ export function createPicture(element, { onChoose }) {
 /** @param {HTMLElement} root @returns {(model: PictureModel, size: Size, drawn: Drawn | null) => Drawn} What draws after what it has drawn before. */
 function createDrawing(root) {
   const picture = svg('svg', { 'aria-hidden': 'true' });
-  const layers = ['axis', 'pairs', 'bouts', 'marks', 'notes'].map((name) => svg('g', { class: name }));
-  const [axis, pairs, bouts, marks, notes] = layers;
-  const ring = svg('circle', { class: 'ring' });
-  picture.append(...layers, ring);
+  const layers = ['axis', 'sketch', 'pairs', 'bouts', 'marks', 'twins', 'notes'].map((name) =>
+    svg('g', { class: name }),
+  );
+  const [axis, sketch, pairs, bouts, marks, twins, notes] = layers;
+  const [ring, twin] = [0, 1].map(() => svg('circle', { class: 'ring' }));
+  picture.append(...layers, ring, twin);
   root.append(picture);
   return (model, size, drawn) => {
     const { anatomy, phase, chosen } = model;
-    const places = placesOf(anatomy, phase, size);
+    const sides = shownIn(anatomy.method, phase) === 'gains' ? sidesOf(anatomy, size) : null;
+    const [places, seenAgain] = sides
+      ? sides.map((side) => gainPlaces(anatomy, phase, side))
+      : [placesOf(anatomy, phase, size), null];
     picture.setAttribute('viewBox', `0 0 ${size.width} ${size.height}`);
-    prepare(marks, pairs, model);
+    prepare({ marks, twins, pairs }, model);
     const before = succeeded(drawn, anatomy);
     const moves = before || (drawn?.model.anatomy === anatomy && drawn.model.phase !== phase);
     const still = model.still || !moves || isCrowd(model) || drawn?.size !== size;
@@ -90,14 +92,28 @@ function createDrawing(root) {
     if (!still) root.getBoundingClientRect();
     root.classList.toggle('still', still);
     root.dataset.phase = phase;
-    showMarks(marks, pairs, model, places, radiusOf(size, anatomy.columns));
-    drawAxis(axis, model, size);
+    root.dataset.shows = sides ? 'gains' : 'costs';
+    const radius = radiusOf(size, anatomy.columns);
+    showMarks({ marks, twins, pairs }, model, places, seenAgain, radius);
+    if (sides) {
+      drawGainAxes(axis, sides);
+      drawSketch(sketch, sides, anatomy, phase, chosen);
+    } else {
+      drawCostAxis(axis, model, size);
+      sketch.replaceChildren();
+    }
     bouts.replaceChildren(...(phase === 'tournament' ? boutLines(model, places, size) : []));
     notes.replaceChildren(...notesOf(model, places, size));
-    ring.setAttribute('r', String(Math.max(9, radiusOf(size, anatomy.columns) * 1.25 + 4)));
-    moveTo(ring, places[chosen]);
+    for (const [circle, there] of /** @type {const} */ ([
+      [ring, places],
+      [twin, seenAgain],
+    ])) {
+      circle.setAttribute('r', String(Math.max(9, radius * 1.25 + 4)));
+      circle.toggleAttribute('hidden', !there);
+      if (there) moveTo(circle, there[chosen]);
+    }
     describe(root, model);
-    return { model, size, places };
+    return { model, size, places, twins: seenAgain };
   };
 }
 
@@ -127,8 +143,11 @@ function stepped(order, chosen, key) {
 }
 
 /** The mark in sight that is nearest to a point, unless that is far from all. @param {Drawn} drawn @param {number} x @param {number} y */
-function nearest({ model, places }, x, y) {
-  const distance = (/** @type {number} */ number) => Math.hypot(places[number].x - x, places[number].y - y);
+function nearest({ model, places, twins }, x, y) {
+  const distance = (/** @type {number} */ number) =>
+    Math.min(
+      ...[places, twins ?? places].map((there) => Math.hypot(there[number].x - x, there[number].y - y)),
+    );
   const number = orderOf(model.anatomy, model.phase).reduce((a, b) => (distance(b) < distance(a) ? b : a));
   return distance(number) < 40 ? number : null;
 }
@@ -140,143 +159,4 @@ function describe(root, { anatomy, phase, chosen }) {
   root.setAttribute('aria-valuemax', String(order.length));
   root.setAttribute('aria-valuenow', String(Math.max(1, order.indexOf(chosen) + 1)));
   root.setAttribute('aria-valuetext', words.chosenText(anatomy, phase, chosen));
-}
-
-/** @param {Element} layer @param {PictureModel} model @param {Size} size */
-function drawAxis(layer, { anatomy, phase }, size) {
-  const height = heightOf(anatomy, size);
-  const right = size.width - margin.right;
-  const [low, high] = height.scale.domain();
-  const room = Math.max(2, Math.floor(size.height / 48));
-  const step = tickStep(low, high, room);
-  // Where evolution has nearly ended J itself would need too many digits.
-  const narrow = step < 1e-4;
-  const ticks = narrow ? ticksOf(0, high - low, room).map((tick) => low + tick) : ticksOf(low, high, room);
-  const texts = narrow
-    ? ticks.map((tick, i) => words.beyondBest(i === 0 ? 0 : tick - low))
-    : sameDigits(ticks);
-  const digits = narrow ? 3 : (texts[0]?.split('.')[1] ?? '').length;
-  const line = (/** @type {number} */ y) => svg('line', { x1: margin.left, x2: right, y1: y, y2: y });
-  const label = (/** @type {number} */ y, /** @type {string} */ text) =>
-    svg('text', { x: margin.left - 8, y: y + 4, class: 'end' }, text);
-  const { above } = height;
-  const first = above ? above.line + 14 : 0;
-  layer.replaceChildren(
-    ...ticks.flatMap((tick) =>
-      height.scale(tick) > first ? [line(Math.round(height.scale(tick)) + 0.5)] : [],
-    ),
-    ...ticks.flatMap((tick, i) => (height.scale(tick) > first ? [label(height.scale(tick), texts[i])] : [])),
-    ...(above
-      ? [
-          svg('line', { x1: margin.left, x2: right, y1: above.line, y2: above.line, class: 'limit' }),
-          label(above.y, words.aboveText(above.limit, digits)),
-        ]
-      : []),
-    svg('text', { x: 0, y: margin.top + (above ? 36 : 4), class: 'symbol' }, words.costAxis),
-    ...across({ anatomy, phase }, size),
-  );
-}
-
-/** What stands below: the numbers of the pairs, or the wins. @param {Pick<PictureModel, 'anatomy' | 'phase'>} model @param {Size} size */
-function across({ anatomy, phase }, size) {
-  const { columns, all, record, ranking } = anatomy;
-  const base = size.height - 5;
-  const label = (/** @type {number} */ x, /** @type {string} */ text) =>
-    svg('text', { x, y: base, class: 'middle' }, text);
-  const title = (/** @type {string} */ text) =>
-    svg('text', { x: margin.left - 8, y: base, class: 'end' }, text);
-  if (phase === 'ranking') {
-    if (record.wins.length === 0) return [];
-    const { x, step } = columnsOf(size, all.length);
-    const groups = groupsOf(ranking.map((number) => record.wins[number]));
-    return [
-      title(words.winsAxis),
-      ...groups.flatMap(({ wins, from, to }) => [
-        svg('line', {
-          x1: x(from) - 0.4 * step,
-          x2: x(to) + 0.4 * step,
-          y1: size.height - margin.bottom + 3,
-          y2: size.height - margin.bottom + 3,
-          class: 'group',
-        }),
-        ...((to - from + 1) * step >= 12 ? [label((x(from) + x(to)) / 2, String(wins))] : []),
-      ]),
-    ];
-  }
-  const { x, step } = columnsOf(size, columns);
-  const every =
-    [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => n * step >= 20 + 6 * String(columns).length - 12) ??
-    1000;
-  const shown = Array.from({ length: columns }, (_, i) => i + 1).filter((n) => n === 1 || n % every === 0);
-  const name =
-    phase === 'survivors' ? words.parentAxis : isInitial(record) ? words.robotAxis : words.pairAxis;
-  return [title(name), ...shown.map((n) => label(x(n - 1), String(n)))];
-}
-
-/** Those in a row who have as many wins. @param {number[]} wins */
-function groupsOf(wins) {
-  /** @type {{ wins: number, from: number, to: number }[]} */
-  const groups = [];
-  for (const [i, own] of wins.entries()) {
-    const last = groups[groups.length - 1];
-    if (last?.wins === own) last.to = i;
-    else groups.push({ wins: own, from: i, to: i });
-  }
-  return groups;
-}
-
-/** The chosen one's bouts: who stands above its line has lost to it, who stands below has won. @param {PictureModel} model @param {Place[]} places @param {Size} size */
-function boutLines({ anatomy, chosen }, places, size) {
-  const { record, all } = anatomy;
-  const own = places[chosen];
-  const met = [...new Set(record.opponents[chosen])].slice(0, mostBouts);
-  const wins = (/** @type {number} */ opponent) => winsBout(all[chosen].cost, all[opponent].cost);
-  return [
-    svg('line', { x1: margin.left, x2: size.width - margin.right, y1: own.y, y2: own.y, class: 'level' }),
-    ...met.map((opponent) => {
-      const { x, y } = places[opponent];
-      return svg('line', { x1: own.x, y1: own.y, x2: x, y2: y, class: wins(opponent) ? 'won' : 'lost' });
-    }),
-    ...met.map((opponent) => {
-      const { x, y } = places[opponent];
-      const won = wins(opponent);
-      // On the far side of the line that leads there.
-      const text = { x, y: y + (y <= own.y && y > 24 ? -9 : 19), class: 'middle result' };
-      return svg('text', text, won ? words.won : words.lost);
-    }),
-  ];
-}
-
-/** The chosen one's ring and name, the line of the cut, and who crosses it the wrong way. @param {PictureModel} model @param {Place[]} places @param {Size} size */
-function notesOf(model, places, size) {
-  const { anatomy, phase, chosen } = model;
-  const { upset, staying, all } = anatomy;
-  const notes = [];
-  const ranking = phase === 'ranking';
-  if (ranking) {
-    const { x, step } = columnsOf(size, all.length);
-    const cut = x(staying - 1) + step / 2;
-    notes.push(
-      svg('line', { x1: cut, x2: cut, y1: margin.top, y2: size.height - margin.bottom + 6, class: 'cut' }),
-      svg('text', { x: cut - 8, y: margin.top + 4, class: 'end' }, words.stay(staying)),
-      svg('text', { x: cut + 8, y: margin.top + 4 }, words.fall(all.length - staying)),
-    );
-  }
-  const named = ranking && upset ? [upset.survivor, upset.fallen] : [];
-  if (ranking && upset) {
-    const [a, b] = named.map((number) => places[number]);
-    notes.push(svg('line', { x1: a.x, y1: a.y, x2: b.x, y2: b.y, class: 'upset' }));
-  }
-  for (const number of new Set([...named, chosen])) {
-    const below = places[number].y < 34 || (ranking && number === upset?.fallen);
-    notes.push(nameAt(places[number], below, size, words.nameOf(anatomy, number)));
-  }
-  return notes;
-}
-
-/** @param {Place} place @param {boolean} below Its mark, instead of above. @param {Size} size @param {string} name */
-function nameAt({ x, y }, below, size, name) {
-  const side = x > size.width - 50 ? 'end' : x < margin.left + 40 ? 'begin' : 'middle';
-  const beside = { end: 9, begin: -9, middle: 0 }[side];
-  return svg('text', { x: x + beside, y: below ? y + 24 : y - 15, class: `name ${side}` }, name);
 }

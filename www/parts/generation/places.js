@@ -1,6 +1,7 @@
 // Where the individuals stand in the picture: how high is their J, and across by pairs or by rank.
 /** @import { Anatomy, Phase } from './record.js' */
 import { scaleLinear } from 'd3-scale';
+import { forgets, hasPairs } from './phases.js';
 
 /** @typedef {{ width: number, height: number }} Size */
 /** @typedef {{ x: number, y: number }} Place */
@@ -47,7 +48,7 @@ export function placesOf(anatomy, phase, size) {
   const { all, count, columns, staying, ranks } = anatomy;
   const { y } = heightOf(anatomy, size);
   const pairs = columnsOf(size, columns);
-  const ranked = columnsOf(size, all.length);
+  const ranked = columnsOf(size, phase === 'ranking' ? anatomy.ranked : all.length);
   const aside = pairedAside(size, columns);
   const byPair = (/** @type {number} */ number) =>
     number < count ? pairs.x(number) - aside : pairs.x(number - count) + aside;
@@ -67,11 +68,13 @@ export function placesOf(anatomy, phase, size) {
 const pairedAside = (size, columns) => Math.min(8, 0.25 * columnsOf(size, columns).step);
 
 /** The numbers in sight, from left to right. @param {Anatomy} anatomy @param {Phase} phase @returns {number[]} */
-export function orderOf({ all, count, columns, ranking, record }, phase) {
-  if (phase === 'ranking') return ranking;
+export function orderOf({ all, count, columns, ranking, ranked, record, method }, phase) {
+  if (phase === 'ranking') return ranking.slice(0, ranked);
   if (phase === 'survivors') return record.survivors;
   const parents = record.parents.map((_, number) => number);
   if (phase === 'parents' || all.length === count) return parents;
+  if (forgets(method)) return record.offspring.map((_, i) => count + i);
+  if (!hasPairs(method)) return all.map((_, number) => number);
   const pairs = Array.from({ length: columns }, (_, i) => [i < count ? i : -1, i + count]);
   return pairs.flat().filter((number) => number >= 0 && number < all.length);
 }

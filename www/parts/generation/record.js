@@ -1,38 +1,58 @@
 // A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
-/** @import { Individual, Statistics } from '../../core/engine.js' */
+/** @import { Experiment, Individual, Statistics } from '../../core/engine.js' */
 /** @import { ChosenDrives } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
-import { generationSlice, isOtherSearch, phases } from './state.js';
 import { remember } from '../../kit/memo.js';
 import words from './words/index.js';
+import { forgets, phasesOf } from './phases.js';
+import { generationSlice, phases } from './state.js';
 
 /** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */
-/** @typedef {import('./state.js').GenerationState} GenerationState */
+/** @typedef {Experiment['evolution']['initialRange']} Range */
+/** @typedef {import('./phases.js').Method} Method */
 /** @typedef {import('./state.js').Phase} Phase */
+/** @typedef {import('./state.js').GenerationState} GenerationState */
 /** @typedef {{ survivor: number, fallen: number }} Upset One that survives though a better one fell. */
 
 /**
  * @typedef {object} Anatomy
+ * @property {Method} method
+ * @property {Readonly<Range>} range From which the first gains were drawn.
  * @property {GenerationRecord} record
  * @property {number} count N, as many as there are parents.
  * @property {number} columns As many as there are parents or offspring, whichever are more.
  * @property {number} staying How many survive.
+ * @property {number} ranked How many are ranked: where all that was before is forgotten, only those that stay.
+ * @property {number} counting How many of these count for what follows.
  * @property {Individual[]} all The parents, then the offspring: an individual's place here is its number.
  * @property {number[]} ranking All numbers, best ranked first; the survivors are its first ones.
  * @property {number[]} ranks The place in the ranking of each number, from 0.
  * @property {Upset | null} upset
  */
 
-/** @param {GenerationRecord} record @returns {Anatomy} */
-export function dissect(record) {
+/** @param {GenerationRecord} record @param {Method} [method] @param {Readonly<Range>} [range] @returns {Anatomy} */
+export function dissect(record, method = 'ep', range = [0, 1]) {
   const all = [...record.parents, ...record.offspring];
-  const { ranking } = record;
+  const { ranking, plan } = record;
   const ranks = new Array(all.length);
   for (const [place, number] of ranking.entries()) ranks[number] = place;
   const [count, born] = [record.parents.length, record.offspring.length];
   const columns = Math.max(count, born);
   const staying = record.survivors.length;
-  return { record, count, columns, staying, all, ranking, ranks, upset: upsetOf(record, all) };
+  return {
+    method,
+    range,
+    record,
+    count,
+    columns,
+    staying,
+    ranked: forgets(method) ? staying : all.length,
+    counting: plan.weights.length || staying,
+    all,
+    ranking,
+    ranks,
+    upset: method === 'ep' || method === 'de' ? upsetOf(record, all) : null,
+  };
 }
 
 /** Generation 0 has no offspring and no tournament. @param {GenerationRecord} record */
@@ -51,37 +71,33 @@ function upsetOf({ survivors }, all) {
 
 /** The shown generation, taken apart once. @param {(generation: number) => GenerationRecord} recordOf @returns {(state: State) => Anatomy} */
 export function createAnatomy(recordOf) {
-  const of = remember((/** @type {Statistics} */ { generation }) => dissect(recordOf(generation)));
-  return ({ history, generation }) => of(history[generation]);
+  const of = remember(
+    (/** @type {Statistics} */ { generation }, /** @type {Method} */ method, /** @type {Range} */ range) =>
+      dissect(recordOf(generation), method, range),
+  );
+  return ({ history, generation, experiment: { evolution } }) =>
+    of(history[generation], evolution.method, evolution.initialRange);
 }
 
-/** What a generation goes through: generation 0 nothing, and each method of search only what it has. @param {GenerationRecord} record @returns {readonly Phase[]} */
-export function phasesOf(record) {
-  if (isInitial(record)) return ['parents', 'survivors'];
-  if (isOtherSearch(record)) return ['parents', 'drive', 'survivors'];
-  return record.opponents.length > 0 ? phases : phases.filter((phase) => phase !== 'tournament');
-}
-
-/** The next phase that the generation has. @param {Pick<Anatomy, 'record'>} anatomy @param {Phase} phase @returns {Phase} */
-export function phaseOf({ record }, phase) {
-  const there = phasesOf(record);
-  if (there.includes(phase)) return phase;
-  if (isInitial(record)) return 'parents';
+/** The next phase that the generation has. @param {Anatomy} anatomy @param {Phase} phase @returns {Phase} */
+export function phaseOf(anatomy, phase) {
+  const there = phasesOf(anatomy);
   return phases.slice(phases.indexOf(phase)).find((one) => there.includes(one)) ?? 'survivors';
 }
 
 /** The phase before or after one, among those that the generation has. @param {Anatomy} anatomy @param {Phase} phase @param {1 | -1} step @returns {Phase | undefined} */
-export function phaseAfter({ record }, phase, step) {
-  const there = phasesOf(record);
+export function phaseAfter(anatomy, phase, step) {
+  const there = phasesOf(anatomy);
   return there[there.indexOf(phase) + step];
 }
 
 /** Whom the page is about: among the parents only a parent. @param {Anatomy} anatomy @param {GenerationState} state */
 export function chosenOf(anatomy, state) {
-  const { count, all, record, upset } = anatomy;
+  const { count, all, record, upset, method } = anatomy;
   const newborn = isInitial(record) ? 0 : count;
   const chosen = state.chosen ?? upset?.survivor ?? newborn + bestOf(all.slice(newborn));
-  return chosen >= all.length || phaseOf(anatomy, state.phase) === 'parents' ? chosen % count : chosen;
+  if (chosen >= all.length || phaseOf(anatomy, state.phase) === 'parents') return chosen % count;
+  return forgets(method) && chosen < newborn ? chosen + count : chosen;
 }
 
 /** @param {Individual[]} individuals */
@@ -93,6 +109,10 @@ export function partnerOf({ count, record }, number) {
   if (number < count) return count + (number < record.offspring.length ? number : 0);
   return number - count < count ? number - count : 0;
 }
+
+/** Which of the offspring it is, or which is its own. @param {Anatomy} anatomy @param {number} number */
+export const trialOf = (anatomy, number) =>
+  (number < anatomy.count ? partnerOf(anatomy, number) : number) - anatomy.count;
 
 /** What drives while the page is open; null on the other pages. @param {(state: State) => Anatomy} anatomyOf */
 export function createChosenDrives(anatomyOf) {
@@ -115,16 +135,19 @@ function drivesOf(anatomy, state) {
   return {
     name: words.drivingText(name(driving), record.generation),
     population: [driving, ...others].map((number) => all[number]),
-    othersText: (shown, arrived) => words.othersText(phase, shown, others.length, arrived),
-    partner: undriven || isInitial(record) ? null : { gains: all[partner].gains, name: name(partner) },
+    othersText: (shown, arrived) => words.othersText(anatomy, phase, shown, others.length, arrived),
+    partner:
+      undriven || isInitial(record) || forgets(anatomy.method)
+        ? null
+        : { gains: all[partner].gains, name: name(partner) },
   };
 }
 
 /** Who else drives on the plane. @param {Anatomy} anatomy @param {Phase} phase @param {number} driving */
-function othersOf({ count, all, record, ranking }, phase, driving) {
+function othersOf({ count, all, record, ranking, ranked }, phase, driving) {
   const numbers = all.map((_, number) => number);
   if (phase === 'tournament') return [...new Set(record.opponents[driving])];
   if (phase === 'survivors') return record.survivors;
-  if (phase === 'ranking') return ranking;
+  if (phase === 'ranking') return ranking.slice(0, ranked);
   return phase === 'drive' ? numbers.slice(count) : numbers.slice(0, count);
 }

@@ -11,6 +11,7 @@ export const phases = /** @type {const} */ ([
 ]);
 
 /** @typedef {typeof phases[number]} Phase */
+
 /** @typedef {{ phase: Phase, chosen: number | null }} GenerationState The number of the chosen one in the record; null: the luckiest survivor, or the best offspring. */
 
 export const generationSlice = createSlice(

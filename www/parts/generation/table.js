@@ -1,17 +1,17 @@
 // The whole generation as a table.
 /** @import { Anatomy } from './record.js' */
 import words from './words/index.js';
+import { hasPairs } from './phases.js';
 import { isInitial } from './record.js';
-import { isOtherSearch } from './state.js';
 
 /** @param {Anatomy} anatomy @returns {import('../../kit/table.js').Table} */
 export function generationTable(anatomy) {
-  const { all, staying, ranks, ranking, record, count } = anatomy;
-  const initial = isInitial(record);
+  const { all, staying, ranks, ranking, record, count, method } = anatomy;
+  const { weights } = record.plan;
   const costText = words.costWriter(anatomy);
   return {
     caption: words.tableCaption(anatomy),
-    columns: words.columns,
+    columns: words.columnsOf(method),
     count: ranking.length,
     rowOf(row) {
       const number = ranking[row];
@@ -19,14 +19,24 @@ export function generationTable(anatomy) {
         String(ranks[number] + 1),
         words.nameOf(anatomy, number),
         String(number),
-        initial || number < count || isOtherSearch(record) ? '' : words.nameOf(anatomy, number - count),
+        madeOf(anatomy, number),
         ...all[number].gains.map((gain) => words.gainText(gain)),
         ...all[number].sigmas.map(words.sigmaText),
         costText(all[number].cost),
-        String(record.wins[number] ?? ''),
+        weights.length > 0 && number >= (isInitial(record) ? 0 : count)
+          ? words.weightText(weights[ranks[number]] ?? 0)
+          : String(record.wins[number] ?? ''),
         ranks[number] < staying ? words.yes : words.no,
       ];
     },
     classOf: (row) => (ranks[ranking[row]] >= staying ? 'falls' : ''),
   };
+}
+
+/** The parents of an offspring. @param {Anatomy} anatomy @param {number} number */
+function madeOf(anatomy, number) {
+  const { count, method, record } = anatomy;
+  if (isInitial(record) || number < count || !hasPairs(method)) return '';
+  const others = method === 'de' ? record.donors[number - count] : [];
+  return [words.nameOf(anatomy, number - count), ...others.map((other) => other + 1)].join(', ');
 }

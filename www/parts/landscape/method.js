@@ -1,8 +1,9 @@
 // What a method other than the paper's sees of the land: the ellipse of CMA-ES, the differences of DE, the simplex of Nelder and Mead,
 // and of the others the step that was tried. In gains; the map draws it.
-/** @import { Experiment, GenerationRecord, Triple } from '../../core/engine.js' */
+/** @import { Experiment, GenerationRecord } from '../../core/engine.js' */
+/** @import { Place, Shadow } from '../../kit/ellipse.js' */
+import { ringOf } from '../../kit/ellipse.js';
 
-/** Over the two gains of the axes. @typedef {readonly [number, number]} Place */
 /**
  * @typedef {object} Sketch
  * @property {readonly (readonly Place[])[]} rings Closed lines.
@@ -11,29 +12,6 @@
  */
 
 const none = /** @type {Sketch} */ ({ rings: [], lines: [], faint: [] });
-const turn = 72;
-
-/** @typedef {(gains: Triple) => Place} Shadow How a point of three gains falls on the map. */
-
-/**
- * The ellipse at so many standard deviations, seen along the third gain.
- * @param {{ mean: Triple, axes: readonly Triple[] }} ellipse @param {Shadow} shadow @param {number} deviations @returns {Place[]}
- */
-export function ringOf({ mean, axes }, shadow, deviations) {
-  const [mx, my] = shadow(mean);
-  const flat = axes.map(shadow);
-  // The square root of the covariance of the two gains.
-  const [a, b, c] = [0, 1, 2].map((k) =>
-    flat.reduce((sum, [x, y]) => sum + (k === 0 ? x * x : k === 1 ? x * y : y * y), 0),
-  );
-  const along = Math.sqrt(a);
-  const [across, rest] = along > 0 ? [b / along, Math.sqrt(Math.max(0, c - (b * b) / a))] : [0, Math.sqrt(c)];
-  return Array.from({ length: turn }, (_, i) => {
-    const angle = (2 * Math.PI * i) / turn;
-    const [u, v] = [deviations * Math.cos(angle), deviations * Math.sin(angle)];
-    return [mx + along * u, my + across * u + rest * v];
-  });
-}
 
 /** @param {GenerationRecord} record @param {Shadow} shadow @returns {Sketch} */
 function differences({ parents, offspring, donors, survivors }, shadow) {

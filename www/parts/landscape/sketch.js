@@ -1,5 +1,6 @@
 // What a method sees, drawn on the map.
-/** @import { Place, Sketch } from './method.js' */
+/** @import { Place } from '../../kit/ellipse.js' */
+/** @import { Sketch } from './method.js' */
 /** @import { Axes } from './view.js' */
 import { strokeTwice } from '../../kit/canvas.js';
 import { dark, light } from '../../kit/map.js';

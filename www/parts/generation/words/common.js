@@ -36,3 +36,20 @@ export const aboveText = (cost, digits) => `${fixed(cost, digits)} ↑`;
 export const won = '✓';
 export const lost = '✗';
 export const formula = { gain: 'k′ = k + σ N', sigma: 'σ′ = σ e', exponent: 'τ′N + τNᵢ' };
+
+/** The three others in a trial of differential evolution. */
+export const donorNames = ['a', 'b', 'c'];
+
+/** How far from a tick that is written out. @param {number} value */
+export const awayText = (value) => `+${powerText(value, 2)}`;
+
+/** A step or a slope. @param {number} value */
+export const signedText = (value) =>
+  value < 0 ? `−${sigmaText(-value)}` : value === 0 ? '0' : `+${sigmaText(value)}`;
+
+/** How many times as wide the one is as the other, in the mean of its axes. @param {{ axes: readonly (readonly number[])[] }} before @param {{ axes: readonly (readonly number[])[] }} after */
+export const deviationRatio = (before, after) => {
+  const volume = (/** @type {typeof after} */ { axes }) =>
+    axes.reduce((product, axis) => product * Math.hypot(...axis), 1);
+  return Math.cbrt(volume(after) / volume(before));
+};

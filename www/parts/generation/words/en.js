@@ -1,10 +1,11 @@
 // Every word of the generation part.
 /** @import { Anatomy, Phase } from '../record.js' */
-import { isOtherSearch } from '../state.js';
 import { costWriter, digitsFor } from './common.js';
+import { nameOf, sentenceOfMethod } from './methods-en.js';
 import { costText, fixed, powerText } from '../../../words/en/numbers.js';
 
 export * from './common.js';
+export * from './methods-en.js';
 
 export const texts = {
   generationPicture: 'The generation',
@@ -15,55 +16,28 @@ export const texts = {
 };
 
 export const phaseLegend = 'Phase of the generation';
-/** @type {readonly import('../../../kit/segmented.js').Choice<Phase>[]} */
-export const phases = [
-  { value: 'parents', text: 'Parents' },
-  { value: 'mutation', text: 'Mutation' },
-  { value: 'drive', text: 'Drive' },
-  { value: 'tournament', text: 'Tournament' },
-  { value: 'ranking', text: 'Ranking' },
-  { value: 'survivors', text: 'Survivors' },
-];
-
-/** @param {Phase} phase */
-const phaseName = (phase) => phases.find(({ value }) => value === phase)?.text ?? phase;
 
 /** @param {number} generation */
 export const title = (generation) => `Generation ${generation}`;
 
 export const next = 'Next';
-/** @param {Phase} phase */
-export const nextPhase = (phase) => `: ${phaseName(phase).toLowerCase()}`;
+/** @param {string} name */
+export const nextPhase = (name) => `: ${name.toLowerCase()}`;
 /** @param {number} generation */
 export const nextGeneration = (generation) => `: generation ${generation}`;
-
-export const parentKey = 'parent';
-export const offspringKey = 'offspring';
-
-/** An individual's name: those of generation 0 have no parents and no offspring. @param {Anatomy} anatomy @param {number} number */
-export const nameOf = ({ count, record }, number) =>
-  record.offspring.length === 0
-    ? `robot ${number + 1}`
-    : number < count
-      ? `parent ${number + 1}`
-      : `offspring ${number - count + 1}`;
 
 /** @param {string} text */
 export const capital = (text) => text[0].toUpperCase() + text.slice(1);
 
 /** What happens in a phase. @param {Anatomy} anatomy @param {Phase} phase */
-export function sentence({ count, staying, all, record }, phase) {
+export function sentence(anatomy, phase) {
+  const { count, all, record, method } = anatomy;
   const { generation, offspring, parents, survivors } = record;
+  if (method !== 'ep') return sentenceOfMethod(anatomy, phase, costWriter(anatomy));
   if (generation === 0)
     return phase === 'survivors'
       ? `All ${count} stay, now in the order of their J: the parents of generation 1.`
       : `${count} robots with random gains, in the order of their draws. No one has competed yet.`;
-  if (isOtherSearch(record))
-    return {
-      parents: `What the search keeps after generation ${generation - 1}: ${count}, best ranked first. Lower J is better.`,
-      drive: `The search asks for ${parts(offspring.length, 'drive', 'drives')}, and is told each J.`,
-      survivors: `${parts(staying, 'stays', 'stay')}: ${staying - parentsIn(record)} of those that drove, and ${parentsIn(record)} from before.`,
-    }[/** @type {'parents' | 'drive' | 'survivors'} */ (phase)];
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
   return {
@@ -78,9 +52,6 @@ export function sentence({ count, staying, all, record }, phase) {
     survivors: `${parts(stayed, 'parent', 'parents')} and ${count - stayed} offspring stay, with their σ: the parents of generation ${generation + 1}.`,
   }[phase];
 }
-
-/** @param {Anatomy['record']} record */
-const parentsIn = ({ parents, survivors }) => survivors.filter((number) => number < parents.length).length;
 
 /** @param {number} count @param {string} one @param {string} many */
 const parts = (count, one, many) => `${count} ${count === 1 ? one : many}`;
@@ -97,16 +68,22 @@ export function upsetText(anatomy) {
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
   const who = capital(nameOf(anatomy, survivor));
   if (record.wins.length === 0)
-    return `${who} (J ${write(a)}) stays, though ${nameOf(anatomy, fallen)} (J ${write(b)}) is better: this search does not keep the best of all.`;
+    return `${who} (J ${write(a)}) stays, though ${nameOf(anatomy, fallen)} (J ${write(b)}) is better: each of them meets only its own ${record.mutations.length > 0 ? 'parent' : 'member'}.`;
   return `${who} (J ${write(a)}) survives with ${winsText(record.wins[survivor])}; ${nameOf(anatomy, fallen)} (J ${write(b)}) fell with ${record.wins[fallen]}: luck in the opponents.`;
 }
 
 /** @param {string} name @param {number} generation */
 export const drivingText = (name, generation) => `${name} of generation ${generation}`;
 
-/** @param {Phase} phase @param {number} shown @param {number} all @param {number | null} arrived Null where nobody can arrive. */
-export function othersText(phase, shown, all, arrived) {
-  const kind = { parents: 'parents', mutation: 'parents', drive: 'offspring', survivors: 'survivors' };
+/** @param {Anatomy} anatomy @param {Phase} phase @param {number} shown @param {number} all @param {number | null} arrived Null where nobody can arrive. */
+export function othersText({ method }, phase, shown, all, arrived) {
+  const isOwn = method === 'ep';
+  const kind = {
+    parents: isOwn ? 'parents' : 'robots',
+    mutation: isOwn ? 'parents' : 'robots',
+    drive: isOwn ? 'offspring' : 'trials',
+    survivors: isOwn ? 'survivors' : 'that stay',
+  };
   const who =
     phase === 'tournament'
       ? `its ${parts(all, 'opponent', 'opponents')}`
@@ -143,14 +120,8 @@ export const winsAxis = 'wins';
 export const pairAxis = 'pair';
 export const robotAxis = 'robot';
 export const parentAxis = 'parent';
-/** @param {number} count */
-export const stay = (count) => `${count} stay`;
-/** @param {number} count */
-export const fall = (count) => `${count} fall`;
 export const wonText = 'won against';
 export const lostText = 'lost to';
-
-export const initialText = 'drawn evenly from the initial range, σ as set';
 
 /** @param {number} rank @param {number} generation */
 export const ranked = (rank, generation) => `ranked ${rank} in generation ${generation}`;
@@ -171,26 +142,32 @@ export const sumText = (wins, bouts) => `${winsText(wins)} of ${bouts}`;
 export const moreBouts = (rest) => `and ${rest} more bouts`;
 
 /** @param {Anatomy} anatomy @param {number} number */
-export function fateText({ ranks, staying, record, all }, number) {
+export function fateText({ ranks, staying, record, all, method }, number) {
   const rank = ranks[number] + 1;
+  if (method !== 'ep') return rank > staying ? 'is dropped' : `stays: rank ${rank} of ${staying}`;
   if (rank > staying) return `fell: rank ${rank} of ${all.length}`;
   return `survives as parent ${rank} of generation ${record.generation + 1}`;
 }
 
-/** @param {number} before @param {number} after @param {(cost: number) => string} write */
-export const bestText = (before, after, write) =>
+/** @param {Anatomy['method']} method */
+const always = (method) => (method === 'ep' ? ' The best always survives.' : '');
+/** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} write */
+export const bestText = (method, before, after, write) =>
   after < before
     ? `The best J falls from ${write(before)} to ${write(after)}.`
     : after === before
-      ? `The best J stays ${write(after)}: the best always survives.`
+      ? `The best J stays ${write(after)}.${always(method)}`
       : `The best J rises from ${write(before)} to ${write(after)}: this search forgets what it had.`;
 
 /** @param {Anatomy} anatomy */
-export const tableCaption = ({ record, count, all }) =>
-  record.generation === 0
-    ? `Generation 0: ${count} robots with random gains. The core’s record counts from 0: robot 1 is its number 0.`
-    : `Generation ${record.generation}, all ${all.length}. The core’s record counts from 0: parent 1 is its number 0, offspring 1 its number ${count}. ${record.wins.length > 0 ? 'Most wins first.' : 'Those that stay first.'}`;
-export const columns = [
+export function tableCaption(anatomy) {
+  const { record, count, all } = anatomy;
+  const counts = (/** @type {number} */ number) => `${nameOf(anatomy, number)} is its number ${number}`;
+  return record.generation === 0
+    ? `Generation 0: ${count} ${count === 1 ? 'robot' : 'robots'} with random gains. The core’s record counts from 0: ${counts(0)}.`
+    : `Generation ${record.generation}, all ${all.length}. The core’s record counts from 0: ${counts(0)}, ${counts(count)}. ${record.wins.length > 0 ? 'Most wins first.' : 'Those that stay first.'}`;
+}
+const columns = [
   'rank',
   'who',
   'number',
@@ -205,5 +182,13 @@ export const columns = [
   'wins',
   'survives',
 ];
+/** @param {Anatomy['method']} method */
+export const columnsOf = (method) => {
+  const own = { de: { parent: 'member, a, b, c' }, 'cma-es': { wins: 'weight' } };
+  const names = /** @type {Readonly<Record<string, string>>} */ (
+    method === 'de' || method === 'cma-es' ? own[method] : {}
+  );
+  return columns.map((name) => names[name] ?? name);
+};
 export const yes = 'yes';
 export const no = 'no';

@@ -1,10 +1,11 @@
 // Every word of the generation part, in Korean.
 /** @import { Anatomy, Phase } from '../record.js' */
-import { isOtherSearch } from '../state.js';
 import { costWriter, digitsFor } from './common.js';
+import { nameOf, sentenceOfMethod } from './methods-ko.js';
 import { costText, fixed, powerText } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
+export * from './methods-ko.js';
 
 export const texts = {
   generationPicture: '세대',
@@ -15,55 +16,28 @@ export const texts = {
 };
 
 export const phaseLegend = '세대의 단계';
-/** @type {readonly import('../../../kit/segmented.js').Choice<Phase>[]} */
-export const phases = [
-  { value: 'parents', text: '부모' },
-  { value: 'mutation', text: '돌연변이' },
-  { value: 'drive', text: '주행' },
-  { value: 'tournament', text: '토너먼트' },
-  { value: 'ranking', text: '순위' },
-  { value: 'survivors', text: '생존' },
-];
-
-/** @param {Phase} phase */
-const phaseName = (phase) => phases.find(({ value }) => value === phase)?.text ?? phase;
 
 /** @param {number} generation */
 export const title = (generation) => `${generation}세대`;
 
 export const next = '다음';
-/** @param {Phase} phase */
-export const nextPhase = (phase) => `: ${phaseName(phase)}`;
+/** @param {string} name */
+export const nextPhase = (name) => `: ${name}`;
 /** @param {number} generation */
 export const nextGeneration = (generation) => `: ${generation}세대`;
-
-export const parentKey = '부모';
-export const offspringKey = '자손';
-
-/** An individual's name: those of generation 0 have no parents and no offspring. @param {Anatomy} anatomy @param {number} number */
-export const nameOf = ({ count, record }, number) =>
-  record.offspring.length === 0
-    ? `로봇 ${number + 1}`
-    : number < count
-      ? `부모 ${number + 1}`
-      : `자손 ${number - count + 1}`;
 
 /** Korean has no capitals. @param {string} text */
 export const capital = (text) => text;
 
 /** What happens in a phase. @param {Anatomy} anatomy @param {Phase} phase */
-export function sentence({ count, staying, all, record }, phase) {
+export function sentence(anatomy, phase) {
+  const { count, all, record, method } = anatomy;
   const { generation, offspring, parents, survivors } = record;
+  if (method !== 'ep') return sentenceOfMethod(anatomy, phase, costWriter(anatomy));
   if (generation === 0)
     return phase === 'survivors'
       ? `로봇 ${count}대가 모두 남아 J 순서로 섭니다. 이들이 1세대의 부모입니다.`
       : `무작위 이득을 가진 로봇 ${count}대를 뽑은 순서대로 보여 줍니다. 아직 경쟁은 없었습니다.`;
-  if (isOtherSearch(record))
-    return {
-      parents: `${generation - 1}세대 뒤에 이 탐색이 가지고 있는 로봇 ${count}대를 순위가 높은 것부터 보여 줍니다. J는 낮을수록 좋습니다.`,
-      drive: `이 탐색이 주행 ${offspring.length}번을 요구하고, 주행마다 J를 받습니다.`,
-      survivors: `로봇 ${staying}대가 남습니다. 이번에 주행한 로봇 ${staying - parentsIn(record)}대와 이전 로봇 ${parentsIn(record)}대입니다.`,
-    }[/** @type {'parents' | 'drive' | 'survivors'} */ (phase)];
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
   return {
@@ -79,9 +53,6 @@ export function sentence({ count, staying, all, record }, phase) {
   }[phase];
 }
 
-/** @param {Anatomy['record']} record */
-const parentsIn = ({ parents, survivors }) => survivors.filter((number) => number < parents.length).length;
-
 /** @param {number} count */
 export const winsText = (count) => `${count}승`;
 
@@ -93,16 +64,19 @@ export function upsetText(anatomy) {
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
   if (record.wins.length === 0)
-    return `${nameOf(anatomy, survivor)}(J ${write(a)})는 남고, 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)})는 탈락합니다. 이 탐색은 가장 좋은 로봇만 남기지 않습니다.`;
+    return `${nameOf(anatomy, survivor)}(J ${write(a)})는 남고, 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)})는 탈락합니다. 서로 겨루지 않고 각자 자기 ${record.mutations.length > 0 ? '부모' : '개체'}와만 견줍니다.`;
   return `${nameOf(anatomy, survivor)}(J ${write(a)}): ${winsText(record.wins[survivor])}, 생존. ${nameOf(anatomy, fallen)}(J ${write(b)}): ${winsText(record.wins[fallen])}, 탈락. 상대를 잘 만난 운입니다.`;
 }
 
 /** @param {string} name @param {number} generation */
 export const drivingText = (name, generation) => `${generation}세대의 ${name}`;
 
-/** @param {Phase} phase @param {number} shown @param {number} all @param {number | null} arrived Null where nobody can arrive. */
-export function othersText(phase, shown, all, arrived) {
-  const kind = { parents: '부모', mutation: '부모', drive: '자손', survivors: '생존 개체' };
+/** @param {Anatomy} anatomy @param {Phase} phase @param {number} shown @param {number} all @param {number | null} arrived Null where nobody can arrive. */
+export function othersText({ method }, phase, shown, all, arrived) {
+  const kind =
+    method === 'ep'
+      ? { parents: '부모', mutation: '부모', drive: '자손', survivors: '생존 개체' }
+      : { parents: '로봇', mutation: '로봇', drive: '시험 로봇', survivors: '남은 로봇' };
   const who = phase === 'tournament' ? '상대' : phase === 'ranking' ? '나머지' : `나머지 ${kind[phase]}`;
   const drawn = shown < all ? `${who} ${all}대 중 ${shown}대` : `${who} ${all}대`;
   return arrived === null ? drawn : `${drawn}, ${arrived}대 도착`;
@@ -137,14 +111,8 @@ export const winsAxis = '승';
 export const pairAxis = '쌍';
 export const robotAxis = '로봇';
 export const parentAxis = '부모';
-/** @param {number} count */
-export const stay = (count) => `로봇 ${count}대 생존`;
-/** @param {number} count */
-export const fall = (count) => `로봇 ${count}대 탈락`;
 export const wonText = '승, 상대:';
 export const lostText = '패, 상대:';
-
-export const initialText = '초기 범위에서 균등하게 뽑음, σ는 설정값';
 
 /** @param {number} rank @param {number} generation */
 export const ranked = (rank, generation) => `${generation}세대 ${rank}위`;
@@ -165,39 +133,37 @@ export const sumText = (wins, bouts) => `${bouts}전 ${winsText(wins)}`;
 export const moreBouts = (rest) => `그 밖에 ${rest}전`;
 
 /** @param {Anatomy} anatomy @param {number} number */
-export function fateText({ ranks, staying, record, all }, number) {
+export function fateText({ ranks, staying, record, all, method }, number) {
   const rank = ranks[number] + 1;
+  if (method !== 'ep') return rank > staying ? '버려짐' : `남음(${staying}대 중 ${rank}위)`;
   if (rank > staying) return `탈락(로봇 ${all.length}대 중 ${rank}위)`;
   return `생존(${record.generation + 1}세대의 부모 ${rank})`;
 }
 
-/** @param {number} before @param {number} after @param {(cost: number) => string} write */
-export const bestText = (before, after, write) =>
+/** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} write */
+export const bestText = (method, before, after, write) =>
   after < before
     ? `최우수 J가 ${write(before)}에서 ${write(after)}까지 내려갑니다.`
     : after === before
-      ? `최우수 J는 ${write(after)} 그대로입니다. 최우수 개체는 언제나 살아남습니다.`
+      ? `최우수 J는 ${write(after)} 그대로입니다.${method === 'ep' ? ' 최우수 개체는 언제나 살아남습니다.' : ''}`
       : `최우수 J가 ${write(before)}에서 ${write(after)}까지 올라갑니다. 이 탐색은 전에 찾은 것을 잊습니다.`;
 
 /** @param {Anatomy} anatomy */
-export const tableCaption = ({ record, count, all }) =>
-  record.generation === 0
-    ? `0세대: 무작위 이득을 가진 로봇 ${count}대. 코어의 기록은 0부터 셉니다. 로봇 1의 번호는 0입니다.`
-    : `${record.generation}세대의 로봇 ${all.length}대 전체. 코어의 기록은 0부터 셉니다. 부모 1의 번호는 0, 자손 1의 번호는 ${count}입니다. ${record.wins.length > 0 ? '승수가 많은' : '남는 로봇이 먼저 오는'} 순서입니다.`;
-export const columns = [
-  '순위',
-  '개체',
-  '번호',
-  '부모',
-  'kx',
-  'ky',
-  'kθ',
-  'σx',
-  'σy',
-  'σθ',
-  'J',
-  '승',
-  '생존',
-];
+export function tableCaption(anatomy) {
+  const { record, count, all } = anatomy;
+  const counts = (/** @type {number} */ number) => `${nameOf(anatomy, number)}의 번호는 ${number}`;
+  return record.generation === 0
+    ? `0세대: 무작위 이득을 가진 로봇 ${count}대. 코어의 기록은 0부터 셉니다. ${counts(0)}입니다.`
+    : `${record.generation}세대의 로봇 ${all.length}대 전체. 코어의 기록은 0부터 셉니다. ${counts(0)}, ${counts(count)}입니다. ${record.wins.length > 0 ? '승수가 많은' : '남는 로봇이 먼저 오는'} 순서입니다.`;
+}
+const columns = ['순위', '개체', '번호', '부모', 'kx', 'ky', 'kθ', 'σx', 'σy', 'σθ', 'J', '승', '생존'];
+/** @param {Anatomy['method']} method */
+export const columnsOf = (method) => {
+  const own = { de: { 부모: '원래 개체, a, b, c' }, 'cma-es': { 승: '가중치' } };
+  const names = /** @type {Readonly<Record<string, string>>} */ (
+    method === 'de' || method === 'cma-es' ? own[method] : {}
+  );
+  return columns.map((name) => names[name] ?? name);
+};
 export const yes = '예';
 export const no = '아니요';

@@ -1,0 +1,253 @@
+// What Generation shows of each method is what the core's record says of it.
+import assert from 'node:assert/strict';
+import { dissect } from '../../../www/parts/generation/record.js';
+import { phasesOf, shownIn } from '../../../www/parts/generation/phases.js';
+import { pointsOf, sketchOf } from '../../../www/parts/generation/sketch.js';
+import * as en from '../../../www/parts/generation/words/en.js';
+import * as ko from '../../../www/parts/generation/words/ko.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Evolution, experiment } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../../../www/parts/generation/record.js').Anatomy} Anatomy */
+/** @typedef {import('../../../www/parts/generation/record.js').Method} Method */
+
+const base = experiment('velocity-limits');
+const rivals = /** @type {const} */ ([
+  'random',
+  'de',
+  'cma-es',
+  'one-plus-one-es',
+  'nelder-mead',
+  'one-at-a-time',
+  'finite-differences',
+]);
+
+/** @param {Method} method @param {number} generations @param {Partial<typeof base.evolution>} [change] @returns {Anatomy[]} */
+function anatomiesOf(method, generations, change = {}) {
+  const evolution = new Evolution({ ...base, evolution: { ...base.evolution, ...change, method } });
+  for (let i = 0; i < generations; i += 1) evolution.step();
+  return Array.from({ length: generations + 1 }, (_, g) =>
+    dissect(evolution.record(g), method, base.evolution.initialRange),
+  );
+}
+
+/** @param {readonly number[]} a @param {readonly number[]} b */
+const isNear = (a, b) => a.every((value, i) => Math.abs(value - b[i]) <= 1e-9 * (1 + Math.abs(value)));
+
+test('every phase of every method has its sentence and its name, in both languages', () => {
+  const said = new Map();
+  for (const method of rivals)
+    for (const anatomy of anatomiesOf(method, 120))
+      for (const phase of phasesOf(anatomy))
+        for (const words of [en, ko]) {
+          const text = words.sentence(anatomy, phase);
+          assert.ok(text.length > 5 && !/undefined|NaN|Infinity/.test(text), `${method} ${phase}: ${text}`);
+          assert.notEqual(words.phaseName(anatomy, phase), phase);
+          for (const number of anatomy.all.keys()) assert.ok(words.nameOf(anatomy, number));
+          said.set(`${method} ${phase} ${text.replace(/[\d.·⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+/g, '#')}`, true);
+        }
+  // Each move of the simplex, each outcome of a step.
+  for (const part of [
+    'Reflection',
+    'Expansion',
+    'Contraction inside',
+    'Success',
+    'Failure',
+    'probes',
+    'a step up',
+  ])
+    assert.ok(
+      [...said.keys()].some((text) => text.includes(part)),
+      part,
+    );
+});
+
+test('all that a phase draws lies among the points for which the picture has room', () => {
+  for (const method of rivals)
+    for (const anatomy of anatomiesOf(method, 60)) {
+      const points = pointsOf(anatomy);
+      const [low, high] = [Math.min, Math.max].map((most) =>
+        [0, 1, 2].map((j) => most(...points.map((point) => point[j]))),
+      );
+      for (const phase of phasesOf(anatomy)) {
+        if (shownIn(method, phase) !== 'gains') continue;
+        const chosen = phase === 'parents' ? 0 : anatomy.count;
+        const { lines, rings, names } = sketchOf(anatomy, phase, Math.min(chosen, anatomy.all.length - 1));
+        const drawn = [...lines.flatMap(({ from, to }) => [from, to]), ...names.map(({ at }) => at)];
+        for (const point of drawn)
+          assert.ok(
+            point.every((value, j) => value >= low[j] - 1e-9 && value <= high[j] + 1e-9),
+            `${method} ${phase} ${anatomy.record.generation}: ${point}`,
+          );
+        for (const { outline } of rings)
+          for (const [x, y] of outline((gains) => [gains[0], gains[1]]))
+            assert.ok(x >= low[0] - 1e-6 && x <= high[0] + 1e-6 && y >= low[1] - 1e-6 && y <= high[1] + 1e-6);
+      }
+    }
+});
+
+test('a step of the sketch leads to what was tried', () => {
+  for (const method of /** @type {const} */ (['one-plus-one-es', 'one-at-a-time', 'finite-differences']))
+    for (const anatomy of anatomiesOf(method, 40).slice(1))
+      for (const [own, { gains }] of anatomy.record.offspring.entries()) {
+        const steps = sketchOf(anatomy, 'mutation', anatomy.count + own).lines.filter(
+          ({ kind }) => kind === 'step',
+        );
+        assert.deepEqual(steps, [{ from: anatomy.record.parents[0].gains, to: gains, kind: 'step' }]);
+      }
+  for (const anatomy of anatomiesOf('de', 10).slice(1))
+    for (const [own, { gains }] of anatomy.record.offspring.entries()) {
+      const { lines, names } = sketchOf(anatomy, 'mutation', anatomy.count + own);
+      const [, step, crossed] = lines;
+      const [a, b, c] = names.map(({ at }) => at);
+      assert.ok(
+        isNear(
+          step.to,
+          a.map((value, j) => value + 0.5 * (b[j] - c[j])),
+        ),
+      );
+      assert.deepEqual((crossed ?? step).to, gains);
+    }
+});
+
+test('the simplex that is drawn in the end is the one from which the next generation goes', () => {
+  const anatomies = anatomiesOf('nelder-mead', 120);
+  for (const [i, anatomy] of anatomies.slice(0, -1).entries()) {
+    const edges = (/** @type {Anatomy} */ of, /** @type {'parents' | 'survivors'} */ phase) =>
+      sketchOf(of, phase, 0).lines.filter(({ kind }) => kind === 'edge');
+    assert.deepEqual(edges(anatomy, 'survivors'), edges(anatomies[i + 1], 'parents'));
+  }
+});
+
+/** Opens a generation of a method in one of its phases. @param {Page} page @param {string} method @param {number} generation @param {string} phase @param {string} [more] */
+async function openAt(page, method, generation, phase, more = '') {
+  await page.open(
+    `#generation&v=1&generation=${generation}&evolution.method=${method}&phase=${phase}${more}`,
+  );
+  await page.until('it is shown', () => document.getElementById('generation-details')?.children.length);
+}
+
+/** @param {Page} page */
+const readDetails = (page) =>
+  page.evaluate(() => ({
+    equations: [...document.querySelectorAll('#generation-details .gain-row')].map((row) =>
+      [...row.querySelectorAll('.equation')].map((line) => /** @type {HTMLElement} */ (line).innerText),
+    ),
+    headline: /** @type {HTMLElement} */ (document.querySelector('#generation-details .headline')).innerText,
+    said: document.getElementById('generation-picture')?.getAttribute('aria-valuetext') ?? '',
+  }));
+
+/** @param {string} text */
+const numbersIn = (text) =>
+  (
+    text
+      .replaceAll('−', '-')
+      .replaceAll('- ', '-')
+      .match(/-?\d+(\.\d+)?(?![\d.]*·)/g) ?? []
+  ).map(Number);
+
+/** That a printed number is the exact one, rounded. @param {number} printed @param {number} exact @param {string} what */
+const same = (printed, exact, what) =>
+  assert.ok(Math.abs(printed - exact) <= 0.00051 * Math.max(1, Math.abs(exact)), `${what}: ${exact}`);
+
+pageTest('the numbers of a trial are those of the record', async (page) => {
+  for (const method of /** @type {const} */ ([
+    'de',
+    'cma-es',
+    'one-plus-one-es',
+    'nelder-mead',
+    'one-at-a-time',
+  ])) {
+    const generation = 6;
+    const anatomy = anatomiesOf(method, generation)[generation];
+    const { record, count } = anatomy;
+    await openAt(page, method, generation, 'mutation', `&individual=${count}`);
+    const { equations, headline } = await readDetails(page);
+    assert.equal(headline.split(/\s+/).slice(0, 2).join(' ').toLowerCase(), en.nameOf(anatomy, count));
+    const trial = record.offspring[0].gains;
+    for (const [i, lines] of equations.entries()) {
+      const told = method === 'de' ? lines[1] : lines[0];
+      same(/** @type {number} */ (numbersIn(told).at(-1)), trial[i], `${method}: ${lines.join(' / ')}`);
+    }
+    assert.deepEqual(await page.problems(), []);
+  }
+});
+
+pageTest('what each method learns is told, and is what the next generation goes by', async (page) => {
+  const [cma] = anatomiesOf('cma-es', 6).slice(-1);
+  await openAt(page, 'cma-es', 6, 'survivors');
+  for (const [i, [mean]] of (await readDetails(page)).equations.entries()) {
+    const [before, after] = numbersIn(mean);
+    same(before, cma.record.ellipse?.mean[i] ?? Number.NaN, mean);
+    same(after, cma.record.next.ellipse?.mean[i] ?? Number.NaN, mean);
+  }
+  const [hand] = anatomiesOf('one-at-a-time', 6).slice(-1);
+  await openAt(page, 'one-at-a-time', 6, 'survivors');
+  for (const [i, [, step]] of (await readDetails(page)).equations.entries())
+    same(numbersIn(step.replace('+', ''))[0], hand.record.next.steps?.[i] ?? Number.NaN, step);
+  const slopes = anatomiesOf('finite-differences', 30);
+  const probed = slopes.findIndex(
+    ({ record }) => record.generation > 0 && !record.plan.steps && record.next.slope,
+  );
+  await openAt(page, 'finite-differences', probed, 'survivors');
+  for (const [i, [slope]] of (await readDetails(page)).equations.entries())
+    if (!slope.includes('·'))
+      same(numbersIn(slope.replace('+', ''))[0], slopes[probed].record.next.slope?.[i] ?? Number.NaN, slope);
+});
+
+pageTest('the ranks of CMA-ES tell their weights, and so does its table', async (page) => {
+  const [anatomy] = anatomiesOf('cma-es', 4).slice(-1);
+  const { weights } = anatomy.record.plan;
+  await openAt(page, 'cma-es', 4, 'ranking');
+  await page.focus('#generation-picture');
+  await page.press(Key.HOME);
+  const ranks = await page.evaluate(() =>
+    [...document.querySelectorAll('#generation-details .ranks li')].map(
+      (row) => /** @type {HTMLElement} */ (row.querySelector('.wins')).innerText,
+    ),
+  );
+  assert.deepEqual(
+    ranks,
+    [0, 8, 9, 10, 11].map((rank) => (weights[rank] ?? 0).toFixed(3)),
+  );
+  assert.equal(
+    await page.evaluate(() => document.querySelectorAll('#generation-picture .weight').length),
+    10,
+  );
+  await page.click('#generation-table');
+  const cells = await page.evaluate(() =>
+    [...document.querySelectorAll('#table-rows tbody tr')]
+      .slice(0, 20)
+      .map((row) => /** @type {HTMLElement} */ (row.children[row.children.length - 2]).innerText),
+  );
+  assert.deepEqual(
+    cells,
+    Array.from({ length: 20 }, (_, rank) => (weights[rank] ?? 0).toFixed(3)),
+  );
+});
+
+engineTest(
+  'each phase of each method is in sight without scrolling, and readable for everybody',
+  async (page) => {
+    await page.resize(1024, 768);
+    for (const language of ['en', 'ko'])
+      for (const method of rivals) {
+        await openAt(page, method, 4, 'parents', `&lang=${language}`);
+        const there = phasesOf(anatomiesOf(method, 4)[4]);
+        for (const phase of there) {
+          await page.click(`#generation-phases-${phase}`);
+          const { said } = await readDetails(page);
+          assert.ok(said.includes('J ') || phase === 'mutation', said);
+          assert.equal(
+            await page.evaluate(() => document.documentElement.scrollHeight),
+            768,
+            `${language} ${method} ${phase}`,
+          );
+        }
+        if (language === 'en') assert.deepEqual(await page.obstacles(), [], method);
+      }
+    assert.deepEqual(await page.problems(), []);
+  },
+);

@@ -1,0 +1,22 @@
+// What the numbers of a phase are told with.
+/** @import { TemplateResult } from 'lit-html' */
+/** @import { Anatomy } from './record.js' */
+import { html } from 'lit-html';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
+
+/** @param {Anatomy} anatomy @param {number} number @param {string[]} facts */
+export const headline = (anatomy, number, ...facts) =>
+  html`<p class="headline"><strong>${words.capital(words.nameOf(anatomy, number))}</strong><span>${facts.join(' · ')}</span></p>`;
+
+/** @param {Anatomy} anatomy @param {number} number @param {(number: number) => void} choose */
+export const link = (anatomy, number, choose) =>
+  html`<button class="link on-paper" type="button" @click=${() => choose(number)}>${words.nameOf(anatomy, number)}</button>`;
+
+/** @param {string} className @param {(i: number) => TemplateResult} row */
+export const gainRows = (className, row) =>
+  html`<div class=${className}>${lab.gains.map(({ id }, i) => html`<div class="gain-row ${id}">${row(i)}</div>`)}</div>`;
+
+/** @param {string} letter @param {number} i */
+export const symbol = (letter, i) =>
+  html`<span class="symbol ${lab.gains[i].id}">${letter}<sub>${lab.gains[i].index}</sub></span>`;
