@@ -1,34 +1,16 @@
-// The contest: its numbers are those of the core's trials, counted here once more; it can be cancelled, linked and refused in a line.
+// The contest: its numbers are those of the core's trials, counted here once more; and its CSV is read by others.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { trials } from '../../../pkg/ep_locomotion.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
-import { experiment } from '../harness/core.js';
+import { findProgram } from '../harness/engines.js';
 import { test } from '../harness/once.js';
-import { saved } from '../harness/saved.js';
-
-/** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../../../www/parts/luck/contestants.js').Contestant} Contestant */
-/** @typedef {import('../../../www/parts/luck/contest-request.js').Contest} Contest */
-
-const velocityLimits = experiment('velocity-limits');
-
-/** The same contest in Node. @param {readonly Contestant[]} others @param {number} seeds @param {number} budget @returns {Contest} */
-const contestOf = (others, seeds, budget) => ({
-  experiment: velocityLimits,
-  seeds,
-  budget,
-  lines: [null, ...others].map((name) => ({
-    name,
-    trials: trials(entered(velocityLimits, name), { seeds: [1, 1 + seeds], drives: budget }),
-    error: '',
-  })),
-  cancelled: false,
-});
-/** @type {Contestant[]} */
-const others = ['truncation', 'fixed', 'de'];
-const small = contestOf(others, 15, 1000);
+import { contestOf, others, small, velocityLimits } from './contests.js';
 
 test('every contestant runs, and every ingredient is another search', () => {
   const [lab] = contestOf([], 1, 3000).lines;
@@ -179,291 +161,33 @@ test('the CSV has a row for each improvement', () => {
   assert.deepEqual(rows.slice(1), expected);
 });
 
-const link = '#luck&v=1&luck=contest&seeds=15&budget=1000';
+const python = findProgram(['python3', 'python']);
 
-/** @param {Page} page @param {string} address */
-async function openContest(page, address) {
-  await page.open(address);
-  await page.until('the contest is there', () => {
-    const run = document.getElementById('contest-run');
-    return run !== null && run.getBoundingClientRect().width > 0;
-  });
-}
-
-/** @param {Page} page */
-async function runContest(page) {
-  await page.until('it can run', () => document.getElementById('contest-run'));
-  const text = await page.text('#contest-run');
-  await page.click('#contest-run');
-  await page.until(
-    'it has run',
-    (ready) =>
-      document.getElementById('contest-csv')?.hidden === false &&
-      document.getElementById('contest-run')?.textContent === ready,
-    text,
-  );
-}
-
-/** The cells of the table; thin spaces are none. @param {Page} page */
-const readTable = (page) =>
-  page.evaluate(() =>
-    [...document.querySelectorAll('#contest-table tbody')].map((body) => ({
-      name: /** @type {HTMLElement} */ (body).dataset.contestant,
-      cells: [...body.querySelectorAll('tr:first-child td')].map((cell) =>
-        (cell.textContent ?? '').replaceAll('\u202f', ''),
-      ),
-      verdict: body.querySelector('.verdict')?.textContent ?? '',
-    })),
-  );
-
-/** @param {Contest} contest @param {number | null} target */
-const expectedTable = (contest, target) =>
-  standingsOf(contest, { target }).lines.map(
-    ({ name, reached, count, ert, interval, median, comparison }) => ({
-      name: name ?? 'lab',
-      cells: [
-        `${reached} of ${count}`,
-        ert === Infinity
-          ? '∞'
-          : `${Math.round(ert)} ${interval.map((end) => (end === Infinity ? '∞' : Math.round(end))).join('–')}`,
-        median.toFixed(4),
-        comparison?.a12.toFixed(2) ?? '',
-        comparison ? (comparison.p < 0.001 ? '< 0.001' : comparison.p.toFixed(3)) : '',
-      ],
-    }),
-  );
-
-const withoutVerdict = (/** @type {Awaited<ReturnType<typeof readTable>>} */ table) =>
-  table.map(({ name, cells }) => ({ name, cells }));
-
-pageTest('the table of the contest is what the core’s trials say, also at another target', async (page) => {
-  await openContest(page, link);
-  await runContest(page);
-  const table = await readTable(page);
-  assert.deepEqual(withoutVerdict(table), expectedTable(small, null));
-  for (const [i, { verdict }] of standingsOf(small).lines.entries())
-    if (verdict?.kind === 'undecided') assert.equal(table[i].verdict, '15 runs cannot tell these two apart.');
-  assert.deepEqual(await page.obstacles(), []);
-
-  await openContest(page, `${link}&target=8`);
-  await runContest(page);
-  assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 8));
-  assert.deepEqual(await page.problems(), []);
-});
-
-pageTest('a contestant that cannot run says so in its line, and the others run', async (page) => {
-  await openContest(page, `${link}&population=3&contestants=de,random`);
-  await runContest(page);
-  const [lab, de, random] = await readTable(page);
-  assert.match(de.verdict, /4 or more/);
-  assert.match(lab.cells[0], /of 15/);
-  assert.match(random.cells[0], /of 15/);
-});
-
-pageTest('cancel keeps what was done and says how much', async (page) => {
-  await openContest(page, '#luck&v=1&luck=contest&seeds=101&budget=20000&contestants=none');
-  await page.click('#contest-run');
-  await page.until(
-    'some have run',
-    () => (document.querySelector('#contest-table tbody td')?.textContent ?? '') !== '',
-  );
-  await page.click('#contest-run');
-  await page.until('it is cancelled', () => document.getElementById('contest-status')?.textContent !== '');
-  const status = await page.text('#contest-status');
-  const done = Number(/after (\d+) of 101 runs/.exec(status)?.[1]);
-  assert.ok(done >= 5 && done < 101, status);
-  const [lab] = await readTable(page);
-  assert.match(lab.cells[0], new RegExp(`of ${done}$`));
-  assert.deepEqual(await page.problems(), []);
-});
-
-/** Where the handle of a line stands, and what it says. @param {Page} page @param {string} id */
-const handle = (page, id) =>
-  page.evaluate((name) => {
-    const element = /** @type {HTMLElement} */ (document.getElementById(name));
-    const { left, top, width, height } = element.getBoundingClientRect();
-    return {
-      x: left + width / 2,
-      y: top + height / 2,
-      now: Number(element.getAttribute('aria-valuenow')),
-      text: element.getAttribute('aria-valuetext') ?? '',
-    };
-  }, id);
-
-/** Presses on a handle and moves by so much. @param {Page} page @param {string} id @param {number} dx @param {number} dy @param {'mouse' | 'touch'} kind */
-const dragHandle = (page, id, dx, dy, kind) =>
-  page.evaluate(
-    async (name, right, down, pointerType) => {
-      const element = /** @type {HTMLElement} */ (document.getElementById(name));
-      const { left, top, width, height } = element.getBoundingClientRect();
-      const at = { clientX: left + width / 2, clientY: top + height / 2 };
-      const send = (/** @type {string} */ type, /** @type {object} */ point) =>
-        element.dispatchEvent(
-          new PointerEvent(type, {
-            ...point,
-            pointerId: 1,
-            pointerType,
-            button: 0,
-            buttons: 1,
-            bubbles: true,
-            cancelable: true,
-          }),
-        );
-      // A pointer that is made up cannot be captured.
-      element.setPointerCapture = () => {};
-      element.hasPointerCapture = () => true;
-      send('pointerdown', at);
-      for (const part of [0.5, 1])
-        send('pointermove', { clientX: at.clientX + part * right, clientY: at.clientY + part * down });
-      send('pointerup', at);
-      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-    },
-    id,
-    dx,
-    dy,
-    kind,
-  );
-
-engineTest(
-  'target and budget are dragged by mouse and finger, and moved by keys; the table follows',
-  async (page) => {
-    await openContest(page, `${link}&target=7.9`);
-    await runContest(page);
-    for (const kind of /** @type {const} */ (['mouse', 'touch'])) {
-      const before = await handle(page, 'contest-target-line');
-      await dragHandle(page, 'contest-target-line', 0, -20, kind);
-      const after = await handle(page, 'contest-target-line');
-      assert.ok(
-        after.now > before.now && Math.abs(before.y - 20 - after.y) < 2,
-        JSON.stringify([before, after]),
-      );
-      const typed = await page.evaluate(() =>
-        Number(/** @type {HTMLInputElement} */ (document.getElementById('contest-target')).value),
-      );
-      assert.equal(typed, after.now);
-      assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, after.now));
-    }
-    const { now: target } = await handle(page, 'contest-target-line');
-    const whole = await handle(page, 'contest-until-line');
-    assert.equal(whole.now, 1000);
-    await dragHandle(page, 'contest-until-line', -60, 0, 'touch');
-    const until = await handle(page, 'contest-until-line');
-    assert.ok(until.now < 900 && until.now > 50, JSON.stringify(until));
-    const expected = standingsOf(small, { target, until: until.now }).lines.map(
-      ({ reached }) => `${reached} of 15`,
-    );
+test('the example for IOHprofiler writes every run with all its rows, from drive 1 to the budget', {
+  skip: !python && 'there is no Python',
+}, () => {
+  const folder = mkdtempSync(join(tmpdir(), 'contest-'));
+  const csv = join(folder, 'contest.csv');
+  writeFileSync(csv, contestCsv(small));
+  const program = fileURLToPath(new URL('../../../examples/contest/to_iohprofiler.py', import.meta.url));
+  execFileSync(/** @type {string} */ (python), [program, csv, join(folder, 'ioh'), '1000']);
+  for (const { name, trials: runs } of small.lines) {
+    const own = join(folder, 'ioh', name ?? 'lab');
+    const told = JSON.parse(readFileSync(join(own, 'IOHprofiler_f1_J.json'), 'utf8'));
+    assert.equal(told.algorithm.name, name ?? 'lab');
+    const [{ path, runs: listed }] = told.scenarios;
     assert.deepEqual(
-      (await readTable(page)).map(({ cells }) => cells[0]),
-      expected,
+      listed.map((/** @type {any} */ { instance, evals, best }) => [instance, evals, best.y]),
+      runs.map(({ seed, champion }) => [seed, 1000, champion.cost]),
     );
-    await page.evaluate(() => document.getElementById('contest-until-line')?.focus());
-    await page.press(Key.ARROW_RIGHT);
-    await page.until(
-      'a key moves it on',
-      (was) => Number(document.getElementById('contest-until-line')?.getAttribute('aria-valuenow')) > was,
-      until.now,
-    );
-    await page.click('#contest-whole');
-    await page.until(
-      'it is read to the end',
-      () => document.getElementById('contest-until-line')?.getAttribute('aria-valuenow') === '1000',
-    );
-    assert.deepEqual(await page.problems(), []);
-  },
-);
-
-pageTest('a target that is no number is refused, and the one before stays', async (page) => {
-  await openContest(page, `${link}&target=7.9`);
-  await runContest(page);
-  await page.focus('#contest-target');
-  await page.evaluate(() =>
-    /** @type {HTMLInputElement} */ (document.getElementById('contest-target')).select(),
-  );
-  await page.press('l', 'o', 'w', Key.ENTER);
-  assert.match(await page.text('#contest-target-error'), /must be a number; it was “low”/);
-  assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 7.9));
-});
-
-pageTest('fewer seeds are drawn from what is there, and others of them', async (page) => {
-  await openContest(page, `${link}&target=7.9&only=5`);
-  await runContest(page);
-  const cells = async () => (await readTable(page)).map((line) => line.cells[0]);
-  const reachedBy = (/** @type {number} */ draw) =>
-    standingsOf(small, { target: 7.9, only: 5, draw }).lines.map(({ reached }) => `${reached} of 5`);
-  assert.deepEqual(await cells(), reachedBy(0));
-  for (const draw of [1, 2, 3]) {
-    await page.click('#contest-others');
-    assert.deepEqual(await cells(), reachedBy(draw));
-  }
-  assert.match((await readTable(page))[1].verdict, /In \d+ of 100 draws of 5 seeds one can tell\./);
-  for (const reading of ['targets', 'ends', 'course']) {
-    await page.click(`#contest-reading-${reading}`);
-    assert.deepEqual(await page.obstacles(), []);
-  }
-  assert.deepEqual(await page.problems(), []);
-});
-
-pageTest('the button writes the CSV of all runs', async (page) => {
-  await openContest(page, link);
-  await runContest(page);
-  assert.equal(await saved(page, '#contest-csv'), contestCsv(small));
-});
-
-for (const language of /** @type {const} */ (['en', 'ko']))
-  pageTest(`a contest of four that has run needs no scrolling of the page: ${language}`, async (page) => {
-    await openContest(page, `${link}&contestants=n-100,cma-es-7-mirror,de&only=5&until=800&lang=${language}`);
-    await runContest(page);
-    for (const [width, height] of /** @type {const} */ ([
-      [1440, 900],
-      [1366, 768],
-      [1280, 720],
-      [1024, 768],
-    ])) {
-      await page.resize(width, height);
-      const found = await page.evaluate(async () => {
-        for (let frame = 0; frame < 2; frame += 1)
-          await new Promise((resolve) => requestAnimationFrame(resolve));
-        const { scrollWidth, scrollHeight } = document.documentElement;
-        const high = (/** @type {string} */ one) =>
-          document.querySelector(one)?.getBoundingClientRect().height ?? 0;
-        return {
-          excess: [scrollWidth - innerWidth, scrollHeight - innerHeight],
-          chart: high('.contest-chart'),
-          table: high('.contest-scroll'),
-          wide: [...document.querySelectorAll('body *')]
-            .filter((one) => one.getBoundingClientRect().right > innerWidth + 0.5)
-            .map((one) => one.id || `${one.tagName} ${one.className}`),
-        };
-      });
-      assert.deepEqual(found.excess, [0, 0], `${width} × ${height}: ${found.wide}`);
-      assert.ok(found.chart >= 110 && found.table >= 100, JSON.stringify(found));
+    const blocks = readFileSync(join(own, path), 'utf8').split('evaluations raw_y\n').slice(1);
+    for (const [i, { drives, costs }] of runs.entries()) {
+      const rows = blocks[i].trimEnd().split('\n');
+      const falls = [...drives].map((drive, j) => `${drive} ${costs[j]}`);
+      assert.deepEqual(rows.slice(0, falls.length), falls);
+      assert.equal(rows[0].split(' ')[0], '1');
+      assert.equal(rows.at(-1), `1000 ${costs.at(-1)}`);
     }
-  });
-
-engineTest(
-  'in a frame of 400 × 300 the table takes the place of the picture, and can be read',
-  async (page) => {
-    await page.resize(400, 300);
-    await page.open(`?embed${link}`);
-    await runContest(page);
-    assert.deepEqual(await page.obstacles(), []);
-    await page.click('#contest-reading-table');
-    const found = await page.evaluate(() => {
-      const box = (/** @type {string} */ one) => {
-        const { width, height } = /** @type {HTMLElement} */ (
-          document.querySelector(one)
-        ).getBoundingClientRect();
-        return [width, height];
-      };
-      const scroll = /** @type {HTMLElement} */ (document.querySelector('.contest-scroll'));
-      return {
-        chart: box('.contest-chart'),
-        table: box('.contest-scroll'),
-        wide: scroll.scrollWidth - scroll.clientWidth,
-      };
-    });
-    assert.equal(found.chart[1], 0);
-    assert.ok(found.table[1] >= 100 && found.wide <= 0, JSON.stringify(found));
-    assert.deepEqual(await page.obstacles(), []);
-  },
-);
+  }
+  rmSync(folder, { recursive: true });
+});

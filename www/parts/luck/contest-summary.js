@@ -155,7 +155,7 @@ function verdictOf(first, own, { a12, p }, isSame) {
   return { kind: a12 > 0.5 ? 'better' : 'worse', a12 };
 }
 
-/** A row for each improvement, which IOHanalyzer reads when it is told what the columns are. @param {Contest} contest */
+/** A row for each improvement; `examples/contest/` makes of it what IOHinspector and IOHanalyzer read. @param {Contest} contest */
 export function contestCsv({ lines }) {
   const rows = lines.flatMap(({ name, trials }) =>
     trials.flatMap(({ seed, drives, costs }) =>

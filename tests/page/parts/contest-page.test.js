@@ -1,0 +1,249 @@
+// The contest on the page: its table is what the core's trials say; it is cancelled, linked, dragged, and refused in a line.
+import assert from 'node:assert/strict';
+import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { saved } from '../harness/saved.js';
+import {
+  expectedTable,
+  link,
+  openContest,
+  readTable,
+  runContest,
+  small,
+  withoutVerdict,
+} from './contests.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../../../www/parts/luck/contest-request.js').Contest} Contest */
+
+pageTest('the table of the contest is what the core’s trials say, also at another target', async (page) => {
+  await openContest(page, link);
+  await runContest(page);
+  const table = await readTable(page);
+  assert.deepEqual(withoutVerdict(table), expectedTable(small, null));
+  for (const [i, { verdict }] of standingsOf(small).lines.entries())
+    if (verdict?.kind === 'undecided') assert.equal(table[i].verdict, '15 runs cannot tell these two apart.');
+  assert.deepEqual(await page.obstacles(), []);
+
+  await openContest(page, `${link}&target=8`);
+  await runContest(page);
+  assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 8));
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('a contestant that cannot run says so in its line, and the others run', async (page) => {
+  await openContest(page, `${link}&population=3&contestants=de,random`);
+  await runContest(page);
+  const [lab, de, random] = await readTable(page);
+  assert.match(de.verdict, /4 or more/);
+  assert.match(lab.cells[0], /of 15/);
+  assert.match(random.cells[0], /of 15/);
+});
+
+pageTest('cancel keeps what was done and says how much', async (page) => {
+  await openContest(page, '#luck&v=1&luck=contest&seeds=101&budget=20000&contestants=none');
+  await page.click('#contest-run');
+  await page.until(
+    'some have run',
+    () => (document.querySelector('#contest-table tbody td')?.textContent ?? '') !== '',
+  );
+  await page.click('#contest-run');
+  await page.until('it is cancelled', () => document.getElementById('contest-status')?.textContent !== '');
+  const status = await page.text('#contest-status');
+  const done = Number(/after (\d+) of 101 runs/.exec(status)?.[1]);
+  assert.ok(done >= 5 && done < 101, status);
+  const [lab] = await readTable(page);
+  assert.match(lab.cells[0], new RegExp(`of ${done}$`));
+  assert.deepEqual(await page.problems(), []);
+});
+
+/** Where the handle of a line stands, and what it says. @param {Page} page @param {string} id */
+const handle = (page, id) =>
+  page.evaluate((name) => {
+    const element = /** @type {HTMLElement} */ (document.getElementById(name));
+    const { left, top, width, height } = element.getBoundingClientRect();
+    return {
+      x: left + width / 2,
+      y: top + height / 2,
+      now: Number(element.getAttribute('aria-valuenow')),
+      text: element.getAttribute('aria-valuetext') ?? '',
+    };
+  }, id);
+
+/** Presses on a handle and moves by so much. @param {Page} page @param {string} id @param {number} dx @param {number} dy @param {'mouse' | 'touch'} kind */
+const dragHandle = (page, id, dx, dy, kind) =>
+  page.evaluate(
+    async (name, right, down, pointerType) => {
+      const element = /** @type {HTMLElement} */ (document.getElementById(name));
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const at = { clientX: left + width / 2, clientY: top + height / 2 };
+      const send = (/** @type {string} */ type, /** @type {object} */ point) =>
+        element.dispatchEvent(
+          new PointerEvent(type, {
+            ...point,
+            pointerId: 1,
+            pointerType,
+            button: 0,
+            buttons: 1,
+            bubbles: true,
+            cancelable: true,
+          }),
+        );
+      // A pointer that is made up cannot be captured.
+      element.setPointerCapture = () => {};
+      element.hasPointerCapture = () => true;
+      send('pointerdown', at);
+      for (const part of [0.5, 1])
+        send('pointermove', { clientX: at.clientX + part * right, clientY: at.clientY + part * down });
+      send('pointerup', at);
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    },
+    id,
+    dx,
+    dy,
+    kind,
+  );
+
+engineTest(
+  'target and budget are dragged by mouse and finger, and moved by keys; the table follows',
+  async (page) => {
+    await openContest(page, `${link}&target=7.9`);
+    await runContest(page);
+    for (const kind of /** @type {const} */ (['mouse', 'touch'])) {
+      const before = await handle(page, 'contest-target-line');
+      await dragHandle(page, 'contest-target-line', 0, -20, kind);
+      const after = await handle(page, 'contest-target-line');
+      assert.ok(
+        after.now > before.now && Math.abs(before.y - 20 - after.y) < 2,
+        JSON.stringify([before, after]),
+      );
+      const typed = await page.evaluate(() =>
+        Number(/** @type {HTMLInputElement} */ (document.getElementById('contest-target')).value),
+      );
+      assert.equal(typed, after.now);
+      assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, after.now));
+    }
+    const { now: target } = await handle(page, 'contest-target-line');
+    const whole = await handle(page, 'contest-until-line');
+    assert.equal(whole.now, 1000);
+    await dragHandle(page, 'contest-until-line', -60, 0, 'touch');
+    const until = await handle(page, 'contest-until-line');
+    assert.ok(until.now < 900 && until.now > 50, JSON.stringify(until));
+    const expected = standingsOf(small, { target, until: until.now }).lines.map(
+      ({ reached }) => `${reached} of 15`,
+    );
+    assert.deepEqual(
+      (await readTable(page)).map(({ cells }) => cells[0]),
+      expected,
+    );
+    await page.evaluate(() => document.getElementById('contest-until-line')?.focus());
+    await page.press(Key.ARROW_RIGHT);
+    await page.until(
+      'a key moves it on',
+      (was) => Number(document.getElementById('contest-until-line')?.getAttribute('aria-valuenow')) > was,
+      until.now,
+    );
+    await page.click('#contest-whole');
+    await page.until(
+      'it is read to the end',
+      () => document.getElementById('contest-until-line')?.getAttribute('aria-valuenow') === '1000',
+    );
+    assert.deepEqual(await page.problems(), []);
+  },
+);
+
+pageTest('a target that is no number is refused, and the one before stays', async (page) => {
+  await openContest(page, `${link}&target=7.9`);
+  await runContest(page);
+  await page.focus('#contest-target');
+  await page.evaluate(() =>
+    /** @type {HTMLInputElement} */ (document.getElementById('contest-target')).select(),
+  );
+  await page.press('l', 'o', 'w', Key.ENTER);
+  assert.match(await page.text('#contest-target-error'), /must be a number; it was “low”/);
+  assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 7.9));
+});
+
+pageTest('fewer seeds are drawn from what is there, and others of them', async (page) => {
+  await openContest(page, `${link}&target=7.9&only=5`);
+  await runContest(page);
+  const cells = async () => (await readTable(page)).map((line) => line.cells[0]);
+  const reachedBy = (/** @type {number} */ draw) =>
+    standingsOf(small, { target: 7.9, only: 5, draw }).lines.map(({ reached }) => `${reached} of 5`);
+  assert.deepEqual(await cells(), reachedBy(0));
+  for (const draw of [1, 2, 3]) {
+    await page.click('#contest-others');
+    assert.deepEqual(await cells(), reachedBy(draw));
+  }
+  assert.match((await readTable(page))[1].verdict, /In \d+ of 100 draws of 5 seeds one can tell\./);
+  for (const reading of ['targets', 'ends', 'course']) {
+    await page.click(`#contest-reading-${reading}`);
+    assert.deepEqual(await page.obstacles(), []);
+  }
+  assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('the button writes the CSV of all runs', async (page) => {
+  await openContest(page, link);
+  await runContest(page);
+  assert.equal(await saved(page, '#contest-csv'), contestCsv(small));
+});
+
+for (const language of /** @type {const} */ (['en', 'ko']))
+  pageTest(`a contest of four that has run needs no scrolling of the page: ${language}`, async (page) => {
+    await openContest(page, `${link}&contestants=n-100,cma-es-7-mirror,de&only=5&until=800&lang=${language}`);
+    await runContest(page);
+    for (const [width, height] of /** @type {const} */ ([
+      [1440, 900],
+      [1366, 768],
+      [1280, 720],
+      [1024, 768],
+    ])) {
+      await page.resize(width, height);
+      const found = await page.evaluate(async () => {
+        for (let frame = 0; frame < 2; frame += 1)
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+        const { scrollWidth, scrollHeight } = document.documentElement;
+        const high = (/** @type {string} */ one) =>
+          document.querySelector(one)?.getBoundingClientRect().height ?? 0;
+        return {
+          excess: [scrollWidth - innerWidth, scrollHeight - innerHeight],
+          chart: high('.contest-chart'),
+          table: high('.contest-scroll'),
+          wide: [...document.querySelectorAll('body *')]
+            .filter((one) => one.getBoundingClientRect().right > innerWidth + 0.5)
+            .map((one) => one.id || `${one.tagName} ${one.className}`),
+        };
+      });
+      assert.deepEqual(found.excess, [0, 0], `${width} × ${height}: ${found.wide}`);
+      assert.ok(found.chart >= 110 && found.table >= 100, JSON.stringify(found));
+    }
+  });
+
+engineTest(
+  'in a frame of 400 × 300 the table takes the place of the picture, and can be read',
+  async (page) => {
+    await page.resize(400, 300);
+    await page.open(`?embed${link}`);
+    await runContest(page);
+    assert.deepEqual(await page.obstacles(), []);
+    await page.click('#contest-reading-table');
+    const found = await page.evaluate(() => {
+      const box = (/** @type {string} */ one) => {
+        const { width, height } = /** @type {HTMLElement} */ (
+          document.querySelector(one)
+        ).getBoundingClientRect();
+        return [width, height];
+      };
+      const scroll = /** @type {HTMLElement} */ (document.querySelector('.contest-scroll'));
+      return {
+        chart: box('.contest-chart'),
+        table: box('.contest-scroll'),
+        wide: scroll.scrollWidth - scroll.clientWidth,
+      };
+    });
+    assert.equal(found.chart[1], 0);
+    assert.ok(found.table[1] >= 100 && found.wide <= 0, JSON.stringify(found));
+    assert.deepEqual(await page.obstacles(), []);
+  },
+);
