@@ -31,6 +31,8 @@ Preset = Literal["velocity-limits", "acceleration-limits"]
 #: How a run ended: the robot came within the tolerances of the goal, the horizon was reached, or it left the finite
 #: numbers.
 Outcome = Literal["arrived", "horizon", "diverged"]
+#: A move of Nelder and Mead's simplex.
+Motion = Literal["begin", "reflection", "expansion", "outside-contraction", "inside-contraction", "shrink"]
 #: One of the three gains.
 Gain = Literal["kx", "ky", "ktheta"]
 #: Three gains (kx, ky, kθ), or rows of three: at most a million in one call.
@@ -309,7 +311,8 @@ class GenerationRecord(TypedDict):
     #: For each offspring the numbers of the other parents in it: with whom its parent was crossed, or a, b and c of
     #: a + F (b − c) in differential evolution. Empty where a method crosses nothing.
     donors: List[List[float]]
-    #: What each mutation began with, where parents are crossed; else empty.
+    #: What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution, before
+    #: they are crossed; else empty.
     bases: List[Individual]
     #: The distribution from which CMA-ES drew the offspring; null for other methods.
     ellipse: Optional[Ellipse]
@@ -322,6 +325,10 @@ class GenerationRecord(TypedDict):
     ranking: List[float]
     #: Those that survive, best ranked first.
     survivors: List[float]
+    #: What the method went by, besides its population.
+    plan: Plan
+    #: What it goes by in the next generation.
+    next: Plan
 
 
 class Mutation(TypedDict):
@@ -344,6 +351,23 @@ class Ellipse(TypedDict):
     mean: Sequence[float]
     #: The three semi-axes of its ellipsoid of one standard deviation, the longest first.
     axes: List[Sequence[float]]
+
+
+class Plan(TypedDict):
+    """What a method goes by when it asks, besides its population; null or empty is what it does not have."""
+
+    #: The move of Nelder and Mead's simplex.
+    motion: Optional[Motion]
+    #: Its four corners by their places in the population, best first; empty where a simplex begins.
+    corners: List[float]
+    #: The distribution from which CMA-ES draws.
+    ellipse: Optional[Ellipse]
+    #: By how much the trials of CMA-ES will move its mean, the best first; those after them do not count.
+    weights: List[float]
+    #: How much J rises by a gain, as finite differences have told.
+    slope: Optional[Sequence[float]]
+    #: The next step in each gain: down the slope; one gain at a time, when it is its turn; σ of the (1+1) strategy.
+    steps: Optional[Sequence[float]]
 
 
 class LearningRates(TypedDict):
