@@ -39,6 +39,14 @@ export function createLayer(canvas) {
       context.restore();
       pictures.set(canvas, { size, paint });
     },
+    /** Draws on what stands there already. @param {Paint} more @param {Paint} whole Both together, to be drawn once more elsewhere. */
+    add(more, whole) {
+      context.save();
+      more(context);
+      context.restore();
+      const picture = pictures.get(canvas);
+      if (picture) picture.paint = whole;
+    },
   };
 }
 

@@ -5,7 +5,7 @@
 import './style.css';
 import { render } from 'lit-html';
 import { messageOf } from '../../words/errors.js';
-import { create } from '../../kit/elements.js';
+import { create, followSize } from '../../kit/elements.js';
 import { standsStill } from '../../kit/host.js';
 import { createFrameLoop } from '../../kit/loop.js';
 import { remember, watch } from '../../kit/memo.js';
@@ -31,13 +31,13 @@ export function createParkPage({ engine, store, paper, links }) {
   const plane = create('div', 'park-plane');
   plane.dataset.picture = 'park';
   plane.dataset.name = words.pictureName;
-  const [floor, robots] = [document.createElement('canvas'), document.createElement('canvas')];
-  floor.setAttribute('aria-hidden', 'true');
-  robots.setAttribute('role', 'img');
-  plane.append(floor, robots);
+  const canvases = Array.from({ length: 3 }, () => document.createElement('canvas'));
+  for (const canvas of canvases) canvas.setAttribute('aria-hidden', 'true');
+  plane.append(...canvases);
+  plane.setAttribute('role', 'img');
   const [head, side] = [create('div', 'park-head'), create('div', 'park-side')];
   element.append(head, plane, side);
-  const picture = createParkPicture(floor, robots, task);
+  const picture = createParkPicture(canvases, task);
   const slice = () => parkSlice.of(store.get());
   const update = (/** @type {Parameters<typeof parkSlice.update>[1]} */ patch) =>
     parkSlice.update(store, patch);
@@ -115,6 +115,7 @@ export function createParkPage({ engine, store, paper, links }) {
     return !isOver(film) || slice().evolving;
   });
   loop.request();
+  const size = followSize(plane, loop.request);
 
   const changed = watch();
   const linkOf = remember((/** @type {State} */ state) => links.linkOf(state, engine.experiment));
@@ -126,7 +127,7 @@ export function createParkPage({ engine, store, paper, links }) {
       const isUntouched = slice().gains === null && slice().bred.length === 0;
       if (isUntouched && film.drives !== handFilm(gainsNow()).drives)
         show({ ...handFilm(gainsNow()), time: 0 });
-      picture({ film, theme, size: { width: plane.clientWidth, height: plane.clientHeight } });
+      picture({ film, theme, size: size() });
       const { evolving, bred } = slice();
       // While generations rush by, what each comes to.
       const parked = evolving ? (bred.at(-1)?.parked ?? 0) : parkedBy(film);
@@ -140,7 +141,7 @@ export function createParkPage({ engine, store, paper, links }) {
         tolerance: task.tolerance,
       };
       if (!changed(state.slices.park, parked, model.over)) return;
-      robots.setAttribute('aria-label', words.picture(parked, model.count));
+      plane.setAttribute('aria-label', words.picture(parked, model.count));
       const lab = linkToLab(state, task.experiment(model.seed), model.bred, linkOf);
       render(heading(model), head);
       render(sight(model, { ...on, lesson: links.linkOfStep(1), lab }), side);

@@ -17,12 +17,14 @@ const margin = 0.45;
 /** Metres between two lines on a wheel. */
 const tread = 0.035;
 
-/** @param {HTMLCanvasElement} floorCanvas @param {HTMLCanvasElement} robotsCanvas @param {{ goal: Posture, radius: number }} place */
-export function createParkPicture(floorCanvas, robotsCanvas, { goal, radius }) {
-  const floor = createLayer(floorCanvas);
-  const robots = createLayer(robotsCanvas);
+/** @param {readonly HTMLCanvasElement[]} canvases One on the other: the floor, the trails, the robots. @param {{ goal: Posture, radius: number }} place */
+export function createParkPicture(canvases, { goal, radius }) {
+  const [floor, trails, robots] = canvases.map(createLayer);
   const floorChanged = watch();
+  const trailsChanged = watch();
   const robotsChanged = watch();
+  /** The second of the drive up to which the trails stand. */
+  let drawn = 0;
 
   /** @param {PictureModel} model */
   return ({ film, theme, size }) => {
@@ -34,6 +36,14 @@ export function createParkPicture(floorCanvas, robotsCanvas, { goal, radius }) {
         drawPaths(context, plan, film.drives, 0.16);
         drawBay(context, plan, goal);
       });
+    /** @param {number} from */
+    const trail = (from) => (/** @type {CanvasRenderingContext2D} */ context) =>
+      drawTrails(context, plan, film, from);
+    const isNew = trailsChanged(film.drives, isOver(film), theme, size.width, size.height);
+    // Drawn anew, long trails would take most of a frame.
+    if (isNew || film.time < drawn) trails.draw(size, trail(0));
+    else if (film.time > drawn) trails.add(trail(drawn), trail(0));
+    drawn = film.time;
     if (robotsChanged(film, theme, size.width, size.height))
       robots.draw(size, (context) => drawFilm(context, plan, film));
   };
@@ -95,26 +105,35 @@ function drawBay(context, plan, { x, y, theta }) {
   context.restore();
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Film} film */
-function drawFilm(context, plan, film) {
+/** @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Film} film @param {number} from Seconds of the drive. */
+function drawTrails(context, plan, film, from) {
   const { drives, time } = film;
   const over = isOver(film);
   context.save();
   inMetres(context, plan);
   context.lineJoin = 'round';
   context.lineCap = 'round';
-  context.lineWidth = 1.75 / plan.scale;
-  for (const drive of drives) {
-    const failed = over && !drive.run.arrived;
-    const { x, y } = postureAt(drive.run, time);
-    context.strokeStyle = colour(failed ? '--error' : '--ink');
-    context.globalAlpha = 0.5;
+  context.lineWidth = 1.5 / plan.scale;
+  for (const { run } of drives) {
+    const [first, last] = [from, time].map((at) => postureAt(run, at));
+    // Without transparency, so that no joint of two pieces is darker.
+    context.strokeStyle = colour(over && !run.arrived ? '--error' : '--muted');
     context.beginPath();
-    trace(context, plan, drive.run, sampleBefore(drive.run, time));
-    context.lineTo(x, y);
+    context.moveTo(first.x, first.y);
+    for (let i = sampleBefore(run, from) + 1; i <= sampleBefore(run, time); i += 1)
+      context.lineTo(run.x[i], run.y[i]);
+    context.lineTo(last.x, last.y);
     context.stroke();
   }
-  context.globalAlpha = 1;
+  context.restore();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Film} film */
+function drawFilm(context, plan, film) {
+  const { drives, time } = film;
+  const over = isOver(film);
+  context.save();
+  inMetres(context, plan);
   // Small on a small screen, but to be seen as robots.
   const grown = Math.max(1, 7 / (plan.scale * (axle / 2)));
   for (const drive of drives) {
