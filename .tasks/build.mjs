@@ -90,9 +90,12 @@ const withoutHome = `target.wasm32-unknown-unknown.rustflags=[${JSON.stringify(r
 /** Puts an optimised module in the place of this one. @param {string} wasm */
 export async function optimise(wasm) {
   const optimised = `${wasm}.optimised`;
-  await runPackage('binaryen/bin/wasm-opt', ['-O3', ...features, wasm, '-o', optimised]);
+  await runPackage('binaryen/bin/wasm-opt', ['-O3', ...copying, ...features, wasm, '-o', optimised]);
   renameSync(optimised, wasm);
 }
+
+/** Only small functions are copied to where they are called: more would be larger, and no quicker. */
+const copying = ['--one-caller-inline-max-function-size=20', '--flexible-inline-max-function-size=4'];
 
 /** What every browser of the last years has, and what the compiler was told to use. */
 const features = [

@@ -15,6 +15,7 @@
 //! | [`search`] | evolutionary programming, random search | knows gains and costs, no robot; a generation depends on its parents, its number and the seed alone |
 //! | [`run`] | experiment, presets, cost (9), one run, many runs at once | an experiment is checked once, in [`run::Setting::new`]; `run/work.rs` says what a call may cost |
 //! | [`study`] | history, landscape, robustness, seeds, starts, stability, remaining error | every job can be split by index without changing a bit |
+//! | [`outside`] | what can be asked from outside, and its types | one table of calls, read in one way for every language |
 //! | `wasm` | the same for JavaScript | the only room that knows it |
 //! | `bytes` | the same for whoever runs WebAssembly elsewhere, such as Python | imports nothing |
 //!
@@ -59,9 +60,7 @@ pub mod run;
 
 pub mod study;
 
-mod declarations;
-
-pub use declarations::declarations;
+pub mod outside;
 
 #[cfg(all(target_arch = "wasm32", feature = "javascript"))]
 #[allow(unsafe_code)] // wasm-bindgen writes some

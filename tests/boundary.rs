@@ -3,12 +3,12 @@
 
 mod common;
 
-use common::PRESET;
 use common::javascript::{experiment, get, js, message, number, text};
-use ep_locomotion::run::Experiment;
+use common::{PRESET, Random};
+use ep_locomotion::run::{Experiment, Preset};
 use ep_locomotion::schema::WordField;
 use ep_locomotion::wasm::{Evolution, evaluate, fields, paper, random_seed, simulate, word_fields};
-use js_sys::{Array, Object};
+use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -150,6 +150,21 @@ fn a_wrong_experiment_is_refused_by_name() {
     // An inherited field is nobody's wish.
     let inherited = experiment(js("Object.create({horizon: 3})")).expect("valid");
     assert_eq!(number(&inherited, "horizon"), 10.0);
+}
+
+/// JavaScript writes the numbers of its messages itself.
+#[wasm_bindgen_test]
+fn a_number_in_a_message_is_the_same_text_as_natively() {
+    let mut random = Random::new(1);
+    let special = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e21, 1e-6, 9e-7, 1e6];
+    for number in special.into_iter().chain((0..2000).map(|_| random.hostile())) {
+        let horizon = -number;
+        let refused = Experiment { horizon, ..Preset::VelocityLimits.experiment() }.validate();
+        let Err(natively) = refused else { continue };
+        let given = Object::new();
+        Reflect::set(&given, &"horizon".into(), &horizon.into()).expect("set");
+        assert_eq!(message(experiment(given.into())), natively.to_string());
+    }
 }
 
 #[wasm_bindgen_test]

@@ -353,7 +353,7 @@ fn a_start_that_is_not_there_is_refused() {
     for start in [3.0, -1.0, 0.5, f64::NAN] {
         assert!(!setting.starts().allows(start), "{start}");
     }
-    assert_eq!(setting.starts().expected(), "a whole number from 0 to 2");
+    assert_eq!(setting.starts().expected().to_string(), "a whole number from 0 to 2");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

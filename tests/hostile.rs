@@ -251,7 +251,8 @@ fn the_ends_of_every_range_are_allowed_and_nothing_beyond() {
             || ["tolerance.speed", "tolerance.turnRate"].contains(&field.path.as_str());
         assert_eq!(field.nullable, is_limit, "{}", field.path);
         let null = if field.nullable { ", or null for no limit" } else { "" };
-        assert!(allowed.expected().ends_with(null), "{}", allowed.expected());
+        let expected = allowed.expected().to_string();
+        assert!(expected.ends_with(null), "{expected}");
     }
 }
 

@@ -1,10 +1,10 @@
 //! What can be called, by name.
 
 use super::value::{Bytes, Given, Value};
-use crate::robot::Gains;
-use crate::run::{Experiment, PAPER_RESULTS, Preset, Setting};
-use crate::schema::{Allowed, Column, Columns, Input, InvalidInput, Place, Plain, Source, shown};
-use crate::study::{self, Circle, Evolution, GridOfRobot, Landscape, PartOfGrid, Trials};
+use crate::outside;
+use crate::run::{Experiment, PAPER_RESULTS, Setting};
+use crate::schema::{InvalidInput, Plain, Source};
+use crate::study::{Circle, Evolution, PartOfGrid};
 
 type Result<T> = core::result::Result<T, InvalidInput>;
 
@@ -27,9 +27,9 @@ impl Begun {
         let Some((Value::Text(name), given)) = asked.split_first() else {
             panic!("a call has a name")
         };
-        let call = CALLS.iter().find(|(known, _)| known == name);
+        let call = CALLS.iter().chain(OF_A_SETTING).find(|(known, _)| known == name);
         let Some((_, call)) = call else { panic!("there is no call {name}") };
-        call(self, &Arguments(given))
+        call(self, Arguments(given))
     }
 
     fn setting(&self) -> &Setting {
@@ -51,42 +51,15 @@ impl Begun {
 /// What is given to a call.
 struct Arguments<'a>(&'a [Value]);
 
-impl Arguments<'_> {
-    fn at(&self, index: usize) -> Given<'_> {
-        Given(self.0.get(index))
-    }
-
-    /// The given experiment, completed with the fields of the usual one.
-    fn setting(&self) -> Result<Setting> {
-        let mut experiment = Preset::VelocityLimits.experiment();
-        experiment.read(&self.at(0))?;
-        Setting::new(experiment)
-    }
-
-    fn number(&self, index: usize, name: &str) -> Result<f64> {
-        let mut number = 0.0;
-        number.read(&self.at(index), Place::Named(name), &Allowed::ANY)?;
-        Ok(number)
-    }
-
-    /// The index of a start posture.
-    fn start(&self, index: usize, setting: &Setting) -> Result<u32> {
-        let start = self.number(index, "start")?;
-        setting.starts().check("start", start)?;
-        Ok(start as u32)
+impl<'a> Arguments<'a> {
+    fn next(&mut self) -> Given<'a> {
+        Given(self.0.split_off_first())
     }
 
     /// The number of a generation; the newest if it is null.
-    fn generation(&self, evolution: &Evolution) -> Result<u32> {
-        let newest = evolution.generation();
-        if self.0.first() == Some(&Value::Null) {
-            return Ok(newest);
-        }
-        let number = self.number(0, "generation")?;
-        if number.fract() == 0.0 && (0.0..=f64::from(newest)).contains(&number) {
-            return Ok(number as u32);
-        }
-        Err(evolution.refused(shown(number)))
+    fn generation(mut self, evolution: &Evolution) -> Result<u32> {
+        let given = Given(self.next().0.filter(|given| **given != Value::Null));
+        outside::generation(evolution, &given)
     }
 }
 
@@ -94,69 +67,38 @@ fn told(value: &impl Plain) -> Result<Vec<u8>> {
     Ok(value.write(&Bytes))
 }
 
-type Call = fn(&mut Begun, &Arguments<'_>) -> Result<Vec<u8>>;
+type Call = fn(&mut Begun, Arguments<'_>) -> Result<Vec<u8>>;
 
 const CALLS: &[(&str, Call)] = &[
     // Of nothing.
-    ("experiment", |_, given| {
-        let mut experiment = match given.0 {
-            [Value::Text(name), ..] => Preset::find(name)?.experiment(),
-            _ => given.setting()?.experiment().clone(),
-        };
-        if given.at(1).is_given() {
-            experiment.read(&given.at(1))?;
+    ("experiment", |_, mut given| {
+        let [given, changes] = [given.next(), given.next()];
+        if given.text().is_some() {
+            return told(outside::experiment(&given, &changes)?.experiment());
+        }
+        let mut experiment = outside::setting(&given)?.experiment().clone();
+        if changes.is_given() {
+            experiment.read(&changes)?;
         }
         told(Setting::new(experiment)?.experiment())
     }),
     ("fields", |_, _| told(&Experiment::fields().numbers)),
     ("word_fields", |_, _| told(&Experiment::fields().words)),
     ("paper", |_, _| told(&PAPER_RESULTS)),
-    ("starts_on_circle", |_, given| told(&Circle::read(&given.at(0))?.starts()?)),
-    ("starts_on_grid", |_, given| {
-        let PartOfGrid { grid, part } = PartOfGrid::read(&given.at(0))?;
-        told(&grid.postures(part)?)
-    }),
+    ("starts_on_circle", |_, mut given| told(&Circle::read(&given.next())?.starts()?)),
+    ("starts_on_grid", |_, mut given| told(&PartOfGrid::read(&given.next())?.starts()?)),
     // What begins.
-    ("begin_task", |begun, given| {
-        let setting = given.setting()?;
+    ("begin_task", |begun, mut given| {
+        let setting = outside::setting(&given.next())?;
         let whole = told(setting.experiment());
         *begun = Begun::Task(setting);
         whole
     }),
-    ("begin_evolution", |begun, given| {
-        let setting = given.setting()?;
+    ("begin_evolution", |begun, mut given| {
+        let setting = outside::setting(&given.next())?;
         let whole = told(setting.experiment());
         *begun = Begun::Evolution(Evolution::new(setting));
         whole
-    }),
-    // Of an experiment.
-    ("evaluate", |begun, given| {
-        told(&Column(begun.setting().evaluate(&Gains::read_all(&given.at(0))?)?))
-    }),
-    ("simulate", |begun, given| {
-        let setting = begun.setting();
-        let start = given.start(1, setting)?;
-        told(&setting.run(Gains::read_one(&given.at(0))?, start))
-    }),
-    ("landscape", |begun, given| {
-        let (landscape, rows) = Landscape::read(&given.at(0))?;
-        told(&Column(landscape.costs(begun.setting(), rows)?))
-    }),
-    ("robustness", |begun, given| {
-        let GridOfRobot { gains, starts } = GridOfRobot::read(&given.at(0))?;
-        told(&Columns(&study::robustness(begun.setting(), gains, &starts.grid, starts.part)?))
-    }),
-    ("fares", |begun, given| {
-        told(&Columns(&study::fares(begun.setting(), Gains::read_one(&given.at(0))?)))
-    }),
-    ("stability", |begun, given| {
-        let setting = begun.setting();
-        let start = given.start(1, setting)?;
-        told(&study::Stability::of(setting, &Gains::read_one(&given.at(0))?, start))
-    }),
-    ("trials", |begun, given| {
-        let Trials { seeds, drives } = Trials::read(&given.at(0))?;
-        told(&study::trials(begun.setting(), seeds, drives)?)
     }),
     // Of an evolution.
     ("step", |begun, _| told(&begun.evolution().step())),
@@ -175,3 +117,20 @@ const CALLS: &[(&str, Call)] = &[
         told(&evolution.population(given.generation(evolution)?)?)
     }),
 ];
+
+/// Calls of an experiment; each is known by the name that it has in Rust.
+macro_rules! of_a_setting {
+    ($setting:ident $(
+        $doc:literal
+        $name:ident $js:literal($($given:ident: $type:literal),+ $(; $last:ident)?) -> $returned:ty as $told:literal
+        $body:block
+    )+) => {
+        const OF_A_SETTING: &[(&str, Call)] = &[$((stringify!($name), |begun, mut asked| {
+            $(let $given = asked.next();)+
+            $(let $last = asked.next();)?
+            told(&outside::$name(begun.setting(), $(&$given,)+ $(&$last)?)?)
+        })),+];
+    };
+}
+
+outside::calls!(of_a_setting);

@@ -12,7 +12,7 @@
 //! | 9 | something else | what it is called, as a text without a tag |
 //! | 10 | a whole number, only in answers | its 4 bytes |
 
-use crate::schema::{InvalidInput, Keys, Place, Source, Writer, shown, too_many};
+use crate::schema::{InvalidInput, Keys, Kind, Place, Source, Writer, too_many};
 
 /// A value that was given.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,32 +91,17 @@ fn read(bytes: &mut &[u8], depth: u32) -> Option<Value> {
 pub(super) struct Given<'a>(pub(super) Option<&'a Value>);
 
 impl Source for Given<'_> {
-    fn is_given(&self) -> bool {
-        self.0.is_some()
-    }
-
-    fn is_null(&self) -> bool {
-        self.0 == Some(&Value::Null)
-    }
-
-    fn number(&self) -> Option<f64> {
+    fn kind(&self) -> Kind {
         match self.0 {
-            Some(Value::Number(number)) => Some(*number),
-            _ => None,
-        }
-    }
-
-    fn truth(&self) -> Option<bool> {
-        match self.0 {
-            Some(Value::Truth(truth)) => Some(*truth),
-            _ => None,
-        }
-    }
-
-    fn text(&self) -> Option<String> {
-        match self.0 {
-            Some(Value::Text(text)) => Some(text.clone()),
-            _ => None,
+            None => Kind::Missing,
+            Some(Value::Null) => Kind::Null,
+            Some(Value::Truth(truth)) => Kind::Truth(*truth),
+            Some(Value::Number(number)) => Kind::Number(*number),
+            Some(Value::Text(text)) => Kind::Text(text.clone()),
+            Some(Value::Column(numbers)) => Kind::List(Some(numbers.len())),
+            Some(Value::List(list)) => Kind::List(Some(list.len())),
+            Some(Value::Object(_)) => Kind::Other("object".into()),
+            Some(Value::Other(name)) => Kind::Other(name.clone()),
         }
     }
 
@@ -148,34 +133,13 @@ impl Source for Given<'_> {
     fn keys(&self, known: &[&'static str]) -> Keys {
         let Some(Value::Object(fields)) = self.0 else { return Keys::NoObject };
         let unknown = fields.iter().find(|(name, _)| !known.contains(&name.as_str()));
-        unknown.map_or(Keys::Known, |(name, _)| Keys::Unknown(quoted(name)))
+        unknown.map_or(Keys::Known, |(name, _)| Keys::Unknown(name.clone()))
     }
 
     fn field(&self, name: &'static str) -> Self {
         let Some(Value::Object(fields)) = self.0 else { return Given(None) };
         Given(fields.iter().find(|(known, _)| known == name).map(|(_, value)| value))
     }
-
-    fn description(&self) -> String {
-        let array = |count| format!("an array of {count}");
-        match self.0 {
-            None => "undefined".into(),
-            Some(Value::Null) => "null".into(),
-            Some(Value::Truth(truth)) => truth.to_string(),
-            Some(Value::Number(number)) => shown(*number),
-            Some(Value::Text(text)) => quoted(text),
-            Some(Value::Column(numbers)) => array(numbers.len()),
-            Some(Value::List(list)) => array(list.len()),
-            Some(Value::Object(_)) => "of type object".into(),
-            Some(Value::Other(name)) => format!("of type {name}"),
-        }
-    }
-}
-
-/// The beginning of a text in quotation marks.
-fn quoted(text: &str) -> String {
-    let shown: String = text.chars().take(40).collect();
-    if shown.len() < text.len() { format!("'{shown}…'") } else { format!("'{shown}'") }
 }
 
 /// Writes values as bytes.

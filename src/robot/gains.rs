@@ -2,8 +2,7 @@
 
 use crate::number::Real;
 use crate::schema::{
-    Allowed, Fields, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, shown,
-    too_many,
+    Allowed, Fields, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, too_many,
 };
 
 /// The three gains k = (kx, ky, kθ) that evolution looks for. Theorem 1 holds for positive ones.
@@ -36,13 +35,13 @@ impl Gains {
     /// Triples (kx, ky, kθ) one after the other, as many as are given.
     pub fn read_all<S: Source>(given: &S) -> Result<Vec<Self>, InvalidInput> {
         let numbers = read_numbers(given)?;
-        let refused = |name, expected: &str, found| InvalidInput::new(name, expected, found);
         if !numbers.len().is_multiple_of(3) {
             let found = format!("{} numbers", numbers.len());
-            return Err(refused("gains".into(), "three numbers for each robot", found));
+            return Err(InvalidInput::new("gains", "three numbers for each robot", found));
         }
         if let Some(index) = numbers.iter().position(|k| !k.is_finite()) {
-            return Err(refused(gain_name(index), "a finite number", shown(numbers[index])));
+            let name = gain_name(index);
+            return Err(InvalidInput::new(name, "a finite number", numbers[index]));
         }
         Ok(numbers.chunks_exact(3).map(|k| Self::new(k[0], k[1], k[2])).collect())
     }

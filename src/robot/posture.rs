@@ -1,7 +1,7 @@
 //! Postures and velocities: equation (1).
 
 use crate::number::Real;
-use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Source, record, refused};
+use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Source, Text, record, refused};
 
 /// Coordinates beyond a kilometre lose the millimetres of a goal next to them, and no lesson needs them.
 pub const METRES: Allowed = Allowed::within("m", -1000.0, 1000.0);
@@ -61,7 +61,8 @@ impl Input for Vec<Posture> {
 
     fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<(), InvalidInput> {
         if !allowed.allows(self.len() as f64) {
-            let expected = format!("a list of {} to {} postures", allowed.min, allowed.max);
+            let expected =
+                Text::from("a list of ") + allowed.min + " to " + allowed.max + " postures";
             let found = format!("a list of {}", self.len());
             return Err(InvalidInput::new(place.to_string(), expected, found));
         }
@@ -76,7 +77,7 @@ impl Input for Vec<Posture> {
         allowed: &Allowed,
     ) -> Result<(), InvalidInput> {
         let most = allowed.max as usize;
-        let expected = || format!("an array of {} to {most}", allowed.min);
+        let expected = || Text::from("an array of ") + allowed.min + " to " + allowed.max;
         if let Some(numbers) = given.column(place, 3 * most)? {
             let postures = numbers.chunks_exact(3);
             if !postures.remainder().is_empty() {

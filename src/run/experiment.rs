@@ -2,7 +2,7 @@
 
 use super::cost::Weights;
 use crate::robot::{Disturbance, DisturbanceKind, Law, Limits, Posture, Velocity};
-use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Source, record, shown};
+use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Source, Text, record};
 use crate::search::EvolutionSettings;
 
 /// Most start postures.
@@ -83,8 +83,8 @@ impl Experiment {
     pub fn validate(&self) -> Result<(), InvalidInput> {
         self.check(Place::Experiment, &Allowed::ANY)?;
         if self.horizon / self.sample_time > MAX_SAMPLES {
-            let expected = format!("at most {MAX_SAMPLES} times sampleTime");
-            let found = format!("{} with sampleTime {}", self.horizon, self.sample_time);
+            let expected = Text::from("at most ") + MAX_SAMPLES + " times sampleTime";
+            let found = Text::from(self.horizon) + " with sampleTime " + self.sample_time;
             return Err(InvalidInput::new("horizon", expected, found));
         }
         self.evolution.check_rules()?;
@@ -97,7 +97,7 @@ impl Experiment {
             if kind == DisturbanceKind::Random && bound < 0.0 {
                 let name = format!("disturbance.{name}");
                 let expected = "0 or more for a random disturbance";
-                return Err(InvalidInput::new(name, expected, shown(bound)));
+                return Err(InvalidInput::new(name, expected, bound));
             }
         }
         Ok(())

@@ -4,7 +4,7 @@ use super::cost::Cost;
 use super::rules::{Outcome, Robot};
 use super::setting::Setting;
 use crate::robot::{DisturbanceSequence, Gains, Posture};
-use crate::schema::{Column, Columns, Flags, told};
+use crate::schema::{Columns, Flags, told};
 
 /// One run that is to be driven.
 #[derive(Clone, Copy)]
@@ -26,13 +26,13 @@ pub struct RunEnd {
 
 told! {
     /// One value for each start of a grid, or of an experiment.
-    Robustness: Columns<'_, RunEnd> {
+    Robustness: Columns<RunEnd> {
         /// J.
-        "cost" => |ends| Column::of(ends.0, |end: &RunEnd| end.cost.total()),
+        "cost" => |ends| ends.column(|end| end.cost.total()),
         /// t_f in seconds.
-        "finalTime" => |ends| Column::of(ends.0, |end: &RunEnd| end.cost.time),
+        "finalTime" => |ends| ends.column(|end| end.cost.time),
         /// 1 where the robot arrived, else 0.
-        "arrived" => |ends| Flags::of(ends.0, |end: &RunEnd| end.outcome == Outcome::Arrived),
+        "arrived" => |ends| Flags::of(&ends.0, |end| end.outcome == Outcome::Arrived),
     }
 }
 

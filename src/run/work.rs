@@ -1,7 +1,7 @@
 //! What one call may cost: the one place that says so.
 
 use super::experiment::Experiment;
-use crate::schema::InvalidInput;
+use crate::schema::{InvalidInput, Text};
 
 /// Most samples that one call may have to drive: robots × starts × samples. It bounds how long a call can take.
 pub const MAX_WORK: f64 = 4e8;
@@ -44,17 +44,16 @@ impl Work<'_> {
 
     fn check_each(self, e: &Experiment, one: f64) -> Result<(), InvalidInput> {
         let Self { field, count, starts, bytes } = self;
-        let refuse = |expected| Err(InvalidInput::new(field, expected, format!("{count}")));
+        let refuse = |expected: Text| Err(InvalidInput::new(field, expected, count));
         if count * one > MAX_WORK {
             let (most, starts) = ((MAX_WORK / one).floor(), starts.max(1));
             let samples = e.samples();
-            return refuse(format!(
-                "at most {most} with {starts} starts and {samples} samples a run"
-            ));
+            let most = Text::from("at most ") + most;
+            return refuse(most + format!(" with {starts} starts and {samples} samples a run"));
         }
         if count * bytes > MAX_BYTES {
             let most = (MAX_BYTES / bytes).floor();
-            return refuse(format!("at most {most}, for each takes {bytes} bytes"));
+            return refuse(Text::from("at most ") + most + ", for each takes " + bytes + " bytes");
         }
         Ok(())
     }

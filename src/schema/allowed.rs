@@ -3,29 +3,42 @@
 use core::fmt;
 use core::ops::Deref;
 
+use super::text::Text;
+
 /// An input that was refused. It is small, for most readings have none.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct InvalidInput(Box<Refusal>);
 
 /// Which field was refused, what it must be, and what it was.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
     /// The field, by the name that it has outside.
     pub field: String,
     /// What it must be.
-    pub expected: String,
+    pub expected: Text,
     /// What it was.
-    pub found: String,
+    pub found: Text,
 }
 
 impl InvalidInput {
     pub(crate) fn new(
         field: impl Into<String>,
-        expected: impl Into<String>,
-        found: impl Into<String>,
+        expected: impl Into<Text>,
+        found: impl Into<Text>,
     ) -> Self {
-        let [field, expected, found] = [field.into(), expected.into(), found.into()];
+        Self::of(field.into(), expected.into(), found.into())
+    }
+
+    // Once, not for each kind of text.
+    #[inline(never)]
+    fn of(field: String, expected: Text, found: Text) -> Self {
         Self(Box::new(Refusal { field, expected, found }))
+    }
+
+    /// The message.
+    pub fn message(&self) -> Text {
+        let Refusal { field, expected, found } = (**self).clone();
+        Text::from(field) + " must be " + expected + ", but was " + found
     }
 }
 
@@ -39,23 +52,11 @@ impl Deref for InvalidInput {
 
 impl fmt::Display for InvalidInput {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} must be {}, but was {}", self.field, self.expected, self.found)
+        self.message().fmt(f)
     }
 }
 
 impl core::error::Error for InvalidInput {}
-
-/// A number as a message shows it: very large and very small ones with an exponent.
-pub(crate) fn shown(number: f64) -> String {
-    let magnitude = number.abs();
-    if number.is_infinite() {
-        return if number > 0.0 { "Infinity" } else { "-Infinity" }.into();
-    }
-    if magnitude >= 1e21 || (magnitude < 1e-6 && magnitude > 0.0) {
-        return format!("{number:e}");
-    }
-    number.to_string()
-}
 
 /// Which numbers a field may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,14 +101,14 @@ impl Allowed {
     }
 
     /// What such a number must be, in words.
-    pub fn expected(&self) -> String {
-        if *self == Self::ANY {
-            return "a number".into();
-        }
+    pub fn expected(&self) -> Text {
         let kind = if self.integer { "a whole number" } else { "a number" };
-        let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
+        if *self == Self::ANY {
+            return kind.into();
+        }
+        let space = if self.unit.is_empty() { "" } else { " " };
         let null = if self.nullable { ", or null for no limit" } else { "" };
-        format!("{kind} from {} to {}{unit}{null}", shown(self.min), shown(self.max))
+        Text::from(kind) + " from " + self.min + " to " + self.max + space + self.unit + null
     }
 
     /// Refuses a number that is not among them.
@@ -115,6 +116,6 @@ impl Allowed {
         if self.allows(value) {
             return Ok(());
         }
-        Err(InvalidInput::new(name.to_string(), self.expected(), shown(value)))
+        Err(InvalidInput::new(name.to_string(), self.expected(), value))
     }
 }

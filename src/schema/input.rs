@@ -6,6 +6,7 @@ use super::allowed::{Allowed, InvalidInput};
 use super::field::{Field, Fields};
 use super::place::Place;
 use super::plain::Plain;
+use super::source::{Kind, Source, refused};
 
 /// A value that can be read from its plain form.
 pub trait Input: Plain {
@@ -22,78 +23,6 @@ pub trait Input: Plain {
         place: Place<'_>,
         allowed: &Allowed,
     ) -> Result<(), InvalidInput>;
-}
-
-/// A plain value that somebody gave. One that cannot be read is of no kind, and its description says so.
-pub trait Source: Sized {
-    /// Whether it is there at all.
-    fn is_given(&self) -> bool;
-    /// Whether it is null.
-    fn is_null(&self) -> bool;
-    /// The number that it is.
-    fn number(&self) -> Option<f64>;
-    /// The truth that it is.
-    fn truth(&self) -> Option<bool>;
-    /// The text that it is.
-    fn text(&self) -> Option<String>;
-    /// The numbers that it is, side by side; refused if they are more than allowed.
-    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput>;
-    /// How many elements it has, if it is a list; also one of numbers side by side, if those may be.
-    fn length(&self, columns: bool) -> Option<usize>;
-    /// The element with this index.
-    fn element(&self, index: usize) -> Self;
-    /// Whether it is an object with no fields but these.
-    fn keys(&self, known: &[&'static str]) -> Keys;
-    /// The field with this name.
-    fn field(&self, name: &'static str) -> Self;
-    /// What it is, in words for a message.
-    fn description(&self) -> String;
-}
-
-/// What the fields of a value are.
-pub enum Keys {
-    /// It has none, being no object.
-    NoObject,
-    /// They are known.
-    Known,
-    /// One is not known: this.
-    Unknown(String),
-    /// Its owner throws when they are looked at.
-    Unreadable,
-}
-
-/// The error that says what a value must be.
-pub(crate) fn refused<S: Source>(
-    given: &S,
-    place: Place<'_>,
-    expected: impl Into<String>,
-) -> InvalidInput {
-    InvalidInput::new(place.to_string(), expected, given.description())
-}
-
-/// The error that says how many numbers there may be.
-pub(crate) fn too_many(place: Place<'_>, most: usize, count: usize) -> InvalidInput {
-    let (expected, found) = (format!("at most {most} numbers"), format!("{count} numbers"));
-    InvalidInput::new(place.to_string(), expected, found)
-}
-
-/// Refuses anything but an object with no fields but these.
-pub(crate) fn read_object<S: Source>(
-    given: &S,
-    place: Place<'_>,
-    known: &[&'static str],
-) -> Result<(), InvalidInput> {
-    match given.keys(known) {
-        Keys::Known => Ok(()),
-        Keys::NoObject => Err(refused(given, place, "an object")),
-        Keys::Unreadable => {
-            Err(InvalidInput::new(place.to_string(), "an object", "one that cannot be read"))
-        }
-        Keys::Unknown(key) => {
-            let expected = format!("an object with no fields but {}", known.join(", "));
-            Err(InvalidInput::new(place.to_string(), expected, format!("one with {key}")))
-        }
-    }
 }
 
 /// Adds the rows of one field of a record.
@@ -127,6 +56,18 @@ pub(crate) fn read_field<T: Input, S: Source>(
         value.read(&field, Place::Field(record, key), allowed)?;
     }
     Ok(())
+}
+
+/// A value with what is given taken over, and checked.
+pub(crate) fn read_whole<T: Input, S: Source>(
+    mut value: T,
+    given: &S,
+    place: Place<'_>,
+    allowed: &Allowed,
+) -> Result<T, InvalidInput> {
+    value.read(given, place, allowed)?;
+    value.check(place, allowed)?;
+    Ok(value)
 }
 
 #[inline(never)]
@@ -191,8 +132,12 @@ impl Input for Option<f64> {
         place: Place<'_>,
         allowed: &Allowed,
     ) -> Result<(), InvalidInput> {
-        *self = if given.is_null() { None } else { Some(0.0) };
-        self.as_mut().map_or(Ok(()), |number| number.read(given, place, allowed))
+        *self = match given.kind() {
+            Kind::Null => None,
+            Kind::Number(number) => Some(number),
+            _ => return Err(refused(given, place, allowed.expected())),
+        };
+        Ok(())
     }
 }
 
@@ -209,7 +154,10 @@ impl Input for bool {
         place: Place<'_>,
         _: &Allowed,
     ) -> Result<(), InvalidInput> {
-        *self = given.truth().ok_or_else(|| refused(given, place, "true or false"))?;
+        match given.kind() {
+            Kind::Truth(truth) => *self = truth,
+            _ => return Err(refused(given, place, "true or false")),
+        }
         Ok(())
     }
 }

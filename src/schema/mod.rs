@@ -4,6 +4,8 @@
 //! TypeScript is told. This room knows neither robots nor JavaScript: [`Source`] is whatever is read, [`Writer`] whatever
 //! is written.
 
+mod text;
+
 mod allowed;
 
 mod place;
@@ -18,16 +20,20 @@ mod words;
 
 mod field;
 
+mod source;
+
 mod input;
 
 pub use allowed::{Allowed, InvalidInput, Refusal};
 pub use field::{Field, Fields, WordField};
-pub use input::{Input, Keys, Source};
+pub use input::Input;
 pub use place::Place;
-pub use plain::{Column, Columns, Flags, Plain, Writer};
+pub use plain::{Column, Columns, Each, Flags, Plain, Writer};
+pub use source::{Keys, Kind, Source};
+pub use text::Text;
 pub use types::{Declared, Types};
 
-pub(crate) use allowed::shown;
-pub(crate) use input::{check_field, field_rows, read_field, read_object, refused, too_many};
+pub(crate) use input::{check_field, field_rows, read_field, read_whole};
 pub(crate) use record::{record, told};
+pub(crate) use source::{read_object, refused, too_many};
 pub(crate) use words::words;

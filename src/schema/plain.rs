@@ -70,8 +70,23 @@ impl Plain for Column {
 }
 
 /// Many things of which a plain object tells some numbers.
-#[derive(Clone, Copy, Debug)]
-pub struct Columns<'a, T>(pub &'a [T]);
+#[derive(Clone, Debug, PartialEq)]
+pub struct Columns<T>(pub Vec<T>);
+
+impl<T> Columns<T> {
+    /// One number of each.
+    pub(crate) fn column(&self, number: fn(&T) -> f64) -> Column {
+        Column::of(&self.0, number)
+    }
+}
+
+/// So many things, each of which is made when it is written: all at once would take much memory.
+pub struct Each<'a, T> {
+    /// How many.
+    pub count: u32,
+    /// Makes the one with this index.
+    pub make: Box<dyn Fn(u32) -> T + 'a>,
+}
 
 /// Whether something holds, as 1 or 0, of each of many things.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -145,6 +160,16 @@ impl<T: Plain> Plain for Vec<T> {
 
     fn write<W: Writer>(&self, to: &W) -> W::Value {
         to.list(self.iter().map(|value| value.write(to)))
+    }
+}
+
+impl<T: Plain> Plain for Each<'_, T> {
+    fn typescript(types: &mut Types) -> String {
+        Vec::<T>::typescript(types)
+    }
+
+    fn write<W: Writer>(&self, to: &W) -> W::Value {
+        to.list((0..self.count).map(|index| (self.make)(index).write(to)))
     }
 }
 

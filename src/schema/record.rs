@@ -3,7 +3,7 @@
 /// A struct that is a plain object outside: its fields with their names there, and after `in` which numbers each may be.
 ///
 /// `input` makes it one that is read: of an experiment, where what is left out keeps its value. `required` makes it one of
-/// which nothing may be left out.
+/// which nothing may be left out but what is `[optional]`.
 macro_rules! record {
     (input $($rest:tt)+) => { crate::schema::record! { @both false $($rest)+ } };
     (required $($rest:tt)+) => { crate::schema::record! { @both true $($rest)+ } };
@@ -12,7 +12,7 @@ macro_rules! record {
         pub struct $name:ident $(<$scalar:ident = f64>)? {
             $(
                 $(#[doc = $doc:literal])+
-                pub $field:ident: $type:ty => $key:literal $(in $allowed:expr)?,
+                pub $field:ident: $type:ty => $key:literal $([$optional:ident])? $(in $allowed:expr)?,
             )+
         }
     ) => {
@@ -20,7 +20,7 @@ macro_rules! record {
             $(($($derive),*))?
             $(#[doc = $about])+
             pub struct $name $(<$scalar = f64>)? {
-                $($(#[doc = $doc])+ pub $field: $type => $key,)+
+                $($(#[doc = $doc])+ pub $field: $type => $key $([$optional])?,)+
             }
         }
 
@@ -73,12 +73,14 @@ macro_rules! record {
                     given,
                     (&place, $key),
                     crate::schema::record!(@allowed $($allowed)?),
-                    $required,
+                    crate::schema::record!(@required $required $($optional)?),
                 )?;)+
                 Ok(())
             }
         }
     };
+    (@required $required:literal) => { $required };
+    (@required $required:literal optional) => { false };
     (@allowed) => { &crate::schema::Allowed::ANY };
     (@allowed $allowed:expr) => {{
         const ALLOWED: crate::schema::Allowed = $allowed;
@@ -89,7 +91,7 @@ macro_rules! record {
         pub struct $name:ident $(<$scalar:ident = f64>)? {
             $(
                 $(#[doc = $doc:literal])+
-                pub $field:ident: $type:ty => $key:literal,
+                pub $field:ident: $type:ty => $key:literal $([$optional:ident])?,
             )+
         }
     ) => {
@@ -102,20 +104,20 @@ macro_rules! record {
         crate::schema::told! {
             $(#[doc = $about])+
             $name: $name {
-                $($(#[doc = $doc])+ $key => |record| &record.$field,)+
+                $($(#[doc = $doc])+ $key $([$optional])? => |record| &record.$field,)+
             }
         }
     };
 }
 
 /// What is told of a type outside: a plain object by this name, whose fields are computed. Whoever gives one may leave out
-/// those that are `optional`.
+/// those that are `[optional]`.
 macro_rules! told {
-    (@optional) => { "?" };
+    (@ optional) => { "?" };
     (
         $(#[doc = $about:literal])+
         $name:ident: $type:ty {
-            $($(#[doc = $doc:literal])+ $key:literal $($optional:ident)? => |$it:ident| $value:expr,)+
+            $($(#[doc = $doc:literal])+ $key:literal $([$optional:ident])? => |$it:ident| $value:expr,)+
         }
     ) => {
         impl crate::schema::Plain for $type {
@@ -128,7 +130,7 @@ macro_rules! told {
                 }
                 types.interface(stringify!($name), &[$($about),+], |types| {
                     vec![$((
-                        concat!($key $(, crate::schema::told!(@$optional))?),
+                        concat!($key $(, crate::schema::told!(@ $optional))?),
                         &[$($doc),+] as &[&str],
                         of(types, |$it| $value),
                     )),+]

@@ -1,7 +1,7 @@
 //! What a search is told before it begins.
 
 use crate::robot::Gains;
-use crate::schema::{Allowed, InvalidInput, record, words};
+use crate::schema::{Allowed, InvalidInput, Text, record, words};
 
 words! {
     input
@@ -100,7 +100,8 @@ impl EvolutionSettings {
     pub(crate) fn check_rules(&self) -> Result<(), InvalidInput> {
         let [low, high] = self.initial_range;
         if low >= high {
-            let (expected, found) = ("[low, high] with low under high", format!("[{low}, {high}]"));
+            let expected = "[low, high] with low under high";
+            let found = Text::from("[") + low + ", " + high + "]";
             return Err(InvalidInput::new("evolution.initialRange", expected, found));
         }
         let least = match self.method {
@@ -112,7 +113,7 @@ impl EvolutionSettings {
             return Ok(());
         }
         let expected = format!("{least} or more with the method '{}'", self.method.word());
-        Err(InvalidInput::new("evolution.population", expected, self.population.to_string()))
+        Err(InvalidInput::new("evolution.population", expected, self.population))
     }
 
     /// Most trials in a generation.

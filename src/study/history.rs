@@ -2,7 +2,7 @@
 
 use super::hash::Hash;
 use crate::run::{MAX_WORK, Setting};
-use crate::schema::InvalidInput;
+use crate::schema::{InvalidInput, Text};
 use crate::search::{Brood, GenerationRecord, Individual, Search, Statistics, search};
 
 /// A run of evolutionary programming, or of one of its rivals, that remembers itself.
@@ -132,7 +132,7 @@ impl Evolution {
     }
 
     /// The error that says which generations there are.
-    pub(crate) fn refused(&self, found: String) -> InvalidInput {
+    pub(crate) fn refused(&self, found: impl Into<Text>) -> InvalidInput {
         let expected = format!("a whole number from 0 to {}, the newest", self.generation());
         InvalidInput::new("generation", expected, found)
     }
@@ -141,7 +141,7 @@ impl Evolution {
         if generation <= self.generation() {
             return Ok(generation);
         }
-        Err(self.refused(generation.to_string()))
+        Err(self.refused(generation))
     }
 
     /// Where the search stood after a generation.

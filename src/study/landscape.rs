@@ -5,7 +5,8 @@ use super::starts::{MAX_AXIS_COUNT, Range};
 use crate::robot::{Gains, Triples};
 use crate::run::{Cost, Setting, Work};
 use crate::schema::{
-    Allowed, Fields, Input, InvalidInput, Place, Source, read_object, refused, shown, told, words,
+    Allowed, Fields, Input, InvalidInput, Place, Source, read_object, read_whole, record, refused,
+    told, words,
 };
 
 words! {
@@ -54,35 +55,20 @@ impl Input for Gain {
     }
 }
 
-/// `count` values of a gain, from `from` to `to`: evenly spaced, or with `log` evenly in the logarithm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Axis {
-    /// Which gain.
-    pub gain: Gain,
-    /// The first value.
-    pub from: f64,
-    /// The last value.
-    pub to: f64,
-    /// How many values.
-    pub count: u32,
-    /// Whether they are spaced evenly in the logarithm.
-    pub log: bool,
-}
-
-told! {
+record! { required (Copy)
     /// One axis of a landscape: `count` values of a gain from `from` to `to`, evenly spaced or, with `log`, evenly in the
     /// logarithm.
-    Axis: Axis {
+    pub struct Axis {
         /// Which gain.
-        "gain" => |axis| axis.gain,
+        pub gain: Gain => "gain",
         /// The first value.
-        "from" => |axis| axis.from,
+        pub from: f64 => "from",
         /// The last value.
-        "to" => |axis| axis.to,
+        pub to: f64 => "to",
         /// How many values.
-        "count" => |axis| axis.count,
+        pub count: u32 => "count" in Allowed::whole(0, MAX_AXIS_COUNT),
         /// Whether they are spaced evenly in the logarithm.
-        "log" optional => |axis| axis.log,
+        pub log: bool => "log" [optional],
     }
 }
 
@@ -102,27 +88,10 @@ impl Axis {
         for (end, value) in [("from", from), ("to", to)] {
             if self.log && value.is_finite() && value <= 0.0 {
                 let expected = "a number over 0 on a log axis";
-                return Err(InvalidInput::new(format!("{name}.{end}"), expected, shown(value)));
+                return Err(InvalidInput::new(format!("{name}.{end}"), expected, value));
             }
         }
         Range { from, to, count }.validate(name)
-    }
-
-    fn read<S: Source>(given: &S, place: Place<'_>) -> Result<Self, InvalidInput> {
-        let mut axis = Self { gain: Gain::X, from: 0.0, to: 0.0, count: 0, log: false };
-        read_object(given, place, &["gain", "from", "to", "count", "log"])?;
-        let at = |name| Place::Field(&place, name);
-        axis.gain.read(&given.field("gain"), at("gain"), &Allowed::ANY)?;
-        axis.from.read(&given.field("from"), at("from"), &Allowed::ANY)?;
-        axis.to.read(&given.field("to"), at("to"), &Allowed::ANY)?;
-        let count = Allowed::whole(0, MAX_AXIS_COUNT);
-        axis.count.read(&given.field("count"), at("count"), &count)?;
-        axis.count.check(at("count"), &count)?;
-        let log = given.field("log");
-        if log.is_given() {
-            axis.log.read(&log, at("log"), &Allowed::ANY)?;
-        }
-        Ok(axis)
     }
 }
 
@@ -147,7 +116,7 @@ told! {
         /// All three gains; the two on the axes are replaced.
         "gains" => |landscape| Triples::from(landscape.gains),
         /// The rows [first, end) to compute; all when left out.
-        "rows" optional => |landscape| [0, landscape.y.count],
+        "rows" [optional] => |landscape| [0, landscape.y.count],
     }
 }
 
@@ -157,8 +126,9 @@ impl Landscape {
         let place = Place::Named("landscape");
         read_object(given, place, &["x", "y", "gains", "rows"])?;
         let at = |name| Place::Field(&place, name);
-        let [x, y] =
-            [Axis::read(&given.field("x"), at("x"))?, Axis::read(&given.field("y"), at("y"))?];
+        let none = Axis { gain: Gain::X, from: 0.0, to: 0.0, count: 0, log: false };
+        let axis = |name| read_whole(none, &given.field(name), at(name), &Allowed::ANY);
+        let [x, y] = [axis("x")?, axis("y")?];
         let gains = Gains::read_one(&given.field("gains"))?;
         let rows = read_part(&given.field("rows"), at("rows"), y.count)?;
         Ok((Self { x, y, gains }, rows))

@@ -2,7 +2,7 @@
 
 use crate::robot::Gains;
 use crate::run::{Outcome, Sample, Setting, Work};
-use crate::schema::{Column, Columns, InvalidInput, shown, told};
+use crate::schema::{Column, Columns, InvalidInput, Text, told};
 use crate::theory::{ErrorParts, theorem_2_sets};
 
 /// The parts of the error at one sample of a run, and how far the sets reach there.
@@ -18,17 +18,17 @@ pub struct PartsSample {
 
 told! {
     /// The sizes of the error of one run over time that Theorem 2 bounds one by one: one value a sample.
-    ErrorParts: Columns<'_, PartsSample> {
+    ErrorParts: Columns<PartsSample> {
         /// Seconds.
-        "time" => |run| Column::of(run.0, |sample: &PartsSample| sample.time),
+        "time" => |run| run.column(|sample| sample.time),
         /// |x_e cos θ_e| in metres.
-        "x" => |run| Column::of(run.0, |sample: &PartsSample| sample.error.x),
+        "x" => |run| run.column(|sample| sample.error.x),
         /// |y_e| in metres.
-        "y" => |run| Column::of(run.0, |sample: &PartsSample| sample.error.y),
+        "y" => |run| run.column(|sample| sample.error.y),
         /// |sin θ_e|.
-        "theta" => |run| Column::of(run.0, |sample: &PartsSample| sample.error.theta),
+        "theta" => |run| run.column(|sample| sample.error.theta),
         /// How far the set of |y_e| reaches at this heading, (ε1 |sin θ_e| / ky)^⅓ in metres (7).
-        "ySet" => |run| Column::of(run.0, |sample: &PartsSample| sample.sets.y),
+        "ySet" => |run| run.column(|sample| sample.sets.y),
     }
 }
 
@@ -95,11 +95,11 @@ told! {
 
 told! {
     /// What remains of the error at the end of each run, beside the sets of Theorem 2.
-    RemainingErrors: Columns<'_, RemainingError> {
+    RemainingErrors: Columns<RemainingError> {
         /// The largest in the last seconds; Infinity for a robot that left the finite numbers.
-        "error" => |all| PartsOfStarts::of(all.0, |one| one.error),
+        "error" => |all| PartsOfStarts::of(&all.0, |one| one.error),
         /// How far the sets reach, ε1/kx (6), (ε1 |sin θ_e| / ky)^⅓ (7) and ε2/kθ (8); of (7) the farthest in the last seconds.
-        "sets" => |all| PartsOfStarts::of(all.0, |one| one.sets),
+        "sets" => |all| PartsOfStarts::of(&all.0, |one| one.sets),
     }
 }
 
@@ -114,8 +114,8 @@ pub fn remaining_errors(
 ) -> Result<Vec<RemainingError>, InvalidInput> {
     let experiment = setting.experiment();
     if !(0.0..=experiment.horizon).contains(&seconds) {
-        let expected = format!("a number from 0 to the horizon of {} s", experiment.horizon);
-        return Err(InvalidInput::new("seconds", expected, shown(seconds)));
+        let expected = Text::from("a number from 0 to the horizon of ") + experiment.horizon + " s";
+        return Err(InvalidInput::new("seconds", expected, seconds));
     }
     check_starts(setting, size_of::<[RemainingError; 2]>() as f64)?;
     let starts = 0..experiment.starts.len() as u32;

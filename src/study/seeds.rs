@@ -1,44 +1,26 @@
 //! Evolution with many seeds, beside random search.
 
-use super::part::{read_part, validate_part};
+use super::part::validate_part;
 use crate::robot::Gains;
 use crate::run::{BYTES_OF_AN_OBJECT, Setting, Work};
-use crate::schema::{
-    Allowed, Column, Input, InvalidInput, Place, Source, read_object, record, told,
-};
+use crate::schema::{Allowed, Column, InvalidInput, Place, Source, read_whole, record};
 use crate::search::{Brood, Draws, EvolutionSettings, Individual, LAST_GENERATION, Search, search};
 
-/// Which seeds [first, end) to run, and for how many generations.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SeedRuns {
-    /// The seeds [first, end).
-    pub seeds: [u32; 2],
-    /// How many generations.
-    pub generations: u32,
-}
-
-told! {
+record! { required (Copy)
     /// Which seeds [first, end) to run, and for how many generations.
-    SeedRuns: SeedRuns {
+    pub struct SeedRuns {
         /// The seeds [first, end).
-        "seeds" => |given| given.seeds,
+        pub seeds: [u32; 2] => "seeds" in Allowed::SEED,
         /// How many generations.
-        "generations" => |given| given.generations,
+        pub generations: u32 => "generations" in Allowed::whole(0, LAST_GENERATION),
     }
 }
 
 impl SeedRuns {
     /// Seeds and generations.
     pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
-        let place = Place::Named("seeds");
-        read_object(given, place, &["seeds", "generations"])?;
-        let seeds = read_part(&given.field("seeds"), Place::Field(&place, "seeds"), u32::MAX)?;
-        let (at, allowed) =
-            (Place::Field(&place, "generations"), Allowed::whole(0, LAST_GENERATION));
-        let mut generations = 0;
-        generations.read(&given.field("generations"), at, &allowed)?;
-        generations.check(at, &allowed)?;
-        Ok(Self { seeds, generations })
+        let none = Self { seeds: [0; 2], generations: 0 };
+        read_whole(none, given, Place::Named("seeds"), &Allowed::ANY)
     }
 }
 

@@ -8,9 +8,7 @@ use super::part::{read_part, validate_part};
 use crate::number::{Purpose, stream, wrap};
 use crate::robot::{Gains, METRES, Posture, Triples};
 use crate::run::MAX_STARTS;
-use crate::schema::{
-    Allowed, Input, InvalidInput, Place, Source, read_object, record, shown, told,
-};
+use crate::schema::{Allowed, InvalidInput, Place, Source, read_object, read_whole, record, told};
 
 record! { required (Copy)
     /// Where start postures stand on a circle: its centre and radius in metres.
@@ -31,11 +29,8 @@ record! { required (Copy)
 impl Circle {
     /// A circle.
     pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
-        let mut circle = Self { x: 0.0, y: 0.0, radius: 0.0, count: 0, seed: 0 };
-        let place = Place::Named("circle");
-        Input::read(&mut circle, given, place, &Allowed::ANY)?;
-        circle.check(place, &Allowed::ANY)?;
-        Ok(circle)
+        let none = Self { x: 0.0, y: 0.0, radius: 0.0, count: 0, seed: 0 };
+        read_whole(none, given, Place::Named("circle"), &Allowed::ANY)
     }
 
     /// Postures evenly on the circle, each with a random heading. The error names the field that is wrong.
@@ -90,8 +85,7 @@ impl Range {
     pub(crate) fn validate(&self, name: &str) -> Result<(), InvalidInput> {
         for (end, value) in [("from", self.from), ("to", self.to)] {
             if !value.is_finite() {
-                let found = shown(value);
-                return Err(InvalidInput::new(format!("{name}.{end}"), "a finite number", found));
+                return Err(InvalidInput::new(format!("{name}.{end}"), "a finite number", value));
             }
         }
         AXIS_COUNT.check(format!("{name}.count"), self.count.into())
@@ -143,7 +137,7 @@ impl StartGrid {
         let [first, end] = validate_part("part", part, self.most())?;
         if end - first > MAX_STARTS {
             let expected = format!("at most {MAX_STARTS} starts in one call");
-            return Err(InvalidInput::new("part", expected, (end - first).to_string()));
+            return Err(InvalidInput::new("part", expected, end - first));
         }
         Ok((first..end).map(|index| self.posture(index)).collect())
     }
@@ -178,7 +172,7 @@ told! {
         /// How many headings at each position.
         "headings" => |given| given.grid.headings,
         /// The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y.
-        "part" optional => |given| given.part,
+        "part" [optional] => |given| given.part,
     }
 }
 
@@ -201,7 +195,7 @@ told! {
         /// How many headings at each position.
         "headings" => |given| given.starts.grid.headings,
         /// The starts [first, end) to drive from; all when left out, in the order of `Grid`.
-        "part" optional => |given| given.starts.part,
+        "part" [optional] => |given| given.starts.part,
         /// The gains of the robot.
         "gains" => |given| Triples::from(given.gains),
     }
@@ -214,18 +208,20 @@ impl PartOfGrid {
         Self::read_fields(given)
     }
 
+    /// The starts that are asked for. The error names the field that is wrong.
+    pub fn starts(&self) -> Result<Vec<Posture>, InvalidInput> {
+        self.grid.postures(self.part)
+    }
+
     fn read_fields<S: Source>(given: &S) -> Result<Self, InvalidInput> {
         let place = Place::Named("grid");
         let at = |name| Place::Field(&place, name);
         let none = Range { from: 0.0, to: 0.0, count: 0 };
-        let mut grid = StartGrid { x: none, y: none, headings: 0 };
-        for (name, range) in [("x", &mut grid.x), ("y", &mut grid.y)] {
-            range.read(&given.field(name), at(name), &Allowed::ANY)?;
-            range.check(at(name), &Allowed::ANY)?;
-        }
-        let headings = Allowed::whole(0, MAX_AXIS_COUNT);
-        grid.headings.read(&given.field("headings"), at("headings"), &headings)?;
-        grid.headings.check(at("headings"), &headings)?;
+        let range = |name| read_whole(none, &given.field(name), at(name), &Allowed::ANY);
+        let [x, y] = [range("x")?, range("y")?];
+        let counts = Allowed::whole(0, MAX_AXIS_COUNT);
+        let headings = read_whole(0, &given.field("headings"), at("headings"), &counts)?;
+        let grid = StartGrid { x, y, headings };
         let part = read_part(&given.field("part"), at("part"), grid.most())?;
         Ok(Self { grid, part })
     }

@@ -1,47 +1,30 @@
 //! How a search comes down with many seeds, drive by drive.
 
-use super::part::{read_part, validate_part};
+use super::part::validate_part;
 use super::seeds::BYTES_OF_A_SOLUTION;
 use crate::robot::Gains;
 use crate::run::{BYTES_OF_AN_OBJECT, Setting, Work};
-use crate::schema::{
-    Allowed, Column, Input, InvalidInput, Place, Source, read_object, record, told,
-};
+use crate::schema::{Allowed, Column, InvalidInput, Place, Source, read_whole, record};
 use crate::search::{Brood, EvolutionSettings, LAST_GENERATION, Search, search};
-
-/// Which seeds [first, end) to run, and with how many drives each.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Trials {
-    /// The seeds [first, end).
-    pub seeds: [u32; 2],
-    /// How many drives; a trial from several start postures counts once.
-    pub drives: u32,
-}
 
 /// How many drives a trial may have.
 const DRIVES: Allowed = Allowed::whole(1, LAST_GENERATION);
 
-told! {
+record! { required (Copy)
     /// Which seeds [first, end) to run, and with how many drives each.
-    Trials: Trials {
+    pub struct Trials {
         /// The seeds [first, end).
-        "seeds" => |given| given.seeds,
+        pub seeds: [u32; 2] => "seeds" in Allowed::SEED,
         /// How many drives; one from several start postures counts once.
-        "drives" => |given| given.drives,
+        pub drives: u32 => "drives" in DRIVES,
     }
 }
 
 impl Trials {
     /// Seeds and drives.
     pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
-        let place = Place::Named("trials");
-        read_object(given, place, &["seeds", "drives"])?;
-        let seeds = read_part(&given.field("seeds"), Place::Field(&place, "seeds"), u32::MAX)?;
-        let at = Place::Field(&place, "drives");
-        let mut drives = 0;
-        drives.read(&given.field("drives"), at, &DRIVES)?;
-        drives.check(at, &DRIVES)?;
-        Ok(Self { seeds, drives })
+        let none = Self { seeds: [0; 2], drives: 0 };
+        read_whole(none, given, Place::Named("trials"), &Allowed::ANY)
     }
 }
 

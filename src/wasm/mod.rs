@@ -12,11 +12,12 @@ use wasm_bindgen::prelude::*;
 
 pub use task::*;
 
-use self::read::{Given, number, preset, setting, start};
+use self::read::Given;
 use self::write::plain;
+use crate::outside::{self, number};
 use crate::robot::Gains;
-use crate::run::{EpisodeState, Experiment, PAPER_RESULTS, Preset, Setting};
-use crate::schema::shown;
+use crate::run::{EpisodeState, Experiment, PAPER_RESULTS, Setting};
+use crate::schema::InvalidInput;
 use crate::search::{self, LearningRates};
 use crate::study::{self, Circle, PartOfGrid};
 
@@ -50,16 +51,7 @@ pub fn experiment(
     given: JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "PartialExperiment | Preset")] other: JsValue,
 ) -> Result<JsValue> {
-    let (preset, changes) = match given.as_string() {
-        Some(name) => (Preset::find(&name)?, Some(other).filter(|other| !other.is_undefined())),
-        None if other.is_undefined() => (Preset::VelocityLimits, Some(given)),
-        None => (preset(other)?, Some(given)),
-    };
-    let mut experiment = preset.experiment();
-    if let Some(changes) = changes {
-        experiment.read(&Given::of(changes))?;
-    }
-    Ok(plain(Setting::new(experiment)?.experiment()))
+    Ok(plain(outside::experiment(&Given::of(given), &Given::of(other))?.experiment()))
 }
 
 /// Start postures evenly on a circle, each with a random heading.
@@ -75,8 +67,7 @@ pub fn starts_on_circle(
 pub fn starts_on_grid(
     #[wasm_bindgen(unchecked_param_type = "Grid")] grid: JsValue,
 ) -> Result<JsValue> {
-    let PartOfGrid { grid, part } = PartOfGrid::read(&Given::of(grid))?;
-    Ok(plain(&grid.postures(part)?))
+    Ok(plain(&PartOfGrid::read(&Given::of(grid))?.starts()?))
 }
 
 /// Whether the tournament gives a bout to the solution with this J over one with that: the lower or the same J wins, and
@@ -86,7 +77,8 @@ pub fn wins_bout(
     #[wasm_bindgen(unchecked_param_type = "number")] cost: JsValue,
     #[wasm_bindgen(unchecked_param_type = "number")] opponent: JsValue,
 ) -> Result<bool> {
-    Ok(search::wins_bout(number(cost, "cost")?, number(opponent, "opponent")?))
+    let [cost, opponent] = [Given::of(cost), Given::of(opponent)];
+    Ok(search::wins_bout(number(&cost, "cost")?, number(&opponent, "opponent")?))
 }
 
 /// Every number of an experiment with its unit and range.
@@ -142,8 +134,8 @@ impl Simulation {
         #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
         #[wasm_bindgen(js_name = "start", unchecked_optional_param_type = "number")] from: JsValue,
     ) -> Result<Simulation> {
-        let setting = setting(experiment)?;
-        let from = start(&setting, from)?;
+        let setting = outside::setting(&Given::of(experiment))?;
+        let from = outside::start(&setting, &Given::of(from))?;
         let state = EpisodeState::new(&setting, Gains::read_one(&Given::of(gains))?, from);
         Ok(Self { setting, state })
     }
@@ -166,7 +158,7 @@ impl Evolution {
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
     ) -> Result<Evolution> {
-        Ok(Self(study::Evolution::new(setting(experiment)?)))
+        Ok(Self(study::Evolution::new(outside::setting(&Given::of(experiment))?)))
     }
 
     /// The newest generation.
@@ -202,7 +194,7 @@ impl Evolution {
         &self,
         #[wasm_bindgen(unchecked_param_type = "number")] generation: JsValue,
     ) -> Result<JsValue> {
-        let generation = number(generation, "generation")?.into();
+        number(&Given::of(generation.clone()), "generation")?;
         Ok(plain(&self.0.record(self.numbered(generation)?)?))
     }
 
@@ -220,14 +212,13 @@ impl Evolution {
         self.0.hash()
     }
 
-    /// The number of a generation; the newest if it is left out.
-    fn numbered(&self, given: JsValue) -> Result<u32> {
-        let newest = self.0.generation();
-        let number =
-            if given.is_undefined() { newest.into() } else { number(given, "generation")? };
-        if number.fract() == 0.0 && (0.0..=f64::from(newest)).contains(&number) {
-            return Ok(number as u32);
-        }
-        Err(self.0.refused(shown(number)).into())
+    fn numbered(&self, given: JsValue) -> Result<u32, InvalidInput> {
+        outside::generation(&self.0, &Given::of(given))
+    }
+}
+
+impl From<InvalidInput> for JsValue {
+    fn from(error: InvalidInput) -> Self {
+        js_sys::Error::new(&error.message().written(write::digits)).into()
     }
 }

@@ -4,8 +4,7 @@ use js_sys::{Array, ArrayBuffer, Float64Array, Reflect};
 use wasm_bindgen::prelude::*;
 
 use super::write::named;
-use crate::run::{Experiment, Preset, Setting};
-use crate::schema::{Allowed, Input, InvalidInput, Keys, Place, Source, refused, shown, too_many};
+use crate::schema::{InvalidInput, Keys, Kind, Place, Source, refused, too_many};
 
 /// What js-sys has too, but there an exception would leave the core in the middle of a function: each time, what that
 /// has on the stack would be lost. Proxies and getters can throw everywhere.
@@ -29,38 +28,6 @@ mod caught {
     }
 }
 
-/// The given experiment, completed with the fields of the usual one.
-pub(super) fn setting(given: JsValue) -> Result<Setting, InvalidInput> {
-    let mut experiment: Experiment = Preset::VelocityLimits.experiment();
-    experiment.read(&Given::of(given))?;
-    Setting::new(experiment)
-}
-
-/// The preset with a name.
-pub(super) fn preset(given: JsValue) -> Result<Preset, InvalidInput> {
-    match given.as_string() {
-        Some(name) => Preset::find(&name),
-        None => Err(refused(&Given::of(given), Place::Named("preset"), Preset::expected())),
-    }
-}
-
-/// A number that has a name.
-pub(super) fn number(given: JsValue, name: &str) -> Result<f64, InvalidInput> {
-    let mut number = 0.0;
-    number.read(&Given::of(given), Place::Named(name), &Allowed::ANY)?;
-    Ok(number)
-}
-
-/// The index of a start posture; 0 if it is left out.
-pub(super) fn start(setting: &Setting, given: JsValue) -> Result<u32, InvalidInput> {
-    if given.is_undefined() {
-        return Ok(0);
-    }
-    let start = number(given, "start")?;
-    setting.starts().check("start", start)?;
-    Ok(start as u32)
-}
-
 /// A value of JavaScript; none where its owner throws when it is looked at.
 pub(super) struct Given(Option<JsValue>);
 
@@ -71,24 +38,29 @@ impl Given {
 }
 
 impl Source for Given {
+    fn kind(&self) -> Kind {
+        let Some(value) = &self.0 else { return Kind::Unreadable };
+        // Numbers first, for most values are numbers.
+        if let Some(number) = value.as_f64() {
+            return Kind::Number(number);
+        }
+        if let Some(text) = value.as_string() {
+            return Kind::Text(text);
+        }
+        if let Some(truth) = value.as_bool() {
+            return Kind::Truth(truth);
+        }
+        match value {
+            value if value.is_undefined() => Kind::Missing,
+            value if value.is_null() => Kind::Null,
+            value if is_list(value, false) => Kind::List(self.length(false)),
+            value => Kind::Other(value.js_typeof().as_string().unwrap_or_default()),
+        }
+    }
+
+    // Quicker than by its kind.
     fn is_given(&self) -> bool {
         self.0.as_ref().is_none_or(|value| !value.is_undefined())
-    }
-
-    fn is_null(&self) -> bool {
-        self.0.as_ref().is_some_and(JsValue::is_null)
-    }
-
-    fn number(&self) -> Option<f64> {
-        self.0.as_ref()?.as_f64()
-    }
-
-    fn truth(&self) -> Option<bool> {
-        self.0.as_ref()?.as_bool()
-    }
-
-    fn text(&self) -> Option<String> {
-        self.0.as_ref()?.as_string()
     }
 
     fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
@@ -142,50 +114,15 @@ impl Source for Given {
         });
         Self(field.ok())
     }
-
-    fn description(&self) -> String {
-        let Some(value) = &self.0 else { return "one that cannot be read".into() };
-        if let Some(number) = value.as_f64() {
-            return shown(number);
-        }
-        if let Some(text) = value.as_string() {
-            return quoted(&text);
-        }
-        if is_list(value, false) {
-            let length = self.length(false).map_or("elements".into(), |length| length.to_string());
-            return format!("an array of {length}");
-        }
-        match value.as_bool() {
-            Some(truth) => truth.to_string(),
-            None if value.is_null() => "null".into(),
-            None if value.is_undefined() => "undefined".into(),
-            None => format!("of type {}", value.js_typeof().as_string().unwrap_or_default()),
-        }
-    }
-}
-
-impl From<InvalidInput> for JsValue {
-    fn from(error: InvalidInput) -> Self {
-        js_sys::Error::new(&error.to_string()).into()
-    }
 }
 
 /// The first of these keys that is not known.
 fn unknown(keys: &Array, known: &[&'static str]) -> Option<String> {
-    keys.iter().find_map(|key| match key.as_string() {
-        Some(key) if known.contains(&key.as_str()) => None,
-        Some(key) => Some(quoted(&key)),
-        None => Some(quoted("a symbol")),
-    })
+    let names = keys.iter().map(|key| key.as_string().unwrap_or_else(|| "a symbol".into()));
+    names.into_iter().find(|name| !known.contains(&name.as_str()))
 }
 
 /// Whether it is an array, or numbers side by side, if those may be; one of which this cannot be said is none.
 fn is_list(value: &JsValue, columns: bool) -> bool {
     caught::is_array(value).unwrap_or(false) || (columns && ArrayBuffer::is_view(value))
-}
-
-/// The beginning of a text in quotation marks.
-fn quoted(text: &str) -> String {
-    let shown: String = text.chars().take(40).collect();
-    if shown.len() < text.len() { format!("'{shown}…'") } else { format!("'{shown}'") }
 }

@@ -2,7 +2,7 @@
 
 use core::cell::RefCell;
 
-use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
+use js_sys::{Array, Float64Array, JsString, Object, Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
 
 use crate::schema::{Plain, Writer};
@@ -49,6 +49,20 @@ impl Writer for Values {
     fn object<const N: usize>(&self, fields: [(&'static str, JsValue); N]) -> JsValue {
         object(&fields)
     }
+}
+
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(js_name = String)]
+    fn string(number: f64) -> JsString;
+}
+
+/// A number in a message, as Rust has it. To let Rust write it would make the module 20 kB larger.
+pub(super) fn digits(number: f64) -> String {
+    if number == 0.0 && number.is_sign_negative() {
+        return "-0".into();
+    }
+    string(number).replace("e+", "e").into()
 }
 
 /// Not once for each number of fields.

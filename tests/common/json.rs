@@ -1,6 +1,6 @@
 //! Plain values as JSON: what the boundary does with JavaScript's.
 
-use ep_locomotion::schema::{InvalidInput, Keys, Place, Plain, Source, Writer};
+use ep_locomotion::schema::{InvalidInput, Keys, Kind, Place, Plain, Source, Writer};
 use serde_json::{Map, Value};
 
 /// The plain form of a value.
@@ -50,24 +50,16 @@ impl Writer for Json {
 pub struct Given<'a>(pub Option<&'a Value>);
 
 impl Source for Given<'_> {
-    fn is_given(&self) -> bool {
-        self.0.is_some()
-    }
-
-    fn is_null(&self) -> bool {
-        self.0.is_some_and(Value::is_null)
-    }
-
-    fn number(&self) -> Option<f64> {
-        self.0?.as_f64()
-    }
-
-    fn truth(&self) -> Option<bool> {
-        self.0?.as_bool()
-    }
-
-    fn text(&self) -> Option<String> {
-        self.0?.as_str().map(Into::into)
+    fn kind(&self) -> Kind {
+        match self.0 {
+            None => Kind::Missing,
+            Some(Value::Null) => Kind::Null,
+            Some(Value::Bool(truth)) => Kind::Truth(*truth),
+            Some(Value::Number(number)) => Kind::Number(number.as_f64().expect("a number")),
+            Some(Value::String(text)) => Kind::Text(text.clone()),
+            Some(Value::Array(list)) => Kind::List(Some(list.len())),
+            Some(Value::Object(_)) => Kind::Other("object".into()),
+        }
     }
 
     fn column(&self, _: Place<'_>, _: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
@@ -85,14 +77,10 @@ impl Source for Given<'_> {
     fn keys(&self, known: &[&'static str]) -> Keys {
         let Some(object) = self.0.and_then(Value::as_object) else { return Keys::NoObject };
         let unknown = object.keys().find(|key| !known.contains(&key.as_str()));
-        unknown.map_or(Keys::Known, |key| Keys::Unknown(format!("'{key}'")))
+        unknown.map_or(Keys::Known, |key| Keys::Unknown(key.clone()))
     }
 
     fn field(&self, name: &'static str) -> Self {
         Given(self.0.and_then(|object| object.get(name)))
-    }
-
-    fn description(&self) -> String {
-        self.0.map_or_else(|| "undefined".into(), Value::to_string)
     }
 }

@@ -1,0 +1,64 @@
+//! What many calls are given.
+
+use crate::run::{Experiment, Preset, Setting};
+use crate::schema::{Allowed, Input, InvalidInput, Place, Source, refused};
+use crate::study::Evolution;
+
+/// The given experiment, completed with the fields of the usual one.
+pub fn setting<S: Source>(given: &S) -> Result<Setting, InvalidInput> {
+    completed(Preset::VelocityLimits, given)
+}
+
+/// The experiment of a preset, or the given fields of one with every other field filled in. With both, in whichever order,
+/// the preset is what fills in; without, `velocity-limits` does.
+pub fn experiment<S: Source>(given: &S, other: &S) -> Result<Setting, InvalidInput> {
+    match given.text() {
+        Some(name) if other.is_given() => completed(Preset::find(&name)?, other),
+        Some(name) => Setting::new(Preset::find(&name)?.experiment()),
+        None if other.is_given() => completed(preset(other)?, given),
+        None => setting(given),
+    }
+}
+
+fn completed<S: Source>(preset: Preset, given: &S) -> Result<Setting, InvalidInput> {
+    let mut experiment: Experiment = preset.experiment();
+    experiment.read(given)?;
+    Setting::new(experiment)
+}
+
+fn preset<S: Source>(given: &S) -> Result<Preset, InvalidInput> {
+    match given.text() {
+        Some(name) => Preset::find(&name),
+        None => Err(refused(given, Place::Named("preset"), Preset::expected())),
+    }
+}
+
+/// A number that has a name.
+pub fn number<S: Source>(given: &S, name: &str) -> Result<f64, InvalidInput> {
+    let mut number = 0.0;
+    number.read(given, Place::Named(name), &Allowed::ANY)?;
+    Ok(number)
+}
+
+/// The index of a start posture; 0 if it is left out.
+pub fn start<S: Source>(setting: &Setting, given: &S) -> Result<u32, InvalidInput> {
+    if !given.is_given() {
+        return Ok(0);
+    }
+    let start = number(given, "start")?;
+    setting.starts().check("start", start)?;
+    Ok(start as u32)
+}
+
+/// The number of a generation; the newest if it is left out.
+pub fn generation<S: Source>(evolution: &Evolution, given: &S) -> Result<u32, InvalidInput> {
+    let newest = evolution.generation();
+    if !given.is_given() {
+        return Ok(newest);
+    }
+    let number = number(given, "generation")?;
+    if Allowed::whole(0, newest).allows(number) {
+        return Ok(number as u32);
+    }
+    Err(evolution.refused(number))
+}

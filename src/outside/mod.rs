@@ -1,0 +1,14 @@
+//! What can be asked from outside, in whatever language, and the types that TypeScript has for it.
+
+mod given;
+
+mod calls;
+
+mod declarations;
+
+pub use calls::*;
+pub use declarations::declarations;
+pub use given::{experiment, generation, number, setting, start};
+
+#[cfg(target_arch = "wasm32")] // natively there is no boundary
+pub(crate) use calls::calls;
