@@ -4,7 +4,6 @@
 /** @import { Column, Layout, Plot, PlotName } from './layout.js' */
 import { createLayer } from '../../kit/canvas.js';
 import { outlineOf } from '../../kit/extent.js';
-import { symbolFont, textFont } from '../../kit/fonts.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
 import { sampleBefore } from '../../lab/track.js';
@@ -18,13 +17,12 @@ import {
   through,
   within,
 } from '../../kit/chart.js';
-import { labelHeight, spread } from '../../kit/names.js';
 import { colour } from '../../kit/palette.js';
 import { rememberEach, watch } from '../../kit/memo.js';
-import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { drawTimeAxis, timeTicks } from './axes.js';
 import { curvesOf, extentsOf, layoutOf } from './layout.js';
+import { drawNames, parts, tokens } from './plot-names.js';
 import { createReady } from './ready.js';
 
 /** @template [R=Run] @typedef {{ run: R, colour: string | null, dash: readonly number[], width: number, slot: number | null }} Line Without a colour: that of what is drawn. */
@@ -40,14 +38,6 @@ import { createReady } from './ready.js';
  * @property {number} theme
  */
 
-/** @type {Readonly<Record<PlotName, readonly string[]>>} */
-const tokens = {
-  position: ['--x', '--y'],
-  theta: ['--theta'],
-  linear: ['--energy'],
-  angular: ['--omega'],
-  cost: ['--ink'],
-};
 /** What was asked for where the limits gave less, and elsewhere what they gave. @param {Float64Array} asked @param {Float64Array} given */
 const cut = (asked, given) => asked.map((value, i) => (Math.abs(value - given[i]) > 1e-9 ? value : given[i]));
 /** What the velocity limits cut. @type {Readonly<Partial<Record<PlotName, Column>>>} */
@@ -55,13 +45,6 @@ const commands = {
   linear: rememberEach((run) => cut(run.commandLinear, run.linear)),
   angular: rememberEach((run) => cut(run.commandAngular, run.angular)),
 };
-/** The parts of J that are paid on the way, from the bottom. @type {readonly (readonly [string, string, Column])[]} */
-const parts = [
-  ['time', '--ink', (run) => run.time],
-  ['path', '--path', rememberEach((run) => run.time.map((time, i) => time + run.pathCost[i]))],
-  ['energy', '--energy', curvesOf.cost[0]],
-];
-
 /** The curves of all runs. */
 const curvesReady = createReady((/** @type {Run} */ run) =>
   Object.values(extentsOf).map((extent) => () => extent(run)),
@@ -230,67 +213,6 @@ function drawParts(context, layout, plot, run) {
     context.fillRect(time(run.time[last]) - 2, top, 4, Math.max(0, scale(paid) - top));
     paid += due;
   }
-}
-
-/** @typedef {{ text: string, token: string, font: string, y: number }} Name */
-
-/** The names at the ends of the lines. @param {CanvasRenderingContext2D} context @param {Plot} plot @param {Run} run */
-function drawNames(context, plot, run) {
-  const { name, frame } = plot;
-  const px = frame.right + 8;
-  const half = 8;
-  const all = namesOf(plot, run);
-  const isLow = (all.length - 1) * labelHeight > frame.bottom - frame.top;
-  // Where there is no room for all, the letter of what is drawn stands within.
-  if (isLow && name === 'cost') {
-    context.font = symbolFont;
-    context.fillStyle = colour('--ink');
-    context.textAlign = 'left';
-    context.textBaseline = 'middle';
-    context.fillText(lab.costSymbol, frame.left + 5, frame.top + half);
-  }
-  const beside = isLow && name === 'cost' ? all.filter((one) => one.font !== symbolFont) : all;
-  const names = beside.map(({ y, ...rest }) => ({
-    ...rest,
-    y: Math.min(Math.max(y, frame.top + half), frame.bottom - half),
-  }));
-  spread(names, frame.top + half, frame.bottom - half);
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
-  for (const { text, token, font: own, y } of names) {
-    context.font = own;
-    context.fillStyle = colour(token);
-    context.fillText(text, px, y);
-  }
-  if (name === 'cost') return;
-  const symbols = names.filter((one) => one.font === symbolFont);
-  const wide = Math.max(...symbols.map(({ text }) => context.measureText(text).width));
-  const middle = symbols.reduce((sum, { y }) => sum + y, 0) / symbols.length;
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.fillText(words.units[name], px + wide + 5, middle);
-}
-
-/** @param {Plot} plot @param {Run} run @returns {Name[]} */
-function namesOf({ name, scale, limit }, run) {
-  const last = run.time.length - 1;
-  if (name === 'cost')
-    return [
-      ...parts.map(([part, token, column], i) => {
-        const below = i === 0 ? 0 : parts[i - 1][2](run)[last];
-        const text = lab.costParts.find(([one]) => one === part)?.[1] ?? '';
-        return { text, token, font: textFont, y: scale((below + column(run)[last]) / 2) };
-      }),
-      { text: lab.costSymbol, token: '--ink', font: symbolFont, y: scale(run.cost.total) },
-    ];
-  const ends = curvesOf[name].map((column, i) => ({
-    text: words.symbols[name][i],
-    token: tokens[name][i],
-    font: symbolFont,
-    y: scale(column(run)[last]),
-  }));
-  const isSeen = limit !== null && limit < scale.domain()[1];
-  return isSeen ? [...ends, { text: words.limit, token: '--muted', font: textFont, y: scale(limit) }] : ends;
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Run} run @param {number} now */

@@ -1,0 +1,87 @@
+// What the lines of a plot are called, at their ends and in their colours.
+/** @import { Run } from '../../core/engine.js' */
+/** @import { Column, Plot, PlotName } from './layout.js' */
+import { symbolFont, textFont } from '../../kit/fonts.js';
+import { rememberEach } from '../../kit/memo.js';
+import { labelHeight, spread } from '../../kit/names.js';
+import { colour } from '../../kit/palette.js';
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
+import { curvesOf } from './layout.js';
+
+/** @type {Readonly<Record<PlotName, readonly string[]>>} */
+export const tokens = {
+  position: ['--x', '--y'],
+  theta: ['--theta'],
+  linear: ['--energy'],
+  angular: ['--omega'],
+  cost: ['--ink'],
+};
+
+/** The parts of J that are paid on the way, from the bottom. @type {readonly (readonly [string, string, Column])[]} */
+export const parts = [
+  ['time', '--ink', (run) => run.time],
+  ['path', '--path', rememberEach((run) => run.time.map((time, i) => time + run.pathCost[i]))],
+  ['energy', '--energy', curvesOf.cost[0]],
+];
+
+/** @typedef {{ text: string, token: string, font: string, y: number }} Name */
+
+/** The names at the ends of the lines. @param {CanvasRenderingContext2D} context @param {Plot} plot @param {Run} run */
+export function drawNames(context, plot, run) {
+  const { name, frame } = plot;
+  const px = frame.right + 8;
+  const half = 8;
+  const all = namesOf(plot, run);
+  const isLow = (all.length - 1) * labelHeight > frame.bottom - frame.top;
+  // Where there is no room for all, the letter of what is drawn stands within.
+  if (isLow && name === 'cost') {
+    context.font = symbolFont;
+    context.fillStyle = colour('--ink');
+    context.textAlign = 'left';
+    context.textBaseline = 'middle';
+    context.fillText(lab.costSymbol, frame.left + 5, frame.top + half);
+  }
+  const beside = isLow && name === 'cost' ? all.filter((one) => one.font !== symbolFont) : all;
+  const names = beside.map(({ y, ...rest }) => ({
+    ...rest,
+    y: Math.min(Math.max(y, frame.top + half), frame.bottom - half),
+  }));
+  spread(names, frame.top + half, frame.bottom - half);
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  for (const { text, token, font: own, y } of names) {
+    context.font = own;
+    context.fillStyle = colour(token);
+    context.fillText(text, px, y);
+  }
+  if (name === 'cost') return;
+  const symbols = names.filter((one) => one.font === symbolFont);
+  const wide = Math.max(...symbols.map(({ text }) => context.measureText(text).width));
+  const middle = symbols.reduce((sum, { y }) => sum + y, 0) / symbols.length;
+  context.font = textFont;
+  context.fillStyle = colour('--muted');
+  context.fillText(words.units[name], px + wide + 5, middle);
+}
+
+/** @param {Plot} plot @param {Run} run @returns {Name[]} */
+function namesOf({ name, scale, limit }, run) {
+  const last = run.time.length - 1;
+  if (name === 'cost')
+    return [
+      ...parts.map(([part, token, column], i) => {
+        const below = i === 0 ? 0 : parts[i - 1][2](run)[last];
+        const text = lab.costParts.find(([one]) => one === part)?.[1] ?? '';
+        return { text, token, font: textFont, y: scale((below + column(run)[last]) / 2) };
+      }),
+      { text: lab.costSymbol, token: '--ink', font: symbolFont, y: scale(run.cost.total) },
+    ];
+  const ends = curvesOf[name].map((column, i) => ({
+    text: words.symbols[name][i],
+    token: tokens[name][i],
+    font: symbolFont,
+    y: scale(column(run)[last]),
+  }));
+  const isSeen = limit !== null && limit < scale.domain()[1];
+  return isSeen ? [...ends, { text: words.limit, token: '--muted', font: textFont, y: scale(limit) }] : ends;
+}
