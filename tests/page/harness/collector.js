@@ -15,6 +15,14 @@
     }
   };
 
+  // Firefox breaks off what is still loaded when a page is left, and tells the page.
+  let isLeft = false;
+  addEventListener('beforeunload', () => {
+    isLeft = true;
+  });
+  const isBrokenOff = (/** @type {string} */ message) =>
+    isLeft && message.includes('error loading dynamically imported module');
+
   const consoleError = console.error;
   console.error = (...values) => {
     problems.push(`console.error: ${values.map(String).join(' ')}`);
@@ -25,7 +33,8 @@
     'error',
     (event) => {
       if (event.target instanceof Element) problems.push(`not loaded: ${event.target.outerHTML}`);
-      else keep(`uncaught: ${event.message} (${event.filename}:${event.lineno})`);
+      else if (!isBrokenOff(event.message))
+        keep(`uncaught: ${event.message} (${event.filename}:${event.lineno})`);
     },
     true,
   );
