@@ -26,7 +26,16 @@ const pin = (/** @type {number} */ i) =>
 /** Goals that no robot reaches: all samples are driven. */
 const never = 'goal.x=900&goal.y=900&limits.speed=0.01';
 
-/** A link, and what is pressed then. @type {readonly (readonly [name: string, link: string, ...press: string[]])[]} */
+/** Receipts of as many students. @param {number} count */
+const handIns = (count) =>
+  Array.from(
+    { length: count },
+    (_, i) =>
+      `lab&v=1&drives=hand&gains=${3 + i / 1000},0,4.5&task=Park.&aim=J<8&who=s${i}&handin=1~7.9~1/1~3~2~0.1.0~0123abcd~~0123abcd`,
+  ).join('\n');
+
+/** A link, and what is pressed then, or typed. @typedef {readonly [link: string, ...press: (string | readonly [field: string, text: string])[]]} Steps */
+/** @type {readonly (readonly [name: string, ...Steps])[]} */
 const cases = [
   ['nothing heavy', 'lab'],
   ['population 2000, opponents 1000', `lab&v=1&${population}&evolution.opponents=1000`],
@@ -64,6 +73,14 @@ const cases = [
   ['four pins of 100 000 samples', `curves&v=1&${[1, 2, 3, 4].map(pin).join('&')}`],
   ['generation 100000', 'lab&v=1&generation=100000'],
   ['generation 20000, then its table', 'generation&v=1&generation=20000', '#generation-table'],
+  [
+    '500 hand-ins',
+    'lab&v=1&task=Park.&aim=J<8',
+    '#keep-button',
+    '#keep-collect',
+    ['#collect-text', handIns(500)],
+    '#collect-check',
+  ],
   ['4 600 unknown keys', `lab&v=1&${many}`],
   ['one key of 19 000 characters', `lab&v=1&${'k'.repeat(19_000)}=1`],
 ];
@@ -105,10 +122,7 @@ async function openBrowser() {
 
 /** @typedef {{ name: string, ph: string, pid: number, tid: number, dur?: number, tdur?: number, args?: { name?: string, data?: { url?: string } } }} TraceEvent */
 
-/** By process and thread. @type {Set<string>} */
-const pageThreads = new Set();
-
-/** The longest task of a page's thread since it was asked for last, in milliseconds of the processor. @param {Driver} driver @param {string} address */
+/** The longest task of a page's thread since it was asked for last, in milliseconds of the processor; null if the browser has told of none. @param {Driver} driver @param {string} address */
 async function longestTask(driver, address) {
   const entries = await driver.manage().logs().get('performance');
   /** @type {TraceEvent[]} */
@@ -121,12 +135,36 @@ async function longestTask(driver, address) {
   const ours = new Set(
     events.filter(({ args }) => args?.data?.url?.startsWith(address)).map(({ pid }) => pid),
   );
-  for (const event of events)
-    if (/^(Layout|UpdateLayoutTree|FireAnimationFrame)$/.test(event.name) && ours.has(event.pid))
-      pageThreads.add(keyOf(event));
-  const tasks = events.filter((event) => /RunTask$/.test(event.name) && pageThreads.has(keyOf(event)));
-  if (tasks.length === 0) throw new Failure('the browser has told of no task');
+  const drawing = events.filter(({ name, pid }) => name === 'FireAnimationFrame' && ours.has(pid));
+  const threads = new Set(drawing.map(keyOf));
+  const tasks = events.filter((event) => /RunTask$/.test(event.name) && threads.has(keyOf(event)));
+  if (tasks.length === 0) return null;
   return tasks.reduce((most, { dur = 0, tdur = dur }) => Math.max(most, tdur / 1000), 0);
+}
+
+/** As longestTask(), from a link on. @param {Driver} driver @param {string} address @param {Steps} steps */
+async function measured(driver, address, [link, ...presses]) {
+  // Between two pages the browser may lose its trace.
+  for (let attempt = 0; attempt < 4; attempt += 1) {
+    await driver.get('about:blank');
+    await driver.get(`${address}#${link}`);
+    await pause(watched);
+    for (const press of presses) {
+      if (typeof press !== 'string') {
+        await driver.executeScript('document.querySelector(arguments[0]).value = arguments[1]', ...press);
+        continue;
+      }
+      await driver.executeScript(
+        'const [press] = arguments; setTimeout(() => document.querySelector(press).click())',
+        press,
+      );
+      await pause(watched);
+    }
+    // Once: the browser ends its trace with it.
+    const longest = await longestTask(driver, address);
+    if (longest !== null) return longest;
+  }
+  throw new Failure('the browser has told of no task');
 }
 
 const inMilliseconds = (/** @type {number} */ time) => `${Math.round(time)} ms`.padStart(8);
@@ -144,19 +182,8 @@ await task(async () => {
   try {
     await driver.manage().setTimeouts({ script: 120_000, pageLoad: 120_000 });
     await driver.sendAndGetDevToolsCommand('Page.addScriptToEvaluateOnNewDocument', { source: probe });
-    for (const [name, link, ...presses] of cases.filter(([name]) => name.includes(values.only))) {
-      await driver.get('about:blank');
-      await driver.get(`${served.address}#${link}`);
-      await pause(watched);
-      let all = await longestTask(driver, served.address);
-      for (const press of presses) {
-        await driver.executeScript(
-          'const [press] = arguments; setTimeout(() => document.querySelector(press).click())',
-          press,
-        );
-        await pause(watched);
-        all = Math.max(all, await longestTask(driver, served.address));
-      }
+    for (const [name, ...steps] of cases.filter(([name]) => name.includes(values.only))) {
+      const all = await measured(driver, served.address, steps);
       const core = /** @type {number} */ (await driver.executeScript('return longest'));
       if (all > aim) over.all += 1;
       if (core > aim) over.core += 1;

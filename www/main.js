@@ -105,7 +105,8 @@ async function start(engine) {
   function frame(seconds) {
     const before = store.get();
     tryNow(() => made.of(before.page)?.tick?.(before, seconds), loop.request);
-    if (before.evolving && !before.dragging)
+    // First of all there is a picture.
+    if (seconds > 0 && before.evolving && !before.dragging)
       actions.evolve(moreOf(before.catchingUp ? Number.POSITIVE_INFINITY : before.pace, seconds));
     actions.advance(seconds);
     show();

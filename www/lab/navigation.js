@@ -49,7 +49,8 @@ export function createPages(pages, nav, tagline, onOpen, onLesson) {
         pages.map((name) => linkTo(name, name === current)),
         nav,
       );
-      showCurrent(nav);
+      // When the frame is laid out: before, that would be done twice.
+      requestAnimationFrame(() => showCurrent(nav));
       // Parts are made while the page is open.
       showOn(document.querySelectorAll('[data-page]'), open);
     },
