@@ -13,7 +13,8 @@ record! { (Copy)
         /// The gains (kx, ky, kθ).
         pub gains: Gains => "gains",
         /// The strategy parameters: the standard deviation of each gain's mutation. Of other methods than evolutionary
-        /// programming, how far the next step goes in each gain; 0 where a method has no such number.
+        /// programming, how far the next step goes in each gain; 0, or of random search the initial σ, where a method has no
+        /// such number.
         pub sigmas: [f64; 3] => "sigmas",
         /// J, the mean over the start postures; infinite if it is not finite or not yet known.
         pub cost: f64 => "cost",

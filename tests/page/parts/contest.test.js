@@ -103,18 +103,21 @@ test('at every target and budget a verdict follows from p, A12 and the expected 
     for (const until of [100, 300, 1000])
       for (const only of [6, 10, 15]) {
         const { lines } = standingsOf(small, { target: 7.71 + 0.02 * i, until, only });
-        for (const { verdict, comparison, ert, reached } of lines.slice(1)) {
+        for (const { verdict, comparison, ert, reached, interval } of lines.slice(1)) {
           const { a12, p } = comparison ?? { a12: 0.5, p: 1 };
           nearly += Number(p >= 0.05 && p < 0.1);
           const isSooner = ert < lines[0].ert;
+          // A factor is told only where its interval ends.
+          const sooner = lines[0].interval[1] < Infinity ? 'sooner' : 'mostly';
+          const later = interval[1] < Infinity ? 'later' : 'hardly';
           const expected =
             p >= 0.05
               ? ['undecided']
               : reached === 0 || lines[0].reached === 0
                 ? ['only-this', 'only-first', 'better', 'worse']
                 : a12 > 0.5
-                  ? [isSooner ? 'sooner' : 'riskier']
-                  : [isSooner ? 'surer' : 'later'];
+                  ? [isSooner ? sooner : 'riskier']
+                  : [isSooner ? 'surer' : later];
           assert.ok(verdict && expected.includes(verdict.kind), `${verdict?.kind}: ${a12} ${p} ${ert}`);
           kinds.add(verdict.kind);
         }

@@ -81,6 +81,7 @@ export function createLandscapePage({ engine, store, actions, paper }) {
       spec: specOf(state),
       result,
       population: state.population,
+      hasSigmas: state.experiment.evolution.method !== 'random',
       sketch: sketched(state, specOf(state)),
       path: pathOf(state.history),
       points: pointsOf(state, paper),

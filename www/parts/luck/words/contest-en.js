@@ -166,6 +166,10 @@ export function verdictText(verdict, name) {
       return `${shortName(name)} gets there ${timesText(verdict.times)} times sooner.`;
     case 'later':
       return `${shortName(name)} takes ${timesText(verdict.times)} times as many drives to get there.`;
+    case 'mostly':
+      return `${shortName(name)} gets there in ${verdict.reached} of ${verdict.runs} runs, the first in only ${verdict.first}.`;
+    case 'hardly':
+      return `${shortName(name)} gets there in only ${verdict.reached} of ${verdict.runs} runs, the first in ${verdict.first}.`;
     case 'only-this':
       return `${shortName(name)} gets there in ${verdict.reached} of ${verdict.runs} runs, the first in none.`;
     case 'only-first':

@@ -150,6 +150,10 @@ export function verdictText(verdict, name) {
       return `${who}: 목표에 ${timesText(verdict.times)}배 빨리 이릅니다.`;
     case 'later':
       return `${who}: 목표에 이르는 데 주행이 ${timesText(verdict.times)}배 필요합니다.`;
+    case 'mostly':
+      return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번 목표에 이르지만, 첫 참가자는 ${verdict.first}번만 이릅니다.`;
+    case 'hardly':
+      return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번만 목표에 이르고, 첫 참가자는 ${verdict.first}번 이릅니다.`;
     case 'only-this':
       return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번 목표에 이르지만, 첫 참가자는 한 번도 이르지 못합니다.`;
     case 'only-first':
