@@ -1,4 +1,5 @@
-// The lowest point of a landscape of J, on the very points that the map shows.
+// The lowest point of a landscape of J that is not on screen, on the points that its map would show.
+import { lowestOf } from '../parts/landscape/lowest.js';
 import { counts, gainsAt, linearRange } from '../parts/landscape/request.js';
 import { gainNames } from '../parts/landscape/state.js';
 
@@ -13,15 +14,14 @@ import { gainNames } from '../parts/landscape/state.js';
  */
 export async function lowestPoint(engine, { experiment, preset, x, y, gains }) {
   const count = counts[counts.length - 1];
-  const [from, to] = linearRange[preset];
-  const axis = (/** @type {GainName} */ gain) => ({ gain, log: false, from, to, count });
-  const costs = await engine.surveys.landscape(experiment, { x: axis(x), y: axis(y), gains });
-  const least = costs.reduce((best, cost, i) => (cost < costs[best] ? i : best), 0);
-  const value = (/** @type {number} */ index) => from + ((to - from) * index) / (count - 1);
+  const range = linearRange[preset];
+  const [from, to] = range;
+  const [across, up] = [x, y].map((gain) => ({ gain, log: false }));
   const third = gains[gainNames.findIndex((name) => name !== x && name !== y)];
-  const lowest = gainsAt({ x: axis(x), y: axis(y), third }, [
-    value(least % count),
-    value(Math.floor(least / count)),
-  ]);
-  return { gains: lowest, cost: costs[least], most: to };
+  const spec = { experiment, x: across, y: up, range, third };
+  const ends = { from, to, count };
+  const asked = { x: { ...across, ...ends }, y: { ...up, ...ends }, gains: gainsAt(spec, [0, 0]) };
+  const costs = await engine.surveys.landscape(experiment, asked);
+  const none = { gains: asked.gains, cost: Number.POSITIVE_INFINITY };
+  return { ...(lowestOf({ spec, count, costs, milliseconds: 0 }) ?? none), most: to };
 }

@@ -4,7 +4,7 @@ import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import { landscape as step } from '../../../www/lesson/steps/landscape.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
-import { opened, shownIn } from './links.js';
+import { driven, opened, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
@@ -75,6 +75,11 @@ test('turning the goal moves the lowest point, and its old gains no longer arriv
   ])
     assert.ok(Math.abs(found.cost - Math.min(...mapOf(paperKy, from))) < 1e-12);
   assert.ok(!outcome.left.arrived && outcome.left.cost.total > 2 * outcome.now.cost);
+  // What is told can be driven: the same robot on the same map.
+  assert.equal(driven(outcome.again).cost.total, outcome.left.cost.total);
+  assert.deepEqual(opened(outcome.again).experiment, turned);
+  assert.equal(opened(outcome.again).handGains?.[1], paperKy);
+  for (const text of why) assert.ok(text.includes(`](${outcome.again})`));
   // A gorge: far less of the map is near its lowest point.
   const floor = (/** @type {Float64Array} */ costs, /** @type {number} */ lowest) =>
     costs.filter((cost) => cost < 1.1 * lowest).length;

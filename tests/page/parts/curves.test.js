@@ -304,6 +304,11 @@ pageTest('a pinned run is drawn in every picture, also from where it had another
       return /** @type {HTMLCanvasElement} */ (document.getElementById('landscape-marks')).toDataURL();
     });
   await page.click('#drives-evolved');
+  // The lowest point is that of the last map.
+  await page.until('the fine landscape is drawn', async () => {
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    return /^16.384 drives/.test(document.getElementById('landscape-note')?.textContent ?? '');
+  });
   const before = await picture();
   await page.click('#pin');
   assert.notEqual(await picture(), before);

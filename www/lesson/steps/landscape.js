@@ -8,6 +8,8 @@ import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
+const turned = 'landscape&generation=60&goal.theta=90deg';
+
 /** As dear as this times the lowest point is still the floor of the valley. */
 const floor = 1.05;
 
@@ -29,7 +31,7 @@ export const landscape = {
       kind: 'quiz',
       name: 'turn',
       quiz: {
-        shows: 'landscape&drives=paper-ep&generation=60&goal.theta=90deg',
+        shows: `${turned}&drives=paper-ep`,
         async answer({ engine, state, gains }) {
           const { preset, experiment } = state;
           const [old, now] = await Promise.all(
@@ -39,7 +41,8 @@ export const landscape = {
           );
           const [left] = engine.drive(experiment, [old.gains]);
           const stays = old.gains.every((gain, i) => gain === now.gains[i]);
-          return { right: !left.arrived ? 2 : stays ? 0 : 1, old, now, left };
+          const again = `${turned}&drives=hand&gains=${old.gains}`;
+          return { right: !left.arrived ? 2 : stays ? 0 : 1, old, now, left, again };
         },
       },
     },
@@ -80,7 +83,7 @@ export const landscape = {
       drives: result ? lab.grouped(result.costs.length) : '…',
       floor: result ? fixed(100 * floorShare(result.costs), 0) : '…',
       generation: String(generation),
-      spent: String(history[generation].evaluations),
+      spent: lab.grouped(history[generation].evaluations),
       horizon: fixed(experiment.horizon, 0),
     };
   },

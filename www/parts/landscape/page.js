@@ -6,7 +6,9 @@
 /** @import { Store } from '../../run/store.js' */
 /** @import { AxisChoice, Spec } from './request.js' */
 /** @import { LandscapeState } from './state.js' */
-/** @import { MapModel, Point } from './view.js' */
+/** @import { Lowest } from './lowest.js' */
+/** @import { Point } from './points.js' */
+/** @import { MapModel } from './view.js' */
 import './style.css';
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
@@ -24,8 +26,11 @@ import { createSection } from '../section.js';
 import { lab, tables } from '../../words/index.js';
 import words from './words/index.js';
 import { createLandscapeRequests, createSpec, gainsAt, thirdOf } from './request.js';
+import { isOn, lowestOf } from './lowest.js';
 import { sketchOf } from './method.js';
-import { axesOf, countOutside, createMap } from './view.js';
+import { outlines } from './points.js';
+import { lowestText, noteText, readoutOf } from './told.js';
+import { axesOf, createMap } from './view.js';
 
 const { texts } = words;
 /** What an axis can show. */
@@ -47,6 +52,11 @@ export function createLandscapePage({ engine, store, actions, paper }) {
       engine.drive(experiment, [gains])[0],
   );
   const gainsUnder = remember(gainsAt);
+  const lowestOfLast = remember(lowestOf);
+  const lowestIn = (/** @type {State} */ state) => {
+    const { result } = landscapeSlice.of(state);
+    return result && isOn(result.spec, specOf(state)) ? lowestOfLast(result) : null;
+  };
   const changed = watch();
 
   /** @param {State} state @param {Spec} spec @param {Run | null} run @param {Triple} gains */
@@ -62,6 +72,7 @@ export function createLandscapePage({ engine, store, actions, paper }) {
             isTyping,
             method: words.methodSketch(state.experiment.evolution.method),
             readout: run ? readoutOf(state, spec, run, gains) : '',
+            lowest: lowestIn(state),
           },
           on,
         ),
@@ -84,7 +95,7 @@ export function createLandscapePage({ engine, store, actions, paper }) {
       hasSigmas: state.experiment.evolution.method !== 'random',
       sketch: sketched(state, specOf(state)),
       path: pathOf(state.history),
-      points: pointsOf(state, paper),
+      points: pointsOf(state, paper, lowestIn(state)),
       cursor,
       size: size(),
       theme: state.theme,
@@ -139,8 +150,8 @@ function createMapIn(element, redraw) {
   return createMap({ picture, marks, legend }, redraw);
 }
 
-/** The points that have a name. @param {State} state @param {PaperResult[]} paper @returns {Point[]} */
-function pointsOf(state, paper) {
+/** The points that have a name. @param {State} state @param {PaperResult[]} paper @param {Lowest | null} lowest @returns {Point[]} */
+function pointsOf(state, paper, lowest) {
   const { handGains, pins } = state;
   /** @type {Point[]} */
   const ofPaper = [
@@ -148,26 +159,11 @@ function pointsOf(state, paper) {
     { gains: gainsOf(state, 'paper-ep', paper), name: words.paperEp, mark: 'diamond' },
   ];
   return [
+    ...(lowest ? [/** @type {Point} */ ({ gains: lowest.gains, name: words.lowest, mark: 'sight' })] : []),
     ...(hidesPaper(state) ? [] : ofPaper),
     ...(handGains ? [/** @type {Point} */ ({ gains: handGains, name: words.hand, mark: 'ring' })] : []),
     ...pins.map(({ gains, name, slot }) => ({ gains, name, mark: slot })),
   ];
-}
-
-/** @param {LandscapeState} landscape @param {Spec} spec */
-function noteText({ result, message }, spec) {
-  if (message) return words.failed(message);
-  return result?.spec === spec ? words.drivesText(result.costs.length, result.milliseconds) : words.computing;
-}
-
-/** @param {State} state @param {Spec} spec @param {Run} run @param {Triple} gains */
-function readoutOf({ population }, spec, run, gains) {
-  const names = lab.gains.map(({ name }, i) => words.gainText(name, gains[i]));
-  const outside = countOutside(spec, population);
-  return [
-    words.readout(names.join(', '), run, lab.outcomeText(run)),
-    ...(outside > 0 ? [words.outside(outside)] : []),
-  ].join('. ');
 }
 
 /** @typedef {ReturnType<typeof createEvents>} Events */
@@ -202,8 +198,8 @@ function createEvents(store) {
   };
 }
 
-/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string, method: string }} shown @param {Events} on */
-function sight(landscape, { spec, isTyping, readout, method }, on) {
+/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string, lowest: Lowest | null, method: string }} shown @param {Events} on */
+function sight(landscape, { spec, isTyping, readout, lowest, method }, on) {
   return html`
     <div class="heading">
       <h2 id="landscape-title">${texts.landscapeTitle}</h2>
@@ -222,8 +218,13 @@ function sight(landscape, { spec, isTyping, readout, method }, on) {
       <canvas id="landscape-marks" aria-hidden="true"></canvas>
     </div>
     <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
+    <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${lowestText(lowest)}` : nothing}</p>
     <p id="landscape-readout" class="readout" aria-live="polite">${readout}</p>`;
 }
+
+/** The mark of the lowest point, as the map has it. */
+const signOf = () =>
+  html`<svg class="landscape-sign" viewBox="-12 -12 24 24" aria-hidden="true"><path d=${outlines.sight}></path></svg>`;
 
 /** @param {'x' | 'y'} axis @param {LandscapeState} landscape @param {string} label @param {Events} on */
 function axisChoice(axis, { [axis]: shown }, label, { onAxis }) {
@@ -241,7 +242,7 @@ function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
   const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
   const follows = third === null;
   return html`
-    <label><span id="landscape-third-name" class="symbol ${id}">${letter}<sub>${index}</sub></span>
+    <label><span id="landscape-third-name" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
       <input id="landscape-third" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
         aria-label=${words.thirdLabel(name)} aria-describedby="landscape-third-error"
         aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}

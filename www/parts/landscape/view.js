@@ -1,18 +1,17 @@
 // The landscape: shades and contours on one canvas, redrawn with its costs; who lives in it on another, as they move.
 /** @import { Individual, Triple } from '../../core/engine.js' */
 /** @import { Sketch } from './method.js' */
+/** @import { Point } from './points.js' */
 /** @import { Landscape, Spec } from './request.js' */
 /** @import { Axis, CostScale } from './scale.js' */
 import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
-import { createLayer, pathOf, strokeTwice } from '../../kit/canvas.js';
+import { createLayer, strokeTwice } from '../../kit/canvas.js';
 import { through, within } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
-import { dark, drawFrame, drawShades, light, nameBeside } from '../../kit/map.js';
+import { dark, drawFrame, drawShades, light } from '../../kit/map.js';
 import { colour } from '../../kit/palette.js';
-import { styles } from '../../run/pins.js';
-import { drawMark } from '../../kit/swatch.js';
 import { shadeAt } from '../../kit/shades.js';
 import { watch } from '../../kit/memo.js';
 import { drawSymbol } from '../../kit/names.js';
@@ -20,10 +19,11 @@ import { fixed } from '../../words/numbers.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { endsOfAxis } from './request.js';
+import { isOn } from './lowest.js';
+import { drawPoints } from './points.js';
 import { createAxis, createCostScale } from './scale.js';
 import { drawSketch } from './sketch.js';
 
-/** @typedef {{ gains: Triple, name: string, mark: 'diamond' | 'cross' | 'ring' | number }} Point A number is the slot of a pin. */
 /**
  * @typedef {object} MapModel
  * @property {Spec} spec
@@ -41,13 +41,6 @@ import { drawSketch } from './sketch.js';
 /** Contours of fewer points are single cells: a speckle, where a robot arrives or not by a hair. */
 const smallestRing = 12;
 const margin = { left: 44, right: 14, top: 10, bottom: 30 };
-
-/** The marks of points, around (0, 0). */
-const outlines = {
-  diamond: 'M0-7 7 0 0 7-7 0z',
-  cross: 'M-6-6 6 6M-6 6 6-6',
-  ring: 'M7 0A7 7 0 1 1-7 0A7 7 0 1 1 7 0z',
-};
 
 /** @param {MapModel} model */
 export function axesOf({ spec, size }) {
@@ -86,8 +79,7 @@ export function createMap({ picture, marks, legend }, onResize) {
       if (size.width === 0) return;
       const axes = axesOf(model);
       if (pictureChanged(result, spec.x, spec.y, spec.range, size, barWidth, theme)) {
-        const fits =
-          result && result.spec.x === spec.x && result.spec.y === spec.y && result.spec.range === spec.range;
+        const fits = result && isOn(result.spec, spec);
         const scale = fits ? createCostScale(result.costs) : null;
         under.draw(size, (context) => {
           if (fits && scale) drawLandscape(context, result, axes, scale);
@@ -238,12 +230,14 @@ function drawMarks(context, { frame, x, y }, { spec, population, hasSigmas, sket
   }
   context.restore();
 
-  // Whole also at the edge, where a gain is 0.
-  context.save();
-  context.lineJoin = 'round';
-  for (const { gains, name, mark } of points)
-    if (x.holds(gains[across]) && y.holds(gains[up])) drawPoint(context, place(gains), name, mark, frame);
-  context.restore();
+  const best = population.length > 0 ? [place(population[0].gains)] : [];
+  const held = points.filter(({ gains }) => x.holds(gains[across]) && y.holds(gains[up]));
+  drawPoints(
+    context,
+    frame,
+    held.map((point) => ({ ...point, place: place(point.gains) })),
+    best,
+  );
 }
 
 /** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {number} radius */
@@ -252,18 +246,6 @@ function disc(context, [px, py], radius) {
   context.arc(px, py, radius, 0, 2 * Math.PI);
   context.fill();
   context.stroke();
-}
-
-/** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {string} name @param {Point['mark']} mark @param {Axes['frame']} frame */
-function drawPoint(context, [px, py], name, mark, frame) {
-  // The names of the pins are in the legend, beside the same marks.
-  if (typeof mark === 'number')
-    return drawMark(context, styles[mark].mark, px, py, { fill: light, edge: dark });
-  context.save();
-  context.translate(px, py);
-  strokeTwice(context, [dark, 5], [light, 2.5], pathOf(outlines[mark]));
-  context.restore();
-  nameBeside(context, frame, name, px, Math.min(Math.max(py, frame.top + 10), frame.bottom - 10), 12);
 }
 
 /** How many lie outside. @param {Spec} spec @param {Individual[]} population */

@@ -1,5 +1,5 @@
 // The step “landscape” in English.
-import { costText, fixed, threeDigits } from '../../../words/numbers.js';
+import { costText, fixed, threeDigits } from '../../../words/en/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {import('../common.js').Lowest} Lowest */
@@ -9,7 +9,7 @@ export const landscape = {
     map: `Every point of this map is a robot: {kx} grows to the right, {kt} upwards, {ky} is the same everywhere. The colour is its {J}; dark is good. {=drives} robots have driven for the picture. *Press anywhere, and that robot drives.*
 
 The white dots are the population. *Press Run* and watch it walk: the line is the way of its best. It is in generation {=generation} now, after {=spent} drives. And it *never sees the map*. Evolution knows {J} only where one of its robots stands.`,
-    shape: `Three things deserve a name. The *valley* is dark: {=floor}\u00a0% of this map cost at most 5 % more than its lowest point, so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes zero just when the law looks, one huge command costs energy.
+    shape: `Three things deserve a name. The *valley* is dark: {=floor}\u00a0% of this map cost at most 5 % more than its lowest point (four short strokes mark it), so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes zero just when the law looks, one huge command costs energy.
 
 A method that follows the slope stumbles over edges and ripples, and may stop in a *local optimum*: a place that is better than all around it, but not the best. Evolution needs no slope: it only compares. That makes it sturdy, not infallible.`,
     next: `Here evolution finds what there is to find, the lowest point of *one* landscape. But a landscape belongs to one start and one goal. Has the robot learned to park, or only to park from there?`,
@@ -23,9 +23,9 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
         'It moves, but with the old gains the robot still arrives',
         'It moves, and with the old gains the robot does not arrive any more',
       ],
-      /** @param {{ old: Lowest, now: Lowest, left: Run }} outcome */
-      why: ({ old, now, left }) =>
-        `At 45° it was at ${place(old)}, with J ${costText(old.cost)}. Now it is at ${place(now)}, with J ${costText(now.cost)}. With the gains of the old lowest point J is ${costText(left.cost.total)}: the robot ${arrival(left)}. The wide valley has become a gorge between two edges. Drag the goal and watch the land change.`,
+      /** @param {{ old: Lowest, now: Lowest, left: Run, again: string }} outcome `again` opens the drive with the old gains. */
+      why: ({ old, now, left, again }) =>
+        `At 45° it was at ${place(old)}, with J ${costText(old.cost)}. Now it is at ${place(now)}, with J ${costText(now.cost)}. [Drive with the gains of the old lowest point](${again}): J ${costText(left.cost.total)}, the robot ${arrival(left)}. The wide valley has become a gorge between two edges. Drag the goal and watch the land change.`,
     },
     ky: {
       question: 'Back to 45°, and now {ky} goes upwards. Where along {ky} is the lowest point?',

@@ -1,5 +1,5 @@
 // The step “landscape” in Korean.
-import { costText, fixed, threeDigits } from '../../../words/numbers.js';
+import { costText, fixed, threeDigits } from '../../../words/ko/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {import('../common.js').Lowest} Lowest */
@@ -9,7 +9,7 @@ export const landscape = {
     map: `이 지도의 점 하나하나가 로봇입니다. 오른쪽으로 갈수록 {kx}가, 위로 갈수록 {kt}가 커지고, {ky}는 어디서나 같습니다. 색은 그 로봇의 {J}이며 어두울수록 좋습니다. 이 그림 한 장에 로봇 {=drives}대가 주행했습니다. *아무 곳이나 누르면 그 로봇이 주행합니다.*
 
 하얀 점은 개체군입니다. *“진화 시작”을 누르고* 개체군이 옮겨 가는 것을 보십시오. 선은 최우수 로봇이 지나온 길입니다. 지금은 {=generation}세대이고, 여기까지 {=spent}번 주행했습니다. 그런데 진화는 *이 지도를 보지 못합니다*. 자기 로봇이 서 있는 곳의 {J}만 압니다.`,
-    shape: `세 가지에 이름을 붙여 봅시다. *골짜기*는 어두운 곳입니다. 지도의 {=floor}%는 비용이 가장 낮은 점보다 많아야 5% 높습니다. 그러니 아주 다른 이득도 거의 똑같이 좋을 수 있습니다. *벼랑*에서는 어두운 색이 단번에 노란색으로 바뀝니다. 그 너머의 로봇은 도착하지 못하여 {=horizon}초 내내 비용이 쌓입니다. *잔물결*은 제어 법칙에서 생깁니다. 법칙은 sin {te}로 나누는데, 법칙이 계산하는 바로 그 순간에 {te}가 0을 지나면 엄청난 명령 하나가 에너지를 씁니다.
+    shape: `세 가지에 이름을 붙여 봅시다. *골짜기*는 어두운 곳입니다. 지도의 {=floor}%는 비용이 가장 낮은 점(짧은 선 네 개로 표시한 곳)보다 많아야 5% 높습니다. 그러니 아주 다른 이득도 거의 똑같이 좋을 수 있습니다. *벼랑*에서는 어두운 색이 단번에 노란색으로 바뀝니다. 그 너머의 로봇은 도착하지 못하여 {=horizon}초 내내 비용이 쌓입니다. *잔물결*은 제어 법칙에서 생깁니다. 법칙은 sin {te}로 나누는데, 법칙이 계산하는 바로 그 순간에 {te}가 0을 지나면 엄청난 명령 하나가 에너지를 씁니다.
 
 기울기를 따라 내려가는 방법은 벼랑과 잔물결에 걸리거나 *국소 최적점(local optimum)*에 멈출 수 있습니다. 둘레의 어느 곳보다 좋지만 가장 좋지는 않은 곳입니다. 진화에는 기울기가 필요 없습니다. 비교만 합니다. 그래서 튼튼하지만, 틀리지 않는 것은 아닙니다.`,
     next: `여기서 진화는 찾을 수 있는 것을 다 찾습니다. *한* 지형의 가장 낮은 점입니다. 그러나 지형은 출발점 하나와 목표 하나의 것입니다. 로봇은 주차를 배웠을까요, 아니면 그 한 곳에서 출발하는 주차만 배웠을까요?`,
@@ -22,9 +22,9 @@ export const landscape = {
         '옮겨 가지만, 예전의 이득으로도 도착은 한다',
         '옮겨 가고, 예전의 이득으로는 더 이상 도착하지 못한다',
       ],
-      /** @param {{ old: Lowest, now: Lowest, left: Run }} outcome */
-      why: ({ old, now, left }) =>
-        `45°일 때: ${place(old)}, J ${costText(old.cost)}. 지금: ${place(now)}, J ${costText(now.cost)}. 예전의 가장 낮은 점의 이득으로는 J가 ${costText(left.cost.total)}입니다. 로봇은 ${arrival(left)}. 넓던 골짜기가 두 벼랑 사이의 좁은 협곡이 되었습니다. 목표를 끌면서 땅이 바뀌는 것을 보십시오.`,
+      /** @param {{ old: Lowest, now: Lowest, left: Run, again: string }} outcome `again` opens the drive with the old gains. */
+      why: ({ old, now, left, again }) =>
+        `45°일 때: ${place(old)}, J ${costText(old.cost)}. 지금: ${place(now)}, J ${costText(now.cost)}. [예전의 가장 낮은 점의 이득으로 달려 보기](${again}): J ${costText(left.cost.total)}, 로봇은 ${arrival(left)}. 넓던 골짜기가 두 벼랑 사이의 좁은 협곡이 되었습니다. 목표를 끌면서 땅이 바뀌는 것을 보십시오.`,
     },
     ky: {
       question: '다시 45°로 돌아와, 이번에는 위로 {ky}가 커집니다. {ky}를 따라 가장 낮은 점은 어디입니까?',

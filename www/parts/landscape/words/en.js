@@ -30,8 +30,14 @@ export const computing = 'the robots are driving…';
 /** @param {string} message */
 export const failed = (message) => `The landscape is the last that could be computed: ${message}`;
 
-/** @param {string} gains @param {Run} run @param {string} outcome */
-export const readout = (gains, run, outcome) => `${gains}: J ${costText(run.cost.total)}, ${outcome}`;
+/** @param {string} who Empty for the cursor. @param {string} gains @param {Run} run @param {string} outcome */
+export const readout = (who, gains, run, outcome) =>
+  `${who ? `${who}, ` : ''}${gains}: J ${costText(run.cost.total)}, ${outcome}`;
+
+/** At its mark on the map. */
+export const lowest = 'lowest';
+/** @param {string} gains @param {number} cost */
+export const lowestText = (gains, cost) => `Lowest point here: J ${costText(cost)} at ${gains}`;
 
 /** @param {number} count */
 export const outside = (count) =>

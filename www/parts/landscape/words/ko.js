@@ -29,8 +29,14 @@ export const computing = '로봇이 주행하고 있습니다…';
 /** @param {string} message */
 export const failed = (message) => `마지막으로 계산된 비용 지형입니다: ${message}`;
 
-/** @param {string} gains @param {Run} run @param {string} outcome */
-export const readout = (gains, run, outcome) => `${gains}: J ${costText(run.cost.total)}, ${outcome}`;
+/** @param {string} who Empty for the cursor. @param {string} gains @param {Run} run @param {string} outcome */
+export const readout = (who, gains, run, outcome) =>
+  `${who ? `${who}, ` : ''}${gains}: J ${costText(run.cost.total)}, ${outcome}`;
+
+/** At its mark on the map. */
+export const lowest = '가장 낮은 점';
+/** @param {string} gains @param {number} cost */
+export const lowestText = (gains, cost) => `여기서 가장 낮은 점: J ${costText(cost)}, ${gains}`;
 
 /** @param {number} count */
 export const outside = (count) => `개체군 중 ${count}대는 이 범위 밖에 있습니다`;

@@ -1,0 +1,110 @@
+import assert from 'node:assert/strict';
+import fc from 'fast-check';
+import { lowestOf } from '../../../www/parts/landscape/lowest.js';
+import { placeNames } from '../../../www/parts/landscape/names.js';
+import { linearRange } from '../../../www/parts/landscape/request.js';
+import { engineTest } from '../harness/browsers.js';
+import { evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../../../www/parts/landscape/request.js').Spec} Spec */
+/** @typedef {import('../../../www/parts/landscape/names.js').Spot} Spot */
+
+const velocityLimits = experiment('velocity-limits');
+const [, paperKy] = paperGains('velocity-limits', 'ep');
+const count = 128;
+const [from, to] = linearRange['velocity-limits'];
+
+/** What the map of kx and kθ shows. @param {import('../harness/core.js').Experiment} own @param {number} third */
+function mapOf(own, third) {
+  const axis = (/** @type {'kx' | 'ktheta'} */ gain) => ({ gain, log: false, from, to, count });
+  const costs = landscape(own, { x: axis('kx'), y: axis('ktheta'), gains: [0, third, 0] });
+  /** @type {Spec} */
+  const spec = {
+    experiment: own,
+    x: { gain: 'kx', log: false },
+    y: { gain: 'ktheta', log: false },
+    range: [from, to],
+    third,
+  };
+  return { spec, count, costs, milliseconds: 0 };
+}
+
+test('whoever drives with the gains of the lowest point pays what the map says, and nobody on the map pays less', () => {
+  for (const theta of [Math.PI / 4, Math.PI / 2]) {
+    const own = experiment({ ...velocityLimits, goal: { ...velocityLimits.goal, theta } });
+    const map = mapOf(own, paperKy);
+    const lowest = lowestOf(map);
+    assert.ok(lowest);
+    assert.equal(lowest.cost, Math.min(...map.costs));
+    assert.equal(evaluate(own, lowest.gains)[0], lowest.cost);
+    assert.equal(lowest.gains[1], paperKy);
+  }
+});
+
+test('where every J is infinite nothing is lowest', () => {
+  const map = mapOf(velocityLimits, paperKy);
+  assert.equal(lowestOf({ ...map, costs: map.costs.map(() => Number.POSITIVE_INFINITY) }), null);
+});
+
+const frame = { left: 44, right: 500, top: 10, bottom: 300 };
+const somewhere = fc.record({
+  x: fc.double({ min: 44, max: 500, noNaN: true }),
+  y: fc.double({ min: 10, max: 300, noNaN: true }),
+});
+
+test('names stay on the map, and one that has a free side covers no mark', () => {
+  fc.assert(
+    fc.property(somewhere, fc.array(somewhere, { maxLength: 3 }), (own, others) => {
+      const spots = [own, ...others].map(({ x, y }) => /** @type {Spot} */ ([x, y, 8]));
+      const [place] = placeNames(frame, [{ ...own, name: 'name', width: 60 }], spots);
+      assert.ok(place.left >= frame.left && place.left + place.width <= frame.right);
+      assert.ok(place.top >= frame.top && place.top <= frame.bottom - 17);
+      const isFar = others.every(({ x, y }) => Math.hypot(x - own.x, y - own.y) > 120);
+      const covered = spots.some(
+        ([x, y]) => x > place.left && x < place.left + place.width && y > place.top && y < place.top + 17,
+      );
+      assert.ok(!isFar || !covered);
+    }),
+  );
+});
+
+test('a name beside which somebody stands goes to another side', () => {
+  const named = { x: 200, y: 150, name: 'name', width: 60 };
+  const [free] = placeNames(frame, [named], [[200, 150, 8]]);
+  assert.ok(free.left > 200);
+  const [moved] = placeNames(frame, [named], [[200, 150, 8], [240, 150, 8]]); // biome-ignore format: two marks
+  assert.ok(moved.left + moved.width < 200);
+  const two = placeNames(frame, [named, { ...named, x: 205 }], []);
+  assert.ok(two[0].top !== two[1].top || Math.abs(two[0].left - two[1].left) >= 60);
+});
+
+engineTest(
+  'the lowest point of the picture is told, with its J, and follows what the picture shows',
+  async (page) => {
+    await page.open('#landscape&drives=paper-ep');
+    const told = (/** @type {string} */ cost) =>
+      page.until(
+        `the lowest point at J ${cost}`,
+        (wanted) => {
+          const text = document.getElementById('landscape-lowest')?.innerText ?? '';
+          return text.includes(`J ${wanted} `) && text;
+        },
+        cost,
+      );
+    const lowest = lowestOf(mapOf(velocityLimits, paperKy));
+    assert.ok(lowest);
+    const text = await told(lowest.cost.toFixed(3));
+    const [kx, , ktheta] =
+      /kx ([\d.]+), ky ([\d.]+), kθ ([\d.]+)/.exec(String(text))?.slice(1).map(Number) ?? [];
+    assert.ok(Math.abs(kx - lowest.gains[0]) < 0.01 && Math.abs(ktheta - lowest.gains[2]) < 0.01);
+    assert.ok(simulate(velocityLimits, lowest.gains).arrived);
+
+    await page.open('#landscape&drives=paper-ep&goal.theta=90deg');
+    const turned = experiment({ ...velocityLimits, goal: { ...velocityLimits.goal, theta: Math.PI / 2 } });
+    const other = lowestOf(mapOf(turned, paperKy));
+    assert.ok(other && other.cost > lowest.cost);
+    await told(other.cost.toFixed(3));
+    assert.deepEqual(await page.problems(), []);
+  },
+);

@@ -1,0 +1,51 @@
+// The names of points on the map: each beside its mark, where it covers nothing that one looks for.
+/** @import { Frame } from '../../kit/chart.js' */
+
+/** @typedef {{ x: number, y: number, name: string, width: number }} Named In pixels; `width` that of its name. */
+/** @typedef {{ left: number, top: number, width: number }} Place Of a name. */
+/** @typedef {readonly [x: number, y: number, radius: number]} Spot What no name should cover. */
+
+const [gap, high] = [12, 17];
+
+/** Right of the mark, left, above and below. @param {Named} named @returns {Place[]} */
+const around = ({ x, y, width }) =>
+  [
+    [x + gap, y - high / 2],
+    [x - gap - width, y - high / 2],
+    [x - width / 2, y - gap - high],
+    [x - width / 2, y + gap],
+  ].map(([left, top]) => ({ left, top, width }));
+
+/** Within the map. @param {Frame} frame @param {Place} place @returns {Place} */
+const within = ({ left, right, top, bottom }, place) => ({
+  left: Math.max(left + 2, Math.min(place.left, right - place.width - 2)),
+  top: Math.max(top + 2, Math.min(place.top, bottom - high - 2)),
+  width: place.width,
+});
+
+/** @param {Place} place @param {Spot} spot */
+const isCovered = ({ left, top, width }, [x, y, radius]) =>
+  x > left - radius && x < left + width + radius && y > top - radius && y < top + high + radius;
+
+/** @param {Place} a @param {Place} b */
+const overlap = (a, b) =>
+  a.left < b.left + b.width && b.left < a.left + a.width && Math.abs(a.top - b.top) < high;
+
+/** One after the other; what covers least is taken, the first of those that cover as little. @param {Frame} frame @param {readonly Named[]} named @param {readonly Spot[]} spots @returns {Place[]} */
+export function placeNames(frame, named, spots) {
+  /** @type {Place[]} */
+  const taken = [];
+  for (const one of named) {
+    const places = around(one).map((place) => within(frame, place));
+    const covers = places.map(
+      (place) =>
+        spots.filter((spot) => isCovered(place, spot)).length +
+        taken.filter((other) => overlap(place, other)).length,
+    );
+    taken.push(places[covers.indexOf(Math.min(...covers))]);
+  }
+  return taken;
+}
+
+/** The middle of a name's height. @param {Place} place */
+export const middleOf = ({ top }) => top + high / 2;

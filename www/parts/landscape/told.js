@@ -1,0 +1,33 @@
+// What is said of the landscape beside its picture.
+/** @import { Run, Triple } from '../../core/engine.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Lowest } from './lowest.js' */
+/** @import { Spec } from './request.js' */
+/** @import { LandscapeState } from './state.js' */
+import { lab } from '../../words/index.js';
+import words from './words/index.js';
+import { landscapeSlice } from './state.js';
+import { countOutside } from './view.js';
+
+/** @param {LandscapeState} landscape @param {Spec} spec */
+export function noteText({ result, message }, spec) {
+  if (message) return words.failed(message);
+  return result?.spec === spec ? words.drivesText(result.costs.length, result.milliseconds) : words.computing;
+}
+
+/** @param {Triple} gains */
+const gainsText = (gains) => lab.gains.map(({ name }, i) => words.gainText(name, gains[i])).join(', ');
+
+/** Under the cursor, or of who drives. @param {State} state @param {Spec} spec @param {Run} run @param {Triple} gains */
+export function readoutOf(state, spec, run, gains) {
+  const { population, driver, generation, found } = state;
+  const who = landscapeSlice.of(state).cursor ? '' : lab.driverName(driver, generation, found);
+  const outside = countOutside(spec, population);
+  return [
+    words.readout(who, gainsText(gains), run, lab.outcomeText(run)),
+    ...(outside > 0 ? [words.outside(outside)] : []),
+  ].join('. ');
+}
+
+/** @param {Lowest} lowest */
+export const lowestText = ({ gains, cost }) => words.lowestText(gainsText(gains), cost);
