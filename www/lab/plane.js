@@ -15,7 +15,7 @@ import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 import { drawRobots } from './robots.js';
-import { arrow, inMetres, kite, referenceOf, trace } from './track.js';
+import { inMetres, kite, referenceOf, sizes, trace } from './track.js';
 
 /** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, pins: Pins, pays: boolean, time: number, theme: number }} PlaneModel With `pays`, where along the path J was paid. */
 
@@ -38,6 +38,11 @@ export function createPlane(pathsCanvas, robotsCanvas) {
         if (pays && view.height >= 280) drawPayments(context, view, driving);
         drawTarget(context, view, start, colour('--muted'));
         drawTarget(context, view, goal, colour('--ink'));
+        const side = pays ? -1 : 1;
+        if (view.height >= 170) {
+          drawPostureName(context, view, start, strings.startName, side);
+          drawPostureName(context, view, goal, strings.goalName, side);
+        }
       });
     }
     if (robotsChanged(view, driving, others, comparison, scene.pins, time, theme)) {
@@ -124,7 +129,7 @@ function drawPinnedGoals(context, view, pins, goal) {
   for (const { slot, experiment } of pins) {
     const { x, y, theta } = experiment.goal;
     if (x === goal.x && y === goal.y && theta === goal.theta) continue;
-    kite(context, view.screenX(x), view.screenY(y), theta, arrow.posture);
+    kite(context, view.screenX(x), view.screenY(y), theta, sizes.posture);
     context.strokeStyle = colour(styles[slot].token);
     context.globalAlpha = 0.6;
     context.lineWidth = 1.5;
@@ -159,6 +164,16 @@ function drawPayments(context, view, run) {
   }
 }
 
+/** Beside it, where neither its knob is nor the way to it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} name @param {1 | -1} side Its right hand, or its left, where J is written on the right of the path. */
+function drawPostureName(context, view, { x, y, theta }, name, side) {
+  const [across, down] = [side * Math.sin(theta), side * Math.cos(theta)];
+  context.font = textFont;
+  context.textAlign = Math.abs(across) < 0.5 ? 'center' : across > 0 ? 'left' : 'right';
+  context.textBaseline = 'middle';
+  const look = { fill: colour('--muted'), halo: colour('--paper') };
+  fillTextWithHalo(context, name, view.screenX(x) + 20 * across, view.screenY(y) + 24 * down, look);
+}
+
 /** Start or goal: an empty arrow, and the knob that turns it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} stroke */
 function drawTarget(context, view, posture, stroke) {
   const knob = knobOf(view, posture);
@@ -167,12 +182,12 @@ function drawTarget(context, view, posture, stroke) {
   context.strokeStyle = colour('--muted');
   context.lineWidth = 1;
   context.beginPath();
-  context.moveTo(px + arrow.posture * Math.cos(angle), py + arrow.posture * Math.sin(angle));
+  context.moveTo(px + sizes.posture * Math.cos(angle), py + sizes.posture * Math.sin(angle));
   context.lineTo(knob.px - 5 * Math.cos(angle), knob.py - 5 * Math.sin(angle));
   context.moveTo(knob.px + 5, knob.py);
   context.arc(knob.px, knob.py, 5, 0, 2 * Math.PI);
   context.stroke();
-  kite(context, px, py, posture.theta, arrow.posture);
+  kite(context, px, py, posture.theta, sizes.posture);
   context.fillStyle = colour('--paper');
   context.strokeStyle = stroke;
   context.lineWidth = 2;

@@ -11,33 +11,25 @@ import { drawMark } from '../kit/swatch.js';
 import { keepInside } from '../kit/transform.js';
 import { styles } from '../run/pins.js';
 import { lab as strings } from '../words/index.js';
-import { arrow, inMetres, kite, postureAt, referenceOf, sampleBefore, trace } from './track.js';
+import { drawCar } from './car.js';
+import { inMetres, kite, postureAt, referenceOf, sampleBefore, sizes, trace } from './track.js';
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins @param {number} time */
 export function drawRobots(context, view, scene, pins, time) {
-  /** @param {Run} run @param {number} size */
-  const robot = (run, size) => {
+  const [ink, muted, paper] = [colour('--ink'), colour('--muted'), colour('--paper')];
+  /** @param {Run} run @param {number} size @param {Parameters<typeof drawCar>[3]} look */
+  const robot = (run, size, look) => {
     const { x, y, theta } = postureAt(run, time);
-    kite(context, view.screenX(x), view.screenY(y), theta, size);
+    drawCar(context, { x: view.screenX(x), y: view.screenY(y), theta }, size, look);
   };
-  context.fillStyle = colour('--ink');
   context.globalAlpha = 0.3;
-  for (const run of scene.others) {
-    robot(run, arrow.ghost);
-    context.fill();
-  }
+  for (const run of scene.others) robot(run, sizes.ghost, { body: ink, wheel: ink, nose: paper });
   context.globalAlpha = 1;
-  context.strokeStyle = colour('--muted');
-  context.fillStyle = colour('--paper');
-  context.lineWidth = 1.5;
-  robot(scene.comparison, 12);
-  context.fill();
-  context.stroke();
+  robot(scene.comparison, sizes.rival, { body: paper, wheel: muted, nose: muted, edge: muted });
   for (const [i, { slot }] of pins.entries()) {
     const { x, y } = postureAt(scene.pins[i], time);
-    context.fillStyle = colour(styles[slot].token);
-    robot(scene.pins[i], 12);
-    context.fill();
+    const own = colour(styles[slot].token);
+    robot(scene.pins[i], sizes.rival, { body: own, wheel: own, nose: paper });
     drawMark(context, styles[slot].mark, view.screenX(x), view.screenY(y) - 20, {
       fill: colour(styles[slot].token),
       edge: colour('--paper'),
@@ -45,9 +37,7 @@ export function drawRobots(context, view, scene, pins, time) {
   }
   if (isTracking(scene.driving)) drawReference(context, view, scene.driving, time);
   drawTrail(context, view, scene.driving, time);
-  context.fillStyle = colour('--ink');
-  robot(scene.driving, arrow.robot);
-  context.fill();
+  robot(scene.driving, sizes.robot, { body: ink, wheel: ink, nose: paper, edge: paper });
   drawStray(context, view, postureAt(scene.driving, time));
 }
 
@@ -57,7 +47,7 @@ const inkOnPaper = () => ({ fill: colour('--ink'), halo: colour('--paper') });
 function drawReference(context, view, run, time) {
   const { x, y, theta } = postureAt(referenceOf(run), time);
   const [px, py] = [view.screenX(x), view.screenY(y)];
-  kite(context, px, py, theta, arrow.posture);
+  kite(context, px, py, theta, sizes.posture);
   context.strokeStyle = colour('--ink');
   context.fillStyle = colour('--paper');
   context.lineWidth = 2;

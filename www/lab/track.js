@@ -4,8 +4,8 @@
 
 /** @typedef {Pick<Run, 'time' | 'x' | 'y' | 'theta'>} Track */
 
-/** As large as they are drawn, in pixels. */
-export const arrow = { robot: 17, posture: 17, ghost: 9 };
+/** As large as they are drawn, in pixels: an arrow for a posture, half the length of a robot. */
+export const sizes = { posture: 17, robot: 13, rival: 10, ghost: 6.5 };
 
 /** @param {CanvasRenderingContext2D} context @param {Pick<View, 'scale' | 'originX' | 'originY'>} view */
 export const inMetres = (context, { scale, originX, originY }) =>

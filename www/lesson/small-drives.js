@@ -1,11 +1,11 @@
 // Drives as small pictures side by side, each from the same start to the same goal, at the same time.
+import { drawBay, drawCar } from '../lab/car.js';
 import { postureAt, trace } from '../lab/track.js';
 import { createLayer } from '../kit/canvas.js';
 import { create, followSize } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { colour } from '../kit/palette.js';
 import { boxAround } from '../kit/transform.js';
-import { drawBay, drawCar } from './car.js';
 
 /** @import { Experiment, Run } from '../core/engine.js' */
 /** @import { Store } from '../run/store.js' */

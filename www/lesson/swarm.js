@@ -1,13 +1,13 @@
 // Robots with the same gains drive from 32 starts at once: who parks is seen, and counted.
 import { html, render } from 'lit-html';
+import { drawBay, drawCar } from '../lab/car.js';
 import { postureAt, trace } from '../lab/track.js';
 import { createLayer } from '../kit/canvas.js';
 import { create, followSize } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { colour } from '../kit/palette.js';
 import { boxAround } from '../kit/transform.js';
-import { costText } from '../words/numbers.js';
-import { drawBay, drawCar } from './car.js';
+import { lab } from '../words/index.js';
 import { createFilm } from './film.js';
 import { restOf } from './settle.js';
 
@@ -74,7 +74,7 @@ export function createSwarm({ store }, words, seenIn) {
         html`<p class="swarm-name">${name}</p>
           <p class="swarm-count"><span>${words.parked}</span>
             <strong id="swarm-parked">${parked}</strong> <span>${words.ofStarts(starts)}</span></p>
-          <p class="swarm-cost"><span>${words.mean}</span> <strong id="swarm-cost">${costText(yard.cost)}</strong></p>
+          <p class="swarm-cost"><span>${words.mean}</span> <strong id="swarm-cost">${lab.costText(yard.cost)}</strong></p>
           <button type="button" class="link" @click=${again} ?disabled=${!film.isOver}>${words.again}</button>`,
         head,
       );
