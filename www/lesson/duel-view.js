@@ -5,7 +5,7 @@ import { watch } from '../kit/memo.js';
 import { createSwatch } from '../kit/swatch.js';
 import { gainsOf } from '../run/drivers.js';
 import { messageOf } from '../words/errors.js';
-import { costText } from '../words/numbers.js';
+import { lab } from '../words/index.js';
 import { isDuelOf, judge, lockedIn, longestOf, lowestOf, nextSeed, roundOf, scoreOf } from './duel.js';
 import { createDuelPlot, looks } from './duel-plot.js';
 import { marksOf } from './marks.js';
@@ -89,7 +89,7 @@ export function createDuelDrives({ store }, { duel: words }) {
             </p>
             <p class="duel-number">
               <span>${words.bestName}</span
-              ><strong id="duel-best">${costs.length === 0 ? '…' : costText(best)}</strong>
+              ><strong id="duel-best">${costs.length === 0 ? '…' : lab.costText(best)}</strong>
             </p>
           </div>
           <p id="duel-beaten" role="status">${shared.beaten(beaten)}</p>
@@ -188,7 +188,7 @@ function tableOf(duel, verdict, words, { engine }) {
           <th scope="row">${createSwatch(looks[name])}${words.names[name]}</th>
           <td>${driven}</td>
           <td class="parked">${parked[name] || '–'}</td>
-          <td class="cost">${costText(cost)}</td>
+          <td class="cost">${lab.costText(cost)}</td>
         </tr>`,
       )}
     </tbody>

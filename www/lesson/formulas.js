@@ -2,7 +2,7 @@
 import { lawTerms } from '../core/rules.js';
 import words from '../parts/generation/words/index.js';
 import { lab } from '../words/index.js';
-import { costText, degreesText, signed } from '../words/numbers.js';
+import { degreesText, signed } from '../words/numbers.js';
 import { anatomyOf, birthOf, chosenIn } from './anatomy.js';
 import {
   cos,
@@ -159,8 +159,8 @@ export const costFormula = {
   numbers({ scene }) {
     const { cost } = scene.driving;
     return {
-      J: costText(cost.total),
-      ...Object.fromEntries(lab.costParts.map(([part]) => [part, costText(cost[part])])),
+      J: lab.costText(cost.total),
+      ...Object.fromEntries(lab.costParts.map(([part]) => [part, lab.costText(cost[part])])),
     };
   },
 };

@@ -114,13 +114,13 @@ function column({ id, name, letter, index }, i, family, share, words) {
   const spots = family.map(({ born, individual: { gains } }) => ({ x: x(gains[i]), y: downAt(share(born)) }));
   const sigmaOf = (/** @type {Ancestor | undefined} */ one) => one?.individual.sigmas[i] ?? 0;
   return html`<figure class=${id}>
-    <figcaption><span class="symbol ${id}">${letter}<sub>${index}</sub></span>
+    <figcaption><span class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
       <span class="muted">${words.sigma(sigmaOf(family[0]), sigmaOf(family.at(-1)))}</span></figcaption>
     <svg viewBox="0 0 100 ${height}" preserveAspectRatio="none" role="img" aria-label=${words.label(name, family, i)}>
       ${family.map(({ individual: { gains, sigmas } }, n) => svg`<path class="hill" d=${hillOf(gains[i], sigmas[i], spots[n].y, x)}></path>`)}
       <polyline points=${spots.map((spot) => `${spot.x},${spot.y}`).join(' ')}></polyline>
     </svg>
-    <div class="lineage-ticks" aria-hidden="true">${ticks(low, high, 4).map((tick) => html`<span ${styled('--at', String(x(tick) / 100))}>${fixed(tick, high - low < 2 ? 2 : 0)}</span>`)}</div>
+    <div class="lineage-ticks" aria-hidden="true">${ticks(low, high, high - low < 2 ? 2 : 4).map((tick) => html`<span ${styled('--at', String(x(tick) / 100))}>${fixed(tick, high - low < 2 ? 2 : 0)}</span>`)}</div>
   </figure>`;
 }
 

@@ -2,7 +2,8 @@
 import { create } from '../kit/elements.js';
 import { headCell } from '../kit/table.js';
 import { asPrinted } from './printed.js';
-import { costText, degrees, fixed, postureText } from '../words/numbers.js';
+import { lab } from '../words/index.js';
+import { degrees, fixed, postureText } from '../words/numbers.js';
 
 /** @import { Experiment, Individual, PaperResult } from '../core/engine.js' */
 /** @import { Block, Live, Tools } from './page.js' */
@@ -35,7 +36,7 @@ export function createPaperTable({ engine }, words) {
   const draw = (/** @type {PaperResult[]} */ paper) => {
     const rows = paper.map(({ preset, figure, method, gains, cost }) => {
       const [run] = engine.drive(engine.experiment(preset), [gains]);
-      return [words.row(figure, method), gainsText(gains), String(cost), costText(run.cost.total)];
+      return [words.row(figure, method), gainsText(gains), String(cost), lab.costText(run.cost.total)];
     });
     for (const [i, preset] of /** @type {const} */ (['velocity-limits', 'acceleration-limits']).entries()) {
       const best = found instanceof Map ? found.get(preset) : null;
@@ -43,7 +44,7 @@ export function createPaperTable({ engine }, words) {
         words.ours(generations),
         best ? gainsText(best.gains) : '…',
         '',
-        best ? costText(best.cost) : '…',
+        best ? lab.costText(best.cost) : '…',
       ]);
     }
     const wrapper = create('div', 'lesson-scroll', tableOf('lesson-table', words.head, rows));
@@ -73,7 +74,9 @@ export function createPaperTable({ engine }, words) {
 export function createChoicesTable({ engine }, words) {
   const e = engine.experiment('velocity-limits');
   const a = engine.experiment('acceleration-limits');
-  const printed = engine.paper().map((_, row) => costText(asPrinted({ engine, paper: engine.paper() }, row)));
+  const printed = engine
+    .paper()
+    .map((_, row) => lab.costText(asPrinted({ engine, paper: engine.paper() }, row)));
   const rows = words.choices({ ...textsOf(e, a), printed });
   const wrapper = create(
     'div',

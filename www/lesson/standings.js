@@ -4,7 +4,7 @@ import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';
 import { lab } from '../words/index.js';
-import { costText, threeDigits } from '../words/numbers.js';
+import { threeDigits } from '../words/numbers.js';
 import { createSmallDrive } from './small-drives.js';
 
 /** @import { Run, Triple } from '../core/engine.js' */
@@ -90,7 +90,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
             <div class="standing-bar" aria-hidden="true">${segmentsOf(run, dearest)}</div>
           </th>
           <td class="standing-cost">
-            <span class="standing-total">${run ? costText(run.cost.total) : '–'}</span>
+            <span class="standing-total">${run ? lab.costText(run.cost.total) : '–'}</span>
             <span class="standing-mark" ?hidden=${i !== winner}>${words.lowest}</span>
           </td>
         </tr>`;

@@ -4,6 +4,7 @@ import { remember, watch } from '../kit/memo.js';
 import { fieldPath, valueAt } from '../run/paths.js';
 import { createNumber } from '../settings/rows.js';
 import { table } from '../settings/table.js';
+import words from './words/index.js';
 
 /** @import { Block, Tools } from './page.js' */
 
@@ -15,8 +16,8 @@ const partOf = (path) =>
       ? 'finalError'
       : 'penalty';
 
-/** @param {Tools} tools @param {{ otherWeights: string }} words @returns {Block} */
-export function createWeights({ engine, actions }, words) {
+/** @param {Tools} tools @returns {Block} */
+export function createWeights({ engine, actions }) {
   const fields = engine.fields();
   const rows = table.weights.map((row) => {
     const field = fields.find(({ path }) => path === fieldPath(row.path));

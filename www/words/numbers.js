@@ -22,16 +22,24 @@ export const powerOfTen = (power, least = -2) =>
 
 /** A number of any size, with a power of ten. @param {number} value @param {number} [digits] Those that count. */
 export function powerText(value, digits = 3) {
+  if (value === 0) return '0';
   const [mantissa, power] = Number(value.toPrecision(digits)).toExponential().split('e');
-  return `${mantissa.replace('-', '−')}·10${superscript(power.replace('+', ''))}`;
+  return `${mantissa.replace('-', '−')}×10${superscript(power.replace('+', ''))}`;
 }
 
 /** @param {number} value */
 export function costText(value) {
   if (!Number.isFinite(value)) return '∞';
   if (value < 100) return fixed(value, 3);
-  return value < 1e6 ? fixed(value, 1) : value.toExponential(2);
+  return value < 1e6 ? fixed(value, 1) : powerText(value);
 }
+
+/** The same, with the digits of what is large in groups. @param {(whole: number) => string} grouped */
+export const costTextWith = (grouped) => (/** @type {number} */ value) => {
+  const text = costText(value);
+  const [whole, part] = text.split('.');
+  return value >= 1e4 && value < 1e6 ? `${grouped(Number(whole))}.${part}` : text;
+};
 
 /** @param {number} radians */
 export const degrees = (radians) => `${fixed((radians * 180) / Math.PI, 0)}°`;
@@ -46,8 +54,7 @@ export const numberOf = (text) =>
 /** With a minus sign where it is below zero, within a formula. @param {number} value @param {number} digits */
 export function signed(value, digits) {
   if (!Number.isFinite(value)) return value < 0 ? '−∞' : '∞';
-  const text = Math.abs(value) < 1e4 ? fixed(value, digits) : value.toExponential(1).replaceAll('-', '−');
-  return text;
+  return Math.abs(value) < 1e4 ? fixed(value, digits) : powerText(value, 2);
 }
 
 /** @param {number} radians */

@@ -1,6 +1,7 @@
 // What is "good"? J, its parts and its weights.
 import { remember } from '../../kit/memo.js';
-import { costText, fixed } from '../../words/numbers.js';
+import { lab } from '../../words/index.js';
+import { fixed } from '../../words/numbers.js';
 import { costFormula } from '../formulas.js';
 import { entrantsOf, createStandings, gentle, winnerOf } from '../standings.js';
 import { createWeights } from '../weights.js';
@@ -40,7 +41,9 @@ function staying({ engine, state }) {
 
 /** What ky costs from the paper's start, with the weights that we chose. */
 const costsOfKy = remember((/** @type {Engine} */ engine) =>
-  engine.drive(engine.experiment('velocity-limits'), withKy).map(({ cost: { total } }) => costText(total)),
+  engine
+    .drive(engine.experiment('velocity-limits'), withKy)
+    .map(({ cost: { total } }) => lab.costText(total)),
 );
 
 /** @type {Step} */

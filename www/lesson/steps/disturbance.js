@@ -33,7 +33,7 @@ export const disturbance = {
   name: 'disturbance',
   link: path.disturbance,
   figure: 'plane',
-  stage: { place: 'instead', pages: ['disturbance'], create: createNearGoal },
+  stage: { place: 'beside', pages: ['disturbance'], create: createNearGoal },
   blocks: [
     { kind: 'text', name: 'slip' },
     { kind: 'text', name: 'why' },

@@ -1,7 +1,7 @@
 // Drive it yourself. No theory yet.
 import { gainsOf } from '../../run/drivers.js';
 import { createTallyLine } from '../tally-line.js';
-import { costText } from '../../words/numbers.js';
+import { lab } from '../../words/index.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -50,7 +50,7 @@ export const drive = {
       state.experiment,
       drivers.map((driver) => gainsOf(state, driver, paper)),
     );
-    const [arbitrary, ep] = runs.map(({ cost }) => costText(cost.total));
+    const [arbitrary, ep] = runs.map(({ cost }) => lab.costText(cost.total));
     return { arbitrary, ep };
   },
 };

@@ -1,5 +1,5 @@
 // You against evolution, on a task that a hand loses.
-import { costText } from '../../words/numbers.js';
+import { lab } from '../../words/index.js';
 import { drivesUntil, generationsIn, judge, lowestOf, nextSeed, roundOf, winners } from '../duel.js';
 import { createDuelDrives, createDuelResult, createDuelStage, duelIn, priceInYard } from '../duel-view.js';
 import { path } from '../path.js';
@@ -47,7 +47,7 @@ export const duel = {
     const generations = generationsIn(costs.length, population);
     return {
       drives: String(costs.length),
-      best: costs.length > 0 ? costText(lowestOf(costs)) : words.steps.duel.duel.none,
+      best: costs.length > 0 ? lab.costText(lowestOf(costs)) : words.steps.duel.duel.none,
       count: String(population),
       generations: String(generations),
       given: String(drivesUntil(generations, population)),

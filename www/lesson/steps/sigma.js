@@ -1,6 +1,7 @@
 // The step size that adapts itself, and its collapse.
 import words from '../../parts/generation/words/index.js';
-import { costText, fixed } from '../../words/numbers.js';
+import { lab } from '../../words/index.js';
+import { fixed } from '../../words/numbers.js';
 import { sigmaFormula } from '../formulas.js';
 import { createLineage } from '../lineage.js';
 import { path } from '../path.js';
@@ -77,7 +78,7 @@ export const sigma = {
       own: fixed(own, 3),
       common: fixed(common, 3),
       generation: String(state.generation),
-      cost: costText(best.cost),
+      cost: lab.costText(best.cost),
       sx,
       sy,
       st,

@@ -4,7 +4,7 @@ import { gridAround, headings } from '../../parts/robustness/grid.js';
 import { fine } from '../../parts/robustness/request.js';
 import { gainsOf } from '../../run/drivers.js';
 import { lab } from '../../words/index.js';
-import { costText, fixed } from '../../words/numbers.js';
+import { fixed } from '../../words/numbers.js';
 import { mapsAreDone, shareOfStarts, trainedOn } from '../robust.js';
 import { filmRuns } from '../film.js';
 import { createSwarm } from '../swarm.js';
@@ -147,8 +147,8 @@ function valuesOf({ engine, state, paper }) {
   return {
     generation: String(generation),
     time: fixed(best.finalTime, 2),
-    cost: costText(best.cost.total),
-    paper: costText(ep.cost.total),
+    cost: lab.costText(best.cost.total),
+    paper: lab.costText(ep.cost.total),
     places: lab.grouped(places),
     side: fixed(2 * robustnessSlice.of(state).half, 0),
     headings: String(headings),

@@ -74,6 +74,7 @@ export const swarm = {
   evolution: (gains) => `evolution: ${gainsText(gains)}`,
 };
 export const askAgain = 'Ask me again';
+export const otherWeights = 'The other weights';
 
 export const steps = {
   drive,

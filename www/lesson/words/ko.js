@@ -70,6 +70,7 @@ export const swarm = {
   evolution: (gains) => `진화: ${gainsText(gains)}`,
 };
 export const askAgain = '다시 풀기';
+export const otherWeights = '나머지 가중치';
 
 export const steps = {
   drive,

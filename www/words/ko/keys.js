@@ -10,8 +10,8 @@ export const texts = {
 /** Single keys: what they press. @type {readonly (readonly [key: string, meaning: string, id: string])[]} */
 export const single = [
   ['r', '진화 시작 또는 멈춤', 'run'],
-  ['n', '1세대 진행', 'one-generation'],
-  ['b', '1세대 뒤로', 'one-back'],
+  ['n', '한 세대 진행', 'one-generation'],
+  ['b', '한 세대 뒤로', 'one-back'],
   ['p', '로봇 주행 또는 멈춤', 'play'],
   ['s', '설정', 'settings-button'],
 ];
@@ -23,6 +23,6 @@ export const focused = [
   ['Alt + 화살표', '출발이나 목표를 조금씩 옮기거나 돌림'],
   ['Enter', '버튼 누르기. 지도에서는 커서가 가리키는 값으로 주행'],
   ['Esc', '열린 창 닫기'],
-  ['Ctrl + Z, Ctrl + Shift + Z', '실험 변경의 실행 취소와 다시 실행'],
+  ['Ctrl + Z, Ctrl + Shift + Z', '실험의 변경을 되돌리거나 다시 적용'],
   ['?', '이 안내'],
 ];

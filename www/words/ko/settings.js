@@ -7,8 +7,8 @@ export const texts = {
   settingsTitle: '설정',
   closeSettings: '설정 닫기',
   backToPreset: '기본 설정으로',
-  undo: '실행 취소',
-  redo: '다시 실행',
+  undo: '되돌리기',
+  redo: '다시 적용',
 };
 
 /** @param {number} changed */
@@ -32,22 +32,22 @@ export const groups = {
 
 /** Names and help, by the path in the experiment. @type {Readonly<Record<string, import('../common/settings.js').SettingWords>>} */
 export const settings = {
-  'limits.speed': { name: '속도', help: '앞으로든 뒤로든 로봇은 이보다 빨리 달릴 수 없습니다.' },
+  'limits.speed': { name: '선속도', help: '앞으로든 뒤로든 로봇은 이보다 빨리 달릴 수 없습니다.' },
   'limits.turnRate': { name: '각속도', help: '로봇은 이보다 빨리 회전할 수 없습니다.' },
-  'limits.acceleration': { name: '가속도', help: '속도는 이보다 빨리 변할 수 없습니다.' },
+  'limits.acceleration': { name: '가속도', help: '선속도는 이보다 빨리 변할 수 없습니다.' },
   'limits.turnAcceleration': { name: '각가속도', help: '각속도는 이보다 빨리 변할 수 없습니다.' },
   'weights.final[0]': { name: '최종 x', help: 'x 방향으로 목표를 벗어나 멈출 때의 비용입니다.' },
   'weights.final[1]': { name: '최종 y', help: 'y 방향으로 목표를 벗어나 멈출 때의 비용입니다.' },
   'weights.final[2]': { name: '최종 방향각', help: '목표와 다른 방향각으로 멈출 때의 비용입니다.' },
   'weights.velocity[0]': {
     name: '빠른 주행',
-    help: '속도에 매기는 비용입니다. 클수록 진화는 느린 로봇을 고릅니다.',
+    help: '선속도의 비용입니다. 클수록 진화는 느린 로봇을 고릅니다.',
   },
   'weights.velocity[1]': {
     name: '빠른 회전',
-    help: '회전에 매기는 비용입니다. 클수록 진화는 완만한 곡선을 고릅니다.',
+    help: '회전의 비용입니다. 클수록 진화는 완만한 곡선을 고릅니다.',
   },
-  'weights.penalty': { name: '음의 이득', help: '이득이 0보다 1만큼 작을 때마다 매기는 비용입니다.' },
+  'weights.penalty': { name: '음의 이득', help: '이득이 0보다 1만큼 작을 때마다 더하는 비용입니다.' },
   'starts[0].x': { name: '출발 x', help: '로봇이 출발하는 곳입니다. 평면에서 끌어 옮길 수도 있습니다.' },
   'starts[0].y': { name: '출발 y', help: '로봇이 출발하는 곳입니다. 평면에서 끌어 옮길 수도 있습니다.' },
   'starts[0].theta': {
@@ -58,10 +58,10 @@ export const settings = {
   'goal.y': { name: '목표 y', help: '로봇이 멈추어야 할 곳입니다. 평면에서 끌어 옮길 수도 있습니다.' },
   'goal.theta': { name: '목표 방향각', help: '마지막에 로봇이 향해야 할 방향입니다.' },
   'referenceVelocity.linear': {
-    name: '기준 속도',
+    name: '기준 선속도',
     help: '0이면 주차입니다. 0이 아니면 기준이 목표에서 출발하고, 로봇은 제한 시간까지 기준을 따라갑니다.',
   },
-  'referenceVelocity.angular': { name: '기준 각속도', help: '움직이는 기준이 회전하는 빠르기입니다.' },
+  'referenceVelocity.angular': { name: '기준 각속도', help: '움직이는 기준의 각속도입니다.' },
   'tolerance.position': {
     name: '위치 허용 오차',
     help: '방향각도 맞으면서 목표에 이만큼 가까우면 도착으로 봅니다.',
@@ -71,7 +71,7 @@ export const settings = {
     help: '목표의 방향각에 이만큼 가까우면 도착으로 봅니다.',
   },
   'tolerance.speed': {
-    name: '속도 허용치',
+    name: '선속도 허용치',
     help: '이보다 빠른 로봇은 아직 도착한 것으로 보지 않습니다. 끄면 속도를 보지 않습니다.',
   },
   'tolerance.turnRate': {
@@ -90,8 +90,8 @@ export const settings = {
     help: '진화가 주행시키는 로봇까지 포함하여 모든 로봇의 속도에 더해집니다.',
     choices: { none: '없음', random: '무작위', slip: '일정한 미끄러짐' },
   },
-  'disturbance.linear': { name: '선속도 외란', help: '무작위 외란의 한계 또는 미끄러짐의 크기입니다.' },
-  'disturbance.angular': { name: '각속도 외란', help: '무작위 외란의 한계 또는 미끄러짐의 크기입니다.' },
+  'disturbance.linear': { name: '선속도 외란', help: '무작위 외란의 상한 또는 미끄러짐의 크기입니다.' },
+  'disturbance.angular': { name: '각속도 외란', help: '무작위 외란의 상한 또는 미끄러짐의 크기입니다.' },
   'disturbance.seed': { name: '외란의 시드', help: '시드가 같으면 외란도 같습니다.' },
   'evolution.population': { name: '개체군 크기', help: '세대마다 살아남는 로봇의 수입니다.' },
   'evolution.opponents': {
@@ -101,9 +101,9 @@ export const settings = {
   'evolution.seed': { name: '시드', help: '시드가 같으면 어느 기기에서나 진화가 같습니다.' },
   'evolution.initialRange[0]': {
     name: '초기 이득 하한',
-    help: '첫 이득을 무작위로 뽑는 범위의 시작입니다.',
+    help: '초기 이득을 무작위로 뽑는 범위의 시작입니다.',
   },
-  'evolution.initialRange[1]': { name: '초기 이득 상한', help: '첫 이득을 무작위로 뽑는 범위의 끝입니다.' },
+  'evolution.initialRange[1]': { name: '초기 이득 상한', help: '초기 이득을 무작위로 뽑는 범위의 끝입니다.' },
   'evolution.initialSigma': {
     name: '초기 σ',
     help: '첫 자손이 부모에게서 벗어나는 폭입니다. 그 뒤로는 진화가 스스로 조절합니다.',
@@ -149,7 +149,7 @@ export const settings = {
 };
 
 /** What the core says, with the names on screen; some of its paths have no row. */
-export const named = namer({ ...settings, 'evolution.initialRange': { name: '첫 이득의 하한과 상한' } });
+export const named = namer({ ...settings, 'evolution.initialRange': { name: '초기 이득의 하한과 상한' } });
 
 export const noLimit = '제한 없음';
 

@@ -1,5 +1,5 @@
 // The step “cost” in English.
-import { costText, fixed } from '../../../words/numbers.js';
+import { costText, fixed } from '../../../words/en/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 
@@ -11,7 +11,6 @@ export const cost = {
     ky: `And {ky}? With our weights and from the paper’s start, {kx} = 3 and {kt} = 5 cost {=none} if {ky} is 0, {=one} if it is 1, {=eight} if it is 8. Nothing there needs it, as step 3 showed: it only costs. J counts this one drive and no other. Keep that in mind.`,
     next: `So evolution gets one number to bring down. That is all it ever learns of the robot. How does it search?`,
   },
-  otherWeights: 'The other weights',
   standings: {
     caption: 'Drives and what they cost with these weights',
     gentle: 'Gentle',

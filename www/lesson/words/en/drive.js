@@ -1,5 +1,5 @@
 // The step “drive” in English.
-import { costText, fixed } from '../../../words/numbers.js';
+import { costText, fixed } from '../../../words/en/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 

@@ -1,5 +1,5 @@
 // The step “generation” in English.
-import { costText } from '../../../words/numbers.js';
+import { costText } from '../../../words/en/numbers.js';
 
 /** @typedef {{ stays: boolean, cost: number, wins: number, place: number }} Fate */
 

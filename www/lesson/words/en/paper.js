@@ -1,5 +1,5 @@
 // The step “paper” in English.
-import { costText } from '../../../words/numbers.js';
+import { costText } from '../../../words/en/numbers.js';
 
 export const paper = {
   texts: {

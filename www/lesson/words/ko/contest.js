@@ -32,7 +32,7 @@ export const contest = {
     ellipse: `유명한 방법이 왜 졌을까요? [비용 지형에서 열어 보십시오](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55). 타원은 이 방법이 새 로봇을 뽑는 분포입니다. 거의 한 점으로 줄었는데, 그 점이 가장 낮은 곳은 아닙니다. 한 세대에 일곱 번 시험하고 그중 셋을 믿는 것은, 이득이 셋이고 땅이 매끄러울 때 그 방법을 만든 이들이 권하는 수입니다. 여기는 잔물결이 있고, {ky} = 0을 넘으면 벌점을 치르는 벼랑에서 끝납니다.
 
 처방은 있습니다. [0보다 낮은 값을 뒤집거나](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=55), 결정하기 전에 [스무 번 시험하게](landscape&x=kx&y=ky&evolution.method=cma-es&generation=19) 합니다. 어느 쪽이 더 나을까요? 아래 “해 볼 것”의 마지막에서 겨루게 할 수 있습니다. 그러면 진 것은 방법일까요, 그것을 설정한 사람일까요?`,
-    next: `과제 하나, 출발점 하나, 이득 셋입니다. 여기서 이긴 방법이 다른 데서도 이기라는 법은 없습니다. 겨루기는 비용이 요구하는 것을 얼마나 *빨리* 찾는지를 셉니다. 비용이 옳은 것을 요구하는지는 어떤 겨루기도 말해 주지 않습니다.`,
+    next: `문제 하나, 출발점 하나, 이득 셋입니다. 여기서 이긴 방법이 다른 데서도 이기라는 법은 없습니다. 겨루기는 비용이 요구하는 것을 얼마나 *빨리* 찾는지를 셉니다. 비용이 옳은 것을 요구하는지는 어떤 겨루기도 말해 주지 않습니다.`,
   },
   quizzes: {
     tournament: {

@@ -1,5 +1,5 @@
 // The step “cost” in Korean.
-import { costText, fixed } from '../../../words/numbers.js';
+import { costText, fixed } from '../../../words/ko/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 
@@ -11,7 +11,6 @@ export const cost = {
     ky: `{ky}는 어떨까요? 이 페이지의 가중치로 논문의 출발점에서 {kx} = 3, {kt} = 5로 달리면 J는 {ky}가 0일 때 {=none}, 1일 때 {=one}, 8일 때 {=eight}입니다. 3단계에서 보았듯이 거기서는 {ky}가 필요 없으므로, 쓰는 만큼 비용만 늘어납니다. J는 이 주행 하나만 계산합니다. 이 점을 기억해 두십시오.`,
     next: `이렇게 진화는 낮추어야 할 수 하나를 받습니다. 로봇에 대해 아는 것은 그것뿐입니다. 그것만으로 어떻게 찾을까요?`,
   },
-  otherWeights: '나머지 가중치',
   standings: {
     caption: '지금의 가중치로 계산한 주행들의 비용',
     gentle: '느긋하게',

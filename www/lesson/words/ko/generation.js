@@ -1,5 +1,5 @@
 // The step “generation” in Korean.
-import { costText } from '../../../words/numbers.js';
+import { costText } from '../../../words/ko/numbers.js';
 
 /** @typedef {{ stays: boolean, cost: number, wins: number, place: number }} Fate */
 

@@ -1,5 +1,5 @@
 // The step “limits” in Korean.
-import { costText, fixed } from '../../../words/numbers.js';
+import { costText, fixed } from '../../../words/ko/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {{ run: Run, rises: number }} Driven */

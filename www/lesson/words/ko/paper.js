@@ -1,5 +1,5 @@
 // The step “paper” in Korean.
-import { costText } from '../../../words/numbers.js';
+import { costText } from '../../../words/ko/numbers.js';
 
 export const paper = {
   texts: {
@@ -24,7 +24,7 @@ export const paper = {
       '주차했다고 누가 말할 수 있는가? {v}도 0.05 m/s 이하여야 할 때 그림 6(a)의 이득: {v}와 거리에 주목',
     horizon: '도착할 때까지가 아니라 언제나 3초 동안 달리게 하고 다시 진화시키기',
     shortCheap: '같은 3초에 에너지는 10분의 1: {R} = 0.1, 0.1. 이제 {kx}는 어디에 있는가?',
-    weights: '에너지를 두 배로 셈하기: J는 커지고 주행은 그대로',
+    weights: '에너지를 두 배로 계산하기: J는 커지고 주행은 그대로',
     figure7: '그림 7의 임의 이득: 방향각 θ에 주목',
   },
   notice: [

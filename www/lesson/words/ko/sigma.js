@@ -1,5 +1,5 @@
 // The step “sigma” in Korean.
-import { costText, fixed } from '../../../words/numbers.js';
+import { costText, fixed } from '../../../words/ko/numbers.js';
 
 /** @import { Ancestor } from '../../lineage.js' */
 import { gainText, sigmaText } from '../../../parts/generation/words/common.js';

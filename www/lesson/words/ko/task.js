@@ -15,7 +15,7 @@ export const task = {
     asked: `왜 이렇게 작을까요? 진화가 받은 단 하나의 출발점은 목표의 정확히 뒤쪽, 곧 목표 방향의 연장선 위에 있습니다. 거기서 {ye}는 {=ye} m입니다. 이 주행에서 {ky}는 할 일이 거의 없고 비용만 듭니다. 그래서 진화가 없앴습니다. 진화가 실수한 것이 아닙니다. 우리가 요구한 것은 주행 *하나*였고, 진화는 그 주행의 비용을 낮추었습니다. 요구받은 것에만 꼭 맞아 다른 곳에서 실패하는 것을 *과적합(overfitting)*, 요구받지 않은 곳에서도 잘하는 것을 *일반화(generalisation)*라고 합니다.
 
 *최적화는 우리가 뜻한 것이 아니라 비용이 요구하는 것을 내놓습니다.*`,
-    many: `그러니 더 많은 것을 요구해 봅시다. {J}를 *여러 출발점의 평균*으로 바꾸어 다시 진화시킵니다. [학습](training&generation=100)에서 *“세 가지 모두 진화”*를 누르십시오. 출발점 하나로, 원 위의 32개로, 격자의 36개로 진화시킨 다음, 셋 모두 한 번도 보지 못한 출발점 1000개로 시험합니다.`,
+    many: `그러니 더 많은 것을 요구해 봅시다. {J}를 *여러 출발점의 평균*으로 바꾸어 다시 진화시킵니다. [학습](training&generation=100)에서 *“세 가지 모두 진화”*를 누르십시오. 출발점 하나로, 원 위의 32개로, 격자의 36개로 진화시킨 다음, 셋 모두 한 번도 보지 못한 출발점 1,000개로 시험합니다.`,
     half: `나아졌지만 처음 보는 출발점의 절반에 그칩니다. 출발점만 늘려서는 해결되지 않으니, 비용이 *무엇을 요구하는지* 봅시다. 주차 자리 옆에서 출발한 로봇은 돌아서, 달리고, 다시 돌아야 합니다. 회전은 에너지이고, {Rw} = 1에서는 그 비용이 커서 주차하는 로봇보다 근처에 멈춰 기다리는 로봇의 비용이 더 낮습니다. (6단계에서 그런 로봇을 보았습니다.) 회전의 비용은 이 페이지가 정한 값입니다. 바로 여기 있습니다. *10분의 1로*, 곧 1 대신 0.1로 바꾸십시오.`,
     whole: `이제 *“세 가지 모두 진화”*를 직접 누르고, 표의 출발점을 아무것이나 눌러 지켜보십시오. 로봇도, 법칙도, 출발점도, 진화도 그대로입니다. *요구한 것이 바뀌었습니다.* 9단계에서 겨룬 문제가 바로 이것입니다.`,
     next: `로봇에만 해당하는 이야기가 아닙니다. 비용이 *요구하지 않는 것*을 살펴보십시오. 이 페이지의 비용은 바닥이 미는 경우를 한 번도 다루지 않았습니다.`,
@@ -38,7 +38,7 @@ export const task = {
     },
     turning: {
       question:
-        '회전의 비용을 10분의 1로 하고 같은 출발점 32개로 다시 진화시킵니다. 처음 보는 출발점 1000개 가운데 몇 곳에서 주차합니까?',
+        '회전의 비용을 10분의 1로 하고 같은 출발점 32개로 다시 진화시킵니다. 처음 보는 출발점 1,000개 가운데 몇 곳에서 주차합니까?',
       choices: [
         '더 적은 곳에서. 회전의 비용이 작으면 도느라 시간을 보낸다',
         '절반보다 조금 많은 곳에서',
@@ -46,20 +46,20 @@ export const task = {
       ],
       /** @param {{ before: Result, after: Result }} outcome */
       why: ({ before, after }) =>
-        `${after.unseen.starts.length}개 가운데 ${before.unseen.count}개 → ${after.unseen.count}개입니다. 이득은 ${gainsText(before.gains)} → ${gainsText(after.gains)}입니다.`,
+        `${grouped(after.unseen.starts.length)}개 가운데 ${grouped(before.unseen.count)}개 → ${grouped(after.unseen.count)}개입니다. 이득은 ${gainsText(before.gains)} → ${gainsText(after.gains)}입니다.`,
     },
     price: {
       question: '출발점 하나 대신 32개로 진화시키면, 논문의 그 출발점에서 {J}는 어떻게 됩니까?',
       choices: ['낮아진다. 연습이 많으면 어디서나 좋아진다', '그대로이다', '높아진다'],
       /** @param {{ one: Result, many: Result }} outcome */
       why: ({ one, many }) =>
-        `J ${costText(one.own)} → ${costText(many.own)}. 그 대신 한 번도 보지 못한 출발점 ${many.unseen.starts.length}개 가운데 도착하는 곳이 ${one.unseen.count}개 → ${many.unseen.count}개입니다. ky는 ${fixed(one.gains[1], 4)} → ${fixed(many.gains[1], 2)}입니다. 요구하니 되살아났습니다. *“세 가지 모두 진화”*를 누르면 셋 다 볼 수 있습니다.`,
+        `J ${costText(one.own)} → ${costText(many.own)}. 그 대신 한 번도 보지 못한 출발점 ${grouped(many.unseen.starts.length)}개 가운데 도착하는 곳이 ${grouped(one.unseen.count)}개 → ${grouped(many.unseen.count)}개입니다. ky는 ${fixed(one.gains[1], 4)} → ${fixed(many.gains[1], 2)}입니다. 요구하니 되살아났습니다. *“세 가지 모두 진화”*를 누르면 셋 다 볼 수 있습니다.`,
     },
   },
   tries: {
     beside: '실패하는 출발점: 어디에서 끝나는가',
     withKy: '같은 출발점, {ky} = 10',
-    training: '“세 가지 모두 진화” 누르기: 출발점 1개, 32개, 36개, 시험은 다른 1000개',
+    training: '“세 가지 모두 진화” 누르기: 출발점 1개, 32개, 36개, 시험은 다른 1,000개',
     cheap: '시드 3으로 다시 진화: 격자의 결과에 주목',
     both: '주행의 비용도 10분의 1로: {R} = 0.1, 0.1. 그래도 모두 주차하는가?',
   },

@@ -1,6 +1,6 @@
 // Of the curves, what is the same in every language.
 /** @import { Run } from '../../../core/engine.js' */
-import { costText, fixed, threeDigits } from '../../../words/numbers.js';
+import { costText, fixed, powerText, threeDigits } from '../../../words/numbers.js';
 
 export const symbols = /** @type {const} */ ({
   position: ['x', 'y'],
@@ -17,8 +17,7 @@ export const tickText = (name, number) => `${number.replace('-', '−')}${name =
 export const seconds = (number) => `${number} s`;
 
 /** A number that keeps its width as long as it can. @param {number} value @param {number} digits */
-const steady = (value, digits) =>
-  Math.abs(value) < 1e5 ? fixed(value, digits) : value.toExponential(1).replace('-', '−');
+const steady = (value, digits) => (Math.abs(value) < 1e5 ? fixed(value, digits) : powerText(value, 2));
 
 /** What is read at the cursor. @type {readonly { id: string, symbol: string, className: string, unit: string, text: (run: Run, i: number, paid: number) => string }[]} */
 export const readings = [

@@ -1,6 +1,6 @@
 // Of the disturbance part, what is the same in every language.
 /** @import { PartName } from '../summary.js' */
-import { fixed } from '../../../words/numbers.js';
+import { fixed, powerText } from '../../../words/numbers.js';
 
 export const parts = /** @type {const} */ (['x', 'y', 'theta']);
 export const unitOf = /** @type {const} */ ({ x: 'm', y: 'm', theta: '' });
@@ -32,7 +32,7 @@ export const formulaText = (part) => formulas[part].map((piece, i) => (i % 2 ? '
 export function sizeText(value) {
   if (!Number.isFinite(value)) return '∞';
   if (value < 100) return fixed(value, 3);
-  return value < 1e5 ? fixed(value, 0) : value.toExponential(0).replace('e+', 'e');
+  return value < 1e5 ? fixed(value, 0) : powerText(value, 1);
 }
 
 /** @param {PartName} part @param {number} value */

@@ -41,7 +41,7 @@ export const failed = (message) => `마지막으로 계산된 결과입니다: $
 /** @param {number} starts */
 export const startsText = (starts) => `다른 출발점 ${starts}개`;
 /** @param {number} seconds */
-export const lastText = (seconds) => `끝 ${fixed(seconds, 0)}초`;
+export const lastText = (seconds) => `마지막 ${fixed(seconds, 0)} s`;
 /** @param {number} seconds */
 export const captionText = (seconds) => `마지막 ${fixed(seconds, 0)}초의 최댓값. 회색: 외란 없음`;
 

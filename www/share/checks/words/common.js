@@ -6,7 +6,7 @@ import { powerText } from '../../../words/numbers.js';
 function valueText(value, tolerance) {
   if (typeof value === 'string') return value;
   if (!Number.isFinite(value)) return String(value);
-  if (value !== 0 && Math.abs(value) < 1e-5) return powerText(value, 2).replace(/^1·/, '');
+  if (value !== 0 && Math.abs(value) < 1e-5) return powerText(value, 2).replace(/^1×/, '');
   const digits = tolerance > 0 ? 1 - Math.round(Math.log10(tolerance)) : 7;
   return String(Number(value.toPrecision(Math.min(digits, 15)))).replace('-', '−');
 }

@@ -1,6 +1,6 @@
 // Of the Lyapunov function, what is the same in every language.
 /** @import { Experiment } from '../../../../core/engine.js' */
-import { fixed, powerOfTen, threeDigits } from '../../../../words/numbers.js';
+import { fixed, powerOfTen, powerText, threeDigits } from '../../../../words/numbers.js';
 
 /** @typedef {'lyapunov' | 'rate' | 'promised' | 'x' | 'y' | 'theta'} Term */
 
@@ -51,9 +51,7 @@ export function amount(value) {
   if (Number.isNaN(value)) return '–';
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
   const size = Math.abs(value);
-  return size === 0 || (size >= 1e-3 && size < 1e5)
-    ? threeDigits(value)
-    : value.toExponential(2).replaceAll('-', '−');
+  return size === 0 || (size >= 1e-3 && size < 1e5) ? threeDigits(value) : powerText(value);
 }
 
 /** @param {number} value @param {boolean} isLog */
@@ -62,7 +60,7 @@ export const tickText = (value, isLog) => {
   const exponent = Math.round(Math.log10(size));
   if (isLog && Math.abs(value / 10 ** exponent - 1) < 1e-9) return powerOfTen(exponent);
   if (size === 0 || (size >= 1e-3 && size < 1e5)) return threeDigits(value);
-  return value.toExponential().replace('e+', 'e').replaceAll('-', '−');
+  return powerText(value);
 };
 
 /** @param {number} radians */
