@@ -13,7 +13,7 @@ import {
 import { create } from '../kit/elements.js';
 import { strongFont } from '../kit/fonts.js';
 import { colour } from '../kit/palette.js';
-import { fixed } from '../words/numbers.js';
+import { fixed, powerOfTen } from '../words/numbers.js';
 
 /** @import { Axes, Size } from '../kit/chart.js' */
 /** @import { Run } from '../core/engine.js' */
@@ -78,6 +78,10 @@ export function createAsked(_tools, { asked: words }) {
   };
 }
 
+/** A power of ten with its sign, or 0. @param {number} tick */
+const tickText = (tick) =>
+  tick === 0 ? '0' : `${tick < 0 ? '−' : ''}${powerOfTen(Math.round(Math.log10(Math.abs(tick))))}`;
+
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {Run} run @param {readonly [ArrayLike<number>, ArrayLike<number>]} values @param {string} token @param {string} name @param {Model} model */
 function drawHalf(context, { width, height }, top, run, [asked, done], token, name, { time }) {
   const most = 1.4 * Math.max(2, largest(asked), largest(done));
@@ -92,12 +96,7 @@ function drawHalf(context, { width, height }, top, run, [asked, done], token, na
     x: ticksOn(axes.x, 70),
     y: powers(most).filter((_, i, all) => all.length < 8 || i % 2 === (all.length >> 1) % 2),
   };
-  drawGrid(
-    context,
-    axes,
-    ticks,
-    ticks.y.map((tick) => fixed(tick, 0)),
-  );
+  drawGrid(context, axes, ticks, ticks.y.map(tickText));
   if (top > 0)
     drawNumbersBelow(
       context,

@@ -2,7 +2,7 @@
 import { html, render, svg } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { remember, watch } from '../kit/memo.js';
-import { fixed } from '../words/numbers.js';
+import { fixed, powerText } from '../words/numbers.js';
 
 /** @import { Samples } from '../core/engine.js' */
 /** @import { Block, Live, Tools } from './page.js' */
@@ -72,16 +72,24 @@ export function createBowl(_tools, { bowl: words }) {
           ${levels.map(({ y, rx, ry }) => svgRing(y, rx, ry))}
           <path class="bowl-ahead" d=${ahead} /><path class="bowl-way" d=${behind} />
           <path class="bowl-height" d=${`M${ball.x},${ball.y}H${width - 8}`} />
-          <text class="bowl-text" x=${width - 8} y=${ball.y - 6}>${words.height} ${fixed(sample.lyapunov, 3)}</text>
+          <text class="bowl-text" x=${width - 8} y=${ball.y + (isAside(ball.x) ? 16 : -6)}>${words.height} ${heightText(sample.lyapunov)}</text>
           <circle class="bowl-ball" cx=${ball.x} cy=${ball.y - 7} r="9" />
           <text class="bowl-zero" x=${middle.x} y=${middle.y + 22}>${words.height} 0</text>
-          <text class="bowl-zero" x=${middle.x} y=${ring(1).y - ring(1).ry - 8}>${words.height} ${fixed((most * most) / 2, 2)}</text>
+          <text class="bowl-zero" x=${middle.x} y=${ring(1).y - ring(1).ry - 8}>${words.height} ${rimText((most * most) / 2)}</text>
         </svg>`,
         element,
       );
     },
   };
 }
+
+/** Whether the ball is where its height is written. @param {number} x */
+const isAside = (x) => x > width - 96;
+
+/** With fewer digits where it is large. @param {number} V */
+const heightText = (V) => (V < 100 ? fixed(V, 3) : rimText(V));
+/** @param {number} V */
+const rimText = (V) => (V < 100 ? fixed(V, 2) : V < 1e5 ? fixed(V, 0) : powerText(V));
 
 /** @param {number} y @param {number} rx @param {number} ry */
 const svgRing = (y, rx, ry) => svg`<ellipse class="bowl-ring" cx=${middle.x} cy=${y} rx=${rx} ry=${ry} />`;

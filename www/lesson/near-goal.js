@@ -1,6 +1,7 @@
 // The last centimetres: where a disturbed robot stays, and the strips in which Theorem 2 lets it.
 import { html, render } from 'lit-html';
 import { create } from '../kit/elements.js';
+import { carOutline } from '../lab/car.js';
 import { remember, watch } from '../kit/memo.js';
 import { disturbanceSlice } from '../parts/disturbance/state.js';
 
@@ -15,6 +16,7 @@ const farthest = 6.4;
 const reach = 100;
 
 const arrow = 'M13,0L-9,-8L-4,0L-9,8Z';
+const robotOutline = carOutline(9);
 
 /** @param {Tools} tools @param {NearWords} words @returns {Block} */
 export function createNearGoal({ actions }, { near: words }) {
@@ -54,7 +56,7 @@ export function createNearGoal({ actions }, { near: words }) {
               <path class="near-calm" d=${withoutDisturbance ? calmWayOf(comparison, goal, scale) : ''} />
               <path class="near-path" d=${wayOf(driving, goal, scale)} />
               <path class="near-end" d=${arrow} transform=${placeOf(goal, goal, scale)} />
-              <path class="near-robot" d=${arrow} transform=${placeOf(robot, goal, scale)} />
+              <path class="near-robot" d=${robotOutline} transform=${placeOf(robot, goal, scale)} />
             </svg>
           </div>
           <div class="near-text">

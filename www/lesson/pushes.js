@@ -15,8 +15,8 @@ import { mathml, symbol, symbolInText } from './symbols.js';
 /** @typedef {'linear' | 'angular'} Side */
 /** @typedef {{ label: Node | string, colour: string, term?: string }} Head */
 
-/** How far a bar reaches to each side, m/s and rad/s: the same for every drive, so that drives can be compared. */
-const reach = /** @type {const} */ ({ linear: 8, angular: 16 });
+/** How far a bar reaches to each side, m/s and rad/s, twice the paper's limits: the same for every drive, so that drives can be compared. */
+const reach = /** @type {const} */ ({ linear: 4, angular: 4 * Math.PI });
 
 /** Each term of (5) by its gain, and what the goal's own motion adds to them. @param {Experiment} experiment @param {Triple} gains @param {Sample['error']} error */
 export function pushesOf(experiment, gains, error) {

@@ -9,6 +9,7 @@
 /** @import { RobustnessState } from './state.js' */
 /** @import { MapModel } from './view.js' */
 import './style.css';
+import './places.css';
 import { robustnessSlice } from './state.js';
 import { byIdIn, followSize } from '../../kit/elements.js';
 import { createSection } from '../section.js';

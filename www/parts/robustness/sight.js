@@ -116,6 +116,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
         )}</fieldset>
         <div id="robustness-rose" class="rose" data-picture="robustness" role="slider" tabindex="0"></div>
         <div id="robustness-legend" class="survey-legend" data-picture="robustness"></div>
+        <p class="survey-ring">${words.ring(headings)}</p>
       </div>
     </div>
     <p id="robustness-sides" class="visually-hidden">${shown.sides}</p>

@@ -64,6 +64,8 @@ export const roseLabel = (step) =>
 /** @param {number | null} angle */
 export const headingText = (angle) => (angle === null ? 'all headings' : degrees(angle));
 export const allShort = 'all';
+/** What the ring shows. @param {number} headings */
+export const ring = (headings) => `The ring: ${headings} headings at one place. Empty: it does not arrive.`;
 
 /** @param {Quantity} quantity @param {boolean} all */
 export const legendTitle = (quantity, all) =>
@@ -81,7 +83,7 @@ export const lastTick = (quantity, text, open) =>
 export const never = (all) => (all ? 'none arrives' : 'does not arrive');
 
 export const goal = 'goal';
-export const ownStart = 'own start';
+export const ownStart = 'start of J';
 /** @param {Drive} drive */
 const outcome = ({ arrived, finalTime }) =>
   arrived ? `arrives after ${fixed(finalTime, 2)} s` : `has not arrived after ${fixed(finalTime, 0)} s`;

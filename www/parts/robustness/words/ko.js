@@ -60,6 +60,8 @@ export const roseLabel = (step) =>
 /** @param {number | null} angle */
 export const headingText = (angle) => (angle === null ? '모든 방향각' : degrees(angle));
 export const allShort = '전체';
+/** What the ring shows. @param {number} headings */
+export const ring = (headings) => `고리: 한 곳의 방향각 ${headings}개. 빈칸은 도착하지 못함.`;
 
 /** @param {Quantity} quantity @param {boolean} all */
 export const legendTitle = (quantity, all) =>

@@ -1,0 +1,88 @@
+// What of the figure is in sight beside the words, or over them.
+import assert from 'node:assert/strict';
+import { steps } from '../../../www/lesson/steps.js';
+import { en as english } from '../harness/words.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** @type {any} */
+const en = english.lesson;
+
+/** What one sees of the figure, and where it stands. @param {Page} page */
+const sight = (page) =>
+  page.evaluate(async () => {
+    for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+    const figure = /** @type {HTMLElement} */ (document.querySelector('.figure'));
+    const { top, bottom } = figure.getBoundingClientRect();
+    const shown = ['plane', 'bowl', 'pushes', 'stability-picture', 'gains', 'sights'].filter((id) => {
+      const box = document.getElementById(id)?.getBoundingClientRect();
+      return box && box.height > 20 && box.top >= top - 1 && box.bottom <= bottom + 1;
+    });
+    return { shown, isOnTop: top === 0, share: Math.round((10 * (bottom - top)) / innerHeight) };
+  });
+
+engineTest('where there is no room beside the words, what they speak of stays over them', async (page) => {
+  await page.resize(800, 900);
+  await page.open('#lesson&step=4');
+  const atTheEnd = () =>
+    page.evaluate(() => document.querySelector('.lesson-foot')?.scrollIntoView({ block: 'end' }));
+  await atTheEnd();
+  assert.deepEqual(await sight(page), { shown: ['bowl', 'sights'], isOnTop: true, share: 5 });
+  for (const [name, shown] of /** @type {const} */ ([
+    ['gains', ['plane', 'gains', 'sights']],
+    ['robot', ['plane', 'sights']],
+    ['part', ['stability-picture', 'sights']],
+  ])) {
+    await page.click(`#sights-${name}`);
+    assert.deepEqual((await sight(page)).shown, shown, name);
+  }
+  await page.click('#sights-robot');
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.step-on')).click());
+  await page.until(
+    'the next step, with what it speaks of',
+    (title) =>
+      document.getElementById('lesson-title')?.textContent === title &&
+      /** @type {HTMLInputElement} */ (document.getElementById('sights-stage')).checked,
+    en.titles.limits,
+  );
+  await page.resize(1280, 900);
+  const { shown } = await sight(page);
+  assert.ok(shown.includes('plane') && !shown.includes('sights'), shown.join());
+});
+
+pageTest(
+  'on a laptop every plane of the lesson is 300 pixels high, and the figure fits its window',
+  async (page) => {
+    await page.resize(1440, 900);
+    for (const { name, stage } of steps) {
+      await page.open(`#lesson&step=${name}`);
+      const { bottom, plane, isStaged } = await page.until('the figure is drawn', () => {
+        const heightOf = (/** @type {string} */ one) => {
+          const found = document.querySelector(one);
+          return found?.checkVisibility() ? found.clientHeight : 0;
+        };
+        const figure = document.querySelector('.figure')?.getBoundingClientRect();
+        const part = document.querySelector('.readings > section:not([hidden])');
+        const [robot, picture] = ['.plane', '#stage'].map(heightOf);
+        return (
+          (robot + picture > 0 || part?.checkVisibility()) &&
+          figure && { bottom: figure.bottom, plane: robot, isStaged: picture > 0 }
+        );
+      });
+      assert.ok(bottom <= 900, `${name} ends at ${bottom}`);
+      assert.ok(plane === 0 || plane >= 300, `${name}: ${plane}`);
+      assert.equal(isStaged, stage !== undefined && !stage.after, name);
+    }
+  },
+);
+
+pageTest('on a telephone the bars of the law stand over the robot that they drive', async (page) => {
+  await page.resize(390, 844);
+  await page.open('#lesson&step=law');
+  const { shown } = await sight(page);
+  assert.ok(
+    ['plane', 'pushes'].every((id) => shown.includes(id)),
+    shown.join(),
+  );
+});
