@@ -120,6 +120,23 @@ function measure(work) {
   });
 }
 
+/** What a user feels, as one number each. @param {NonNullable<Awaited<ReturnType<typeof measureCalls>>>} measured */
+function ratios({ calls, other }) {
+  const least = (/** @type {string} */ name) => calls[name].least;
+  const times = (/** @type {number} */ a, /** @type {number} */ b) => `${(a / b).toPrecision(2)} ×`;
+  const plain = 'evaluate, one triple';
+  const beside = other[plain]
+    ? [['the other build, by a task', times(other[plain].least, least(`a task: ${plain}`))]]
+    : [];
+  return [
+    ['a plain evaluation, by a task', times(least(plain), least(`a task: ${plain}`))],
+    ...beside,
+    ['1000 starts read, by driven', times(least('read 1000 starts'), least('drive from 1000 starts'))],
+    ['side by side', times(least('read 1000 starts side by side'), least('drive from 1000 starts'))],
+    ['a sample of a run', `${((least('a task: simulate, 1001 samples') * 1e3) / 1001).toFixed(0)} ns`],
+  ];
+}
+
 /** @param {number[]} values */
 function median(values) {
   return [...values].sort((a, b) => a - b)[values.length >> 1];
@@ -150,7 +167,9 @@ function print() {
     const other = calls.other[name];
     const ratio = other ? `${(other.least / least).toFixed(1).padStart(8)} × the other build` : '';
     console.log(
-      `  ${name.padEnd(38)}${least.toFixed(1).padStart(9)}${median.toFixed(1).padStart(9)} µs${ratio}`,
+      `  ${name.padEnd(58)}${least.toFixed(1).padStart(9)}${median.toFixed(1).padStart(9)} µs${ratio}`,
     );
   }
+  console.log('\nratios of the least times');
+  for (const [name, text] of ratios(calls)) console.log(`  ${name.padEnd(58)}${text.padStart(12)}`);
 }

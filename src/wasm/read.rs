@@ -1,5 +1,7 @@
 //! Reads what JavaScript gives.
 
+use core::cell::Cell;
+
 use js_sys::{Array, ArrayBuffer, Float64Array, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -28,21 +30,33 @@ mod caught {
     }
 }
 
-/// A value of JavaScript; none where its owner throws when it is looked at.
-pub(super) struct Given(Option<JsValue>);
+/// A value of JavaScript.
+pub(super) struct Given {
+    /// None where its owner throws when it is looked at.
+    value: Option<JsValue>,
+    /// Whether all the fields that it may have were seen to be its own: each needs not be asked again.
+    is_whole: Cell<bool>,
+}
 
 impl Given {
     pub(super) fn of(value: JsValue) -> Self {
-        Self(Some(value))
+        Self::seen(Some(value))
+    }
+
+    fn seen(value: Option<JsValue>) -> Self {
+        Self { value, is_whole: Cell::new(false) }
     }
 }
 
 impl Source for Given {
     fn kind(&self) -> Kind {
-        let Some(value) = &self.0 else { return Kind::Unreadable };
-        // Numbers first, for most values are numbers.
+        let Some(value) = &self.value else { return Kind::Unreadable };
+        // What most values are comes first.
         if let Some(number) = value.as_f64() {
             return Kind::Number(number);
+        }
+        if value.is_null() {
+            return Kind::Null;
         }
         if let Some(text) = value.as_string() {
             return Kind::Text(text);
@@ -52,7 +66,6 @@ impl Source for Given {
         }
         match value {
             value if value.is_undefined() => Kind::Missing,
-            value if value.is_null() => Kind::Null,
             value if is_list(value, false) => Kind::List(self.length(false)),
             value => Kind::Other(value.js_typeof().as_string().unwrap_or_default()),
         }
@@ -60,14 +73,12 @@ impl Source for Given {
 
     // Quicker than by its kind.
     fn is_given(&self) -> bool {
-        self.0.as_ref().is_none_or(|value| !value.is_undefined())
+        self.value.as_ref().is_none_or(|value| !value.is_undefined())
     }
 
     fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
-        let Some(value) = self.0.as_ref().filter(|value| value.is_instance_of::<Float64Array>())
-        else {
-            return Ok(None);
-        };
+        let is_column = |value: &&JsValue| value.is_instance_of::<Float64Array>();
+        let Some(value) = self.value.as_ref().filter(is_column) else { return Ok(None) };
         let refused = |_| refused(self, place, "a Float64Array or an array of numbers");
         let copy = caught::Copy::of(value).map_err(refused)?;
         let copy: &Float64Array = copy.unchecked_ref();
@@ -79,27 +90,34 @@ impl Source for Given {
     }
 
     fn length(&self, columns: bool) -> Option<usize> {
-        let list = self.0.as_ref().filter(|value| is_list(value, columns))?;
+        let list = self.value.as_ref().filter(|value| is_list(value, columns))?;
         let length = named("length", |name| Reflect::get(list, name)).ok()?;
         length.as_f64().map(|length| length as usize)
     }
 
     fn element(&self, index: usize) -> Self {
-        Self(self.0.as_ref().and_then(|list| Reflect::get_u32(list, index as u32).ok()))
+        let element = |list| Reflect::get_u32(list, index as u32).ok();
+        Self::seen(self.value.as_ref().and_then(element))
     }
 
     fn keys(&self, known: &[&'static str]) -> Keys {
-        let Some(value) = self.0.as_ref().filter(|value| value.is_object()) else {
+        let Some(value) = self.value.as_ref().filter(|value| value.is_object()) else {
             return Keys::NoObject;
         };
         if is_list(value, true) {
             return Keys::NoObject;
         }
         let Ok(keys) = Reflect::own_keys(value.unchecked_ref()) else { return Keys::Unreadable };
-        // The names are read only where there are more than are known: to read them takes long.
+        // Most objects have all fields, in their order. To read the names, or to ask for each, takes long.
+        let count = keys.length() as usize;
+        let is_next = |(i, name)| named(name, |name| keys.get(i) == *name);
+        if count == known.len() && (0..).zip(known.iter().copied()).all(is_next) {
+            self.is_whole.set(true);
+            return Keys::Known;
+        }
         let own =
             |name: &&'static str| named(name, |name| caught::has_own(value, name)).unwrap_or(false);
-        if known.iter().copied().filter(own).count() == keys.length() as usize {
+        if known.iter().copied().filter(own).count() == count {
             return Keys::Known;
         }
         unknown(&keys, known).map_or(Keys::Known, Keys::Unknown)
@@ -107,12 +125,13 @@ impl Source for Given {
 
     /// Its own field; what it inherits does not count.
     fn field(&self, name: &'static str) -> Self {
-        let Some(value) = &self.0 else { return Self(None) };
-        let field = named(name, |name| match caught::has_own(value, name)? {
-            true => Reflect::get(value, name),
-            false => Ok(JsValue::UNDEFINED),
-        });
-        Self(field.ok())
+        let Some(value) = &self.value else { return Self::seen(None) };
+        let field =
+            named(name, |name| match self.is_whole.get() || caught::has_own(value, name)? {
+                true => Reflect::get(value, name),
+                false => Ok(JsValue::UNDEFINED),
+            });
+        Self::seen(field.ok())
     }
 }
 
