@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Random, assert_close};
+use common::{Random, assert_close, evolved};
 use ep_locomotion::robot::Gains;
 use ep_locomotion::run::{Experiment, MAX_WORK, Preset, Setting};
 use ep_locomotion::search::{
@@ -15,14 +15,6 @@ fn experiment(seed: u32) -> Experiment {
     let mut experiment = Preset::VelocityLimits.experiment();
     experiment.evolution.seed = seed;
     experiment
-}
-
-fn evolved(experiment: Experiment, generations: u32) -> Evolution {
-    let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
-    for _ in 0..generations {
-        evolution.step();
-    }
-    evolution
 }
 
 fn mean(values: &[f64]) -> f64 {

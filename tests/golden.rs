@@ -3,12 +3,11 @@
 
 mod common;
 
-use common::assert_close;
 use common::json::Given;
+use common::{assert_close, evolved};
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Velocity};
 use ep_locomotion::run::{Experiment, Preset, Setting};
 use ep_locomotion::search::GenerationRecord;
-use ep_locomotion::study::Evolution;
 use serde::Deserialize;
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -141,14 +140,6 @@ fn seeded(preset: Preset, seed: u32) -> Experiment {
     let mut experiment = preset.experiment();
     experiment.evolution.seed = seed;
     experiment
-}
-
-fn evolved(experiment: Experiment, generations: u32) -> Evolution {
-    let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
-    for _ in 0..generations {
-        evolution.step();
-    }
-    evolution
 }
 
 /// Three seeds of both presets, and seldom used paths: noise, tracking from several starts, no limits with large turns.

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Random, wild};
+use common::{Random, evolved, wild};
 use ep_locomotion::run::{Experiment, Preset, Setting};
 use ep_locomotion::search::{
     BelowZero, EvolutionSettings, GenerationRecord, Individual, Method, Selection, Step,
@@ -15,14 +15,6 @@ fn searched_by(change: impl Fn(&mut EvolutionSettings)) -> Experiment {
     let mut experiment = Preset::VelocityLimits.experiment();
     change(&mut experiment.evolution);
     experiment
-}
-
-fn evolved(experiment: Experiment, generations: u32) -> Evolution {
-    let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
-    for _ in 0..generations {
-        evolution.step();
-    }
-    evolution
 }
 
 fn records(evolution: &Evolution) -> Vec<GenerationRecord> {

@@ -1,6 +1,8 @@
 //! The tests as WebAssembly: one program, because each takes longer to link than to run. Not tests/panics.rs, which loses the instance.
 #![cfg(target_arch = "wasm32")]
 
+#[path = "behaviour.rs"]
+pub mod behaviour;
 #[path = "bits.rs"]
 pub mod bits;
 #[path = "boundary.rs"]
@@ -19,10 +21,12 @@ pub mod evolution;
 pub mod golden;
 #[path = "hostile.rs"]
 pub mod hostile;
-#[path = "lanes_and_survey.rs"]
-pub mod lanes_and_survey;
-#[path = "motion_and_law.rs"]
-pub mod motion_and_law;
+#[path = "lanes.rs"]
+pub mod lanes;
+#[path = "law.rs"]
+pub mod law;
+#[path = "motion.rs"]
+pub mod motion;
 #[path = "oracle.rs"]
 pub mod oracle;
 #[path = "plans.rs"]
@@ -31,9 +35,15 @@ pub mod plans;
 pub mod properties;
 #[path = "ranges.rs"]
 pub mod ranges;
+#[path = "refusals.rs"]
+pub mod refusals;
 #[path = "remaining.rs"]
 pub mod remaining;
 #[path = "searches.rs"]
 pub mod searches;
 #[path = "stability.rs"]
 pub mod stability;
+#[path = "starts.rs"]
+pub mod starts;
+#[path = "surveys.rs"]
+pub mod surveys;

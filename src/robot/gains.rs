@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 use crate::schema::{
-    Allowed, Fields, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, too_many,
+    Allowed, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, too_many, unranged,
 };
 
 /// The three gains k = (kx, ky, kθ) that evolution looks for. Theorem 1 holds for positive ones.
@@ -127,11 +127,7 @@ impl Plain for Triples {
 
 /// Wherever they stand, they are spoken of as the gains.
 impl Input for Gains {
-    fn fields(_: &str, _: &Allowed, _: &mut Fields) {}
-
-    fn check(&self, _: Place<'_>, _: &Allowed) -> Result<(), InvalidInput> {
-        Ok(())
-    }
+    unranged!();
 
     fn read<S: Source>(
         &mut self,

@@ -25,6 +25,23 @@ pub trait Input: Plain {
     ) -> Result<(), InvalidInput>;
 }
 
+/// What an input has in which no number has a range of its own, and of which no table has a row.
+macro_rules! unranged {
+    () => {
+        fn fields(_: &str, _: &$crate::schema::Allowed, _: &mut $crate::schema::Fields) {}
+
+        fn check(
+            &self,
+            _: $crate::schema::Place<'_>,
+            _: &$crate::schema::Allowed,
+        ) -> Result<(), $crate::schema::InvalidInput> {
+            Ok(())
+        }
+    };
+}
+
+pub(crate) use unranged;
+
 /// Adds the rows of one field of a record.
 #[inline(never)]
 pub(crate) fn field_rows<T: Input>(path: &str, key: &str, allowed: &Allowed, rows: &mut Fields) {
@@ -142,11 +159,7 @@ impl Input for Option<f64> {
 }
 
 impl Input for bool {
-    fn fields(_: &str, _: &Allowed, _: &mut Fields) {}
-
-    fn check(&self, _: Place<'_>, _: &Allowed) -> Result<(), InvalidInput> {
-        Ok(())
-    }
+    unranged!();
 
     fn read<S: Source>(
         &mut self,

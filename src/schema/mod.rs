@@ -33,7 +33,7 @@ pub use source::{Keys, Kind, Source};
 pub use text::Text;
 pub use types::{Declared, Types};
 
-pub(crate) use input::{check_field, field_rows, read_field, read_whole};
+pub(crate) use input::{check_field, field_rows, read_field, read_whole, unranged};
 pub(crate) use record::{record, told};
 pub(crate) use source::{read_object, refused, too_many};
 pub(crate) use words::words;

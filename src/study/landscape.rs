@@ -5,8 +5,8 @@ use super::starts::{MAX_AXIS_COUNT, Range};
 use crate::robot::{Gains, Triples};
 use crate::run::{Cost, Setting, Work};
 use crate::schema::{
-    Allowed, Fields, Input, InvalidInput, Place, Source, read_object, read_whole, record, refused,
-    told, words,
+    Allowed, Input, InvalidInput, Place, Source, read_object, read_whole, record, refused, told,
+    unranged, words,
 };
 
 words! {
@@ -33,11 +33,7 @@ impl Gain {
 
 /// kθ may be written with its letter.
 impl Input for Gain {
-    fn fields(_: &str, _: &Allowed, _: &mut Fields) {}
-
-    fn check(&self, _: Place<'_>, _: &Allowed) -> Result<(), InvalidInput> {
-        Ok(())
-    }
+    unranged!();
 
     fn read<S: Source>(
         &mut self,

@@ -8,7 +8,8 @@ pub mod json;
 use ep_locomotion::robot::{
     Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Limits, Posture, Velocity,
 };
-use ep_locomotion::run::{Experiment, Preset};
+use ep_locomotion::run::{Cost, Experiment, Preset, Setting};
+use ep_locomotion::study::Evolution;
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 
@@ -103,6 +104,15 @@ impl Random {
     }
 }
 
+/// The evolution of an experiment after so many generations.
+pub fn evolved(experiment: Experiment, generations: u32) -> Evolution {
+    let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
+    for _ in 0..generations {
+        evolution.step();
+    }
+    evolution
+}
+
 /// An experiment with numbers of any magnitude that its fields allow.
 pub fn wild(random: &mut Random) -> Experiment {
     let mut within = |low: f64, high: f64| random.hostile().clamp(low, high);
@@ -154,4 +164,10 @@ pub fn wild(random: &mut Random) -> Experiment {
 pub fn assert_close(a: f64, b: f64, tolerance: f64) {
     let scale = a.abs().max(b.abs()).max(1.0);
     assert!((a - b).abs() <= tolerance * scale, "{a} and {b} differ by {:e}", (a - b).abs());
+}
+
+/// A cost as its bits.
+pub fn bits(cost: &Cost) -> [u64; 6] {
+    [cost.total(), cost.time, cost.final_error, cost.path, cost.energy, cost.penalty]
+        .map(f64::to_bits)
 }

@@ -1,0 +1,247 @@
+//! What an experiment may be: every field in its range and its words, and what is refused is refused by name.
+
+mod common;
+
+use common::json::{Given, written};
+use ep_locomotion::robot::{DisturbanceKind, Law, Posture};
+use ep_locomotion::run::{Experiment, Preset, Setting};
+use ep_locomotion::schema::{Fields, Input};
+use serde_json::Value;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_field_refuses_what_is_outside_its_range_by_name() {
+    let valid = Preset::AccelerationLimits.experiment();
+    assert_eq!(valid.validate(), Ok(()));
+    type Setter = fn(&mut Experiment, f64);
+    let set: [(&str, Setter); 22] = [
+        ("starts[0].x", |e, v| e.starts[0].x = v),
+        ("starts[0].y", |e, v| e.starts[0].y = v),
+        ("starts[0].theta", |e, v| e.starts[0].theta = v),
+        ("goal.x", |e, v| e.goal.x = v),
+        ("goal.y", |e, v| e.goal.y = v),
+        ("goal.theta", |e, v| e.goal.theta = v),
+        ("referenceVelocity.linear", |e, v| e.reference_velocity.linear = v),
+        ("referenceVelocity.angular", |e, v| e.reference_velocity.angular = v),
+        ("sampleTime", |e, v| e.sample_time = v),
+        ("horizon", |e, v| e.horizon = v),
+        ("limits.speed", |e, v| e.limits.speed = Some(v)),
+        ("limits.turnRate", |e, v| e.limits.turn_rate = Some(v)),
+        ("limits.acceleration", |e, v| e.limits.acceleration = Some(v)),
+        ("limits.turnAcceleration", |e, v| e.limits.turn_acceleration = Some(v)),
+        ("tolerance.position", |e, v| e.tolerance.position = v),
+        ("tolerance.heading", |e, v| e.tolerance.heading = v),
+        ("tolerance.speed", |e, v| e.tolerance.speed = Some(v)),
+        ("tolerance.turnRate", |e, v| e.tolerance.turn_rate = Some(v)),
+        ("weights.final[1]", |e, v| e.weights.final_error[1] = v),
+        ("weights.velocity[1]", |e, v| e.weights.velocity[1] = v),
+        ("weights.penalty", |e, v| e.weights.penalty = v),
+        ("evolution.initialSigma", |e, v| e.evolution.initial_sigma = v),
+    ];
+    for (field, set) in set {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300] {
+            let mut experiment = valid.clone();
+            set(&mut experiment, value);
+            let message = experiment.validate().expect_err("refused").to_string();
+            assert!(message.starts_with(&format!("{field} must be a number from ")), "{message}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn rules_between_fields_are_told_in_words() {
+    let refused = |change: fn(&mut Experiment)| {
+        let mut experiment = Preset::VelocityLimits.experiment();
+        change(&mut experiment);
+        Setting::new(experiment).expect_err("refused").to_string()
+    };
+    for (change, message) in [
+        (
+            (|e| e.starts.clear()) as fn(&mut Experiment),
+            "starts must be a list of 1 to 10000 postures, but was a list of 0",
+        ),
+        (
+            |e| (e.horizon, e.sample_time) = (1e4, 1e-3),
+            "horizon must be at most 100000 times sampleTime, but was 10000 with sampleTime 0.001",
+        ),
+        (
+            |e| e.evolution.initial_range = [2.0, 1.0],
+            "evolution.initialRange must be [low, high] with low under high, but was [2, 1]",
+        ),
+        (
+            |e| {
+                e.disturbance.kind = DisturbanceKind::Random;
+                e.disturbance.linear = -0.1;
+            },
+            "disturbance.linear must be 0 or more for a random disturbance, but was -0.1",
+        ),
+        (
+            |e| e.evolution.population = 0,
+            "evolution.population must be a whole number from 1 to 2000, but was 0",
+        ),
+        (
+            |e| {
+                e.starts = vec![Posture::default(); 1000];
+                e.evolution.population = 500;
+            },
+            "evolution.population must be at most 400 with 1000 starts and 1000 samples a run, \
+             but was 500",
+        ),
+    ] {
+        assert_eq!(refused(change), message);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_ends_of_every_range_are_allowed_and_nothing_beyond() {
+    for field in Experiment::fields().numbers {
+        let allowed = field.allowed();
+        for value in [field.min, field.max] {
+            assert!(allowed.allows(value), "{} may be {value}", field.path);
+        }
+        for value in [field.min.next_down(), field.max.next_up(), f64::NAN] {
+            assert!(!allowed.allows(value), "{} may not be {value}", field.path);
+        }
+        assert!(field.min < field.max);
+        assert_eq!(allowed.allows(field.min + 0.5), !field.integer, "{}", field.path);
+        let is_limit = field.path.starts_with("limits.")
+            || ["tolerance.speed", "tolerance.turnRate"].contains(&field.path.as_str());
+        assert_eq!(field.nullable, is_limit, "{}", field.path);
+        let null = if field.nullable { ", or null for no limit" } else { "" };
+        let expected = allowed.expected().to_string();
+        assert!(expected.ends_with(null), "{expected}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_word_means_one_value_and_every_value_has_its_word() {
+    fn check<T: Input + Copy + PartialEq + core::fmt::Debug>(
+        path: &str,
+        all: &[T],
+        set: fn(&mut Experiment, T),
+        get: fn(&Experiment) -> T,
+    ) {
+        let fields = Experiment::fields().words;
+        let field = fields.iter().find(|field| field.path == path).expect(path);
+        assert_eq!(field.words.len(), all.len());
+        for (value, word) in all.iter().zip(field.words) {
+            let mut experiment = Preset::VelocityLimits.experiment();
+            set(&mut experiment, *value);
+            let plain = written(&experiment);
+            assert_eq!(
+                plain.pointer(&format!("/{}", path.replace('.', "/"))),
+                Some(&(*word).into())
+            );
+            let mut read = Preset::VelocityLimits.experiment();
+            read.read(&Given(Some(&plain))).expect("a word");
+            assert_eq!(get(&read), *value);
+            assert_eq!(read, experiment);
+        }
+    }
+    check("law", Law::ALL, |e, law| e.law = law, |e| e.law);
+    check(
+        "disturbance.kind",
+        DisturbanceKind::ALL,
+        |e, kind| e.disturbance.kind = kind,
+        |e| e.disturbance.kind,
+    );
+}
+
+/// Nothing of an experiment is written that `fields()` does not tell, and nothing told that is not written.
+#[wasm_bindgen_test(unsupported = test)]
+fn every_field_has_its_row() {
+    fn leaves(path: &str, value: &Value, found: &mut Vec<String>) {
+        match value {
+            Value::Object(fields) => {
+                let dot = if path.is_empty() { "" } else { "." };
+                fields
+                    .iter()
+                    .for_each(|(name, value)| leaves(&format!("{path}{dot}{name}"), value, found));
+            }
+            Value::Array(elements) => leaves(&format!("{path}[]"), &elements[0], found),
+            _ => found.push(path.into()),
+        }
+    }
+    let mut found = Vec::new();
+    leaves("", &written(&Preset::VelocityLimits.experiment()), &mut found);
+    let Fields { numbers, words } = Experiment::fields();
+    let mut told: Vec<String> = numbers.into_iter().map(|field| field.path).collect();
+    told.extend(words.into_iter().map(|field| field.path));
+    found.sort();
+    told.sort();
+    assert_eq!(found, told);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_largest_experiments_are_allowed_and_no_larger() {
+    type Change = fn(&mut Experiment, u32);
+    let check = |change: Change, one_more| {
+        let mut experiment = Preset::VelocityLimits.experiment();
+        change(&mut experiment, one_more);
+        Setting::new(experiment).map(drop).map_err(|error| error.field.clone())
+    };
+    let rules: [(Change, &str); 5] = [
+        (|e, more| e.starts = vec![Posture::default(); 10_000 + more as usize], "starts"),
+        (|e, more| e.horizon = 1000.0 + f64::from(more), "horizon"),
+        (
+            |e, more| {
+                // 4·10⁸ samples in one call.
+                (e.horizon, e.starts) = (1000.0, vec![Posture::default(); 10]);
+                e.evolution.population = 400 + more;
+            },
+            "evolution.population",
+        ),
+        (
+            |e, more| {
+                e.disturbance.kind = DisturbanceKind::Random;
+                e.disturbance.angular = -1e-9 * f64::from(more);
+            },
+            "disturbance.angular",
+        ),
+        (
+            |e, more| e.evolution.initial_range = [1.0, 1.0 + 1e-9 * (1.0 - f64::from(more))],
+            "evolution.initialRange",
+        ),
+    ];
+    for (change, field) in rules {
+        assert_eq!(check(change, 0), Ok(()), "{field}");
+        assert_eq!(check(change, 1), Err(field.to_string()));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn numbers_in_messages_are_written_as_javascript_writes_them() {
+    for (value, written) in [
+        (f64::NAN, "NaN"),
+        (f64::INFINITY, "Infinity"),
+        (f64::NEG_INFINITY, "-Infinity"),
+        (0.0, "0"),
+        (-1.5, "-1.5"),
+        (1e-6, "0.000001"),
+        (1e-7, "1e-7"),
+        (-5e-324, "-5e-324"),
+        (1e20, "100000000000000000000"),
+        (1e21, "1e21"),
+        (-1e300, "-1e300"),
+    ] {
+        let mut experiment = Preset::VelocityLimits.experiment();
+        experiment.horizon = value;
+        let message = experiment.validate().expect_err("refused").to_string();
+        assert_eq!(
+            message,
+            format!("horizon must be a number from 0.00001 to 100000 s, but was {written}")
+        );
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_presets_are_in_every_range() {
+    for preset in [Preset::VelocityLimits, Preset::AccelerationLimits] {
+        assert_eq!(Preset::find(preset.word()), Ok(preset));
+        assert_eq!(preset.experiment().validate(), Ok(()));
+    }
+    assert_eq!(
+        Preset::find("no-limits").expect_err("refused").to_string(),
+        "experiment must be 'velocity-limits' or 'acceleration-limits', but was 'no-limits'"
+    );
+}

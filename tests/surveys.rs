@@ -1,0 +1,206 @@
+//! Landscapes and runs of many seeds: each is what its runs are, and what cannot be is refused by name.
+
+mod common;
+
+use ep_locomotion::robot::{Gains, Posture};
+use ep_locomotion::run::{Preset, Setting};
+use ep_locomotion::study::{
+    Axis, Evolution, Gain, Landscape, Range, StartGrid, on_circle, robustness, seed_runs,
+};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_values_of_an_axis_begin_and_end_where_it_says() {
+    let axis = |from, to, count, log| Axis { gain: Gain::X, from, to, count, log };
+    let values = |axis: Axis| -> Vec<f64> { (0..axis.count).map(|i| axis.value(i)).collect() };
+    assert_eq!(values(axis(1.0, 3.0, 5, false)), [1.0, 1.5, 2.0, 2.5, 3.0]);
+    assert_eq!(values(axis(2.0, -2.0, 3, false)), [2.0, 0.0, -2.0]);
+    assert_eq!(values(axis(5.0, 9.0, 1, false)), [5.0]);
+    for (value, expected) in
+        values(axis(0.01, 100.0, 5, true)).iter().zip([0.01, 0.1, 1.0, 10.0, 100.0])
+    {
+        assert!((value / expected - 1.0).abs() < 1e-14);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_cell_of_a_landscape_is_the_cost_of_its_gains() {
+    let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
+    let landscape = Landscape {
+        x: Axis { gain: Gain::Y, from: 0.0, to: 1.0, count: 3, log: false },
+        y: Axis { gain: Gain::Theta, from: 1.0, to: 9.0, count: 5, log: true },
+        gains: Gains::new(3.5, 77.0, 77.0),
+    };
+    let costs = landscape.costs(&setting, [0, 5]).expect("valid");
+    let expected: Vec<f64> = (0..5)
+        .flat_map(|row| (0..3).map(move |column| (row, column)))
+        .map(|(row, column)| {
+            let k = Gains::new(3.5, landscape.x.value(column), landscape.y.value(row));
+            setting.cost(&k).total()
+        })
+        .collect();
+    assert_eq!(costs, expected);
+    let rows = [[0, 2], [2, 2], [2, 5]].map(|rows| landscape.costs(&setting, rows).expect("valid"));
+    assert_eq!(rows.concat(), costs);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_wrong_landscape_is_refused_by_name() {
+    let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
+    let good = Landscape {
+        x: Axis { gain: Gain::X, from: 1.0, to: 9.0, count: 4, log: false },
+        y: Axis { gain: Gain::Y, from: 1.0, to: 9.0, count: 4, log: false },
+        gains: Gains::new(1.0, 1.0, 1.0),
+    };
+    let refused = |change: fn(&mut Landscape), rows| {
+        let mut landscape = good;
+        change(&mut landscape);
+        landscape.costs(&setting, rows).expect_err("refused").to_string()
+    };
+    for (change, rows, message) in [
+        (
+            (|l| l.x.from = f64::NAN) as fn(&mut Landscape),
+            [0, 4],
+            "x.from must be a finite number, but was NaN",
+        ),
+        (
+            |l| (l.y.to, l.y.log) = (0.0, true),
+            [0, 4],
+            "y.to must be a number over 0 on a log axis, but was 0",
+        ),
+        (|l| l.x.count = 0, [0, 4], "x.count must be a whole number from 1 to 1024, but was 0"),
+        (
+            |l| l.y.gain = Gain::X,
+            [0, 4],
+            "y.gain must be another gain than x.gain, but was x on both",
+        ),
+        (|_| (), [3, 2], "rows must be [first, end] with 0 ≤ first ≤ end ≤ 4, but was [3, 2]"),
+        (|_| (), [0, 5], "rows must be [first, end] with 0 ≤ first ≤ end ≤ 4, but was [0, 5]"),
+    ] {
+        assert_eq!(refused(change, rows), message);
+    }
+    let mut long = Preset::VelocityLimits.experiment();
+    (long.horizon, long.starts) = (1000.0, vec![long.goal; 10]);
+    let long = Setting::new(long).expect("valid");
+    assert_eq!(
+        long.evaluate(&[Gains::new(1.0, 1.0, 1.0); 401]).expect_err("refused").to_string(),
+        "the number of gain triples must be at most 400 with 10 starts and 100000 samples a run, \
+         but was 401"
+    );
+    let wide = Landscape { x: Axis { count: 401, ..good.x }, ..good };
+    assert_eq!(
+        wide.costs(&long, [1, 2]).expect_err("refused").to_string(),
+        "the number of cells must be at most 400 with 10 starts and 100000 samples a run, \
+         but was 401"
+    );
+}
+
+const GRID: StartGrid = StartGrid {
+    x: Range { from: -1.0, to: 3.0, count: 5 },
+    y: Range { from: 0.0, to: 4.0, count: 3 },
+    headings: 4,
+};
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_run_of_a_seed_is_that_of_its_evolution_beside_random_search() {
+    let experiment = Preset::VelocityLimits.experiment();
+    let runs =
+        seed_runs(&Setting::new(experiment.clone()).expect("valid"), [3, 6], 12).expect("valid");
+    assert_eq!(runs.len(), 3);
+    for (seed, run) in (3..).zip(&runs) {
+        let mut own = experiment.clone();
+        own.evolution.seed = seed;
+        let mut evolution = Evolution::new(Setting::new(own).expect("valid"));
+        let mut best = vec![evolution.newest().best.cost];
+        (0..12).for_each(|_| best.push(evolution.step().best.cost));
+        assert_eq!(run.best.0, best);
+        assert_eq!(run.champion, evolution.newest().best);
+        assert_eq!((run.random.len(), run.random[0]), (13, best[0]));
+        assert!(run.random.is_sorted_by(|a, b| a >= b), "random search keeps its best");
+    }
+    assert_ne!(runs[0].random, runs[1].random);
+    assert_eq!(
+        seed_runs(&Setting::new(experiment.clone()).expect("valid"), [4, 5], 12).expect("valid")[0],
+        runs[1]
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn wrong_surveys_are_refused_by_name() {
+    let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
+    let k = Gains::new(1.0, 1.0, 1.0);
+    let grid = |change: fn(&mut StartGrid)| {
+        let mut grid = GRID;
+        change(&mut grid);
+        robustness(&setting, k, &grid, [0, 1]).expect_err("refused").to_string()
+    };
+    assert_eq!(
+        grid(|grid| grid.x.to = 1e9),
+        "x.to must be a number from -1000 to 1000 m, but was 1000000000"
+    );
+    assert_eq!(grid(|grid| grid.y.from = f64::NAN), "y.from must be a finite number, but was NaN");
+    assert_eq!(
+        grid(|grid| grid.headings = 0),
+        "headings must be a whole number from 1 to 1024, but was 0"
+    );
+    assert_eq!(
+        robustness(&setting, k, &GRID, [3, 61]).expect_err("refused").to_string(),
+        "part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [3, 61]"
+    );
+    let large = StartGrid {
+        x: Range { count: 1000, ..GRID.x },
+        y: Range { count: 1000, ..GRID.y },
+        ..GRID
+    };
+    // However many starts the experiment has.
+    let mut several = setting.experiment().clone();
+    several.starts = vec![Posture::default(); 7];
+    let several = Setting::new(several).expect("valid");
+    assert_eq!(
+        robustness(&several, k, &large, [0, 400_001]).expect_err("refused").to_string(),
+        "the number of starts must be at most 400000 with 1 starts and 1000 samples a run, \
+         but was 400001"
+    );
+    assert_eq!(
+        seed_runs(&setting, [0, 1000], 200).expect_err("refused").to_string(),
+        "the number of drives must be at most 400000 with 1 starts and 1000 samples a run, \
+         but was 8040000"
+    );
+    assert_eq!(
+        on_circle(Posture::default(), -1e4, 3, 1).expect_err("refused").to_string(),
+        "radius must be a number from -1000 to 1000 m, but was -10000"
+    );
+    assert_eq!(
+        on_circle(Posture::default(), 1.0, 0, 1).expect_err("refused").to_string(),
+        "count must be a whole number from 1 to 10000, but was 0"
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_largest_surveys_are_allowed_and_no_larger() {
+    let circle = |x, count| on_circle(Posture { x, ..Posture::default() }, 1000.0, count, 1);
+    assert_eq!(circle(-1000.0, 10_000).expect("valid").len(), 10_000);
+    assert!(circle(-1000.1, 1).is_err() && circle(0.0, 10_001).is_err());
+
+    // Of a run with 1000 samples, 400,000 are allowed; a robot at its goal needs none.
+    let mut resting = Preset::VelocityLimits.experiment();
+    resting.starts = vec![resting.goal];
+    let setting = Setting::new(resting.clone()).expect("valid");
+    let gains = vec![Gains::new(1.0, 1.0, 1.0); 400_001];
+    assert_eq!(setting.evaluate(&gains[1..]).expect("valid").len(), 400_000);
+    assert!(setting.evaluate(&gains).is_err());
+    resting.evolution.population = 2;
+    assert_eq!(
+        seed_runs(&Setting::new(resting.clone()).expect("valid"), [1, 1001], 99)
+            .expect("valid")
+            .len(),
+        1000
+    );
+    assert!(seed_runs(&Setting::new(resting.clone()).expect("valid"), [1, 1001], 100).is_err());
+
+    let range = Range { from: -1000.0, to: 1000.0, count: 1024 };
+    let grid = |count, headings| StartGrid { x: Range { count, ..range }, y: range, headings };
+    let rows = |grid| robustness(&setting, gains[0], &grid, [5, 5]).map(|ends| ends.len());
+    assert_eq!(rows(grid(1024, 1024)), Ok(0));
+    assert!(rows(grid(1025, 1)).is_err() && rows(grid(1, 1025)).is_err());
+}
