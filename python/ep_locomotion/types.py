@@ -272,7 +272,8 @@ class Individual(TypedDict):
     #: The gains (kx, ky, kθ).
     gains: Sequence[float]
     #: The strategy parameters: the standard deviation of each gain's mutation. Of other methods than evolutionary
-    #: programming, how far the next step goes in each gain; 0 where a method has no such number.
+    #: programming, how far the next step goes in each gain; 0, or of random search the initial σ, where a method has no
+    #: such number.
     sigmas: Sequence[float]
     #: J, the mean over the start postures; infinite if it is not finite or not yet known.
     cost: float
