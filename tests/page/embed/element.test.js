@@ -1,5 +1,6 @@
 // The element <ep-locomotion> in a page of another host.
 import assert from 'node:assert/strict';
+import { createServer } from 'node:net';
 import { parts } from '../../../www/parts/parts.js';
 import { wantedHeight } from '../../../www/embed/frame.js';
 import * as en from '../../../www/words/en/element.js';
@@ -164,4 +165,37 @@ pageTest('what the author of a page has wrong is said in sight', async (page) =>
     // Who has spoken is not called silent.
     assert.equal(await complaint(page, 'old'), `<ep-locomotion>: ${en.otherVersion(2, 1)}`);
   });
+});
+
+pageTest('of a server that never answers it is said, and no question to it stays open', async (page) => {
+  /** @type {import('node:net').Socket[]} */
+  const held = [];
+  const server = createServer((socket) => held.push(socket));
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
+  const bound = server.address();
+  const silent = `http://127.0.0.1:${typeof bound === 'object' ? bound?.port : ''}/`;
+  const html = `<p></p><script>
+      const usual = setTimeout;
+      // Nobody is to wait until the silence is long enough: here that is as long as a frame may load.
+      setTimeout = (done, longest) => usual(done, longest === 60000 ? 100 : longest);
+    </script>`;
+  try {
+    await inPage(page, html, async () => {
+      // The page has loaded before the frame begins to.
+      const refused = await page.evaluate(async (src) => {
+        const figure = document.createElement('ep-locomotion');
+        Object.assign(figure, { id: 'silent' }).setAttribute('src', src);
+        document.body.append(figure);
+        await customElements.whenDefined('ep-locomotion');
+        return /** @type {any} */ (figure).read().catch((/** @type {Error} */ { message }) => message);
+      }, silent);
+      assert.equal(refused, en.silent(silent));
+      assert.equal(await complaint(page, 'silent'), `<ep-locomotion>: ${en.silent(silent)}`);
+      // So that the page can be left.
+      await page.evaluate(() => document.getElementById('silent')?.remove());
+    });
+  } finally {
+    for (const socket of held) socket.destroy();
+    server.close();
+  }
 });

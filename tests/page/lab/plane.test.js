@@ -273,3 +273,16 @@ engineTest(
     }
   },
 );
+
+pageTest('what is dragged stays where a posture may be, where the plane shows more', async (page) => {
+  await page.open('#lab&v=1&start=995,0,0&goal.x=960&goal.y=0');
+  for (const id of ['start-position', 'goal-position']) {
+    const handle = await page.element(`#${id}`);
+    const x = (await page.evaluate(() => innerWidth)) - 3;
+    await page.driver.actions().move({ origin: handle }).press().move({ x, y: 300, duration: 30 }).perform();
+    await page.driver.actions().release().perform();
+    assert.equal((await read(page))[id === 'start-position' ? 'start' : 'goal'].x, 1000, id);
+  }
+  assert.equal(await page.text('#message'), '');
+  assert.deepEqual(await page.problems(), []);
+});
