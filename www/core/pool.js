@@ -43,13 +43,16 @@
  * @property {() => void} forget Stops to listen for an abort.
  */
 
-/** A worker, and the parts of one task that it has been given, in their order. @typedef {{ worker: WorkerLike, task: Task | null, indices: number[], progress: number }} Hand */
+/** A worker, and the parts of one task that it has been given, in their order. @typedef {{ worker: WorkerLike, task: Task | null, indices: number[], progress: number, silence: ReturnType<typeof setTimeout> }} Hand */
 
 /** A worker has the next short part already when it ends one, for a page that draws may be slow to hear of it. */
 const shortPartsAhead = 2;
 
 /** A worker whose job was aborted has so many milliseconds to answer before it is terminated. */
 const grace = 100;
+
+/** A worker says a word when it begins. One that has not after so many milliseconds is replaced, and the next has twice as long. */
+const longestSilence = 10_000;
 
 /** @param {string} reason */
 const abortError = (reason) => new DOMException(reason, 'AbortError');
@@ -60,6 +63,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   const hands = new Set();
   /** The tasks with parts that no worker has taken, oldest first. @type {Set<Task>} */
   const waiting = new Set();
+  let silence = longestSilence;
 
   /** Gives parts to idle workers while there are both. */
   function assign() {
@@ -92,7 +96,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   function hire() {
     const worker = start();
     /** @type {Hand} */
-    const hand = { worker, task: null, indices: [], progress: 0 };
+    const hand = { worker, task: null, indices: [], progress: 0, silence: setTimeout(giveUp, silence) };
     worker.addEventListener('message', ({ data }) => hear(hand, data));
     worker.addEventListener('error', (event) => {
       event.preventDefault();
@@ -101,6 +105,11 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
     worker.addEventListener('messageerror', () => lose(hand, 'its answer cannot be read'));
     hands.add(hand);
     return hand;
+
+    function giveUp() {
+      silence *= 2;
+      lose(hand, 'it did not begin');
+    }
   }
 
   function start() {
@@ -127,7 +136,9 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
 
   /** @param {Hand} hand @param {Answer} answer */
   function hear(hand, answer) {
+    clearTimeout(hand.silence);
     if ('life' in answer) {
+      if (answer.life === null) return;
       navigator.locks.request(answer.life, () => lose(hand, 'it was ended')).catch(() => {});
       return;
     }
@@ -196,6 +207,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
 
   /** Another is hired in its place when there is work. @param {Hand} hand */
   function dismiss(hand) {
+    clearTimeout(hand.silence);
     hand.worker.terminate();
     hand.task = null;
     hand.indices = [];

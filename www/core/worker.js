@@ -5,7 +5,10 @@ import { createJobs } from './jobs.js';
 
 /** The first message. @typedef {{ core: WebAssembly.Module }} Outfit */
 /** Every other message. @typedef {{ call: keyof Jobs, args: unknown[] }} Part */
-/** To each part one answer, after any number of progresses; at first the name of a lock that is held as long as the worker lives. @typedef {{ life: string } | { progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */
+/** To each part one answer, after any number of progresses; at first, that it has begun, and the name of a lock that is held as long as the worker lives, if it has one. @typedef {{ life: string | null } | { progress: number } | { result: unknown } | { error: string, lost: boolean }} Answer */
+
+/** @param {Answer} message @param {ArrayBuffer[]} [transfer] */
+const send = (message, transfer) => postMessage(message, { transfer });
 
 const jobs = createJobs((progress) => send({ progress }));
 
@@ -18,17 +21,26 @@ addEventListener('messageerror', () => {
   throw new Error('a message to it cannot be read');
 });
 
+/** In milliseconds. A lock of which nobody else knows the name is granted at once, if at all. */
+const longestLock = 1000;
+
 /** A worker that is ended from elsewhere says nothing, but its lock becomes free. Work waits for it, because none is granted while work goes on. */
 const alive = new Promise((resolve) => {
-  // Where there are no locks, or they are forbidden, it works all the same.
-  if (!globalThis.navigator?.locks) return resolve(null);
+  // Where there are no locks, or they are forbidden, or none is granted, it works all the same.
+  const without = () => {
+    send({ life: null });
+    resolve(null);
+  };
+  if (!globalThis.navigator?.locks) return without();
   const life = crypto.randomUUID();
+  const late = setTimeout(without, longestLock);
   const hold = () => {
+    clearTimeout(late);
     send({ life });
     resolve(null);
     return new Promise(() => {});
   };
-  navigator.locks.request(life, hold).catch(resolve);
+  navigator.locks.request(life, hold).catch(without);
 });
 
 /** @param {Part} part */
@@ -44,9 +56,6 @@ function answer({ call, args }) {
     send({ error: lost ? 'A worker was lost: an error in the core' : message, lost });
   }
 }
-
-/** @param {Answer} message @param {ArrayBuffer[]} [transfer] */
-const send = (message, transfer) => postMessage(message, { transfer });
 
 /** The memory of all typed arrays in a result, so that it goes over without a copy. @param {unknown} value @returns {ArrayBuffer[]} */
 function buffersOf(value) {

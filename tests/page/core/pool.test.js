@@ -24,7 +24,7 @@ class Puppet extends EventTarget {
 
   /** @param {Answer} data */
   say(data) {
-    if (!('progress' in data)) this.answered += 1;
+    if (!('progress' in data || 'life' in data)) this.answered += 1;
     this.dispatchEvent(new MessageEvent('message', { data }));
   }
 
@@ -219,6 +219,31 @@ test('a worker that had more than one short part leaves them all to others', asy
   workers[1].finish();
   workers[1].finish();
   assert.deepEqual(await run, [1, 2, 3]);
+});
+
+test('a worker that says no word is replaced, the next one has twice as long, and who has spoken takes its time', async (t) => {
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  const { workers, pool, given } = puppets(2);
+  const run = pool.run(job(1, 2));
+  workers[1].say({ life: null });
+  t.mock.timers.tick(9_999);
+  assert.equal(workers[0].terminated, false);
+  t.mock.timers.tick(1);
+  assert.ok(workers[0].terminated);
+  assert.deepEqual(given(), [[1], [2], [1]]);
+  t.mock.timers.tick(19_999);
+  assert.equal(workers[2].terminated, false);
+  workers[2].finish();
+  t.mock.timers.tick(100_000);
+  assert.deepEqual([workers[1].terminated, workers[2].terminated], [false, false]);
+  workers[1].finish();
+  assert.deepEqual(await run, [1, 2]);
+
+  const silent = pool.run(job(3, 4, 5));
+  for (const worker of workers.slice(1, 3)) worker.crash('out of memory');
+  t.mock.timers.tick(20_000);
+  t.mock.timers.tick(40_000);
+  await assert.rejects(silent, /it did not begin/);
 });
 
 test('a worker that lost its core is replaced, and only its own job fails', async () => {
