@@ -29,6 +29,8 @@ pub mod law;
 pub mod motion;
 #[path = "oracle.rs"]
 pub mod oracle;
+#[path = "outside.rs"]
+pub mod outside;
 #[path = "plans.rs"]
 pub mod plans;
 #[path = "properties.rs"]
