@@ -52,7 +52,8 @@ export async function obstaclesOf(address, selector, contrast) {
     // What is read below names no selector, which takes time to find.
     selectors: false,
     resultTypes: ['violations'],
-    rules: { 'color-contrast': { enabled: contrast } },
+    // What the navigation has scrolled out of sight is no link that skips to something.
+    rules: { 'color-contrast': { enabled: contrast }, 'skip-link': { enabled: false } },
   });
   return violations.map(
     ({ id, help, nodes }) => `${id}: ${help}: ${nodes.map(({ html }) => html).join(' ')}`,
