@@ -145,7 +145,7 @@ const numbersIn = (text) =>
     text
       .replaceAll('−', '-')
       .replaceAll('- ', '-')
-      .match(/-?\d+(\.\d+)?(?![\d.]*·)/g) ?? []
+      .match(/-?\d+(\.\d+)?(?![\d.]*×)/g) ?? []
   ).map(Number);
 
 /** That a printed number is the exact one, rounded. @param {number} printed @param {number} exact @param {string} what */
@@ -193,7 +193,7 @@ pageTest('what each method learns is told, and is what the next generation goes 
   );
   await openAt(page, 'finite-differences', probed, 'survivors');
   for (const [i, [slope]] of (await readDetails(page)).equations.entries())
-    if (!slope.includes('·'))
+    if (!slope.includes('×'))
       same(numbersIn(slope.replace('+', ''))[0], slopes[probed].record.next.slope?.[i] ?? Number.NaN, slope);
 });
 
