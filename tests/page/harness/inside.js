@@ -30,7 +30,8 @@ export async function look(longest, condition, args) {
   const end = performance.now() + longest;
   try {
     for (;;) {
-      const result = await condition(...args);
+      // A page that has just been opened has no element yet, and sees nothing.
+      const result = document.documentElement && (await condition(...args));
       if (result || performance.now() > end) return { result };
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
