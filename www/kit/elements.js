@@ -34,7 +34,8 @@ export function followSize(element, onResize) {
     density = devicePixelRatio;
     onResize(size);
   };
-  new ResizeObserver(measure).observe(element);
+  // In the next frame: what is drawn now might change a size that is being told.
+  new ResizeObserver(() => requestAnimationFrame(measure)).observe(element);
   // Another density of pixels comes without another size.
   addEventListener('resize', () => {
     if (density !== devicePixelRatio) measure();
