@@ -33,7 +33,7 @@ function boxOf({ width, height, data }) {
  * What differs, in words, and before, after and the differences beside each other; null if nothing does.
  * @param {Buffer} before @param {Buffer} after
  */
-export function differenceOf(before, after) {
+function differenceOf(before, after) {
   if (before.equals(after)) return null;
   const [one, other] = [before, after].map((content) => PNG.sync.read(content));
   const width = Math.max(one.width, other.width);

@@ -23,7 +23,7 @@ import words from './words/index.js';
 export const keyOf = (step, name) => `${step.name}.${name}`;
 
 /** Whether a question of the step has been answered. @param {Live['state']} state @param {Step} step @param {string} name */
-export const isAnswered = (state, step, name) =>
+const isAnswered = (state, step, name) =>
   (progressSlice.of(state).answers[keyOf(step, name)]?.right ?? null) !== null;
 
 /** Whether somebody has said what they expect. @param {Live['state']} state @param {Step} step @param {string} name */

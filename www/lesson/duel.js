@@ -23,7 +23,7 @@ import { taskText } from './tally.js';
 export const winners = /** @type {const} */ (['you', 'evolution', 'random', 'both']);
 
 /** With fewer it has hardly begun: so many generations evolution always has. */
-export const fewestGenerations = 20;
+const fewestGenerations = 20;
 /** So far the others go on, or twice as far. */
 const fewestDrives = 1220;
 

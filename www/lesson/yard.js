@@ -9,7 +9,7 @@ import { taskText } from './tally.js';
 const mostKept = 16;
 
 /** The same task from all of its starts. @param {Engine} engine */
-export function createYard(engine) {
+function createYard(engine) {
   const setsOf = createSets(engine);
   /** @type {Map<string, Yard>} */
   const known = new Map();

@@ -83,6 +83,10 @@ const isReady = (frame) =>
     (one) => one.frame === frame && one.data.type === 'ready',
   );
 
+/** @param {Page} page @param {string} link @param {number} width @param {number} height @param {string} [more] */
+export const frameOf = (page, link, width, height, more = 'allow="fullscreen"') =>
+  `<iframe src="${page.site.address}?embed#${link.replaceAll('&', '&amp;')}" width="${width}" height="${height}" style="border: 0" ${more}></iframe>`;
+
 /** All that a frame has said. As text, for one driver changes the last digit of some numbers. @param {Page} page @param {number} frame @returns {Promise<any[]>} */
 export const heardFrom = async (page, frame) =>
   JSON.parse(

@@ -343,7 +343,7 @@ const anyExperiment = fc
   });
 
 /** Every experiment has a link, and comes back from it, alone and pinned. @param {Experiment} one */
-export function checkExperiment(one) {
+function checkExperiment(one) {
   const { opened } = openLink('lab', engine);
   const pinned = { slot: 1, name: 'mine', experiment: one, gains: /** @type {const} */ ([1, 0.1, 5]) };
   const link = linkAgain({ ...opened, experiment: one, pins: [pinned] });

@@ -100,6 +100,17 @@ test('every field of the core, number or word, is read as it is written', () => 
   }
 });
 
+const contest = {
+  view: 'contest',
+  others: ['cauchy', 'de'],
+  seeds: 15,
+  budget: 1000,
+  target: 7.75,
+  reading: 'ends',
+  until: 500,
+  only: 5,
+};
+
 test('every key of a link is read as it is written', () => {
   const written = linkOf(
     {
@@ -136,16 +147,7 @@ test('every key of a link is read as it is written', () => {
         curves: { view: 'stability', scale: 'log' },
         lab: { curve: 'sigmas' },
         landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: 0.25 },
-        luck: {
-          view: 'contest',
-          others: ['cauchy', 'de'],
-          seeds: 15,
-          budget: 1000,
-          target: 7.75,
-          reading: 'ends',
-          until: 500,
-          only: 5,
-        },
+        luck: contest,
         robustness: { quantity: 'time', half: 8, heading: 3 },
       },
     },
@@ -205,16 +207,7 @@ test('every experiment comes back from its link to the bit', () => {
         curves: { view: 'stability', scale: 'log' },
         lab: { curve: 'sigmas' },
         landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
-        luck: {
-          view: 'contest',
-          others: ['cauchy', 'de'],
-          seeds: 15,
-          budget: 1000,
-          target: 7.75,
-          reading: 'ends',
-          until: 500,
-          only: 5,
-        },
+        luck: contest,
         robustness: { quantity: 'time', half: 8, heading: 3 },
       },
     };

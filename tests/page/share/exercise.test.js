@@ -2,80 +2,14 @@
 import assert from 'node:assert/strict';
 import { parts } from '../../../www/parts/parts.js';
 import { sizes, wantedHeight } from '../../../www/embed/frame.js';
-import {
-  firstMaker,
-  groupNames,
-  mostOfTask,
-  noExercise,
-  tidyTask,
-  wayOf,
-  withWay,
-} from '../../../www/run/exercise.js';
-import { groupOf, guarded } from '../../../www/run/guard.js';
-import { withExercise } from '../../../www/link/link.js';
+import { mostOfTask } from '../../../www/run/exercise.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
 import { ask, heardFrom, inHost, within } from '../harness/host.js';
-import { test } from '../harness/once.js';
 import { middleOf, read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
-
-test('a task is one line of text, whatever was written', () => {
-  const rows = [
-    ['  Find gains\n\tthat park \u0000 the robot.\r\n', 'Find gains that park the robot.'],
-    ['safe\u202Egnp.exe\u2066 x\u200F', 'safegnp.exe x'],
-    ['half \ud83e of a robot \udd16', 'half of a robot'],
-    ['<b>bold</b> 🤖 과제', '<b>bold</b> 🤖 과제'],
-    ['\n\u2028 \u00a0', ''],
-  ];
-  for (const [written, shown] of rows) assert.equal(tidyTask(written), shown);
-});
-
-test('each group of controls is free, locked or hidden, and says so in a fixed order', () => {
-  let exercise = withWay(withWay(withWay(noExercise, 'share', 'locked'), 'gains', 'locked'), 'run', 'hidden');
-  assert.deepEqual(exercise, { ...noExercise, locked: ['gains', 'share'], hidden: ['run'] });
-  exercise = withWay(withWay(exercise, 'gains', 'hidden'), 'share', 'free');
-  assert.deepEqual(exercise, { ...noExercise, hidden: ['gains', 'run'] });
-  assert.equal(wayOf({ ...noExercise, locked: ['run'], hidden: ['run'] }, 'run'), 'hidden');
-  assert.equal(
-    withExercise('lab&v=1&lesson=2', { ...exercise, task: 'a & b' }),
-    'lab&v=1&lesson=2&hide=gains,run&task=a%20%26%20b',
-  );
-  assert.equal(withExercise('lab', noExercise), 'lab');
-});
-
-test('what is locked or hidden does nothing, whichever control asks for it; what is free goes on', () => {
-  /** Each action with the group that it obeys; of what drives, the paper's gains are a group of their own. @type {[name: string, owners: string[], ...given: unknown[]][]} */
-  const asked = [
-    .../** @type {[string, string][]} */ (Object.entries(groupOf)).map(
-      ([name, owner]) => /** @type {[string, string[]]} */ ([name, [owner]]),
-    ),
-    ['chooseDriver', ['drives'], 'evolved'],
-    ['chooseDriver', ['drives', 'paper'], 'paper-ep'],
-    ['chooseDriver', ['drives', 'paper'], 'paper-arbitrary'],
-  ];
-  let done = 0;
-  const actions = Object.fromEntries(asked.map(([name]) => [name, () => (done += 1)]));
-  for (const group of groupNames)
-    for (const way of /** @type {const} */ (['locked', 'hidden', 'free'])) {
-      const exercise = withWay(noExercise, group, way);
-      const controls = /** @type {Record<string, (...given: any[]) => unknown>} */ (
-        /** @type {unknown} */ (
-          guarded(
-            /** @type {any} */ (actions),
-            /** @type {any} */ ({ get: () => ({ exercise, maker: firstMaker }) }),
-          )
-        )
-      );
-      for (const [name, owners, ...given] of asked) {
-        done = 0;
-        controls[name](...given);
-        assert.equal(done, owners.includes(group) && way !== 'free' ? 0 : 1, `${way} ${group}: ${name}`);
-      }
-    }
-});
 
 pageTest('a locked clock stands still, also for who moves over the curves', async (page) => {
   for (const view of ['time', 'stability'])

@@ -6,6 +6,7 @@ import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { within } from '../harness/host.js';
 import { ko, latinWord, sameInBoth } from '../harness/words.js';
 import { checked, read } from '../harness/reading.js';
+import { overflowing } from './overflowing.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -218,84 +219,6 @@ engineTest(
     await loaded(page, 'ko');
   },
 );
-
-/** At each of these sizes: makes every text on the page 40 % longer, and says what then finds no place. @param {Page} page @param {string} where */
-const overflowing = (page, where) =>
-  page.evaluate(
-    async (place, sizes) => {
-      for (const details of document.querySelectorAll('details')) details.open = true;
-      /** What is longer already, and what it then says. */
-      const own = /** @type {{ longer?: WeakMap<Node, string | null> }} */ (/** @type {unknown} */ (window));
-      own.longer ??= new WeakMap();
-      /** @type {string[]} */
-      const problems = [];
-      // Beginning with the size that it has.
-      const order = sizes[0][0] === innerWidth ? sizes : [...sizes].reverse();
-      for (const [width, height] of order) {
-        Object.assign(/** @type {object} */ (frameElement), { width, height });
-        // The page learns its size, then draws for it.
-        for (let i = 0; i < 3; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
-        lengthen(own.longer);
-        // Pictures follow the new size within some frames.
-        for (let i = 0; i < 30 && [...whatHasNoPlace(width)].length > 0; i += 1)
-          await new Promise((resolve) => requestAnimationFrame(resolve));
-        for (const problem of whatHasNoPlace(width))
-          problems.push(`${place} at ${width} × ${height}: ${problem}`);
-      }
-      return problems;
-
-      /** @param {WeakMap<Node, string | null>} longer */
-      function lengthen(longer) {
-        const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-        while (walker.nextNode()) {
-          const node = walker.currentNode;
-          if (longer.get(node) === node.nodeValue) continue;
-          const text = (node.nodeValue ?? '').trim();
-          // Korean has words of two letters.
-          if (!/\p{L}{3}|\p{Script=Hangul}{2}/u.test(text)) continue;
-          node.nodeValue = `${text}${text.slice(0, Math.ceil(0.4 * text.length))}`;
-          longer.set(node, node.nodeValue);
-        }
-      }
-
-      /** @param {number} width */
-      function* whatHasNoPlace(width) {
-        const { clientWidth, scrollWidth: whole } = document.documentElement;
-        if (clientWidth > width || innerWidth !== width) yield `the window is ${innerWidth} px wide`;
-        if (whole > clientWidth) {
-          const last = [...document.body.querySelectorAll('*')].filter(
-            (element) => Math.ceil(element.getBoundingClientRect().right) >= whole,
-          );
-          const name = last.map(({ tagName, id, className }) => `${tagName}#${id}.${className}`).join(', ');
-          yield `the page is ${whole} px wide: ${name}`;
-        }
-        const scrolling = 'nav, .generation-scroll, .curves-scroll, .luck-scroll, .table-scroll';
-        for (const face of document.querySelectorAll('button, .segmented span, nav a, #language')) {
-          if (!face.checkVisibility() || !face.textContent?.trim()) continue;
-          // What is only read aloud has no place to find.
-          const end = face.querySelector('span:not(.symbol)');
-          const range = document.createRange();
-          range.selectNodeContents(face);
-          if (end && getComputedStyle(end).clipPath !== 'none') range.setEndBefore(end);
-          const [text, box] = [range.getBoundingClientRect(), face.getBoundingClientRect()];
-          const cut = text.left < box.left - 1 || text.right > box.right + 1;
-          if (cut || (!face.closest(scrolling) && (text.left < 0 || text.right > clientWidth)))
-            yield `${face.id || face.parentElement?.id || face.className}: ${face.textContent}`;
-        }
-        for (const box of document.querySelectorAll('select, .bar, .heading, .segmented, p, ul, table')) {
-          const { left, right } = box.getBoundingClientRect();
-          if (box.closest(`${scrolling}, .visually-hidden`) || !box.checkVisibility()) continue;
-          if (left < -1 || right > clientWidth + 1) yield `${box.id || box.className} ends at ${right}`;
-        }
-      }
-    },
-    where,
-    /** @type {const} */ ([
-      [1440, 900],
-      [1024, 768],
-      [390, 844],
-    ]),
-  );
 
 /** What opens a table, by its part. */
 const tableButtons = {

@@ -42,7 +42,7 @@ export const sharesOf = ({ drawn, target }, drives) =>
   });
 
 /** The 51 targets, from 10 % above the lowest J to 0.1 %, evenly on a logarithm. @param {number} lowest */
-export const targetsFrom = (lowest) =>
+const targetsFrom = (lowest) =>
   Array.from({ length: 51 }, (_, i) => lowest + 10 ** (-1 - (2 * i) / 50) * Math.abs(lowest));
 
 /** @param {Standings} standings @param {readonly number[]} drives */

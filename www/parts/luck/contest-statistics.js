@@ -12,7 +12,7 @@
 /** A run as the ranks see it. @typedef {{ runtime: number, cost: number }} End */
 
 /** How many of the sorted numbers are not above a value. @param {ArrayLike<number>} sorted @param {number} value */
-export function countUpTo(sorted, value) {
+function countUpTo(sorted, value) {
   let [low, high] = [0, sorted.length];
   while (low < high) {
     const middle = (low + high) >> 1;

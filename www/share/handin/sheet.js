@@ -20,7 +20,7 @@ const { texts } = words;
 /** A receipt, as text and with its whole address. @typedef {{ receipt: Receipt, text: string, address: string }} HandedIn */
 
 /** Where the receipt is opened; a path on this disk is none on another. @param {string} link */
-export function receiptAddress(link) {
+function receiptAddress(link) {
   const address = addressOf(location.href, link, false);
   return isOnDisk() ? address.slice(address.split('#')[0].lastIndexOf('/') + 1) : address;
 }

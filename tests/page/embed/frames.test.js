@@ -1,0 +1,112 @@
+// A figure finds its place in a frame of any size, for everybody.
+import assert from 'node:assert/strict';
+import { sizes, wantedHeight } from '../../../www/embed/frame.js';
+import { pageNames, parts } from '../../../www/parts/parts.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
+import { frameOf, inHost, within } from '../harness/host.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** The picture of each part, and what one presses first. */
+/** @type {Record<string, string[]>} */
+const essentials = {
+  lab: ['#plane', '#run'],
+  park: ['.park-plane', '#park-evolve'],
+  generation: ['#generation-picture', '#generation-next'],
+  curves: ['#curves-picture', '#play'],
+  landscape: ['#landscape-map', '#run'],
+  robustness: ['#robustness-map', '#robustness-quantity'],
+  training: ['#training-unseen', '#training-evolve'],
+  disturbance: ['#remains', '#disturbance-kind'],
+  luck: ['#luck-curve', '#luck-run'],
+};
+
+/** In the frame: what of a figure has no place. @param {readonly string[]} selectors */
+function misplaced([picture, control]) {
+  const problems = [];
+  const { clientWidth: width, clientHeight: height, scrollWidth, scrollHeight } = document.documentElement;
+  if (scrollWidth > width || scrollHeight > height)
+    problems.push(`${scrollWidth} × ${scrollHeight} in ${width} × ${height}`);
+  const boxOf = (/** @type {Element} */ element) => element.getBoundingClientRect();
+  /** @param {DOMRect} box */
+  const isInside = (box) =>
+    box.left >= 0 && box.top >= 0 && box.right <= width + 0.5 && box.bottom <= height + 0.5;
+  for (const selector of [picture, control, '#embed-full', '#embed-screen']) {
+    const element = document.querySelector(selector);
+    if (!element?.checkVisibility()) problems.push(`${selector} is not in sight`);
+    else if (!isInside(boxOf(element)))
+      problems.push(`${selector} sticks out: ${JSON.stringify(boxOf(element))}`);
+  }
+  const { width: wide, height: high } = boxOf(/** @type {Element} */ (document.querySelector(picture)));
+  if (wide < 170 || high < 130) problems.push(`${picture} is small: ${wide} × ${high}`);
+  // No control lies on another, but those on the plane.
+  const controls = [...document.querySelectorAll('button, select, input, a')].filter(
+    (one) => one.checkVisibility({ opacityProperty: false }) && !one.closest('.plane, .segmented'),
+  );
+  const boxes = controls.map((one) => ({ name: one.id || one.className, box: boxOf(one) }));
+  for (const [i, { name, box }] of boxes.entries()) {
+    if (!isInside(box)) problems.push(`${name} sticks out`);
+    if (box.height < 24) problems.push(`${name} is only ${box.height} high`);
+    for (const other of boxes.slice(i + 1))
+      if (
+        box.left < other.box.right - 1 &&
+        other.box.left < box.right - 1 &&
+        box.top < other.box.bottom - 1 &&
+        other.box.top < box.bottom - 1
+      )
+        problems.push(`${name} lies on ${other.name}`);
+  }
+  for (const face of document.querySelectorAll('button, .segmented span, #embed-full'))
+    if (face.checkVisibility() && face.scrollWidth > face.clientWidth + 1)
+      problems.push(`${face.id || face.parentElement?.parentElement?.id} is cut: ${face.textContent}`);
+  return problems;
+}
+
+for (const [[width, height], language] of /** @type {const} */ ([
+  [sizes[0], 'en'],
+  [sizes[0], 'ko'],
+  [sizes[1], 'ko'],
+  [sizes[2], 'en'],
+]))
+  (width === sizes[0][0] ? engineTest : pageTest)(
+    `every part finds its place in ${width} × ${height}, in ${language}`,
+    async (page) => {
+      const links = pageNames.map((name) => `${name}&v=1${language === 'en' ? '' : `&lang=${language}`}`);
+      await inHost(page, links.map((link) => frameOf(page, link, width, height)).join(''), async () => {
+        /** @type {Record<string, string[]>} */
+        const problems = {};
+        for (const [frame, name] of pageNames.entries()) {
+          const found = await within(page, frame, () => page.evaluate(misplaced, essentials[name]));
+          if (found.length > 0) problems[name] = found;
+        }
+        assert.deepEqual(problems, {});
+        // At the height that it asks for it fits as well.
+        await page.evaluate(() => {
+          const { heard } = /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
+            /** @type {unknown} */ (window)
+          );
+          for (const [i, frame] of document.querySelectorAll('iframe').entries()) {
+            const said = heard.filter((one) => one.frame === i && one.data.type === 'height').at(-1);
+            frame.height = said?.data.height;
+          }
+        });
+        for (const [frame, name] of pageNames.entries()) {
+          const wanted = wantedHeight(parts, name, 0, width);
+          await within(page, frame, async () => {
+            await page.until(`${name} has its height`, (expected) => innerHeight === expected, wanted);
+            assert.deepEqual(await page.evaluate(misplaced, essentials[name]), [], `${name} at ${wanted}`);
+          });
+        }
+      });
+    },
+  );
+
+pageTest('nothing in a figure is in the way of assistive technology', async (page) => {
+  for (const link of [...pageNames.map((name) => `${name}&v=1`), 'lesson&step=2']) {
+    await page.open(`?embed#${link}`);
+    await page.resize(640, 420);
+    if (link.startsWith('disturbance'))
+      await page.until('the errors are known', () => document.getElementById('remains-caption')?.textContent);
+    assert.deepEqual(await page.obstacles(), [], link);
+  }
+});

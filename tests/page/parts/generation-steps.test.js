@@ -1,0 +1,213 @@
+// How one goes through a generation: by press, keys and phases.
+import assert from 'node:assert/strict';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { evolve } from '../harness/core.js';
+import { readEvolution } from '../harness/reading.js';
+import {
+  count,
+  go,
+  nameOf,
+  numbersIn,
+  openAt,
+  phases,
+  press,
+  rank,
+  recordOf,
+  same,
+  shownOn,
+  table,
+  upsetOf,
+  velocityLimits,
+} from './generation-page.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../../../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
+
+engineTest('any of them is chosen by a press, by keys, and by name', async (page) => {
+  await openAt(page, 3);
+  const record = recordOf(3);
+  await go(page, 'ranking');
+  for (let number = 0; number < 2 * count; number++) {
+    await press(page, number);
+    const seen = await shownOn(page);
+    assert.equal(seen.headline.toLowerCase().startsWith(nameOf(number)), true, seen.headline);
+    assert.equal(seen.chosen, nameOf(number));
+  }
+  const order = rank(
+    record.wins,
+    record.all.map(({ cost }) => cost),
+  );
+  await page.focus('#generation-picture');
+  await page.press(Key.HOME);
+  for (const number of order) {
+    assert.equal((await shownOn(page)).chosen, nameOf(number));
+    await page.press(Key.ARROW_RIGHT);
+  }
+  await page.press(Key.ARROW_RIGHT);
+  assert.equal((await shownOn(page)).chosen, nameOf(order[2 * count - 1]));
+
+  await go(page, 'tournament');
+  const opponent = record.opponents[order[2 * count - 1]][0];
+  const links = await page.elements('#generation-details .bouts button');
+  await links[0].click();
+  assert.equal((await shownOn(page)).chosen, nameOf(opponent));
+});
+
+pageTest('a survivor that is worse than one that fell is pointed out', async (page) => {
+  const generation = Array.from({ length: 20 }, (_, i) => i + 1).find((one) => upsetOf(recordOf(one))) ?? 0;
+  const record = recordOf(generation);
+  const upset = upsetOf(record);
+  assert.ok(upset);
+  await openAt(page, generation);
+  for (const phase of /** @type {const} */ (['ranking', 'survivors'])) {
+    await go(page, phase);
+    const { details } = await shownOn(page);
+    const sentence = details.split('\n').find((line) => line.includes('luck')) ?? '';
+    const [name, cost, wins, other, otherCost, otherWins] = numbersIn(sentence);
+    assert.ok(sentence.toLowerCase().startsWith(`${nameOf(upset.survivor)} (`), sentence);
+    assert.ok(sentence.includes(`; ${nameOf(upset.fallen)} (`), sentence);
+    assert.equal(Number(name), (upset.survivor % count) + 1);
+    assert.equal(Number(other), (upset.fallen % count) + 1);
+    same(cost, record.all[upset.survivor].cost, sentence);
+    same(otherCost, record.all[upset.fallen].cost, sentence);
+    assert.deepEqual(
+      [Number(wins), Number(otherWins)],
+      [record.wins[upset.survivor], record.wins[upset.fallen]],
+    );
+  }
+});
+
+pageTest('a generation that kept exactly the best says so', async (page) => {
+  const small = { ...velocityLimits, evolution: { ...velocityLimits.evolution, population: 3 } };
+  const generation =
+    Array.from({ length: 40 }, (_, i) => i + 1).find((one) => !upsetOf(recordOf(one, small))) ?? 0;
+  await page.open(`#generation&v=1&population=3&generation=${generation}`);
+  await go(page, 'ranking');
+  const { title, details } = await shownOn(page);
+  assert.equal(title, `Generation ${generation}`);
+  assert.ok(details.includes('exactly the 3 with the lowest J'), details);
+});
+
+pageTest('one phase at a time, over the last one into the next generation, and back', async (page) => {
+  await openAt(page, 2);
+  const record = recordOf(2);
+  const [followed] = record.survivors.slice(-1);
+  await go(page, 'survivors');
+  await press(page, followed);
+  await go(page, 'parents');
+  await page.focus('#generation-next');
+  for (const phase of phases) {
+    assert.equal((await shownOn(page)).phase, phase);
+    await page.press(Key.ENTER);
+  }
+  const next = await shownOn(page);
+  assert.deepEqual([next.title, next.phase], ['Generation 3', 'parents']);
+  // Choosing a phase in which only parents are there keeps who was chosen.
+  assert.equal(next.chosen, nameOf(count - 1));
+
+  await page.click('#generation-back');
+  const before = await shownOn(page);
+  assert.deepEqual(
+    [before.title, before.phase, before.chosen],
+    ['Generation 2', 'survivors', nameOf(followed)],
+  );
+});
+
+pageTest('generation 0 has random robots only, and leads to generation 1', async (page) => {
+  await page.click('#page-generation');
+  const first = recordOf(0);
+  const seen = await shownOn(page);
+  assert.ok(seen.sentence.includes('20 robots with random gains'), seen.sentence);
+  for (const phase of ['mutation', 'drive', 'tournament', 'ranking'])
+    assert.equal(await (await page.element(`#generation-phases-${phase}`)).isEnabled(), false, phase);
+  await press(page, 4);
+  const chosen = await shownOn(page);
+  assert.equal(chosen.chosen, 'robot 5');
+  for (const i of [0, 1, 2]) same(numbersIn(chosen.equations[2 * i])[0], first.parents[4].gains[i], 'a gain');
+  await page.click('#generation-next');
+  assert.equal((await shownOn(page)).phase, 'survivors');
+  await page.click('#generation-next');
+  const next = await shownOn(page);
+  assert.deepEqual([next.title, next.phase], ['Generation 1', 'parents']);
+  assert.equal(next.chosen, `parent ${first.survivors.indexOf(4) + 1}`);
+});
+
+pageTest('back in time the generation is as it was, and evolution is untouched', async (page) => {
+  await openAt(page, 12);
+  await go(page, 'tournament');
+  await page.focus('#timeline');
+  await page.press(Key.HOME, ...Array(5).fill(Key.ARROW_RIGHT));
+  const { title } = await shownOn(page);
+  assert.equal(title, 'Generation 5');
+  const record = recordOf(5);
+  const rows = await table(page);
+  assert.deepEqual(
+    rows.map(({ number, wins }) => [Number(number), Number(wins)]),
+    rank(
+      record.wins,
+      record.all.map(({ cost }) => cost),
+    ).map((number) => [number, record.wins[number]]),
+  );
+  for (const phase of phases) await go(page, phase);
+  await press(page, record.survivors[3]);
+  await page.focus('#timeline');
+  await page.press(Key.END);
+  await page.click('#page-lab');
+  const expected = (/** @type {number} */ generation) => ({
+    generation: String(generation),
+    seed: '1',
+    ...evolve(velocityLimits, generation).shown,
+  });
+  assert.deepEqual(await readEvolution(page), expected(12));
+  assert.equal((await shownOn(page)).legend, 'best of generation 12');
+  await page.click('#one-generation');
+  assert.deepEqual(await readEvolution(page), expected(13));
+});
+
+engineTest('each phase is readable for everybody, in sight without scrolling', async (page) => {
+  await page.resize(1024, 768);
+  await openAt(page, 3);
+  for (const phase of phases) {
+    await go(page, phase);
+    await shownOn(page);
+    assert.deepEqual(await page.obstacles(), [], phase);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollHeight), 768, phase);
+  }
+  assert.deepEqual(await page.problems(), []);
+});
+
+/** Each method has its own phases, and none of them makes the page stumble. */
+const methods = /** @type {const} */ ([
+  ['evolution.method=random', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=de', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=cma-es', ['parents', 'mutation', 'drive', 'ranking', 'survivors']],
+  ['evolution.method=one-plus-one-es', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=nelder-mead', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=one-at-a-time', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.method=finite-differences', ['parents', 'mutation', 'drive', 'survivors']],
+  ['evolution.selection=truncation', ['parents', 'mutation', 'drive', 'ranking', 'survivors']],
+  ['evolution.crossover=1', phases],
+]);
+
+pageTest('every method of search is shown in the phases that it has', async (page) => {
+  for (const [setting, own] of methods) {
+    await page.open(`#generation&v=1&generation=5&${setting}&phase=parents`);
+    const there = await page.evaluate(() =>
+      [
+        .../** @type {NodeListOf<HTMLInputElement>} */ (
+          document.querySelectorAll('#generation-phases input:not(:disabled)')
+        ),
+      ].map(({ value }) => value),
+    );
+    assert.deepEqual(there, own, setting);
+    for (const phase of own.slice(1)) {
+      await page.click('#generation-next');
+      assert.equal((await shownOn(page)).phase, phase, setting);
+    }
+    await page.click('#generation-next');
+    assert.equal((await shownOn(page)).title, 'Generation 6', setting);
+    await page.click('#generation-table');
+    await page.press(Key.ESCAPE);
+    assert.deepEqual(await page.problems(), [], setting);
+  }
+});
