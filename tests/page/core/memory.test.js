@@ -10,7 +10,7 @@ const core = await import(`${glue}?alone`);
 const { memory } = await core.default({ module: await readFile(wasm) });
 const calls = callsOf(core);
 
-/** The level that the README states, in bytes. */
+/** The level that docs/javascript.md states, in bytes. */
 const level = 256 * 2 ** 20;
 
 /** What it has taken; it gives nothing back. */

@@ -14,8 +14,8 @@ import { saved } from '../harness/saved.js';
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {{ traits: Record<string, any>, history: Record<string, number>[], error: string, refused: string }} Answer */
 
-const readme = await readFile(new URL('../../../README.md', import.meta.url), 'utf8');
-const example = /```python\n(from ep_locomotion import EpLocomotion\n.*?)```/s.exec(readme)?.[1] ?? '';
+const guide = await readFile(new URL('../../../docs/python.md', import.meta.url), 'utf8');
+const example = /```python\n(from ep_locomotion import EpLocomotion\n.*?)```/s.exec(guide)?.[1] ?? '';
 
 /** Starts Python, in which `w` is a widget. */
 function startKernel() {
