@@ -19,15 +19,22 @@ import {
 import { extentOf } from '../kit/extent.js';
 import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
 import { lab as strings } from '../words/index.js';
+import { createColumns } from './columns.js';
 
 /** @typedef {{ history: Statistics[], generation: number, paper: number | null, theme: number }} CurveModel */
+/** @typedef {CurveModel & { columns: Record<'generation' | 'best' | 'median', Float64Array> }} DrawnModel */
 
 /** @param {HTMLElement} root */
-export const createCurve = (root) => createChart(root, drawCosts);
+export function createCurve(root) {
+  const columnsOf = createColumns(['generation', 'best', 'median']);
+  return createChart(root, (context, size, /** @type {CurveModel} */ model) =>
+    drawCosts(context, size, { ...model, columns: columnsOf(model.history) }),
+  );
+}
 
-/** @param {CanvasRenderingContext2D} context @param {Size} size @param {CurveModel} model */
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {DrawnModel} model */
 function drawCosts(context, size, model) {
-  const { history, generation, paper } = model;
+  const { history, generation, paper, columns } = model;
   const frame = frameIn(size, { right: gutterOf(size) });
   const axes = {
     frame,
@@ -37,16 +44,14 @@ function drawCosts(context, size, model) {
   const ticks = { x: wholeTicks(axes.x), y: ticksOn(axes.y, 32) };
   drawGrid(context, axes, ticks, sameDigits(ticks.y));
   drawNumbersBelow(context, axes.x, frame.bottom, ticks.x, ticks.x.map(String));
-  const generations = history.map((one) => one.generation);
   const lines = [
-    { token: '--muted', width: 1.5, cost: (/** @type {Statistics} */ one) => one.median },
-    { token: '--ink', width: 2.5, cost: (/** @type {Statistics} */ one) => one.best.cost },
+    { token: '--muted', width: 1.5, costs: columns.median },
+    { token: '--ink', width: 2.5, costs: columns.best },
   ];
   within(context, frame, () => {
     const acrossAll = /** @type {const} */ ([frame.left, frame.right]);
-    for (const { cost, ...stroke } of lines) {
-      const costs = history.map((one) => finiteOr(cost(one), Number.NaN));
-      drawCurve(context, pointsOf(axes, generations, costs), stroke);
+    for (const { costs, ...stroke } of lines) {
+      drawCurve(context, pointsOf(axes, columns.generation, costs), stroke);
       // The paper's line lies between the two.
       if (stroke.token === '--muted' && paper !== null)
         drawCurve(
@@ -57,7 +62,7 @@ function drawCosts(context, size, model) {
     }
   });
   if (history.length === 1)
-    for (const { token, cost } of lines) drawDot(context, axes.x(0), axes.y(cost(history[0])), token);
+    for (const { token, costs } of lines) drawDot(context, axes.x(0), axes.y(costs[0]), token);
   drawLineNames(context, size, axes, model);
   drawShown(context, axes, history, generation);
 }
@@ -80,12 +85,12 @@ export function lastTick(generation) {
   return [20, 50, 100, 200, 300, 500].find((end) => generation <= end) ?? Math.ceil(generation / 500) * 500;
 }
 
-/** The best curve fills the plot; the first medians may come in from above. @param {CurveModel} model @returns {[number, number]} */
-function costRange({ history, paper }) {
-  const first = history.find((one) => Number.isFinite(one.best.cost))?.best.cost;
-  const newest = history.findLast((one) => Number.isFinite(one.best.cost))?.best.cost;
+/** The best curve fills the plot; the first medians may come in from above. @param {DrawnModel} model @returns {[number, number]} */
+function costRange({ columns, paper }) {
+  const first = columns.best.find(Number.isFinite);
+  const newest = columns.best.findLast(Number.isFinite);
   if (first === undefined || newest === undefined) return [0, 1];
-  const [, median] = extentOf([history.map((one) => one.median)]);
+  const [, median] = extentOf([columns.median]);
   const high = Math.min(Math.max(first, median, Math.min(paper ?? first, 1.3 * first)), 1.4 * first);
   const low = Math.min(newest, paper ?? newest);
   const room = 0.08 * (high - low) + 0.01 * high;

@@ -16,15 +16,21 @@ import {
 import { extentOf } from '../kit/extent.js';
 import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
 import { sigmas as words, lab } from '../words/index.js';
+import { createColumns } from './columns.js';
 import { drawShown, generationScale } from './fitness.js';
 
 /** @typedef {{ history: Statistics[], generation: number, theme: number }} SigmasModel */
+/** @typedef {Record<'generation' | 'kx' | 'ky' | 'ktheta', Float64Array>} Columns */
 
+const gains = /** @type {const} */ (['kx', 'ky', 'ktheta']);
 const tokens = ['--x', '--y', '--theta'];
 
 /** @param {HTMLElement} root */
 export function createSigmas(root) {
-  const chart = createChart(root, drawSigmas);
+  const columnsOf = createColumns(['generation', ...gains]);
+  const chart = createChart(root, (context, size, /** @type {SigmasModel} */ model) =>
+    drawSigmas(context, size, { ...model, columns: columnsOf(model.history) }),
+  );
   return {
     /** @param {SigmasModel} model */
     draw(model) {
@@ -35,10 +41,10 @@ export function createSigmas(root) {
   };
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Size} size @param {SigmasModel} model */
-function drawSigmas(context, size, { history, generation }) {
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {SigmasModel & { columns: Columns }} model */
+function drawSigmas(context, size, { history, generation, columns }) {
   const frame = frameIn(size, { right: gutterOf(size) });
-  const range = decades(history);
+  const range = decades(columns);
   const axes = {
     frame,
     x: generationScale(history, frame),
@@ -47,13 +53,9 @@ function drawSigmas(context, size, { history, generation }) {
   const ticks = { x: wholeTicks(axes.x), y: powers(range) };
   drawGrid(context, axes, ticks, ticks.y.map(powerText));
   drawNumbersBelow(context, axes.x, frame.bottom, ticks.x, ticks.x.map(String));
-  const generations = history.map((one) => one.generation);
   within(context, frame, () => {
-    for (const [i, token] of tokens.entries()) {
-      // A σ that has underflowed has no place on this axis.
-      const sigmas = history.map(({ meanSigmas }) => meanSigmas[i] || Number.NaN);
-      drawCurve(context, pointsOf(axes, generations, sigmas), { token, width: 2 });
-    }
+    for (const [i, token] of tokens.entries())
+      drawCurve(context, pointsOf(axes, columns.generation, columns[gains[i]]), { token, width: 2 });
   });
   if (history.length === 1)
     for (const [i, token] of tokens.entries())
@@ -62,11 +64,13 @@ function drawSigmas(context, size, { history, generation }) {
   drawShown(context, axes, history, generation);
 }
 
-/** Whole powers of ten around all σ. @param {Statistics[]} history @returns {[number, number]} */
-function decades(history) {
-  const sigmas = history.flatMap(({ meanSigmas }) => meanSigmas).filter((sigma) => sigma > 0);
+/** Whole powers of ten around all σ. @param {Columns} columns @returns {[number, number]} */
+function decades(columns) {
   // σ = 1 of the beginning has a decade above and below.
-  const [low, high] = extentOf([sigmas], [0.1, 10]);
+  const [low, high] = extentOf(
+    gains.map((gain) => columns[gain]),
+    [0.1, 10],
+  );
   return [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
 }
 

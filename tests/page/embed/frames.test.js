@@ -62,42 +62,43 @@ function misplaced([picture, control]) {
   return problems;
 }
 
+// What is tightest, in every engine.
 for (const [[width, height], language] of /** @type {const} */ ([
   [sizes[0], 'en'],
   [sizes[0], 'ko'],
   [sizes[1], 'ko'],
   [sizes[2], 'en'],
 ]))
-  (width === sizes[0][0] ? engineTest : pageTest)(
+  (width === sizes[0][0] && language === 'ko' ? engineTest : pageTest)(
     `every part finds its place in ${width} × ${height}, in ${language}`,
     async (page) => {
-      const links = pageNames.map((name) => `${name}&v=1${language === 'en' ? '' : `&lang=${language}`}`);
-      await inHost(page, links.map((link) => frameOf(page, link, width, height)).join(''), async () => {
-        /** @type {Record<string, string[]>} */
-        const problems = {};
-        for (const [frame, name] of pageNames.entries()) {
-          const found = await within(page, frame, () => page.evaluate(misplaced, essentials[name]));
-          if (found.length > 0) problems[name] = found;
-        }
-        assert.deepEqual(problems, {});
-        // At the height that it asks for it fits as well.
-        await page.evaluate(() => {
-          const { heard } = /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
-            /** @type {unknown} */ (window)
-          );
-          for (const [i, frame] of document.querySelectorAll('iframe').entries()) {
-            const said = heard.filter((one) => one.frame === i && one.data.type === 'height').at(-1);
-            frame.height = said?.data.height;
-          }
-        });
-        for (const [frame, name] of pageNames.entries()) {
+      for (const name of pageNames) {
+        const link = `${name}&v=1${language === 'en' ? '' : `&lang=${language}`}`;
+        // One figure at a time: nine are a lot to begin at once.
+        await inHost(page, frameOf(page, link, width, height), async () => {
+          const problems = () => within(page, 0, () => page.evaluate(misplaced, essentials[name]));
+          assert.deepEqual(await problems(), [], name);
+          // At the height that it asks for it fits as well.
           const wanted = wantedHeight(parts, name, 0, width);
-          await within(page, frame, async () => {
-            await page.until(`${name} has its height`, (expected) => innerHeight === expected, wanted);
-            assert.deepEqual(await page.evaluate(misplaced, essentials[name]), [], `${name} at ${wanted}`);
-          });
-        }
-      });
+          await page.until(
+            `${name} has the height that it has asked for`,
+            (expected) => {
+              const { heard } = /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
+                /** @type {unknown} */ (window)
+              );
+              const height = heard.findLast(({ data }) => data.type === 'height')?.data.height;
+              const frame = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+              frame.height = height;
+              return height === expected;
+            },
+            wanted,
+          );
+          await within(page, 0, () =>
+            page.until(`${name} is that high`, (expected) => innerHeight === expected, wanted),
+          );
+          assert.deepEqual(await problems(), [], `${name} at ${wanted}`);
+        });
+      }
     },
   );
 
