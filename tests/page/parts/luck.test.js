@@ -1,10 +1,8 @@
 // Many seeds: the page shows what the core computes, its quartiles are right, and a seed can be opened in the lab.
 import assert from 'node:assert/strict';
 import { seedRuns } from '../../../pkg/ep_locomotion.js';
-import { csvOf, quartilesOf } from '../../../www/parts/luck/statistics.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
-import { test } from '../harness/once.js';
 import { read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -28,28 +26,6 @@ function quartilesByHand(values) {
     sorted[19],
   ];
 }
-
-test('quartiles lie between the numbers in proportion, also when some are infinite', () => {
-  assert.deepEqual(quartilesOf([4, 1, 3, 2, 5]), { least: 1, low: 2, median: 3, high: 4, most: 5 });
-  assert.deepEqual(quartilesOf([10, 0]), { least: 0, low: 2.5, median: 5, high: 7.5, most: 10 });
-  const { median, high, most } = quartilesOf([1, 2, Infinity, Infinity, Infinity]);
-  assert.deepEqual([median, high, most], [Infinity, Infinity, Infinity]);
-});
-
-test('the CSV of one seed is what it was', () => {
-  const champion = {
-    gains: /** @type {[number, number, number]} */ ([3, -0.5, 5]),
-    sigmas: runs[0].champion.sigmas,
-    cost: 7,
-  };
-  const run = { best: Float64Array.of(8, 7), champion, random: Float64Array.of(8, 7.75) };
-  assert.equal(
-    csvOf({ first: 4, drives: 40, runs: [run] }),
-    'seed,drives,J evolution,kx (1/s),ky (1/(m^2 s)),ktheta (rad/s),J random search,' +
-      'J evolution generation 0,J evolution generation 1,J random search generation 0,J random search generation 1\r\n' +
-      '4,40,7,3,-0.5,5,7.75,8,7,8,7.75\r\n',
-  );
-});
 
 /** Opens the part and chooses few seeds, which take no time. @param {Page} page */
 async function openLuck(page) {

@@ -250,37 +250,6 @@ pageTest('what is changed is seen, and goes back one by one or all together', as
   assert.deepEqual((await read(page)).gains, gains);
 });
 
-engineTest('the panel is opened, used and closed with the keyboard alone', async (page) => {
-  const isOpen = () =>
-    page.evaluate(async () => {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
-      return document.getElementById('settings')?.checkVisibility() === true;
-    });
-  const focused = () => page.evaluate(() => document.activeElement?.id);
-  const pathHas = async (/** @type {string} */ wanted) => {
-    for (let i = 0; i < 12 && (await focused()) !== wanted; i += 1) await page.press(Key.TAB);
-    assert.equal(await focused(), wanted);
-  };
-  assert.equal(await isOpen(), false);
-  await page.focus('#settings-button');
-  await page.press(Key.ENTER);
-  assert.equal(await isOpen(), true);
-  assert.equal(await focused(), 'settings-button');
-  await pathHas('setting-limits-speed');
-  await page.press('1', Key.TAB);
-  await assertBegun(page, { ...velocityLimits, limits: { ...velocityLimits.limits, speed: 1 } });
-  await pathHas('setting-limits-speed-slider');
-  await page.press(Key.ARROW_RIGHT, Key.ARROW_RIGHT);
-  assert.equal((await setting(page, 'limits-speed')).value, '1.1');
-  await assertBegun(page, { ...velocityLimits, limits: { ...velocityLimits.limits, speed: 1.1 } });
-  await page.press(Key.ESCAPE);
-  assert.equal(await isOpen(), false);
-  assert.equal(await focused(), 'settings-button');
-  assert.equal(await page.text('#settings-button'), 'Settings · 1');
-  await page.press(' ');
-  assert.equal(await isOpen(), true);
-});
-
 pageTest('a moving reference is followed, and the plane shows all of its way', async (page) => {
   await openSettings(page);
   await openGroup(page, 'task');
@@ -310,17 +279,3 @@ pageTest('a moving reference is followed, and the plane shows all of its way', a
   // Nobody can arrive, so nobody is counted.
   assert.doesNotMatch(await page.text('#legend'), /arrive/);
 });
-
-for (const [width, height] of /** @type {const} */ ([
-  [1440, 900],
-  [1024, 768],
-]))
-  engineTest(`the open panel makes the page no taller at ${width} × ${height}`, async (page) => {
-    await page.resize(width, height);
-    const tall = () => page.evaluate(() => document.documentElement.scrollHeight);
-    const closed = await tall();
-    await openSettings(page);
-    for (const group of ['task', 'arrival', 'evolution']) await openGroup(page, group);
-    await summary(page);
-    assert.equal(await tall(), closed);
-  });

@@ -1,0 +1,63 @@
+// What the address bar says, and what it opens.
+import assert from 'node:assert/strict';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { evolve, experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
+import { read, readEvolution } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+/** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
+/** @typedef {import('../../../www/link/keys.js').Linked} Linked */
+
+const velocityLimits = experiment('velocity-limits');
+const link = 'lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=hand&gains=4,0.5,6';
+
+engineTest('a link opens the same run, and the address goes on telling what is on screen', async (page) => {
+  await page.open(`#${link}`);
+  const goal = { x: 1.5, y: 2, theta: (30 * Math.PI) / 180 };
+  const moved = { ...velocityLimits, goal, evolution: { ...velocityLimits.evolution, seed: 7 } };
+  const byHand = simulate(moved, [4, 0.5, 6]);
+  assert.deepEqual(await readEvolution(page), {
+    generation: '24',
+    seed: '7',
+    cost: shown(byHand.cost.total),
+    gains: shownGains([4, 0.5, 6]),
+  });
+  await page.click('#drives-evolved');
+  assert.deepEqual(await readEvolution(page), { generation: '24', seed: '7', ...evolve(moved, 24).shown });
+  await page.until('the address is new', () => !location.hash.includes('drives='));
+  await page.focus('#one-generation');
+  await page.press(Key.ENTER);
+  await page.until('the address has generation 25', () => location.hash.includes('generation=25'));
+  const address = await page.evaluate(() => location.hash);
+  assert.equal(address, '#lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=25&gains=4,0.5,6');
+  await page.open(address);
+  assert.deepEqual(await readEvolution(page), { generation: '25', seed: '7', ...evolve(moved, 25).shown });
+  assert.deepEqual(await page.problems(), []);
+});
+
+engineTest('another part of the page is a step that back takes back, and nothing is lost', async (page) => {
+  await page.click('#drives-paper-ep');
+  await page.click('#one-generation');
+  await page.click('#page-landscape');
+  await page.until('the address names the landscape', () => location.hash.startsWith('#landscape&'));
+  await page.evaluate(() => history.back());
+  await page.until('the lab is open', () => document.body.dataset.open === 'lab');
+  const { driver, generation, cost } = await read(page);
+  const run = simulate(velocityLimits, paperGains('velocity-limits', 'ep'));
+  assert.deepEqual(
+    { driver, generation, cost },
+    { driver: 'paper-ep', generation: '1', cost: shown(run.cost.total) },
+  );
+  await page.evaluate(() => history.forward());
+  await page.until('the landscape is open', () => document.body.dataset.open === 'landscape');
+});
+
+pageTest('a link with something wrong says what, and opens the rest', async (page) => {
+  await page.open('#lab&seed=7&goal.x=1000000&flavour=red');
+  const message = await page.text('#message');
+  assert.match(message, /goal\.x must be/);
+  assert.match(message, /flavour.*no such setting/);
+  const { seed, generation } = await read(page);
+  assert.deepEqual({ seed, generation }, { seed: '7', generation: '0' });
+});

@@ -1,0 +1,62 @@
+// The panel of settings: by keyboard, and in its place.
+import assert from 'node:assert/strict';
+import { Key, engineTest } from '../harness/browsers.js';
+import { evolve, experiment } from '../harness/core.js';
+import { openGroup, openSettings, setting, summary } from '../harness/panel.js';
+import { read } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+
+const velocityLimits = experiment('velocity-limits');
+
+/** That generation 0 of this experiment is on screen. @param {Page} page @param {Experiment} from */
+async function assertBegun(page, from) {
+  const { generation, cost, gains } = await read(page);
+  assert.deepEqual({ generation, cost, gains }, { generation: '0', ...evolve(from).shown });
+}
+
+engineTest('the panel is opened, used and closed with the keyboard alone', async (page) => {
+  const isOpen = () =>
+    page.evaluate(async () => {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      return document.getElementById('settings')?.checkVisibility() === true;
+    });
+  const focused = () => page.evaluate(() => document.activeElement?.id);
+  const pathHas = async (/** @type {string} */ wanted) => {
+    for (let i = 0; i < 12 && (await focused()) !== wanted; i += 1) await page.press(Key.TAB);
+    assert.equal(await focused(), wanted);
+  };
+  assert.equal(await isOpen(), false);
+  await page.focus('#settings-button');
+  await page.press(Key.ENTER);
+  assert.equal(await isOpen(), true);
+  assert.equal(await focused(), 'settings-button');
+  await pathHas('setting-limits-speed');
+  await page.press('1', Key.TAB);
+  await assertBegun(page, { ...velocityLimits, limits: { ...velocityLimits.limits, speed: 1 } });
+  await pathHas('setting-limits-speed-slider');
+  await page.press(Key.ARROW_RIGHT, Key.ARROW_RIGHT);
+  assert.equal((await setting(page, 'limits-speed')).value, '1.1');
+  await assertBegun(page, { ...velocityLimits, limits: { ...velocityLimits.limits, speed: 1.1 } });
+  await page.press(Key.ESCAPE);
+  assert.equal(await isOpen(), false);
+  assert.equal(await focused(), 'settings-button');
+  assert.equal(await page.text('#settings-button'), 'Settings · 1');
+  await page.press(' ');
+  assert.equal(await isOpen(), true);
+});
+
+for (const [width, height] of /** @type {const} */ ([
+  [1440, 900],
+  [1024, 768],
+]))
+  engineTest(`the open panel makes the page no taller at ${width} × ${height}`, async (page) => {
+    await page.resize(width, height);
+    const tall = () => page.evaluate(() => document.documentElement.scrollHeight);
+    const closed = await tall();
+    await openSettings(page);
+    for (const group of ['task', 'arrival', 'evolution']) await openGroup(page, group);
+    await summary(page);
+    assert.equal(await tall(), closed);
+  });
