@@ -66,7 +66,6 @@ function misplaced([picture, control]) {
 for (const [[width, height], language] of /** @type {const} */ ([
   [sizes[0], 'en'],
   [sizes[0], 'ko'],
-  [sizes[1], 'ko'],
   [sizes[2], 'en'],
 ]))
   (width === sizes[0][0] && language === 'ko' ? engineTest : pageTest)(

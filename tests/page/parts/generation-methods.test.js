@@ -5,7 +5,7 @@ import { phasesOf, shownIn } from '../../../www/parts/generation/phases.js';
 import { pointsOf, sketchOf } from '../../../www/parts/generation/sketch.js';
 import * as en from '../../../www/parts/generation/words/en.js';
 import * as ko from '../../../www/parts/generation/words/ko.js';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
@@ -228,7 +228,7 @@ pageTest('the ranks of CMA-ES tell their weights, and so does its table', async 
   );
 });
 
-engineTest(
+pageTest(
   'each phase of each method is in sight without scrolling, and readable for everybody',
   async (page) => {
     await page.resize(1024, 768);

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, fares, paperGains, startsOnCircle } from '../harness/core.js';
 import { read } from '../harness/reading.js';
 
@@ -133,7 +133,7 @@ pageTest('the three evolved rows are what evolution and the core give', async (p
   assert.deepEqual(await page.obstacles(), []);
 });
 
-engineTest('fifteen seeds are a dot each, where the core says that their robots arrive', async (page) => {
+pageTest('fifteen seeds are a dot each, where the core says that their robots arrive', async (page) => {
   await page.open('#training');
   await evolveAll(page);
   await page.click('#training-seeds');

@@ -1,15 +1,20 @@
-/** What can be found of the document, of all of its shadow trees, and of what hangs on no style: the names of things, and what is said of them. */
-export function everything() {
+/** What can be found of the document, of all of its shadow trees, and of what hangs on no style: the names of things, and what is said of them. @param {string} [but] Selects what is passed over, with its label. */
+export function everything(but) {
   /** @type {Set<string>} */
   const found = new Set();
   const add = (/** @type {string | null | undefined} */ text) => {
     const tidy = text?.replace(/\s+/g, ' ').trim();
     if (tidy) found.add(tidy);
   };
+  const isLeftOut = (/** @type {Node} */ node) =>
+    but !== undefined &&
+    node instanceof Element &&
+    (node.matches(but) || (node instanceof HTMLLabelElement && node.querySelector(but) !== null));
   const look = (/** @type {Document | ShadowRoot} */ root) => {
     const walker = document.createTreeWalker(
       root,
       NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT | NodeFilter.SHOW_COMMENT,
+      (node) => (isLeftOut(node) ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT),
     );
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
       if (!(node instanceof Element)) {
