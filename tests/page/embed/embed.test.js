@@ -7,7 +7,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { addressOf } from '../../../www/kit/host.js';
 import { frameText, wantedHeight } from '../../../www/embed/frame.js';
 import { pageNames, parts } from '../../../www/parts/parts.js';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest, patience } from '../harness/browsers.js';
 import { evolve, experiment, historyOf } from '../harness/core.js';
 import { ask, heardFrom, frameOf, inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
@@ -101,7 +101,7 @@ engineTest('three figures leave focus, keys and wheel to their host until they a
             await /** @type {any} */ (page.driver.actions()).scroll(300, 200, 0, 150).perform();
             return page.evaluate((y) => scrollY > y, before);
           },
-          45_000,
+          patience,
           'the host scrolls under the wheel',
         );
       }

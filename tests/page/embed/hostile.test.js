@@ -1,7 +1,7 @@
 // Whoever speaks to a figure, and whatever is done with it: it answers or it refuses by name, nothing is thrown, and it goes on.
 import assert from 'node:assert/strict';
 import { idIn, isForFigure, messageIn } from '../../../www/embed/told.js';
-import { engineTest } from '../harness/browsers.js';
+import { engineTest, patience } from '../harness/browsers.js';
 import { evolve, experiment, simulate } from '../harness/core.js';
 import { ask, heardFrom, inHost } from '../harness/host.js';
 import { test } from '../harness/once.js';
@@ -218,7 +218,7 @@ engineTest('five figures on one page: at rest none asks for a frame or a time', 
         return calls && calls === (await inFrame(i, resting)) && calls;
       };
       for (const [i, link] of links.entries())
-        await driver.wait(() => restOf(i), 45_000, `${link} comes to rest`);
+        await driver.wait(() => restOf(i), patience, `${link} comes to rest`);
       await driver.switchTo().defaultContent();
     });
   } finally {

@@ -13,10 +13,10 @@ import { after, test } from 'node:test';
 import { Builder, Key } from 'selenium-webdriver';
 import { findEngines, findProgram } from './engines.js';
 import { isForBrowsers } from './once.js';
-import { Page } from './page.js';
+import { Page, patience } from './page.js';
 import { serve } from './server.js';
 
-export { Key, Page };
+export { Key, Page, patience };
 
 // Its types go by the folder's name, which an import of a module would not find.
 /** @type {typeof import('selenium-webdriver/remote')} */
@@ -25,7 +25,7 @@ const { DriverService } = createRequire(import.meta.url)('selenium-webdriver/rem
 /** @typedef {import('./engines.js').Engine} Engine */
 /** @typedef {import('selenium-webdriver').WebDriver} WebDriver */
 
-const testTimeout = 180_000;
+const testTimeout = 300_000;
 
 /**
  * What ends the things that were started, the latest first; what does not end well must not keep the others.

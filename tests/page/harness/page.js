@@ -8,8 +8,8 @@ import { axeAddress } from './server.js';
 /** @typedef {import('selenium-webdriver').WebDriver} WebDriver */
 /** @typedef {{ x: number, y: number }} Point CSS pixels from the top left corner of an element */
 
-/** Generous, because it bounds only failures: a page that works is never waited for this long. */
-const patience = 45_000;
+/** Generous, because it bounds only failures: a page that works is never waited for this long, however busy the machine. */
+export const patience = 90_000;
 /** A page that is left while something is awaited in it may never answer: then it is asked again. */
 const longestAnswer = 2000;
 
