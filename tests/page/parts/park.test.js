@@ -86,6 +86,16 @@ engineTest(
     const climb = (await page.text('.park-climb figcaption')).replaceAll(/\s/g, '');
     assert.ok(climb.includes(`Generation${found.generation}:32parked·${found.evaluations}drives`), climb);
     assert.deepEqual(await page.problems(), []);
+    // Where it leads is in sight on laptops and projectors, without scrolling.
+    for (const [width, height] of /** @type {const} */ ([
+      [1366, 768],
+      [1280, 720],
+      [1024, 768],
+    ])) {
+      await page.resize(width, height);
+      const excess = () => page.evaluate(() => document.documentElement.scrollHeight - innerHeight);
+      assert.equal(await excess(), 0, `${width} × ${height}`);
+    }
 
     await page.click('#park-lesson');
     await page.until('the lesson is open', () => document.querySelector('#lesson:not([hidden]) h2'));
