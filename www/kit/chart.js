@@ -63,6 +63,8 @@ export function ticksOn(scale, space, { factors = [1, 2, 2.5, 5], least = 0 } = 
   const wanted = Math.max(least, (space * (to - from)) / Math.max(1, Math.abs(end - start)));
   const power = 10 ** Math.floor(Math.log10(wanted) + 1e-9);
   const step = power * (factors.find((factor) => factor * power >= wanted * (1 - 1e-9)) ?? 10);
+  // No number tells how far apart the ends are.
+  if (!Number.isFinite(step)) return [];
   const first = Math.ceil(from / step - 1e-9);
   const count = Math.floor(to / step + 1e-9) - first + 1;
   return Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * step);

@@ -23,15 +23,20 @@ import { fixed, powerOfTen } from '../words/numbers.js';
 
 const gap = 34;
 
-/** Of the axis: 0, ±1, ±10, … @param {number} most */
+/** Of the axis: 0, ±1, ±10, …, not all where there are many. @param {number} most */
 const powers = (most) => {
   const ticks = [0];
   for (let power = 1; power <= most; power *= 10) ticks.push(power, -power);
-  return ticks.sort((a, b) => a - b);
+  const every = ticks.length < 8 ? 1 : 2 * Math.ceil(ticks.length / 16);
+  return ticks.sort((a, b) => a - b).filter((_, i, all) => (i - (all.length >> 1)) % every === 0);
 };
 
+/** Beyond it an axis has no numbers. */
+const longest = 1e300;
+
 /** @param {ArrayLike<number>} values */
-const largest = (values) => Array.from(values).reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+const largest = (values) =>
+  Array.from(values).reduce((most, value) => Math.max(most, Math.min(Math.abs(value) || 0, longest)), 0);
 
 /** @param {Tools} _tools @param {AskedWords} words @returns {Block} */
 export function createAsked(_tools, { asked: words }) {
@@ -94,7 +99,7 @@ function drawHalf(context, { width, height }, top, run, [asked, done], token, na
   };
   const ticks = {
     x: ticksOn(axes.x, 70),
-    y: powers(most).filter((_, i, all) => all.length < 8 || i % 2 === (all.length >> 1) % 2),
+    y: powers(most),
   };
   drawGrid(context, axes, ticks, ticks.y.map(tickText));
   if (top > 0)

@@ -271,7 +271,9 @@ export const rateFormula = {
     further('−', term('te', leaf('kt'), dot, sin(leaf('te'), '2'))),
   ],
   numbers: (live) => {
-    const { promised } = lawTerms({ law: 'shim-kim' }, live.gains, live.sample.error);
+    const { error } = live.sample;
+    const isSomewhere = [error.x, error.y, error.theta].every(Number.isFinite);
+    const { promised } = isSomewhere ? lawTerms({ law: 'shim-kim' }, live.gains, error) : { promised: null };
     const rate = promised ? promised.x + promised.y + promised.theta : Number.NaN;
     return { ...lawNumbers(live), Vdot: signed(rate, 3) };
   },

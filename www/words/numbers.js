@@ -4,11 +4,27 @@
 /** Fixed digits and no −0, as it is typed. @param {number} value @param {number} digits */
 export const typed = (value, digits) => (Math.abs(value) < 0.5 / 10 ** digits ? 0 : value).toFixed(digits);
 
-/** The same as it is printed, with a minus sign. @param {number} value @param {number} digits */
-export const fixed = (value, digits) => typed(value, digits).replace('-', '−');
+/** From here on numbers are written with a power of ten, as wild gains bring them about. */
+const huge = 1e15;
 
-/** Three digits that count, as printed. @param {number} value */
-export const threeDigits = (value) => String(Number(value.toPrecision(3))).replace('-', '−');
+/** Beyond all numbers, which a robot may be that is nowhere, too. @param {number} value */
+const beyond = (value) => (value < 0 ? '−∞' : '∞');
+
+/** As typed(), as it is printed, with a minus sign. @param {number} value @param {number} digits */
+export const fixed = (value, digits) =>
+  Math.abs(value) < huge ? typed(value, digits).replace('-', '−') : powerText(value);
+
+/** So many digits that count, with a power of ten where that is easier to read. @param {number} value @param {number} digits */
+const counting = (value, digits) =>
+  value === 0 || (Math.abs(value) >= 1e-6 && Math.abs(value) < huge)
+    ? String(Number(value.toPrecision(digits))).replace('-', '−')
+    : powerText(value, digits);
+
+/** As printed. @param {number} value */
+export const threeDigits = (value) => counting(value, 3);
+
+/** As printed. @param {number} value */
+export const sixDigits = (value) => counting(value, 6);
 
 /** As an exponent is written. @param {number | string} whole */
 const superscript = (whole) =>
@@ -23,6 +39,7 @@ export const powerOfTen = (power, least = -2) =>
 /** A number of any size, with a power of ten. @param {number} value @param {number} [digits] Those that count. */
 export function powerText(value, digits = 3) {
   if (value === 0) return '0';
+  if (!Number.isFinite(value)) return beyond(value);
   const [mantissa, power] = Number(value.toPrecision(digits)).toExponential().split('e');
   return `${mantissa.replace('-', '−')}×10${superscript(power.replace('+', ''))}`;
 }
@@ -53,7 +70,6 @@ export const numberOf = (text) =>
 
 /** With a minus sign where it is below zero, within a formula. @param {number} value @param {number} digits */
 export function signed(value, digits) {
-  if (!Number.isFinite(value)) return value < 0 ? '−∞' : '∞';
   return Math.abs(value) < 1e4 ? fixed(value, digits) : powerText(value, 2);
 }
 

@@ -2,7 +2,7 @@
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
-import { costText, degrees, fixed, postureText } from './numbers.js';
+import { costText, degrees, fixed, postureText, sixDigits } from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './numbers.js';
@@ -243,7 +243,7 @@ export const paperLine = '논문 EP';
 export const above = (line) => `${line} ↑`;
 
 /** @param {number} cost */
-export const paidText = (cost) => `J ${String(Number(cost.toPrecision(6)))}`;
+export const paidText = (cost) => `J ${sixDigits(cost)}`;
 
 /** @param {number} metres */
 export const outside = (metres) => `${fixed(metres, 1)} m 밖`;

@@ -1,0 +1,43 @@
+// Drives that leave every bound: no view says nonsense of them, and none throws or hangs.
+import assert from 'node:assert/strict';
+import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
+import { pageNames } from '../../../www/parts/parts.js';
+import { pageTest } from '../harness/browsers.js';
+
+const views = [
+  ...pageNames.map((name) => `${name}&v=1&generation=2`),
+  ...['stability', 'compare', 'numbers'].map(
+    (view) => `curves&v=1&view=${view}&generation=2&pin1=a~1e308,1e308,1e308~limits.speed:off`,
+  ),
+  ...stepNames.map((_, i) => linkOfStep(i + 1)),
+  'disturbance&v=1&kind=slip',
+];
+
+/** Robots that are nowhere after some samples, and such that run away. */
+const runs = /** @type {const} */ ([
+  ['en', 'gains=1e308,1e308,1e308'],
+  ['ko', 'gains=-1e9,1e9,-1e9&law=kanayama'],
+]);
+
+for (const [language, run] of runs)
+  pageTest(`what is nowhere is told as such: ${run}`, async (page) => {
+    /** @type {string[]} */
+    const found = [];
+    for (const view of views) {
+      const more = `lang=${language}&limits.speed=off&limits.turnRate=off&drives=hand&${run}`;
+      await page.open(`#${view}${view.includes('v=1') ? '' : '&v=1'}&${more}`);
+      const nonsense = await page.evaluate(async () => {
+        const scrub = /** @type {HTMLInputElement} */ (document.getElementById('scrub'));
+        const said = [];
+        for (const share of [0.02, 0.5, 1]) {
+          scrub.value = String(share * Number(scrub.max));
+          scrub.dispatchEvent(new Event('input', { bubbles: true }));
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+          said.push(...(document.body.innerText.match(/.*(?:\bNaN\b|undefined|\[object|Infinity).*/g) ?? []));
+        }
+        return said;
+      });
+      for (const text of [...nonsense, ...(await page.problems())]) found.push(`${view}: ${text}`);
+    }
+    assert.deepEqual(found, []);
+  });
