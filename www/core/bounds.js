@@ -14,6 +14,10 @@ const number = 40;
 /** In samples: what workers may be asked for at one press, which takes two of them about half an hour. */
 const mostOfSurvey = 5e11;
 
+/** In samples: what the core takes in one call, and what a drive counts there at least. */
+const mostOfCall = 4e8;
+const leastOfDrive = 20;
+
 /** At most, for a robot that never arrives. @param {Experiment} experiment */
 export const samplesOfDrive = ({ horizon, sampleTime }) => horizon / sampleTime;
 
@@ -45,3 +49,9 @@ export const isLongDrive = (experiment, count = 1) =>
 
 /** Whether so many robots are too many for one press. @param {Experiment} experiment @param {number} robots */
 export const isTooLongSurvey = (experiment, robots) => robots * samplesOfRobot(experiment) > mostOfSurvey;
+
+/** How many robots the core drives in one call, each from every start. @param {Experiment} experiment */
+export const mostRobotsOfCall = (experiment) =>
+  Math.floor(
+    mostOfCall / (Math.max(1, experiment.starts.length) * Math.max(leastOfDrive, samplesOfDrive(experiment))),
+  );

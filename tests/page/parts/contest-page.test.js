@@ -40,6 +40,24 @@ pageTest('a contestant that cannot run says so in its line, and the others run',
   assert.match(random.cells[0], /of 15/);
 });
 
+pageTest('what would take too long is refused before it starts, all of it or one run', async (page) => {
+  for (const [experiment, said] of /** @type {const} */ ([
+    [
+      'horizon=30&sampleTime=0.001',
+      /^One run of 20.000 drives takes too long here; 13.333 would be the most/,
+    ],
+    ['horizon=100&sampleTime=0.001', /^That would be 8.080.000 drives, far too many/],
+  ])) {
+    await openContest(page, `#luck&v=1&luck=contest&seeds=101&budget=20000&${experiment}`);
+    await page.click('#contest-run');
+    assert.match(await page.text('#contest-status'), said);
+    assert.match(await page.text('#contest-run'), /^Run 4/);
+    assert.equal(await page.evaluate(() => document.getElementById('contest-table')), null);
+    assert.equal(await page.evaluate(() => document.getElementById('contest-csv')?.hidden), true);
+  }
+  assert.deepEqual(await page.problems(), []);
+});
+
 pageTest('cancel keeps what was done and says how much', async (page) => {
   await openContest(page, '#luck&v=1&luck=contest&seeds=101&budget=20000&contestants=none');
   await page.click('#contest-run');

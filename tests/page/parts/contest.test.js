@@ -6,6 +6,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { trials } from '../../../pkg/ep_locomotion.js';
+import { mostRobotsOfCall } from '../../../www/core/bounds.js';
+import { partsOf } from '../../../www/parts/luck/contest-asked.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
 import { findProgram } from '../harness/engines.js';
@@ -27,6 +29,35 @@ test('the trials of a seed are the same in whatever batch it runs', () => {
     const [alone] = trials(entered(velocityLimits, name), { seeds: [11, 12], drives: 1000 });
     const line = small.lines.find((one) => one.name === name);
     assert.deepEqual(alone, line?.trials[10]);
+  }
+});
+
+test('no part of a contest is more than the core takes in one call, and parts are no smaller than they must be', () => {
+  const starts = (/** @type {number} */ count) =>
+    Array.from({ length: count }, (_, i) => ({ x: 0, y: i / 100, theta: 0 }));
+  for (const change of [
+    {},
+    { starts: starts(32) },
+    { starts: starts(7), horizon: 3 },
+    { horizon: 30, sampleTime: 0.001 },
+    { horizon: 0.1 },
+  ]) {
+    const experiment = { ...velocityLimits, ...change };
+    const most = mostRobotsOfCall(experiment);
+    assert.throws(
+      () => trials(experiment, { seeds: [1, 1001], drives: 20_000_000 }),
+      (/** @type {Error} */ { message }) => new RegExp(`at most ${most} with `).test(message),
+    );
+    for (const budget of [1000, 4000, 20_000].filter((drives) => drives <= most)) {
+      const parts = partsOf(experiment, { seeds: 51, budget });
+      assert.deepEqual(
+        parts.flatMap(([from, to]) => Array.from({ length: to - from }, (_, i) => from + i)),
+        Array.from({ length: 51 }, (_, i) => i + 1),
+      );
+      const largest = Math.max(...parts.map(([from, to]) => to - from));
+      assert.ok(largest * budget <= most);
+      assert.ok(largest === 8 || (largest + 1) * budget > most, `${largest} of ${most} with ${budget}`);
+    }
   }
 });
 

@@ -2,6 +2,7 @@
 /** @import { Engine, Experiment } from '../../core/engine.js' */
 /** @import { Contest } from './contest-request.js' */
 /** @import { LuckState } from './state.js' */
+import { mostRobotsOfCall } from '../../core/bounds.js';
 import { entered } from './contestants.js';
 import { isSameButSeed } from './same.js';
 
@@ -11,12 +12,14 @@ export const firstSeed = 1;
 /** As many as drive side by side in the lanes of the core. */
 const seedsOfPart = 8;
 
-/** The seeds [from, to) of each part. @param {number} seeds */
-export const partsOf = (seeds) =>
-  Array.from({ length: Math.ceil(seeds / seedsOfPart) }, (_, i) => {
-    const from = firstSeed + i * seedsOfPart;
-    return /** @type {[number, number]} */ ([from, Math.min(from + seedsOfPart, firstSeed + seeds)]);
+/** The seeds [from, to) of each part: no more than the core takes at once. @param {Experiment} experiment @param {Pick<Asked, 'seeds' | 'budget'>} asked */
+export function partsOf(experiment, { seeds, budget }) {
+  const each = Math.max(1, Math.min(seedsOfPart, Math.floor(mostRobotsOfCall(experiment) / budget)));
+  return Array.from({ length: Math.ceil(seeds / each) }, (_, i) => {
+    const from = firstSeed + i * each;
+    return /** @type {[number, number]} */ ([from, Math.min(from + each, firstSeed + seeds)]);
   });
+}
 
 /** Whether it is the one that is set up, and whole. @param {Contest | null} contest @param {Experiment} experiment @param {Asked} asked */
 export const isWhole = (contest, experiment, { others, seeds, budget }) =>
@@ -31,12 +34,13 @@ export const isWhole = (contest, experiment, { others, seeds, budget }) =>
   isSameButSeed(contest.experiment, experiment);
 
 /** Runs it whole. @param {Engine} engine @param {Experiment} experiment @param {Asked} asked @returns {Promise<Contest>} */
-export async function contestOf(engine, experiment, { others, seeds, budget }) {
+export async function contestOf(engine, experiment, asked) {
+  const { others, seeds, budget } = asked;
   const names = [null, ...others];
   const trials = await Promise.all(
     names.map((name) =>
       Promise.all(
-        partsOf(seeds).map((part) =>
+        partsOf(experiment, asked).map((part) =>
           engine.surveys.trials(entered(experiment, name), { seeds: part, drives: budget }),
         ),
       ),

@@ -2,7 +2,7 @@
 /** @import { Engine, Experiment, Trial } from '../../core/engine.js' */
 /** @import { Store } from '../../run/store.js' */
 /** @import { Contestant } from './contestants.js' */
-import { isTooLongSurvey } from '../../core/bounds.js';
+import { isTooLongSurvey, mostRobotsOfCall } from '../../core/bounds.js';
 import { messageOf } from '../../words/errors.js';
 import { isWhole, partsOf } from './contest-asked.js';
 import { entered } from './contestants.js';
@@ -40,6 +40,15 @@ export function createContestRequests(engine, store) {
   let running = null;
   const luck = () => luckSlice.of(store.get());
 
+  /** Why it does not even begin; empty: it does. @param {Experiment} experiment @param {number} count Of contestants. */
+  const refusalOf = (experiment, count) => {
+    const { seeds, budget } = luck();
+    const robots = count * seeds * budget;
+    if (isTooLongSurvey(experiment, robots)) return words.tooLong(robots);
+    const most = mostRobotsOfCall(experiment);
+    return budget > most ? words.runTooLong(budget, most) : '';
+  };
+
   /** One part of one contestant. @param {Contest} asked @param {number} index @param {[number, number]} seeds @param {AbortController} own */
   async function runPart({ experiment, lines, budget }, index, seeds, own) {
     /** @param {(line: Line) => Partial<Line>} patchOf */
@@ -66,18 +75,15 @@ export function createContestRequests(engine, store) {
       const { experiment } = store.get();
       const { others, seeds, budget } = luck();
       const names = [null, ...others];
-      const robots = names.length * seeds * budget;
-      if (isTooLongSurvey(experiment, robots)) {
-        luckSlice.update(store, { contestMessage: words.tooLong(robots) });
-        return;
-      }
+      const contestMessage = refusalOf(experiment, names.length);
+      if (contestMessage) return luckSlice.update(store, { contestMessage });
       const own = new AbortController();
       running = own;
       const lines = names.map((name) => ({ name, trials: [], error: '' }));
       const contest = { experiment, seeds, budget, lines, cancelled: false };
       luckSlice.update(store, { contest, contestRuns: true, contestMessage: '' });
       // All contestants with the first seeds, then all with the next.
-      const parts = partsOf(seeds).flatMap((part) =>
+      const parts = partsOf(experiment, { seeds, budget }).flatMap((part) =>
         names.map((_, index) => runPart(contest, index, part, own)),
       );
       await Promise.all(parts);

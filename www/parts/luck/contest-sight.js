@@ -36,7 +36,7 @@ export function contestSight(state, standings, stale, on) {
     <div class="heading">
       <h2 id="contest-title">${texts.title}</h2>
       <p class="muted"><span id="contest-note">${noteText(luck)}</span>
-        <button id="contest-csv" type="button" class="link" .hidden=${!contest || contestRuns} @click=${on.onCsv}>${texts.csv}</button></p>
+        <button id="contest-csv" type="button" class="link" .hidden=${contestRuns || !contest?.lines.some(({ trials }) => trials.length > 0)} @click=${on.onCsv}>${texts.csv}</button></p>
     </div>
     ${bar(luck, on)}
     ${entrants(luck, on)}

@@ -111,6 +111,9 @@ export const contestProgress = (done, all) => `${done} of ${all} runs`;
 /** @param {number} drives */
 export const tooLong = (drives) =>
   `That would be ${grouped(drives)} drives, far too many to wait for: take fewer seeds, drives, starts or contestants.`;
+/** @param {number} budget @param {number} most */
+export const runTooLong = (budget, most) =>
+  `One run of ${grouped(budget)} drives takes too long here; ${grouped(most)} would be the most: take fewer drives or starts, a shorter horizon, or a longer sample time.`;
 /** @param {number} done @param {number} all */
 export const contestCancelled = (done, all) =>
   `Cancelled after ${done} of ${all} runs: what you see is what these say.`;

@@ -97,6 +97,9 @@ export const contestProgress = (done, all) => `실행 ${all}회 중 ${done}회`;
 /** @param {number} drives */
 export const tooLong = (drives) =>
   `주행이 ${grouped(drives)}회나 되어 너무 오래 걸립니다. 시드, 주행 횟수, 출발 자세, 참가자 가운데 무엇이든 줄여 주십시오.`;
+/** @param {number} budget @param {number} most */
+export const runTooLong = (budget, most) =>
+  `여기서는 주행 ${grouped(budget)}회짜리 실행 하나도 너무 오래 걸립니다. 많아도 ${grouped(most)}회까지입니다. 주행 횟수나 출발 자세를 줄이거나, 제한 시간을 줄이거나, 샘플링 주기를 늘려 주십시오.`;
 /** @param {number} done @param {number} all */
 export const contestCancelled = (done, all) =>
   `실행 ${all}회 중 ${done}회를 마치고 취소했습니다. 그때까지의 결과를 보여 줍니다.`;
