@@ -1,7 +1,12 @@
 // The panel in which a lecturer makes an exercise: quick hands, every field, and a part whose answers cannot be handed in.
 import assert from 'node:assert/strict';
+import { copyFile, mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { groupNames } from '../../../www/run/exercise.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { within } from '../harness/host.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -98,4 +103,35 @@ pageTest('what cannot be handed in is not made: Park leads on into the lab', asy
   await page.open(`#${link}`);
   await page.until('it can be handed in', () => document.getElementById('hand-in'));
   assert.deepEqual(await page.problems(), []);
+});
+
+engineTest('from the one file on a disk the figure is shown, and the package written', async (page) => {
+  const folder = await mkdtemp(join(tmpdir(), 'a disk '));
+  try {
+    const file = join(folder, 'ep-locomotion.html');
+    await copyFile(fileURLToPath(new URL('../../../dist/ep-locomotion.html', import.meta.url)), file);
+    await page.visit(`${pathToFileURL(file).href}#lab&v=1&drives=hand&gains=3,0,0`);
+    await page.until('the page is ready', () => document.documentElement.dataset.ready);
+    await page.click('#keep-button');
+    await page.until('Share is there', () => document.getElementById('keep-exercise'));
+    await page.click('#keep-exercise');
+    await page.until('the maker is open', () => document.getElementById('maker-task')?.checkVisibility());
+    await page.press(...'Park.');
+    await page.click('#maker-preview-size-400x300');
+    await page.until('a figure is there', () => document.getElementById('maker-figure'));
+    await within(page, 0, async () => {
+      await page.until('it is the exercise', () => document.getElementById('task')?.textContent === 'Park.');
+      await page.until('it can be handed in', () => document.getElementById('hand-in'));
+    });
+    // Whose address is none on another disk.
+    assert.match(await page.text('#maker-disk'), /students need the file too/);
+    await page.click('#maker-scorm');
+    await page.until('it asks for its own file', () => document.getElementById('maker-scorm-file'));
+    await (await page.element('#maker-scorm-file')).sendKeys(file);
+    await page.until('the package is saved', () =>
+      /^The package is saved/.test(document.getElementById('maker-status')?.textContent ?? ''),
+    );
+  } finally {
+    await rm(folder, { recursive: true });
+  }
 });

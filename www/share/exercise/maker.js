@@ -26,7 +26,7 @@ import {
 import { noTrial } from '../../run/state.js';
 import { nobody, undrawn } from '../../run/variant.js';
 import { exercise as exerciseWords } from '../../words/index.js';
-import { frameOf } from '../frame-text.js';
+import { frameOf, isOnDisk } from '../frame-text.js';
 import { withoutAnswer } from '../handin/work.js';
 import { createAimFields } from './aim-fields.js';
 import { createPreview } from './preview.js';
@@ -174,7 +174,8 @@ const panelOf = (draft, addresses, status, on) => html`
           <button id="maker-copy-link" type="button" class="primary" @click=${on.copyLink}>${texts.makerCopyLink}</button>
           <input id="maker-frame" type="text" readonly aria-label=${texts.makerFrame} .value=${addresses.frame} @focus=${selectAll}>
           <button id="maker-copy-frame" type="button" @click=${on.copyFrame}>${texts.makerCopyFrame}</button>
-          ${on.packaging}`
+          ${on.packaging}
+          ${isOnDisk() ? html`<p id="maker-disk" class="muted">${texts.makerOnDisk}</p>` : nothing}`
         : html`<p id="maker-refused" class="field-error" role="alert">${texts.makerPark}</p>
           <button id="maker-to-lab" type="button" class="primary" @click=${on.toLab}>${texts.makerToLab}</button>`
     }

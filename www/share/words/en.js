@@ -51,6 +51,8 @@ export const texts = {
   makerPark:
     'What is tried in Park cannot be handed in. The lab has the same 32 starts, the sliders and evolution.',
   makerToLab: 'Go on in the lab',
+  makerOnDisk:
+    'This page is a file on your disk. Your students need the file too, and open it with what follows the # of the link; or give them the package.',
   scormButton: 'Package for Moodle (SCORM 1.2)',
   scormTitle: 'Exercise: gains of a robot',
   scormFile: 'The page as one file',

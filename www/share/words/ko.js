@@ -50,6 +50,8 @@ export const texts = {
   makerPaperInLesson: '수업에는 논문의 이득이 나오므로 함께 숨깁니다.',
   makerPark: '주차에서 해 본 것은 제출할 수 없습니다. 실험실에도 같은 출발 32곳과 슬라이더, 진화가 있습니다.',
   makerToLab: '실험실에서 이어서 만들기',
+  makerOnDisk:
+    '이 페이지는 이 컴퓨터의 디스크에 있는 파일입니다. 학생에게도 이 파일이 있어야 하며, 파일 주소 뒤에 링크의 #부터 붙여서 엽니다. 또는 패키지를 나누어 주십시오.',
   scormButton: 'Moodle용 패키지(SCORM 1.2)',
   scormTitle: '과제: 로봇의 이득 찾기',
   scormFile: '파일 하나로 된 이 페이지',
