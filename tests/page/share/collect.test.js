@@ -7,7 +7,7 @@ import { createReader, nameOfFile } from '../../../www/share/collect/entries.js'
 import { csvOf, ordered, remarksOf } from '../../../www/share/collect/table.js';
 import { experiment, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
-import { engine, exercise, handedIn, receipt, site } from './hand-ins.js';
+import { engine, exercise, handedIn, opened, receipt, site } from './hand-ins.js';
 
 const reader = createReader(links.pages);
 const checker = createChecker(engine, links);
@@ -68,6 +68,13 @@ test('a receipt is found in its text, as a link, in HTML, in a table, in a folde
     ['hand-in-s1.txt', 'hand-in-s1'],
   ])
     assert.equal(nameOfFile(path), name);
+  const [worksheet] = await reader.read(
+    table(
+      ['Identifier', 'Full name', 'Status', 'Maximum Grade', 'Online text'],
+      ['Participant 8', 'Lee', 'Submitted for grading', '10.00', '<p>I could not.</p>'],
+    ),
+  );
+  assert.match(worksheet.text, /^I could not\./);
   const [file] = await reader.readFile('all/Kim Lee_4711_assignsubmission_onlinetext/onlinetext.html', html);
   assert.deepEqual([file.name, file.link?.includes('handin=')], ['Kim Lee', true]);
 });
@@ -126,7 +133,14 @@ test('what is cut, forged, of another exercise, of another version, too long, or
   // Judged by the exercise as it was given, whatever the hand-in says of it.
   const [row] = (await checkAll(other.link)).rows;
   assert.equal(row.checked?.judged?.isMet, true);
-  assert.notEqual(row.checked?.cost, row.checked?.value);
+  assert.equal(row.checked?.cost, cost);
+  assert.equal(row.checked?.value, cost);
+  const own = simulate((await opened(other.link)).experiment, [...good]).cost.total;
+  assert.equal(row.checked?.own, own);
+  assert.ok(
+    remarksOf(row, [row]).includes(`J = ${Number(own.toFixed(6))} in what was handed in`),
+    remarksOf(row, [row]).join(),
+  );
 });
 
 test('a class is checked at once: twins are named, variants drawn, evolved gains found again', async () => {

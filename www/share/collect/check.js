@@ -17,7 +17,7 @@ import { exerciseId, exerciseLink, holds, isWhole, toldIn } from '../handin/rece
 
 /** An exercise: the run with which it was given, its link and its digits. @typedef {{ run: Linked, base: Experiment, link: string, id: string }} Given */
 /** What a receipt is: whole and true; its result is another; it was cut or changed; made by another program; or there is none. @typedef {'holds' | 'otherResult' | 'broken' | 'otherProgram' | 'none'} Worth */
-/** What came of one hand-in. @typedef {{ who: string, run: Linked, gains: Triple, how: string, cost: number, value: number, drives: number, minutes: number | null, isTold: boolean, judged: Judged | null, worth: Worth, told: number | null, differs: readonly string[], answers: string }} Checked */
+/** What came of one hand-in: `cost` in the exercise as it was given, `own` in what was handed in. @typedef {{ who: string, run: Linked, gains: Triple, how: string, cost: number, own: number, value: number, drives: number, minutes: number | null, isTold: boolean, judged: Judged | null, worth: Worth, told: number | null, differs: readonly string[], answers: string }} Checked */
 /** `problem`: why it could not be read, in words or one of these. @typedef {{ entry: Entry, checked: Checked | null, problem: '' | 'none' | 'long' | 'heavy' | { said: string }, same: readonly number[] }} Row */
 
 /** Whoever asks for more would hold the others: samples of a drive, about half a minute of evolution. */
@@ -81,7 +81,8 @@ export function createChecker(engine, links) {
       run,
       gains,
       how: howOf(run),
-      cost: own.cost,
+      cost: there.cost,
+      own: own.cost,
       value: there.value,
       drives: made,
       minutes: told?.minutes ?? null,

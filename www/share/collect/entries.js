@@ -163,6 +163,9 @@ const names = {
     /^(identifier|id|id number|student id|email|email address|e-mail|username|login id|sis user id|sis login id|integration id|section|학번|이메일|아이디|사용자 이름)$/i,
 };
 
+/** The column of what a student wrote: a row without a hand-in says how that begins. */
+const written = /^(online text|submission text|text|온라인 텍스트|texte en ligne|texteingabe online)$/i;
+
 /** A table with a head, if it is one. @param {string} text @param {(line: string) => boolean} hasLink */
 function tableIn(text, hasLink) {
   // A mark that some programs put before a text.
@@ -192,6 +195,11 @@ function fromRow(columns, row, entryOf) {
   const ident = Object.fromEntries(
     columns.map((column, i) => [column, row[i] ?? '']).filter(([column]) => names.ident.test(column)),
   );
-  const text = row.filter((_, i) => !isKnown(columns[i] ?? '')).join('\n');
+  const text = row
+    .map((cell, i) => ({ cell, column: columns[i] ?? '' }))
+    .filter(({ column }) => !isKnown(column))
+    .sort((a, b) => Number(written.test(b.column)) - Number(written.test(a.column)))
+    .map(({ cell }) => cell)
+    .join('\n');
   return entryOf(text, name, ident);
 }

@@ -37,12 +37,13 @@ export const nameOf = ({ entry, checked }) => entry.name || checked?.who || '';
 /** What a lecturer has to look at. @param {Row} row @param {readonly Row[]} rows In the order in which they came. */
 export function remarksOf({ entry, checked, problem, same }, rows) {
   if (!checked) return [words.problemText(entry.text, problem)];
-  const { worth, told, differs } = checked;
+  const { worth, told, differs, cost, own } = checked;
   return [
     ...(worth === 'holds'
       ? []
       : [worth === 'otherResult' ? words.otherResult(told ?? Number.NaN) : words.worths[worth]]),
     ...(differs.length > 0 ? [words.differs(differs)] : []),
+    ...(own === cost || Number.isNaN(own) ? [] : [words.ownCost(words.numberText(own))]),
     ...(same.length > 0
       ? [
           words.same(

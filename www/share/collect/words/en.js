@@ -68,6 +68,9 @@ export const otherResult = (told) => `says J = ${told}, which its drive does not
 /** @param {readonly string[]} names */
 export const differs = (names) => `differs from the exercise in ${names.join(', ')}`;
 
+/** @param {string} cost */
+export const ownCost = (cost) => `J = ${cost} in what was handed in`;
+
 /** @param {readonly number[]} numbers @param {readonly string[]} names */
 export const same = (numbers, names) =>
   `same answer as ${numbers

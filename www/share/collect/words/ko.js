@@ -68,6 +68,9 @@ export const otherResult = (told) => `적힌 값은 J = ${told}, 실제 주행�
 /** @param {readonly string[]} names */
 export const differs = (names) => `과제와 다른 것: ${names.join(', ')}`;
 
+/** @param {string} cost */
+export const ownCost = (cost) => `제출한 설정에서는 J = ${cost}`;
+
 /** @param {readonly number[]} numbers @param {readonly string[]} names */
 export const same = (numbers, names) =>
   `같은 답: ${numbers
