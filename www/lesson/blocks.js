@@ -95,18 +95,27 @@ function createBlock(block, step, text, href, tools) {
       return still(
         html`<section class="notice"><h3>${words.notice}</h3>${list(text.notice, href)}</section>`,
       );
-    case 'tries': {
-      const tries = block.tries.map(
-        ([name, link]) =>
-          html`<li><a class="try" href=${href(link)} data-try=${name}><span>${inline(text.tries[name], href)}</span></a></li>`,
-      );
-      return still(html`<section class="tries"><h3>${words.tries}</h3><ul>${tries}</ul></section>`);
-    }
+    case 'tries':
+      return still(triesOf(block, text, href, tools));
     case 'quiz':
       return createQuestion(block, step, text, href, tools);
     case 'view':
       return block.create(tools, text, href);
   }
+}
+
+/** @param {Extract<Content, { kind: 'tries' }>} block @param {any} text @param {(link: string) => string} href @param {Tools} tools */
+function triesOf({ tries, begins }, text, href, { store, go }) {
+  const press = (/** @type {string} */ link) => (/** @type {MouseEvent} */ event) => {
+    // With one of these it opens elsewhere.
+    if (!begins || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    go(link.slice(1));
+    begins(store);
+  };
+  const one = (/** @type {string} */ name, /** @type {string} */ link) =>
+    html`<li><a class="try" href=${link} data-try=${name} @click=${press(link)}><span>${inline(text.tries[name], href)}</span></a></li>`;
+  return html`<section class="tries"><h3>${words.tries}</h3><ul>${tries.map(([name, link]) => one(name, href(link)))}</ul></section>`;
 }
 
 /** @param {Extract<Content, { kind: 'quiz' }>} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools */

@@ -125,3 +125,28 @@ pageTest('what is predicted runs in sight, and is answered from what stands ther
   assert.ok(cells.length === 2 && cells.every((cell) => String(why).includes(String(cell))), cells.join());
   assert.deepEqual(await page.problems(), []);
 });
+
+pageTest('what is tried runs at once, whatever ran before', async (page) => {
+  await page.open('#lesson&step=contest');
+  for (const [name, entered] of /** @type {const} */ ([
+    ['robots', 'lab,n-6,n-100'],
+    ['remedies', 'lab,cma-es-7,cma-es-7-mirror,cma-es'],
+  ])) {
+    await page.click(`.try[data-try="${name}"]`);
+    await page.until(
+      `${name} has run`,
+      (wanted) =>
+        document.getElementById('contest-csv')?.hidden === false &&
+        [...document.querySelectorAll('#contest-table tbody')]
+          .map((row) => /** @type {HTMLElement} */ (row).dataset.contestant)
+          .join() === wanted,
+      entered,
+    );
+    assert.equal(await page.text('#contest-status'), '');
+  }
+  assert.match(
+    await page.evaluate(() => location.hash),
+    /contestants=cma-es-7,cma-es-7-mirror,cma-es.*lesson=contest/,
+  );
+  assert.deepEqual(await page.problems(), []);
+});

@@ -201,6 +201,29 @@ pageTest('fewer seeds are drawn from what is there, and others of them', async (
   assert.deepEqual(await page.problems(), []);
 });
 
+pageTest('what ran before is said to be out of date once another contest is set up', async (page) => {
+  await openContest(page, link);
+  await runContest(page);
+  const status = () => page.text('#contest-status');
+  assert.equal(await status(), '');
+  for (const change of ['contestant-2 option[value="cauchy"]', 'contest-seeds option[value="51"]']) {
+    await page.click(`#${change}`);
+    assert.match(await status(), /^Out of date: this is the contest of before/);
+    assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, null));
+    assert.deepEqual(await page.obstacles(), []);
+  }
+  await page.click('#contestant-2 option[value="truncation"]');
+  await page.click('#contest-seeds option[value="15"]');
+  assert.equal(await status(), '');
+  await page.click('#contestant-2 option[value="cauchy"]');
+  await runContest(page);
+  assert.equal(await status(), '');
+  assert.deepEqual(
+    (await readTable(page)).map(({ name }) => name),
+    ['lab', 'cauchy', 'fixed', 'de'],
+  );
+});
+
 pageTest('the button writes the CSV of all runs', async (page) => {
   await openContest(page, link);
   await runContest(page);

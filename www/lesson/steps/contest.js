@@ -34,11 +34,14 @@ async function contestIn({ engine, state }) {
 export const sideOf = ({ comparison }) =>
   !comparison || comparison.p >= 0.05 ? 0 : Math.sign(comparison.a12 - 0.5);
 
+/** The contest that is set up runs. @param {Store} store */
+const begins = (store) => luckSlice.update(store, { wanted: true });
+
 /** A question that a contest answers. @param {string} shows @param {Quiz['answer']} answer @param {readonly number[]} order @returns {Quiz} */
 const contestQuiz = (shows, answer, order) => ({
   shows,
   order,
-  begins: (/** @type {Store} */ store) => luckSlice.update(store, { wanted: true }),
+  begins,
   ready: ({ state }) => !luckSlice.of(state).wanted && !luckSlice.of(state).contestRuns,
   answer,
 });
@@ -121,6 +124,7 @@ export const contest = {
     { kind: 'text', name: 'ellipse', after: 'rivals' },
     {
       kind: 'tries',
+      begins,
       tries: [
         ['floor', asked(['floor-0.1', 'fixed'], near, 20_000)],
         ['crossover', asked(['crossover', 'cauchy', 'parent'], near)],

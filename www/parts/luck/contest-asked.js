@@ -21,16 +21,20 @@ export function partsOf(experiment, { seeds, budget }) {
   });
 }
 
-/** Whether it is the one that is set up, and whole. @param {Contest | null} contest @param {Experiment} experiment @param {Asked} asked */
-export const isWhole = (contest, experiment, { others, seeds, budget }) =>
-  contest !== null &&
+/** Whether it has the contestants, seeds and drives that are set up. @param {Contest} contest @param {Asked} asked */
+export const isAsked = (contest, { others, seeds, budget }) =>
   contest.seeds === seeds &&
   contest.budget === budget &&
   contest.lines
     .slice(1)
     .map(({ name }) => name)
-    .join() === others.join() &&
-  contest.lines.every(({ trials, error }) => trials.length === seeds || error !== '') &&
+    .join() === others.join();
+
+/** Whether it is the one that is set up, and whole. @param {Contest | null} contest @param {Experiment} experiment @param {Asked} asked */
+export const isWhole = (contest, experiment, asked) =>
+  contest !== null &&
+  isAsked(contest, asked) &&
+  contest.lines.every(({ trials, error }) => trials.length === asked.seeds || error !== '') &&
   isSameButSeed(contest.experiment, experiment);
 
 /** Runs it whole. @param {Engine} engine @param {Experiment} experiment @param {Asked} asked @returns {Promise<Contest>} */

@@ -7,6 +7,7 @@ import { render } from 'lit-html';
 import { download } from '../../kit/download.js';
 import { byIdIn } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
+import { isAsked } from './contest-asked.js';
 import { createContestChart } from './contest-chart.js';
 import { createContestRequests } from './contest-request.js';
 import { contestSight } from './contest-sight.js';
@@ -39,18 +40,24 @@ export function createContest(element, { engine, store }) {
       /** @type {number} */ draw,
     ) => (contest ? standingsOf(contest, { target, until, only, draw }) : null),
   );
-  const staleText = remember((/** @type {Contest | null} */ contest, /** @type {Experiment} */ experiment) =>
-    contest && !isSameButSeed(contest.experiment, experiment)
-      ? words.outOfDate(changesOf(contest.experiment, experiment))
-      : '',
+  const changesSince = remember((/** @type {Contest} */ contest, /** @type {Experiment} */ experiment) =>
+    isSameButSeed(contest.experiment, experiment) ? null : changesOf(contest.experiment, experiment),
   );
+  /** Why what is shown is not what Run would show. @param {State} state */
+  const staleText = (state) => {
+    const own = luckSlice.of(state);
+    if (!own.contest) return '';
+    const changes = changesSince(own.contest, state.experiment);
+    if (changes) return words.outOfDate(changes);
+    return isAsked(own.contest, own) ? '' : words.otherContest;
+  };
   const changed = watch();
   /** @param {State} state */
   const show = (state) => {
     const { contest, target, until, only, draw } = luckSlice.of(state);
     const found = standings(contest, target, until, only, draw);
     if (!changed(luckSlice.of(state), state.experiment)) return found;
-    const stale = staleText(contest, state.experiment);
+    const stale = staleText(state);
     element.classList.toggle('stale', stale !== '');
     render(contestSight(state, found, stale, on), element);
     return found;

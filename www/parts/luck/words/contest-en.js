@@ -117,6 +117,7 @@ export const runTooLong = (budget, most) =>
 /** @param {number} done @param {number} all */
 export const contestCancelled = (done, all) =>
   `Cancelled after ${done} of ${all} runs: what you see is what these say.`;
+export const otherContest = 'Out of date: this is the contest of before. Run the one that is set up now.';
 /** @param {{ seeds: number, budget: number }} asked */
 export const contestInvitation = ({ seeds, budget }) =>
   `Which part does the work? Every contestant runs with the same ${seeds} seeds, ${grouped(budget)} drives each. Then count drives, not generations.`;

@@ -103,6 +103,7 @@ export const runTooLong = (budget, most) =>
 /** @param {number} done @param {number} all */
 export const contestCancelled = (done, all) =>
   `실행 ${all}회 중 ${done}회를 마치고 취소했습니다. 그때까지의 결과를 보여 줍니다.`;
+export const otherContest = '지금 고른 것이 아니라 이전 겨루기의 결과입니다. 고른 대로 다시 실행해 주십시오.';
 /** @param {{ seeds: number, budget: number }} asked */
 export const contestInvitation = ({ seeds, budget }) =>
   `어느 부분이 효과를 낼까요? 참가자마다 같은 시드 ${seeds}개로 ${grouped(budget)}회씩 주행합니다. 세대가 아니라 주행 횟수로 견주어 보십시오.`;
