@@ -50,7 +50,8 @@ pageTest('what would take too long is refused before it starts, all of it or one
   ])) {
     await openContest(page, `#luck&v=1&luck=contest&seeds=101&budget=20000&${experiment}`);
     await page.click('#contest-run');
-    assert.match(await page.text('#contest-status'), said);
+    const status = await page.until('why', () => document.getElementById('contest-status')?.textContent);
+    assert.match(status, said);
     assert.match(await page.text('#contest-run'), /^Run 4/);
     assert.equal(await page.evaluate(() => document.getElementById('contest-table')), null);
     assert.equal(await page.evaluate(() => document.getElementById('contest-csv')?.hidden), true);
