@@ -2,25 +2,10 @@
 
 mod common;
 
-use common::{Random, assert_close};
+use common::{EP_GAINS, Random, assert_close, cost, run, velocity_limits};
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law, Limits, Posture, Velocity};
-use ep_locomotion::run::{Experiment, Outcome, PAPER_RESULTS, Preset, Sample, Setting};
+use ep_locomotion::run::{Experiment, Outcome, PAPER_RESULTS, Preset, Sample};
 use wasm_bindgen_test::wasm_bindgen_test;
-
-const EP_GAINS: Gains = Gains::new(3.23673, 0.09678, 5.17891);
-
-fn velocity_limits() -> Experiment {
-    Preset::VelocityLimits.experiment()
-}
-
-fn run(experiment: &Experiment, gains: Gains) -> Vec<Sample> {
-    let setting = Setting::new(experiment.clone()).expect("valid");
-    setting.episode(gains, 0).samples().collect()
-}
-
-fn cost(experiment: &Experiment, gains: Gains) -> ep_locomotion::run::Cost {
-    Setting::new(experiment.clone()).expect("valid").cost(&gains)
-}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_first_limited_sample_respects_the_rest_at_the_start() {

@@ -2,26 +2,11 @@
 
 mod common;
 
-use common::{Random, assert_close};
+use common::{EP_GAINS, Random, assert_close, cost, run, velocity_limits};
 use ep_locomotion::number::wrap;
 use ep_locomotion::robot::{Gains, Limits, Posture};
-use ep_locomotion::run::{Experiment, Outcome, Preset, Sample, Setting};
+use ep_locomotion::run::{Experiment, Outcome, Preset, Setting};
 use wasm_bindgen_test::wasm_bindgen_test;
-
-const EP_GAINS: Gains = Gains::new(3.23673, 0.09678, 5.17891);
-
-fn velocity_limits() -> Experiment {
-    Preset::VelocityLimits.experiment()
-}
-
-fn run(experiment: &Experiment, gains: Gains) -> Vec<Sample> {
-    let setting = Setting::new(experiment.clone()).expect("valid");
-    setting.episode(gains, 0).samples().collect()
-}
-
-fn cost(experiment: &Experiment, gains: Gains) -> ep_locomotion::run::Cost {
-    Setting::new(experiment.clone()).expect("valid").cost(&gains)
-}
 
 /// Starts from which the paper's gains arrive, so that rounding cannot decide the outcome.
 fn gentle(random: &mut Random) -> (Experiment, Gains) {

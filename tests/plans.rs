@@ -2,21 +2,16 @@
 
 mod common;
 
-use ep_locomotion::run::{Preset, Setting};
 use ep_locomotion::search::{EvolutionSettings, GenerationRecord, Method, Motion, Plan};
-use ep_locomotion::study::Evolution;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The records of 80 generations from 0 on, with the paper's first experiment.
 fn records(method: Method, change: impl Fn(&mut EvolutionSettings)) -> Vec<GenerationRecord> {
-    let mut experiment = Preset::VelocityLimits.experiment();
-    experiment.evolution.method = method;
-    change(&mut experiment.evolution);
-    let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
-    for _ in 0..80 {
-        evolution.step();
-    }
-    (0..=80).map(|n| evolution.record(n).expect("a generation")).collect()
+    let experiment = common::searched_by(|e| {
+        e.method = method;
+        change(e);
+    });
+    common::records(&common::evolved(experiment, 80))
 }
 
 fn by_gain(number: impl Fn(usize) -> f64) -> [f64; 3] {

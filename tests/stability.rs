@@ -2,21 +2,16 @@
 
 mod common;
 
-use common::{Random, assert_close, wild};
+use common::{EP_GAINS, Random, assert_close, velocity_limits, wild};
 use ep_locomotion::robot::{
     Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Limits, Posture, Velocity,
 };
-use ep_locomotion::run::{Experiment, Preset, Setting};
+use ep_locomotion::run::{Experiment, Setting};
 use ep_locomotion::study::{StabilitySample, stability};
 use ep_locomotion::theory::Lyapunov;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const LAWS: [Law; 2] = [Law::ShimKim, Law::Kanayama];
-const EP: Gains = Gains::new(3.23673, 0.09678, 5.17891);
-
-fn preset() -> Experiment {
-    Preset::VelocityLimits.experiment()
-}
 
 fn run(experiment: Experiment, k: &Gains) -> Vec<StabilitySample> {
     stability(&Setting::new(experiment).expect("a valid experiment"), k, 0)
@@ -136,8 +131,8 @@ fn the_samples_are_those_of_the_episode() {
 #[wasm_bindgen_test(unsupported = test)]
 fn without_limits_the_rate_is_what_is_promised() {
     for law in LAWS {
-        let experiment = Experiment { law, limits: Limits::NONE, ..preset() };
-        let samples = run(experiment, &EP);
+        let experiment = Experiment { law, limits: Limits::NONE, ..velocity_limits() };
+        let samples = run(experiment, &EP_GAINS);
         assert!(samples.len() > 100);
         for sample in &samples {
             assert!(!sample.limited);
@@ -149,7 +144,7 @@ fn without_limits_the_rate_is_what_is_promised() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn where_limits_cut_the_command_the_rate_leaves_the_promise_and_only_there() {
-    let samples = run(preset(), &EP);
+    let samples = run(velocity_limits(), &EP_GAINS);
     let (cut, free): (Vec<&StabilitySample>, Vec<&StabilitySample>) =
         samples.iter().partition(|sample| sample.limited);
     assert!(cut.len() > 50 && free.len() > 50, "{} of {}", cut.len(), samples.len());
@@ -181,7 +176,7 @@ fn the_rate_is_the_slope_of_v_at_the_sample() {
             reference_velocity,
             sample_time,
             horizon: 0.1,
-            ..preset()
+            ..velocity_limits()
         };
         for pair in run(given, &Gains::new(3.0, 2.0, 5.0)).windows(2) {
             let slope = (pair[1].lyapunov - pair[0].lyapunov) / sample_time;
@@ -194,8 +189,8 @@ fn the_rate_is_the_slope_of_v_at_the_sample() {
 fn a_disturbance_adds_to_the_rate_what_theorem_2_says() {
     let (d1, d2) = (0.3, -0.2);
     let disturbance = Disturbance { kind: DisturbanceKind::Slip, linear: d1, angular: d2, seed: 0 };
-    let experiment = Experiment { limits: Limits::NONE, disturbance, ..preset() };
-    for sample in run(experiment, &EP) {
+    let experiment = Experiment { limits: Limits::NONE, disturbance, ..velocity_limits() };
+    for sample in run(experiment, &EP_GAINS) {
         let ErrorPosture { x, y, cos, sin, .. } = sample.error;
         let added = (y * sin - x * cos) * d1 - sin * d2;
         assert!((sample.rate - sum(&sample) - added).abs() < 1e-9, "at {} s", sample.time);
@@ -204,10 +199,10 @@ fn a_disturbance_adds_to_the_rate_what_theorem_2_says() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_last_sample_is_taken_as_if_the_robot_drove_on() {
-    let whole = run(preset(), &EP);
+    let whole = run(velocity_limits(), &EP_GAINS);
     let tolerance =
         ep_locomotion::run::Tolerance { position: 0.0, heading: 0.0, speed: None, turn_rate: None };
-    let longer = run(Experiment { tolerance, ..preset() }, &EP);
+    let longer = run(Experiment { tolerance, ..velocity_limits() }, &EP_GAINS);
     assert!(longer.len() > whole.len());
     assert_eq!(whole.last(), longer.get(whole.len() - 1));
 }
@@ -215,7 +210,7 @@ fn the_last_sample_is_taken_as_if_the_robot_drove_on() {
 #[wasm_bindgen_test(unsupported = test)]
 fn where_nothing_is_promised_v_is_the_papers() {
     let k = Gains::new(1.0, -1.0, 1.0);
-    let samples = run(Experiment { law: Law::Kanayama, ..preset() }, &k);
+    let samples = run(Experiment { law: Law::Kanayama, ..velocity_limits() }, &k);
     for sample in samples {
         assert_eq!(sample.promised, None);
         assert_eq!(sample.lyapunov, Lyapunov::PAPER.value(&sample.error));

@@ -21,6 +21,8 @@ pub mod evolution;
 pub mod golden;
 #[path = "hostile.rs"]
 pub mod hostile;
+#[path = "ingredients.rs"]
+pub mod ingredients;
 #[path = "lanes.rs"]
 pub mod lanes;
 #[path = "law.rs"]

@@ -8,7 +8,8 @@ pub mod json;
 use ep_locomotion::robot::{
     Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Limits, Posture, Velocity,
 };
-use ep_locomotion::run::{Cost, Experiment, Preset, Setting};
+use ep_locomotion::run::{Cost, Experiment, Preset, Sample, Setting};
+use ep_locomotion::search::{EvolutionSettings, GenerationRecord};
 use ep_locomotion::study::Evolution;
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
@@ -102,6 +103,37 @@ impl Random {
             }
         }
     }
+}
+
+/// What the paper's evolution found within limits of velocity.
+pub const EP_GAINS: Gains = Gains::new(3.23673, 0.09678, 5.17891);
+
+/// The paper's first experiment.
+pub fn velocity_limits() -> Experiment {
+    Preset::VelocityLimits.experiment()
+}
+
+/// The same with another search.
+pub fn searched_by(change: impl Fn(&mut EvolutionSettings)) -> Experiment {
+    let mut experiment = velocity_limits();
+    change(&mut experiment.evolution);
+    experiment
+}
+
+/// One run from the first start, sample by sample.
+pub fn run(experiment: &Experiment, gains: Gains) -> Vec<Sample> {
+    let setting = Setting::new(experiment.clone()).expect("valid");
+    setting.episode(gains, 0).samples().collect()
+}
+
+/// J in its parts.
+pub fn cost(experiment: &Experiment, gains: Gains) -> Cost {
+    Setting::new(experiment.clone()).expect("valid").cost(&gains)
+}
+
+/// Every generation in full.
+pub fn records(evolution: &Evolution) -> Vec<GenerationRecord> {
+    (0..=evolution.generation()).map(|n| evolution.record(n).expect("a generation")).collect()
 }
 
 /// The evolution of an experiment after so many generations.

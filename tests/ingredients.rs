@@ -1,0 +1,99 @@
+//! Laws of the ingredients of evolutionary programming: steps, adaptation, selection, crossover.
+
+mod common;
+
+use common::{evolved, records, searched_by};
+use ep_locomotion::search::{EvolutionSettings, Individual, Selection, Step};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[wasm_bindgen_test(unsupported = test)]
+fn without_adaptation_every_sigma_stays_and_with_a_floor_none_is_under_it() {
+    let fixed = evolved(searched_by(|e| (e.adaptation, e.initial_sigma) = (0.0, 0.7)), 40);
+    for record in records(&fixed) {
+        assert!(record.parents.iter().chain(&record.offspring).all(|i| i.sigmas == [0.7; 3]));
+    }
+    let floored = records(&evolved(searched_by(|e| e.sigma_floor = 0.5), 40));
+    let sigmas = floored.iter().flat_map(|r| r.tried()).flat_map(|i| i.sigmas);
+    assert_eq!(sigmas.fold(f64::INFINITY, f64::min), 0.5);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn cauchys_steps_have_its_quartiles_and_shift_no_other_draw() {
+    let step = |step| {
+        let change = move |e: &mut EvolutionSettings| (e.step, e.population) = (step, 2000);
+        let mut experiment = searched_by(change);
+        experiment.horizon = 0.01;
+        records(&evolved(experiment, 3)).split_off(1)
+    };
+    let (cauchy, gaussian) = (step(Step::Cauchy), step(Step::Gaussian));
+    let mut draws: Vec<f64> =
+        cauchy.iter().flat_map(|r| &r.mutations).flat_map(|m| m.gains).collect();
+    draws.sort_by(f64::total_cmp);
+    // tan(π (p − ½)), each within four standard errors.
+    for (share, quantile) in [(0.1, -3.0777), (0.25, -1.0), (0.5, 0.0), (0.75, 1.0), (0.9, 3.0777)]
+    {
+        let count = draws.len() as f64;
+        let under = draws.iter().filter(|draw| **draw < quantile).count() as f64 / count;
+        assert!(
+            (under - share).abs() < 4.0 * (share * (1.0 - share) / count).sqrt(),
+            "{share} {under}"
+        );
+    }
+    for (a, b) in cauchy[0].mutations.iter().zip(&gaussian[0].mutations) {
+        assert_eq!((a.common, a.sigmas), (b.common, b.sigmas));
+        assert_ne!(a.gains, b.gains);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn who_survives_is_as_the_selection_says() {
+    for &selection in Selection::ALL {
+        let evolution = evolved(searched_by(|e| e.selection = selection), 30);
+        for record in &records(&evolution)[1..] {
+            let cost = |number: u32| record.solution(number).cost;
+            assert_eq!(record.survivors[..], record.ranking[..20]);
+            match selection {
+                Selection::Tournament => assert_eq!(record.tournament.wins.len(), 40),
+                Selection::Truncation => {
+                    assert!(record.ranking.is_sorted_by(|a, b| cost(*a) <= cost(*b)));
+                    assert!(record.tournament.wins.is_empty());
+                }
+                Selection::Parent => {
+                    for own in 0..20 {
+                        let better = if cost(own + 20) < cost(own) { own + 20 } else { own };
+                        assert!(record.survivors.contains(&better));
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_crossed_parent_has_each_gain_and_its_sigma_of_one_of_two() {
+    let evolution = evolved(searched_by(|e| e.crossover = 0.5), 40);
+    let mut crossed = 0;
+    for record in &records(&evolution)[1..] {
+        for own in 0..20 {
+            let (parent, base) = (record.parents[own], record.bases[own]);
+            let Some(&partner) = record.donors[own].first() else {
+                assert_eq!(base, parent);
+                continue;
+            };
+            crossed += 1;
+            assert_ne!(partner as usize, own);
+            let partner = record.parents[partner as usize];
+            for j in 0..3 {
+                let pair = |i: &Individual| (i.gains.to_array()[j], i.sigmas[j]);
+                assert!(pair(&base) == pair(&parent) || pair(&base) == pair(&partner));
+            }
+            let child = record.mutations[own].offspring(&base);
+            assert_eq!(child.gains, record.offspring[own].gains);
+        }
+    }
+    assert!((340..460).contains(&crossed), "{crossed} of 800");
+    assert!(
+        evolved(searched_by(|e| (e.crossover, e.population) = (1.0, 1)), 3).newest().best.cost
+            > 0.0
+    );
+}
