@@ -8,15 +8,15 @@
 //!
 //! | room | what it holds | what is always so there |
 //! |---|---|---|
-//! | [`schema`] | what is known outside of Rust: names, units, ranges, words, descriptions | each stands once; nothing here knows a robot or JavaScript |
+//! | [`schema`] | what is known outside of Rust: names, units, ranges, words, descriptions, and the types that are told of them | each stands once; nothing here knows a robot, or calls JavaScript |
 //! | [`number`] | the scalar, small arcs, two robots in one SIMD register, streams of random numbers | the same bits on every machine |
 //! | [`robot`] | posture, arc, error posture (1)–(4), gains, law (5), limits, disturbance | written once, for one robot or several side by side |
 //! | [`theory`] | Lyapunov functions (Theorem 1), Theorem 2 (6)–(8) | formulas of the paper; nothing drives |
-//! | [`search`] | evolutionary programming, random search | knows gains and costs, no robot; a generation depends on its parents, its number and the seed alone |
+//! | [`search`] | evolutionary programming and its rivals | knows gains and costs, no robot; a generation depends on where the search stands, its number and the seed alone |
 //! | [`run`] | experiment, presets, cost (9), one run, many runs at once | an experiment is checked once, in [`run::Setting::new`]; `run/work.rs` says what a call may cost |
-//! | [`study`] | history, landscape, robustness, seeds, starts, stability, remaining error | every job can be split by index without changing a bit |
+//! | [`study`] | history, landscape, robustness, seeds, contests of methods, starts, stability, remaining error | every job of many runs can be split by index without changing a bit |
 //! | [`outside`] | what can be asked from outside, and its types | one table of calls, read in one way for every language |
-//! | `wasm` | the same for JavaScript | the only room that knows it |
+//! | `wasm` | the same for JavaScript | the only room that calls it |
 //! | `bytes` | the same for whoever runs WebAssembly elsewhere, such as Python | imports nothing |
 //!
 //! ```

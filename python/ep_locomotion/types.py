@@ -451,14 +451,14 @@ class CommandTerms(TypedDict):
 
 
 class _StartGrid(TypedDict):
+    #: The gains of the robot.
+    gains: Gains
     #: Metres.
     x: Range
     #: Metres.
     y: Range
     #: How many headings at each position.
     headings: float
-    #: The gains of the robot.
-    gains: Gains
 
 
 class StartGrid(_StartGrid, total=False):

@@ -6,6 +6,9 @@ use super::types::Types;
 
 /// A value that has a plain form: a number, a word, a list, an object.
 pub trait Plain {
+    /// The names of its fields, where it has some.
+    const KEYS: &'static [&'static str] = &[];
+
     /// Its type in TypeScript; whatever that names is declared.
     fn typescript(types: &mut Types) -> String;
 

@@ -67,7 +67,7 @@ macro_rules! record {
                 place: crate::schema::Place<'_>,
                 _: &crate::schema::Allowed,
             ) -> Result<(), crate::schema::InvalidInput> {
-                crate::schema::read_object(given, place, &[$($key),+])?;
+                crate::schema::read_object(given, place, <Self as crate::schema::Plain>::KEYS)?;
                 $(crate::schema::read_field(
                     &mut self.$field,
                     given,
@@ -121,6 +121,8 @@ macro_rules! told {
         }
     ) => {
         impl crate::schema::Plain for $type {
+            const KEYS: &'static [&'static str] = &[$($key),+];
+
             fn typescript(types: &mut crate::schema::Types) -> String {
                 fn of<'a, T: crate::schema::Plain>(
                     types: &mut crate::schema::Types,

@@ -5,8 +5,8 @@ use super::starts::{MAX_AXIS_COUNT, Range};
 use crate::robot::{Gains, Triples};
 use crate::run::{Cost, Setting, Work};
 use crate::schema::{
-    Allowed, Input, InvalidInput, Place, Source, read_object, read_whole, record, refused, told,
-    unranged, words,
+    Allowed, Input, InvalidInput, Place, Plain, Source, read_object, read_whole, record, refused,
+    told, unranged, words,
 };
 
 words! {
@@ -120,7 +120,7 @@ impl Landscape {
     /// A landscape, and which of its rows are asked for.
     pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2]), InvalidInput> {
         let place = Place::Named("landscape");
-        read_object(given, place, &["x", "y", "gains", "rows"])?;
+        read_object(given, place, Self::KEYS)?;
         let at = |name| Place::Field(&place, name);
         let none = Axis { gain: Gain::X, from: 0.0, to: 0.0, count: 0, log: false };
         let axis = |name| read_whole(none, &given.field(name), at(name), &Allowed::ANY);

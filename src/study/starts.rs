@@ -8,7 +8,9 @@ use super::part::{read_part, validate_part};
 use crate::number::{Purpose, stream, wrap};
 use crate::robot::{Gains, METRES, Posture, Triples};
 use crate::run::MAX_STARTS;
-use crate::schema::{Allowed, InvalidInput, Place, Source, read_object, read_whole, record, told};
+use crate::schema::{
+    Allowed, InvalidInput, Place, Plain, Source, read_object, read_whole, record, told,
+};
 
 record! { required (Copy)
     /// Where start postures stand on a circle: its centre and radius in metres.
@@ -188,6 +190,8 @@ pub struct GridOfRobot {
 told! {
     /// The starts of a grid, and the gains of the robot that drives from them.
     StartGrid: GridOfRobot {
+        /// The gains of the robot.
+        "gains" => |given| Triples::from(given.gains),
         /// Metres.
         "x" => |given| given.starts.grid.x,
         /// Metres.
@@ -196,15 +200,13 @@ told! {
         "headings" => |given| given.starts.grid.headings,
         /// The starts [first, end) to drive from; all when left out, in the order of `Grid`.
         "part" [optional] => |given| given.starts.part,
-        /// The gains of the robot.
-        "gains" => |given| Triples::from(given.gains),
     }
 }
 
 impl PartOfGrid {
     /// A grid, and which of its starts are asked for.
     pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
-        read_object(given, Place::Named("grid"), &["x", "y", "headings", "part"])?;
+        read_object(given, Place::Named("grid"), Self::KEYS)?;
         Self::read_fields(given)
     }
 
@@ -230,7 +232,7 @@ impl PartOfGrid {
 impl GridOfRobot {
     /// A robot, a grid, and which of its starts are asked for.
     pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
-        read_object(given, Place::Named("grid"), &["gains", "x", "y", "headings", "part"])?;
+        read_object(given, Place::Named("grid"), Self::KEYS)?;
         let gains = Gains::read_one(&given.field("gains"))?;
         Ok(Self { gains, starts: PartOfGrid::read_fields(given)? })
     }

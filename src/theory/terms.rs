@@ -1,7 +1,7 @@
 //! What a law makes of one error posture.
 
 use crate::robot::{CommandTerms, ErrorPosture, Gains, Law, Posture, Velocity};
-use crate::schema::{InvalidInput, Place, Source, read_object, record, refused};
+use crate::schema::{InvalidInput, Place, Plain, Source, read_object, record, refused};
 
 record! { (Copy)
     /// What the control law makes of an error posture.
@@ -25,7 +25,7 @@ impl LawTerms {
 /// An error posture that is given by its three numbers.
 pub fn read_error<S: Source>(given: &S) -> Result<ErrorPosture, InvalidInput> {
     let place = Place::Named("error");
-    read_object(given, place, &["x", "y", "theta"])?;
+    read_object(given, place, Posture::KEYS)?;
     let number = |name| {
         let (given, at) = (given.field(name), Place::Field(&place, name));
         let number = given.number().filter(|number| number.is_finite());

@@ -414,6 +414,8 @@ export interface CommandTerms {
 }
 /** The starts of a grid, and the gains of the robot that drives from them. */
 export interface StartGrid {
+  /** The gains of the robot. */
+  gains: Gains;
   /** Metres. */
   x: Range;
   /** Metres. */
@@ -422,8 +424,6 @@ export interface StartGrid {
   headings: number;
   /** The starts [first, end) to drive from; all when left out, in the order of `Grid`. */
   part?: [number, number];
-  /** The gains of the robot. */
-  gains: Gains;
 }
 /** One value for each start of a grid, or of an experiment. */
 export interface Robustness {
