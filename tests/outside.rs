@@ -2,13 +2,14 @@
 
 mod common;
 
-use common::evolved;
 use common::json::{Given, written};
+use common::{evolved, velocity_limits};
 use ep_locomotion::outside;
-use ep_locomotion::robot::Gains;
+use ep_locomotion::robot::{ErrorPosture, Gains, Law, Posture, Velocity};
 use ep_locomotion::run::{Preset, Setting};
 use ep_locomotion::schema::{Column, Columns, InvalidInput, Plain};
-use ep_locomotion::study;
+use ep_locomotion::study::{self, Axis, Circle, Gain, Landscape, PartOfGrid, Range, StartGrid};
+use ep_locomotion::theory::LawTerms;
 use serde_json::{Value, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -106,6 +107,88 @@ fn a_call_is_what_its_room_answers() {
             Err(expected.into())
         );
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn numbers_side_by_side_are_what_they_would_be_in_lists() {
+    let starts = |starts| whole(json!({ "starts": starts }), Value::Null);
+    let listed = json!([{ "x": 1, "y": 2, "theta": 3 }, { "x": -1, "y": 0, "theta": 0.5 }]);
+    let column = starts(json!({ "column": [1, 2, 3, -1, 0, 0.5] }));
+    assert_eq!(column, starts(listed));
+    assert!(column.is_ok());
+    for (column, expected) in [
+        (vec![0; 4], "starts must be three numbers (x, y, θ) for each posture, but was 4 numbers"),
+        (vec![], "starts must be a list of 1 to 10000 postures, but was a list of 0"),
+    ] {
+        assert_eq!(starts(json!({ "column": column })), Err(expected.into()));
+    }
+    assert!(starts(json!({ "column": vec![0; 30_000] })).is_ok());
+
+    let setting = Setting::new(velocity_limits()).expect("valid");
+    let evaluated = |gains: Value| told(outside::evaluate(&setting, &Given(Some(&gains))));
+    let both = [3.0, 0.1, 5.0, 10.0, 10.0, 10.0];
+    assert_eq!(evaluated(json!({ "column": both })), evaluated(json!(both)));
+    assert!(evaluated(json!(both)).is_ok());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_survey_is_what_its_room_answers() {
+    let setting = Setting::new(velocity_limits()).expect("valid");
+    let k = Gains::new(3.0, 0.1, 5.0);
+    let given = json!({
+        "x": { "gain": "kx", "from": 1, "to": 4, "count": 3, "log": true },
+        "y": { "gain": "kθ", "from": 2, "to": 3, "count": 2 },
+        "gains": [3, 0.1, 5],
+        "rows": [1, 2],
+    });
+    let landscape = Landscape {
+        x: Axis { gain: Gain::X, from: 1.0, to: 4.0, count: 3, log: true },
+        y: Axis { gain: Gain::Theta, from: 2.0, to: 3.0, count: 2, log: false },
+        gains: k,
+    };
+    let costs = written(&Column(landscape.costs(&setting, [1, 2]).expect("costs")));
+    assert_eq!(told(outside::landscape(&setting, &Given(Some(&given)))), Ok(costs));
+
+    let mut given = json!({
+        "x": { "from": -1, "to": 1, "count": 2 },
+        "y": { "from": 0, "to": 3, "count": 3 },
+        "headings": 4,
+        "part": [1, 20],
+    });
+    let range = |from, to, count| Range { from, to, count };
+    let grid = StartGrid { x: range(-1.0, 1.0, 2), y: range(0.0, 3.0, 3), headings: 4 };
+    let starts = PartOfGrid::read(&Given(Some(&given))).and_then(|part| part.starts());
+    assert_eq!(starts, grid.postures([1, 20]));
+    given["gains"] = json!([3, 0.1, 5]);
+    let ends = written(&Columns(study::robustness(&setting, k, &grid, [1, 20]).expect("ends")));
+    assert_eq!(told(outside::robustness(&setting, &Given(Some(&given)))), Ok(ends));
+
+    let given = json!({ "x": 1, "y": 2, "radius": 3, "count": 4, "seed": 5 });
+    let starts = Circle::read(&Given(Some(&given))).and_then(|circle| circle.starts());
+    assert_eq!(starts, study::on_circle(Posture { x: 1.0, y: 2.0, theta: 0.0 }, 3.0, 4, 5));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_asked_of_the_law_and_of_many_seeds_is_what_its_room_answers() {
+    let mut experiment = velocity_limits();
+    experiment.evolution.population = 6;
+    let setting = Setting::new(experiment).expect("valid");
+    let (gains, k) = (json!([3, 0.1, 5]), Gains::new(3.0, 0.1, 5.0));
+    let (one, error) = (Given(Some(&gains)), json!({ "x": -1, "y": 0.5, "theta": 0.3 }));
+    let terms = LawTerms::new(Law::ShimKim, &ErrorPosture::new(-1.0, 0.5, 0.3), &k, Velocity::ZERO);
+    assert_eq!(told(outside::law_terms(&setting, &one, &Given(Some(&error)))), Ok(written(&terms)));
+
+    let remaining = study::remaining_errors(&setting, &k, 0.5).expect("errors");
+    let seconds = json!(0.5);
+    let found = outside::remaining_errors(&setting, &one, &Given(Some(&seconds)));
+    assert_eq!(told(found), Ok(written(&Columns(remaining))));
+
+    let given = json!({ "seeds": [3, 5], "generations": 4 });
+    let runs = written(&study::seed_runs(&setting, [3, 5], 4).expect("runs"));
+    assert_eq!(told(outside::seed_runs(&setting, &Given(Some(&given)))), Ok(runs));
+    let given = json!({ "seeds": [3, 5], "drives": 40 });
+    let trials = written(&study::trials(&setting, [3, 5], 40).expect("trials"));
+    assert_eq!(told(outside::trials(&setting, &Given(Some(&given)))), Ok(trials));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

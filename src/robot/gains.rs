@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 use crate::schema::{
-    Allowed, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, too_many, unranged,
+    Allowed, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, too_many,
 };
 
 /// The three gains k = (kx, ky, kθ) that evolution looks for. Theorem 1 holds for positive ones.
@@ -122,20 +122,5 @@ impl Plain for Triples {
 
     fn write<W: Writer>(&self, to: &W) -> W::Value {
         to.column(&self.0)
-    }
-}
-
-/// Wherever they stand, they are spoken of as the gains.
-impl Input for Gains {
-    unranged!();
-
-    fn read<S: Source>(
-        &mut self,
-        given: &S,
-        _: Place<'_>,
-        _: &Allowed,
-    ) -> Result<(), InvalidInput> {
-        *self = Self::read_one(given)?;
-        Ok(())
     }
 }

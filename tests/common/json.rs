@@ -46,7 +46,7 @@ impl Writer for Json {
     }
 }
 
-/// A value that was given, or none.
+/// A value that was given, or none. An object with the one field `column` stands for numbers side by side.
 pub struct Given<'a>(pub Option<&'a Value>);
 
 impl Source for Given<'_> {
@@ -62,8 +62,10 @@ impl Source for Given<'_> {
         }
     }
 
-    fn column(&self, _: Place<'_>, _: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
-        Ok(None)
+    fn column(&self, _: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
+        let column = self.0.and_then(|value| value.get("column")).and_then(Value::as_array);
+        assert!(column.is_none_or(|list| list.len() <= most), "more are refused by the boundary");
+        Ok(column.map(|list| list.iter().map(|x| x.as_f64().expect("a number")).collect()))
     }
 
     fn length(&self, _: bool) -> Option<usize> {
