@@ -2,10 +2,12 @@
 
 mod common;
 
+use core::f64::consts::PI;
+
 use common::{EP_GAINS, Random, assert_close, cost, run, velocity_limits};
 use ep_locomotion::number::wrap;
 use ep_locomotion::robot::{Gains, Limits, Posture};
-use ep_locomotion::run::{Experiment, Outcome, Preset, Setting};
+use ep_locomotion::run::{Experiment, Outcome, Preset, Sample, Setting};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Starts from which the paper's gains arrive, so that rounding cannot decide the outcome.
@@ -264,4 +266,21 @@ fn a_run_that_does_not_arrive_takes_the_horizon_and_one_that_diverges_costs_infi
     let lost = setting.episode(Gains::new(1e200, 0.0, 0.0), 0).finished();
     assert_eq!(lost.outcome(), Some(Outcome::Diverged));
     assert_eq!(lost.cost().final_error, f64::INFINITY);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_heading_points_the_robots_way_however_far_it_has_turned() {
+    let mut experiment = Experiment { limits: Limits::NONE, ..velocity_limits() };
+    experiment.horizon = 1.0;
+    // Turns of some 10⁵ rad add up; of 10⁷ the full ones are forgotten at once.
+    for turn in [1e5, 1e7] {
+        let samples = run(&experiment, Gains::new(0.0, 0.0, 100.0 * turn));
+        assert!(samples.len() > 90);
+        assert_eq!(samples[1].posture.theta.abs() > PI, turn < 1e6);
+        for Sample { posture, reference, error, .. } in samples {
+            assert!(posture.theta.abs() <= 1e6, "{}", posture.theta);
+            let turned = wrap(posture.theta - (reference.theta - error.theta));
+            assert!(turned.abs() < 1e-6, "{turned} at {}", posture.theta);
+        }
+    }
 }

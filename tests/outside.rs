@@ -129,6 +129,14 @@ fn numbers_side_by_side_are_what_they_would_be_in_lists() {
     let both = [3.0, 0.1, 5.0, 10.0, 10.0, 10.0];
     assert_eq!(evaluated(json!({ "column": both })), evaluated(json!(both)));
     assert!(evaluated(json!(both)).is_ok());
+    for (gains, expected) in [
+        (json!([1, 2, "x"]), "kθ must be a number, but was 'x'"),
+        (json!([1, 2, 3, true, 5, 6]), "kx (gains[3]) must be a number, but was true"),
+        (json!([1, 2, 3, 4]), "gains must be three numbers for each robot, but was 4 numbers"),
+        (json!({}), "gains must be a Float64Array or an array of numbers, but was of type object"),
+    ] {
+        assert_eq!(evaluated(gains), Err(expected.into()));
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

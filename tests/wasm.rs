@@ -13,6 +13,8 @@ pub mod boundary_runs;
 pub mod boundary_studies;
 #[path = "bounds.rs"]
 pub mod bounds;
+#[path = "columns.rs"]
+pub mod columns;
 #[path = "episodes.rs"]
 pub mod episodes;
 #[path = "evolution.rs"]
