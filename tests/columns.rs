@@ -43,6 +43,24 @@ fn of_runs_their_cost_time_and_whether_they_arrived() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn of_a_run_its_samples_and_how_it_ended() {
+    let setting = setting(Law::ShimKim);
+    for start in [0, 1] {
+        let samples: Vec<_> = setting.episode(EP_GAINS, start).samples().collect();
+        let told = told(&setting.run(EP_GAINS, start));
+        assert_column(&told, "/time", &samples, |sample| sample.time);
+        assert_column(&told, "/x", &samples, |sample| sample.posture.x);
+        assert_column(&told, "/theta", &samples, |sample| sample.posture.theta);
+        assert_column(&told, "/angular", &samples, |sample| sample.velocity.angular);
+        assert_column(&told, "/commandLinear", &samples, |sample| sample.command.linear);
+        assert_column(&told, "/referenceY", &samples, |sample| sample.reference.y);
+        let last = samples.last().expect("a sample");
+        assert_eq!(told["arrived"], json!(last.outcome == Some(Outcome::Arrived)));
+        assert_eq!(told["finalTime"], json!(last.time));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn of_an_error_its_parts_and_the_sets_of_theorem_2() {
     let setting = setting(Law::ShimKim);
     let samples = error_parts(&setting, &EP_GAINS, 0);

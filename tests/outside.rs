@@ -137,6 +137,12 @@ fn numbers_side_by_side_are_what_they_would_be_in_lists() {
     ] {
         assert_eq!(evaluated(gains), Err(expected.into()));
     }
+    // As many as there may be are looked at, one more is not.
+    let most = evaluated(Value::Array(vec![Value::Null; 3_000_000]));
+    assert_eq!(most, Err("kx must be a number, but was null".into()));
+    let expected = "gains must be at most 3000000 numbers, but was 3000001 numbers";
+    let more = evaluated(Value::Array(vec![Value::Null; 3_000_001]));
+    assert_eq!(more, Err(expected.into()));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -2,7 +2,7 @@
 
 mod common;
 
-use ep_locomotion::search::{EvolutionSettings, GenerationRecord, Method, Motion, Plan};
+use ep_locomotion::search::{EvolutionSettings, GenerationRecord, Method, Motion, Plan, search};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The records of 80 generations from 0 on, with the paper's first experiment.
@@ -169,4 +169,39 @@ fn finite_differences_tell_the_slope_and_step_down_it() {
         stepped += 1;
     }
     assert!(probed > 2 && stepped > 10, "{probed} {stepped}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_axes_of_an_ellipse_spread_each_gain_by_its_sigma() {
+    for record in records(Method::CmaEs, |_| ()) {
+        let ellipse = record.ellipse.as_ref().expect("an ellipse");
+        let sigmas = record.tried()[0].sigmas;
+        let spread = by_gain(|j| ellipse.axes.iter().map(|axis| axis[j] * axis[j]).sum());
+        assert_near(spread, sigmas.map(|sigma| sigma * sigma));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_simplex_that_begins_anew_begins_elsewhere() {
+    let experiment = common::searched_by(|e| e.method = Method::NelderMead);
+    let begun: Vec<_> = common::records(&common::evolved(experiment, 300))
+        .iter()
+        .filter(|record| record.plan.motion == Some(Motion::Begin))
+        .map(|record| gains(record.tried(), 0))
+        .collect();
+    assert!(begun.len() > 1, "it never shrinks");
+    assert!(begun.iter().enumerate().all(|(i, first)| !begun[..i].contains(first)), "{begun:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_simplex_without_a_single_cost_begins_anew() {
+    let e = common::searched_by(|e| e.method = Method::NelderMead).evolution;
+    for (costs, motion) in
+        [([f64::INFINITY; 4], Motion::Begin), ([1.0, 2.0, 3.0, f64::INFINITY], Motion::Reflection)]
+    {
+        let mut search = search(e.method);
+        search.tell(&e, search.ask(&e, 0), &costs);
+        let plan = search.plan(&e);
+        assert_eq!((plan.motion, plan.corners.is_empty()), (Some(motion), motion == Motion::Begin));
+    }
 }

@@ -252,4 +252,13 @@ mod tests {
         assert!((rates.effective - 2.2548).abs() < 1e-4, "{}", rates.effective);
         assert!((rates.length - 0.41491).abs() < 1e-4, "{}", rates.length);
     }
+
+    /// The limit for n = 3 and λ = 7 is a first step of 2.02 σ: beyond, the path is long because σ is too small.
+    #[test]
+    fn from_a_path_that_is_too_long_the_shape_does_not_learn() {
+        let first = Normal::new([0.0; 3], 1.0);
+        let shape_path = |step: f64| first.moved(&[[step, 0.0, 0.0]; 7]).shape_path[0];
+        assert!(shape_path(2.0) > 0.0);
+        assert_eq!(shape_path(2.04), 0.0);
+    }
 }
