@@ -147,6 +147,8 @@ function drawPayments(context, view, run) {
   context.textAlign = 'center';
   const total = paidAt(run, last);
   let i = 0;
+  /** Where there is no room between two, only the first has its number. */
+  let named = [Number.NEGATIVE_INFINITY, 0];
   if (!Number.isFinite(total)) return;
   for (const cost of scaleLinear([0, total], [0, 1]).ticks(6).slice(1)) {
     while (i < last && paidAt(run, i) < cost) i += 1;
@@ -160,7 +162,10 @@ function drawPayments(context, view, run) {
     context.lineTo(px + half * across, py + half * up);
     context.stroke();
     const look = { fill: colour('--muted'), halo: colour('--paper') };
-    fillTextWithHalo(context, strings.paidText(cost), px + 24 * across, py + 18 * up, look);
+    const [textX, textY] = [px + 24 * across, py + 18 * up];
+    if (Math.abs(textX - named[0]) < 36 && Math.abs(textY - named[1]) < 15) continue;
+    named = [textX, textY];
+    fillTextWithHalo(context, strings.paidText(cost), textX, textY, look);
   }
 }
 

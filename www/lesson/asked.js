@@ -90,7 +90,7 @@ const tickText = (tick) =>
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {Run} run @param {readonly [ArrayLike<number>, ArrayLike<number>]} values @param {string} token @param {string} name @param {Model} model */
 function drawHalf(context, { width, height }, top, run, [asked, done], token, name, { time }) {
   const most = 1.4 * Math.max(2, largest(asked), largest(done));
-  const frame = { left: 52, right: width - 12, top: top + 22, bottom: top + height - 4 };
+  const frame = { left: 52, right: width - 24, top: top + 22, bottom: top + height - 4 };
   /** @type {Axes} */
   const axes = {
     frame,

@@ -96,7 +96,7 @@ function createBlock(block, step, text, href, tools) {
         html`<section class="notice"><h3>${words.notice}</h3>${list(text.notice, href)}</section>`,
       );
     case 'tries':
-      return still(triesOf(block, text, href, tools));
+      return still(triesOf(block, text, href));
     case 'quiz':
       return createQuestion(block, step, text, href, tools);
     case 'view':
@@ -104,22 +104,15 @@ function createBlock(block, step, text, href, tools) {
   }
 }
 
-/** @param {Extract<Content, { kind: 'tries' }>} block @param {any} text @param {(link: string) => string} href @param {Tools} tools */
-function triesOf({ tries, begins }, text, href, { store, go }) {
-  const press = (/** @type {string} */ link) => (/** @type {MouseEvent} */ event) => {
-    // With one of these it opens elsewhere.
-    if (!begins || event.ctrlKey || event.metaKey || event.shiftKey) return;
-    event.preventDefault();
-    go(link.slice(1));
-    begins(store);
-  };
+/** @param {Extract<Content, { kind: 'tries' }>} block @param {any} text @param {(link: string) => string} href */
+function triesOf({ tries }, text, href) {
   const one = (/** @type {string} */ name, /** @type {string} */ link) =>
-    html`<li><a class="try" href=${link} data-try=${name} @click=${press(link)}><span>${inline(text.tries[name], href)}</span></a></li>`;
+    html`<li><a class="try" href=${link} data-try=${name}><span>${inline(text.tries[name], href)}</span></a></li>`;
   return html`<section class="tries"><h3>${words.tries}</h3><ul>${tries.map(([name, link]) => one(name, href(link)))}</ul></section>`;
 }
 
 /** @param {Extract<Content, { kind: 'quiz' }>} block @param {Step} step @param {any} text @param {(link: string) => string} href @param {Tools} tools */
-function createQuestion({ name, quiz }, step, text, href, { store, actions, go }) {
+function createQuestion({ name, quiz }, step, text, href, { store, actions, go, look }) {
   const key = keyOf(step, name);
   const keep = (/** @type {Answer | undefined} */ answer) => {
     const { [key]: _, ...others } = progressSlice.of(store.get()).answers;
@@ -129,6 +122,7 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go }
     onAnswer(choice) {
       if (progressSlice.of(store.get()).answers[key]) return;
       if (quiz.shows) go(href(quiz.shows).slice(1));
+      if (quiz.sight) look(quiz.sight);
       quiz.begins?.(store);
       if (quiz.time !== undefined) actions.standAt(quiz.time);
       keep({ choice, right: null, why: '' });

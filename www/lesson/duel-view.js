@@ -98,7 +98,7 @@ export function createDuelDrives({ store }, { duel: words }) {
             <button id="duel-lock" type="button" class="primary" @click=${lock}
               ?hidden=${duel !== null} ?disabled=${costs.length === 0}>${words.lock}</button>
             <button id="duel-new" type="button" @click=${startOver}
-              ?hidden=${costs.length === 0}>${words.startOver}</button>
+              ?hidden=${duel === null && costs.length === 0}>${words.startOver}</button>
           </div>`,
         element,
       );

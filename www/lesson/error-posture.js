@@ -31,6 +31,9 @@ export function createErrorPosture(root) {
   root.replaceChildren(picture, ...parts.map(({ label }) => label));
   const changed = watch();
 
+  let size = { width: 0, height: 0 };
+  /** Within the plane. @param {number} at @param {number} end */
+  const clamp = (at, end) => Math.max(16, Math.min(end - 16, at));
   /** @param {number} i @param {string} path @param {number} x @param {number} y @param {boolean} seen */
   const place = (i, path, x, y, seen) => {
     const { path: line, grip, label, group } = parts[i];
@@ -38,7 +41,8 @@ export function createErrorPosture(root) {
     grip.setAttribute('d', path);
     group.classList.toggle('gone', !seen);
     label.hidden = !seen;
-    label.style.transform = `translate(${x}px, ${y}px) translate(-50%, -50%)`;
+    const [left, top] = [clamp(x, size.width), clamp(y, size.height)];
+    label.style.transform = `translate(${left}px, ${top}px) translate(-50%, -50%)`;
   };
 
   return {
@@ -49,6 +53,7 @@ export function createErrorPosture(root) {
     /** @param {Live} live */
     draw({ state, sample }) {
       if (state.size.width === 0 || !changed(sample, state.box, state.size)) return;
+      size = state.size;
       const view = createView(state.box, state.size);
       const { posture, reference, error } = sample;
       const at = (/** @type {number} */ x, /** @type {number} */ y) => [view.screenX(x), view.screenY(y)];

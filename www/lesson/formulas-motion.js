@@ -1,5 +1,5 @@
 // How the robot and its errors move, and what becomes of V when the law is put in.
-import { cos, dot, frac, further, line, row, sin, sup } from './notation.js';
+import { cos, dot, equally, frac, line, row, sin, sup } from './notation.js';
 import { mathml } from './symbols.js';
 
 /** @import { Formula, Leaf, Part } from './notation.js' */
@@ -54,7 +54,7 @@ export const chainFormula = {
       '+',
       row(sin(leaf('te')), dot, rate(leaf('te'))),
     ),
-    further(
+    equally(
       row('−', leaf('xe'), dot, leaf('v'), dot, cos(leaf('te'))),
       '+',
       row(leaf('ye'), dot, leaf('v'), dot, sin(leaf('te'))),

@@ -19,7 +19,7 @@ export function askForLesson(hash) {
   if (/^#lesson\b|&lesson=/.test(hash)) load().catch(() => {});
 }
 
-/** @param {Tools & { paper: PaperResult[] }} tools */
+/** @param {Omit<Tools, 'look'> & { paper: PaperResult[] }} tools */
 export function createLesson(tools) {
   const article = byId('lesson');
   /** @type {{ draw: (state: State, scene: Scene) => void } | null} */

@@ -4,7 +4,7 @@ import { create } from '../kit/elements.js';
 import { remember, watch } from '../kit/memo.js';
 import { generationSlice } from '../parts/generation/state.js';
 import { isInitial } from '../parts/generation/record.js';
-import { fixed } from '../words/numbers.js';
+import { fixed, powerText } from '../words/numbers.js';
 import { anatomyOf, chosenIn } from './anatomy.js';
 import { createSmallDrive } from './small-drives.js';
 
@@ -14,6 +14,9 @@ import { createSmallDrive } from './small-drives.js';
 /** @typedef {{ newborn: { title: (better: number, count: number) => string, parents: (count: number) => string, name: (number: number, isParent: boolean) => string } }} NewbornWords */
 
 const most = 20;
+/** There is room for four digits. @param {number} cost */
+const inFour = (cost) =>
+  cost < 1e4 ? fixed(cost, cost < 100 ? 2 : cost < 1000 ? 1 : 0) : powerText(cost, 2);
 
 /** @param {Tools} tools @param {NewbornWords} words @returns {Block} */
 export function createNewborn({ engine, store }, { newborn: words }) {
@@ -48,7 +51,7 @@ export function createNewborn({ engine, store }, { newborn: words }) {
           html`<p class="newborn-title">${isBorn ? words.title(all.filter((_, i) => isBetter(i)).length, all.length) : words.parents(all.length)}</p>
             <ul>${runs.map(
               (_, i) => html`<li class=${`${i === chosen ? 'chosen' : ''}${isBetter(i) ? ' better' : ''}`}>
-                ${pictures[i].element}<span>${words.name(i + 1, !isBorn)}</span> <strong>${fixed(all[i].cost, 2)}</strong></li>`,
+                ${pictures[i].element}<span>${words.name(i + 1, !isBorn)}</span> <strong>${inFour(all[i].cost)}</strong></li>`,
             )}</ul>`,
           element,
         );

@@ -49,8 +49,14 @@ export const line = (left, ...right) => relation(left, '=', ...right);
 /** The same with another sign. @param {Part} left @param {string} sign @param {Part[]} right */
 export const relation = (left, sign, ...right) =>
   mathml('mtr', cell('right', node(left)), cell('left', row(sign, ...right)));
-/** A line that goes on. @param {Part[]} right */
-export const further = (...right) => mathml('mtr', cell('right'), cell('left', row(...right)));
+/** The same once more: what the line above comes to. @param {Part[]} right */
+export const equally = (...right) => relation(row(), '=', ...right);
+/** A line that goes on, its first sign that of a sum. @param {Part[]} right */
+export function further(...right) {
+  const goesOn = row(...right);
+  if (typeof right[0] === 'string') goesOn.firstElementChild?.setAttribute('form', 'infix');
+  return mathml('mtr', cell('right'), cell('left', goesOn));
+}
 
 /** @param {'left' | 'right'} side @param {Element[]} parts */
 function cell(side, ...parts) {

@@ -36,12 +36,14 @@ import './build.css';
 /** What runs now: all that a step's values, answers and views are made of. @typedef {{ engine: Engine, state: State, scene: Scene, paper: PaperResult[], gains: Triple, samples: Samples, at: number, sample: Sample, decided: Sample }} Live Every sample of the drive, and which it is at the robots’ clock: what is, and what the law decided last, which at the end of a drive is one sample old. */
 /** What a step holds, drawn at every change; it may have to end something when it is left. @typedef {{ element: HTMLElement, draw: (live: Live) => void, leave?: () => void }} Block */
 /** The same, or what never changes. @typedef {{ element: HTMLElement | TemplateResult, draw: (live: Live) => void }} Part */
-/** @typedef {{ go: (link: string) => void, store: Store, actions: Actions, engine: Engine }} Tools */
+/** @import { Sight } from './sights.js' */
+/** @typedef {{ go: (link: string) => void, look: (sight: Sight) => void, store: Store, actions: Actions, engine: Engine }} Tools */
 
-/** @param {Tools & { paper: PaperResult[] }} parts */
+/** @param {Omit<Tools, 'look'> & { paper: PaperResult[] }} parts */
 export function createLessonPage({ engine, store, actions, paper, go }) {
   const article = byId('lesson');
-  const tools = { engine, store, actions, go };
+  const sights = createSights(byId('sights'));
+  const tools = { engine, store, actions, go, look: sights.look };
   const keepsake = createKeepsake(store);
   const tally = createTally(store);
   const stage = createStage(tools);
@@ -49,7 +51,6 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
   const samples = createSamples(engine);
   const stepChanged = watch();
   const headChanged = watch();
-  const sights = createSights(byId('sights'));
   createLit();
   /** @type {Part[]} */
   let blocks = [];
@@ -62,6 +63,14 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
     if (!href.startsWith('#')) return;
     event.preventDefault();
     go(href.slice(1));
+    // What a word of the text opens is seen there.
+    if (link.closest('.prose, .notice') && !/^#(lab|lesson)\b/.test(href)) sights.look('part');
+    for (const block of steps[store.get().lesson - 1]?.blocks ?? []) {
+      const pressed = block.kind === 'tries' && block.tries.find(([name]) => name === link.dataset.try);
+      if (!pressed) continue;
+      if (pressed[2]) sights.look(pressed[2]);
+      block.begins?.(store);
+    }
   });
 
   return {

@@ -9,7 +9,10 @@ export const tied = (text) =>
   text
     .replace(/(?<=[\d}]) (?=(?:m|s|cm|ms|rad|%|m\/s|rad\/s)(?![A-Za-z]))/g, '\u00a0')
     .replace(/(?<=Theorem|Figure|step|Step|generation|Generation|seed|Seed|정리|그림|시드) (?=\d)/g, '\u00a0')
-    .replace(/(?<=[}σ]) = (?=[−\d{])/g, '\u00a0=\u00a0');
+    .replace(/(?<=[}σ]) = (?=[−\d{])/g, '\u00a0=\u00a0')
+    // A posture, and a Korean number before what it counts.
+    .replace(/(?<=\d(?:\u00a0m)?,) (?=−?\d+(?:\u00a0m\b|°))/g, '\u00a0')
+    .replace(/(?<=여섯|스무|백) (?=대)/g, '\u00a0');
 
 /**
  * @param {string} text @param {(link: string) => string} hrefOf

@@ -7,6 +7,7 @@ import { inline } from './prose.js';
 
 /** @import { Store } from '../run/store.js' */
 /** @import { Live } from './page.js' */
+/** @import { Sight } from './sights.js' */
 /** @import { Answer } from './state.js' */
 
 /**
@@ -16,6 +17,7 @@ import { inline } from './prose.js';
 /**
  * @typedef {object} Quiz
  * @property {string} [shows] The link of a run that shows it; opened when the prediction is made.
+ * @property {Sight} [sight] Which sight of it, where only one has room.
  * @property {number} [time] Where the robots' clock then stands, in seconds; without it they drive.
  * @property {(store: Store) => void} [begins] What the prediction sets going there.
  * @property {true} [watch] The answer waits until the drive has been seen to its end.

@@ -3,7 +3,7 @@ import { robustnessSlice } from '../parts/robustness/state.js';
 import { gridAround, tally } from '../parts/robustness/grid.js';
 import { fine, isFine } from '../parts/robustness/request.js';
 import { trainingSlice } from '../parts/training/state.js';
-import { testRobots } from '../parts/training/request.js';
+import { evolvedFor, testRobots } from '../parts/training/request.js';
 import { createSets } from '../parts/training/sets.js';
 
 /** @import { Engine, Robustness, Triple } from '../core/engine.js' */
@@ -40,8 +40,16 @@ function shareOf(runs) {
   return { count: Math.round(share * starts), starts, share };
 }
 
-/** Evolved on sets of starts as in the training, and tested as there. @param {Engine} engine @param {State} state @param {readonly SetName[]} names @returns {Promise<Result[]>} */
+/** Whether Training has what was asked of it. @param {State} state */
+export const trainingIsDone = (state) => {
+  const { wanted, progress } = trainingSlice.of(state);
+  return !wanted && progress === null;
+};
+
+/** Evolved on sets of starts as in the training, and tested as there; read from there if it stands there. @param {Engine} engine @param {State} state @param {readonly SetName[]} names @returns {Promise<Result[]>} */
 export async function trainedOn(engine, state, names) {
+  const evolved = evolvedFor(state);
+  if (evolved) return names.map((name) => evolved.results[name]);
   const { experiment } = state;
   const sets = createSets(engine)(experiment);
   const asked = names.map((name) => ({ ...experiment, starts: sets[name] }));

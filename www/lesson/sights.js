@@ -14,6 +14,13 @@ export function createSights(fieldset) {
   const narrow = matchMedia(`(max-width: ${isEmbedded ? 599 : 1023}px)`);
   /** @type {Sight | null} */
   let chosen = null;
+  /** What a question is about, when what it opens is there. @type {Sight | null} */
+  let wanted = null;
+  /** @type {Step | undefined} */
+  let opened;
+  /** @type {readonly Sight[]} */
+  let offered = [];
+  let draw = () => {};
   const show = () => {
     if (chosen && narrow.matches) document.body.dataset.sight = chosen;
     else delete document.body.dataset.sight;
@@ -22,6 +29,8 @@ export function createSights(fieldset) {
   return {
     /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {string} page @param {'instead' | 'beside' | 'under' | undefined} stage */
     open(step, page, stage) {
+      if (step !== opened) wanted = null;
+      opened = step;
       chosen = null;
       if (step) {
         const { figure } = step;
@@ -38,11 +47,25 @@ export function createSights(fieldset) {
             text: page === 'lab' ? lab.texts.evolutionSection : lab.pages[page],
           });
         if (hasGains) choices.push({ value: 'gains', text: lab.texts.gainsTitle });
-        createSegmented(fieldset, words.sights, choices, (sight) => {
+        offered = choices.map(({ value }) => value);
+        if (wanted && offered.includes(wanted)) chosen = wanted;
+        wanted = null;
+        const picker = createSegmented(fieldset, words.sights, choices, (sight) => {
           chosen = sight;
           show();
-        }).draw(chosen);
+        });
+        draw = () => picker.draw(chosen);
+        draw();
       }
+      show();
+    },
+
+    /** Shows what a question is about, now and in what it opens. @param {Sight} sight */
+    look(sight) {
+      wanted = sight;
+      if (!offered.includes(sight)) return;
+      chosen = sight;
+      draw();
       show();
     },
   };

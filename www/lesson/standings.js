@@ -8,6 +8,7 @@ import { threeDigits } from '../words/numbers.js';
 import { createSmallDrive } from './small-drives.js';
 
 /** @import { Run, Triple } from '../core/engine.js' */
+/** @import { Driver } from '../words/common/kinds.js' */
 /** @import { Block, Live, Tools } from './page.js' */
 /** @typedef {'ep' | 'arbitrary' | 'gentle' | 'hand'} Entrant */
 /** @typedef {{ standings: { caption: string, gentle: string, lowest: string, nobody: string } }} Words */
@@ -18,9 +19,8 @@ const isGentle = (/** @type {Triple | null} */ gains) => String(gains) === Strin
 const entrants = /** @type {const} */ (['ep', 'arbitrary', 'gentle', 'hand']);
 
 const drivers = /** @type {const} */ ({ ep: 'paper-ep', arbitrary: 'paper-arbitrary', hand: 'hand' });
-/** As the lab names them. @param {Entrant} name @param {string} ofGentle */
-const nameOf = (name, ofGentle) =>
-  name === 'gentle' ? ofGentle : (lab.drivers.find(({ value }) => value === drivers[name])?.text ?? '');
+/** As the lab names them. @param {Driver} driver */
+const driverText = (driver) => lab.drivers.find(({ value }) => value === driver)?.text ?? '';
 
 /** Whose gains stand in the table; null: nobody's yet. @param {Live} live @param {Triple | null} byHand @returns {Record<Entrant, Triple | null>} */
 export const entrantsOf = ({ state, paper }, byHand) => ({
@@ -45,6 +45,8 @@ export function createStandings({ engine, actions, store }, { standings: words }
   let byHand = null;
   /** @type {readonly (Run | null)[]} */
   let driven = [];
+  /** The place of who drives by hand is that of the evolved robot while that one drives. */
+  let isEvolved = false;
   const element = create('table', 'standings');
   element.id = 'standings';
   element.setAttribute('aria-label', words.caption);
@@ -55,7 +57,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
     if (name === 'ep') return actions.chooseDriver('paper-ep');
     if (name === 'arbitrary') return actions.chooseDriver('paper-arbitrary');
     const gains = name === 'gentle' ? gentle : byHand;
-    if (!gains) return;
+    if (!gains || (name === 'hand' && isEvolved)) return;
     actions.driveGains(gains);
     actions.driveAgain();
   }
@@ -66,9 +68,14 @@ export function createStandings({ engine, actions, store }, { standings: words }
       const { experiment, handGains, driver, preset, robot, theme } = live.state;
       for (const [i, run] of driven.entries())
         if (run) pictures[i].draw(experiment, run, robot.time, theme, { car: 8 });
-      if (!changed(experiment, handGains, driver, preset)) return;
+      isEvolved = driver === 'evolved';
+      const last = isEvolved ? live.gains : null;
+      if (!changed(experiment, handGains, driver, preset, String(last))) return;
       if (handGains && !isGentle(handGains)) byHand = handGains;
-      const gains = entrantsOf(live, byHand);
+      const gains = entrantsOf(live, last ?? byHand);
+      /** @param {Entrant} name */
+      const driverOf = (name) =>
+        name === 'hand' && isEvolved ? 'evolved' : name === 'gentle' ? 'hand' : drivers[name];
       const runs = entrants.map((name) => gains[name] && engine.drive(experiment, [gains[name]])[0]);
       driven = runs;
       const winner = winnerOf(runs);
@@ -76,7 +83,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
       const driving =
         driver === 'hand' && isGentle(handGains)
           ? 'gentle'
-          : entrants.find((name) => name !== 'gentle' && drivers[name] === driver);
+          : entrants.find((name) => name !== 'gentle' && driverOf(name) === driver);
       const rows = entrants.map((name, i) => {
         const [triple, run] = [gains[name], runs[i]];
         const text =
@@ -85,7 +92,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
           <td class="standing-picture">${pictures[i].element}</td>
           <th class="standing-head" scope="row">
             <button class="standing-name" type="button" aria-pressed=${name === driving} ?disabled=${!run}
-              @click=${() => drive(name)}>${nameOf(name, words.gentle)}</button
+              @click=${() => drive(name)}>${name === 'gentle' ? words.gentle : driverText(driverOf(name))}</button
             ><span class="muted">${text}</span>
             <div class="standing-bar" aria-hidden="true">${segmentsOf(run, dearest)}</div>
           </th>

@@ -147,6 +147,31 @@ pageTest('a drive of the table can be driven, and one’s own gains stay in it',
   );
 });
 
+pageTest('the evolved robot that drives stands in the table, in the place of one’s own', async (page) => {
+  await page.open('#lesson&step=6');
+  await page.evaluate(() =>
+    /** @type {HTMLElement} */ (document.querySelector('[data-try="evolved"]')).click(),
+  );
+  const cost = await page.until('its J', () => {
+    const row = document.querySelector('#standings tr:nth-child(4)');
+    const total = row?.querySelector('.standing-total')?.textContent;
+    return row?.classList.contains('wins') && total === document.getElementById('cost-total')?.innerText
+      ? total
+      : '';
+  });
+  assert.ok(Number(cost) < 61, cost);
+  assert.equal(
+    await page.evaluate(() => document.querySelector('#standings [aria-pressed="true"]')?.textContent),
+    'Evolved best',
+  );
+  const whole = await page.evaluate(() =>
+    [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.standing-total'))].every(
+      (total) => total.getClientRects().length === 1 && total.offsetHeight < 40,
+    ),
+  );
+  assert.ok(whole, 'no number is broken into two lines');
+});
+
 pageTest('the formula’s numbers are the parts of J, and each lights up in the bar', async (page) => {
   await page.open('#lesson&step=6');
   await page.click('.formula-button');

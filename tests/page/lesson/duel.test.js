@@ -212,6 +212,10 @@ pageTest('drive, lock in, predict; every number is the core’s', async (page) =
     ].sort((a, b) => Number(a.cost) - Number(b.cost));
   const seen = async () => (await table(page)).map(({ who, drives, cost }) => ({ who, drives, cost }));
   assert.deepEqual(await seen(), rows(run));
+  const hidden = await page.evaluate(
+    () => [...document.querySelectorAll('#duel-table td')].filter((cell) => !cell.checkVisibility()).length,
+  );
+  assert.equal(hidden, 0, 'every number of the table is seen');
   const champion = yard.drive(contest, evolvedBest(1, 20).gains);
   assert.equal((await table(page))[0].parked, String(champion?.parked));
 
@@ -287,4 +291,16 @@ pageTest('answers, trials and a locked duel outlast a reload of the tab', async 
   await drawn(page);
   assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));
   assert.equal(await textOf(page, 'duel-drives'), '0');
+});
+
+pageTest('who has only predicted can start over for another contest', async (page) => {
+  await page.open('#lesson&step=duel');
+  await page.click('#quiz-ahead .choice:first-child');
+  await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('[data-try="dear"]')).click());
+  await page.until('that it is another contest', () =>
+    /Start over/.test(document.getElementById('duel-status')?.textContent ?? ''),
+  );
+  await page.click('#duel-new');
+  await page.until('a new contest', () => document.getElementById('duel-lock')?.checkVisibility());
 });

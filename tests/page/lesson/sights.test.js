@@ -77,6 +77,44 @@ pageTest(
   },
 );
 
+pageTest('on a telephone a generation is whole in its sight, phase by phase', async (page) => {
+  // A telephone has no scroll bar beside its 390 pixels.
+  const bar = await page.evaluate(() => {
+    document.body.style.minHeight = '3000px';
+    return innerWidth - document.documentElement.clientWidth;
+  });
+  await page.resize(390 + bar, 844);
+  await page.open('#lesson&step=generation');
+  await page.click('#sights-part');
+  for (const phase of ['parents', 'mutation', 'drive', 'tournament', 'ranking', 'survivors']) {
+    await page.click(`#generation-phases-${phase}`);
+    const hidden = await page.evaluate(() => {
+      const { scrollHeight, clientHeight, scrollWidth, clientWidth } = /** @type {HTMLElement} */ (
+        document.querySelector('.readings')
+      );
+      return [scrollHeight - clientHeight, scrollWidth - clientWidth];
+    });
+    assert.ok(hidden[0] <= 4 && hidden[1] <= 0, `${phase}: ${hidden}`);
+  }
+});
+
+pageTest('on a telephone the figure turns to what a question, a try or a word opens', async (page) => {
+  await page.resize(390, 844);
+  const seen = () => page.evaluate(() => document.body.dataset.sight);
+  for (const [step, press, sight] of /** @type {const} */ ([
+    ['generation', '#quiz-luck .choice:first-child', 'part'],
+    ['generation', '.prose a[href*="mutation"]', 'part'],
+    ['generation', '[data-try="lucky"]', 'part'],
+    ['limits', '[data-try="raised"]', 'part'],
+    ['stability', '[data-try="track"]', 'robot'],
+  ])) {
+    await page.open(`#lesson&step=${step}`);
+    assert.equal(await seen(), 'stage', step);
+    await page.evaluate((one) => /** @type {HTMLElement} */ (document.querySelector(one)).click(), press);
+    assert.equal(await seen(), sight, `${step} ${press}`);
+  }
+});
+
 pageTest('on a telephone the bars of the law stand over the robot that they drive', async (page) => {
   await page.resize(390, 844);
   await page.open('#lesson&step=law');

@@ -198,15 +198,35 @@ pageTest('what the answer says of many starts is what the training then finds', 
     'the answer',
     () => document.querySelector('#quiz-price .quiz-why strong')?.parentElement?.innerText,
   );
-  await page.click('#training-evolve');
-  const finding = await page.until('the three evolutions', () => {
-    const text = document.getElementById('training-finding')?.textContent ?? '';
-    return document.getElementById('training-note')?.textContent ? text : '';
-  });
+  // The prediction has set them going, and the answer waited for them.
+  const finding = await page.evaluate(() =>
+    document.getElementById('training-note')?.textContent
+      ? (document.getElementById('training-finding')?.textContent ?? '')
+      : '',
+  );
+  assert.ok(finding, 'the three evolutions are in sight');
   const [, before, after] = /From (\d+\.\d+) to (\d+\.\d+)/.exec(why) ?? [];
   const counts = /from (\d+) of the 1000 starts.*instead of (\d+)/s.exec(why) ?? [];
   const row = await page.evaluate(() => document.getElementById('training-table')?.innerText ?? '');
   for (const cost of [before, after]) assert.ok(row.includes(Number(cost).toFixed(2)), `${cost} in ${row}`);
   for (const count of counts.slice(1))
     assert.ok(finding.includes(`${Math.round(Number(count) / 10)}\u202f%`), `${count} in ${finding}`);
+});
+
+pageTest('what is said of the first robot stays said of it while another is tried', async (page) => {
+  await page.open('#lesson&step=task');
+  const said = () =>
+    page.evaluate(() =>
+      [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]'))]
+        .map(({ dataset, textContent }) => `${dataset.value} ${textContent}`)
+        .join(),
+    );
+  const first = await said();
+  assert.match(first, /generation 100/);
+  await page.evaluate(() =>
+    /** @type {HTMLElement} */ (document.querySelector('[data-try="cheap"]')).click(),
+  );
+  await page.until('another seed', () => location.hash.includes('seed=3'));
+  await page.until('its robot', () => document.getElementById('training-evolve')?.checkVisibility());
+  assert.equal(await said(), first);
 });

@@ -61,6 +61,7 @@ export const disturbance = {
       name: 'random',
       quiz: {
         shows: 'disturbance&drives=paper-ep&under=random,0.1,0,1',
+        watch: true,
         order: [2, 0, 1],
         answer({ engine, state, scene, gains }) {
           const { goal } = state.experiment;

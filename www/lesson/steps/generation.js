@@ -28,6 +28,7 @@ export const generation = {
       name: 'luck',
       quiz: {
         shows: 'generation&generation=1&phase=ranking&individual=25',
+        sight: 'part',
         order: [1, 0, 3, 2],
         answer(live) {
           const anatomy = anatomyOf(live);
@@ -62,9 +63,9 @@ export const generation = {
     {
       kind: 'tries',
       tries: [
-        ['lucky', 'generation&seed=3&generation=1&phase=tournament&individual=12'],
-        ['below', 'generation&generation=1&phase=drive&individual=34'],
-        ['bouts', 'generation&opponents=200&generation=1&phase=survivors'],
+        ['lucky', 'generation&seed=3&generation=1&phase=tournament&individual=12', 'part'],
+        ['below', 'generation&generation=1&phase=drive&individual=34', 'part'],
+        ['bouts', 'generation&opponents=200&generation=1&phase=survivors', 'part'],
         ['late', 'generation&generation=60&phase=drive'],
       ],
     },

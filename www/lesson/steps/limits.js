@@ -98,6 +98,7 @@ export const limits = {
       name: 'heals',
       quiz: {
         shows: `curves&view=stability&drives=paper-ep&${raised}`,
+        sight: 'part',
         watch: true,
         order: [0, 2, 1],
         answer({ engine, paper }) {
@@ -124,11 +125,11 @@ export const limits = {
     {
       kind: 'tries',
       tries: [
-        ['raised', `curves&view=stability&drives=hand&gains=3,8,5&start=2.5,1.5,45deg`],
+        ['raised', `curves&view=stability&drives=hand&gains=3,8,5&start=2.5,1.5,45deg`, 'part'],
         ['figure4', 'lab&drives=paper-ep'],
-        ['figure5', 'curves&drives=paper-ep'],
+        ['figure5', 'curves&drives=paper-ep', 'part'],
         ['figure6', 'lab&preset=acceleration-limits&drives=paper-ep'],
-        ['figure7', 'curves&preset=acceleration-limits&drives=paper-ep'],
+        ['figure7', 'curves&preset=acceleration-limits&drives=paper-ep', 'part'],
       ],
     },
     { kind: 'notice' },

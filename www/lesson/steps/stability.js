@@ -54,6 +54,7 @@ export const stability = {
       name: 'kanayama',
       quiz: {
         shows: `curves&view=stability&law=kanayama&drives=hand&gains=3,1,5&${unlimited}`,
+        sight: 'robot',
         watch: true,
         order: [0, 2, 1],
         answer({ scene }) {
@@ -69,12 +70,13 @@ export const stability = {
     {
       kind: 'tries',
       tries: [
-        ['other', `curves&view=stability&drives=hand&gains=3,1,5&${unlimited}&start=-1,-1,180deg`],
+        ['other', `curves&view=stability&drives=hand&gains=3,1,5&${unlimited}&start=-1,-1,180deg`, 'part'],
         ['negativeTurn', 'curves&view=stability&drives=hand&gains=3,1,-2'],
-        ['track', 'curves&view=stability&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5'],
+        ['track', 'curves&view=stability&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5', 'robot'],
         [
           'kanayamaTracks',
           'curves&view=stability&law=kanayama&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5',
+          'robot',
         ],
       ],
     },

@@ -2,10 +2,11 @@
 import { robustnessSlice } from '../../parts/robustness/state.js';
 import { gridAround, headings } from '../../parts/robustness/grid.js';
 import { fine } from '../../parts/robustness/request.js';
+import { trainingSlice } from '../../parts/training/state.js';
 import { gainsOf } from '../../run/drivers.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
-import { mapsAreDone, shareOfStarts, trainedOn } from '../robust.js';
+import { mapsAreDone, shareOfStarts, trainedOn, trainingIsDone } from '../robust.js';
 import { filmRuns } from '../film.js';
 import { createSwarm } from '../swarm.js';
 import shared from '../words/index.js';
@@ -15,8 +16,11 @@ import { path } from '../path.js';
 
 /** @import { Engine } from '../../core/engine.js' */
 /** @import { Live, Tools } from '../page.js' */
+/** @import { Quiz } from '../quiz.js' */
 /** @import { Step } from '../steps.js' */
 
+/** The generation that the step speaks of. */
+const evolvedTo = 100;
 /** Turning costs a tenth. */
 export const cheapTurns = 'weights.velocity=1,0.1';
 
@@ -29,6 +33,12 @@ const createTaskStage = (tools) =>
     const yard = yardOf(engine).drive(state.experiment, gains);
     return yard && { name: shared.swarm.own(gains), yard };
   });
+
+/** What a prediction sets going in Training, and waits for. @type {Pick<Quiz, 'begins' | 'ready'>} */
+const evolvesAll = {
+  begins: (store) => trainingSlice.update(store, { wanted: true }),
+  ready: ({ state }) => trainingIsDone(state),
+};
 
 /** @type {Step} */
 export const task = {
@@ -80,6 +90,7 @@ export const task = {
       name: 'price',
       quiz: {
         shows: 'training&generation=100',
+        ...evolvesAll,
         async answer({ engine, state }) {
           const [one, many] = await trainedOn(engine, state, ['one', 'circle']);
           const right = many.own < 0.99 * one.own ? 0 : many.own > 1.01 * one.own ? 2 : 1;
@@ -95,6 +106,7 @@ export const task = {
       quiz: {
         shows: `training&generation=100&${cheapTurns}`,
         order: [1, 2, 0],
+        ...evolvesAll,
         async answer({ engine, state }) {
           const dear = { ...state, experiment: { ...state.experiment, weights: weightsOf(engine) } };
           const [[before], [after]] = await Promise.all([
@@ -123,12 +135,16 @@ export const task = {
   ],
   values(live) {
     const { engine, state } = live;
-    // What is said of the first robot stays, while the price of turning is another.
-    const isUsual = String(state.experiment.weights.velocity) === String(weightsOf(engine).velocity);
+    // What is said of the first robot stays, whatever is tried after it.
     const known = frozen.get(engine);
-    if (known && !isUsual) return known;
+    const { experiment } = state;
+    const isOwn =
+      state.generation === evolvedTo &&
+      String(experiment.weights.velocity) === String(weightsOf(engine).velocity) &&
+      experiment.evolution.seed === engine.experiment('velocity-limits').evolution.seed;
+    if (known && !isOwn) return known;
     const values = valuesOf(live);
-    if (isUsual) frozen.set(engine, values);
+    if (isOwn) frozen.set(engine, values);
     return values;
   },
 };

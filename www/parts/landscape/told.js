@@ -16,7 +16,8 @@ export function noteText({ result, message }, spec) {
 }
 
 /** @param {Triple} gains */
-const gainsText = (gains) => lab.gains.map(({ name }, i) => words.gainText(name, gains[i])).join(', ');
+const gainsText = (gains) =>
+  lab.gains.map(({ name }, i) => words.gainText(name, gains[i]).replace(' ', '\u00a0')).join(', ');
 
 /** Under the cursor, or of who drives. @param {State} state @param {Spec} spec @param {Run} run @param {Triple} gains */
 export function readoutOf(state, spec, run, gains) {

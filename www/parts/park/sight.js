@@ -24,7 +24,8 @@ export function heading(model) {
 export function sight(model, on) {
   const { parked, count, bred, evolving, over, message } = model;
   const newest = bred.at(-1);
-  const seen = evolving && newest ? words.swarm(newest.generation) : words.yours;
+  const hand = model.moved ? words.yours : words.given;
+  const seen = evolving && newest ? words.swarm(newest.generation) : hand;
   return html`
     <p class="park-count"><strong id="park-count">${parked}</strong> ${words.ofParked(count)}
       <span class="muted">${newest && !evolving && over ? '' : seen}</span></p>

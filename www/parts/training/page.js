@@ -17,7 +17,7 @@ import { remember, watch } from '../../kit/memo.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { createPicture } from './picture.js';
-import { changesOf, createTraining, handOf, lengths } from './request.js';
+import { changesOf, createTraining, evolvedFor, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
 import { seedCount } from './spread.js';
 import { tableOf } from './table.js';
@@ -31,7 +31,7 @@ export function createTrainingPage({ engine, store, actions, paper }) {
   const update = (/** @type {Partial<TrainingState>} */ patch) => trainingSlice.update(store, patch);
   const rowsOf = createRows();
 
-  const { choose, tryFrom, evolve } = createEvents({ store, actions }, training, rowsOf);
+  const { choose, tryFrom, evolve, evolveIfWanted } = createEvents({ store, actions }, training, rowsOf);
   const changed = watch();
   /** @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles */
   const show = (state, rows, titles) => {
@@ -56,6 +56,7 @@ export function createTrainingPage({ engine, store, actions, paper }) {
       const chosen = chosenOf(state);
       const result = rows.find(({ name }) => name === chosen)?.result ?? null;
       training.follow(state);
+      evolveIfWanted(state);
 
       const own = isSet(chosen) ? sets[chosen] : sets.one;
       const seen = result?.training ?? { starts: own, arrived: null };
@@ -104,7 +105,16 @@ function createEvents({ store, actions }, training, rowsOf) {
     if (store.get().page === 'training' && isSet(next)) choose(next);
   };
 
-  return { choose, tryFrom, evolve };
+  /** Where the lesson has asked for it, unless it is there, or once what is under way is done. @param {State} state */
+  const evolveIfWanted = (state) => {
+    const { wanted, progress } = trainingSlice.of(state);
+    if (!wanted || progress !== null) return;
+    trainingSlice.update(store, { wanted: false });
+    if (evolvedFor(state)) choose('circle');
+    else evolve();
+  };
+
+  return { choose, tryFrom, evolve, evolveIfWanted };
 }
 
 /** @param {RowName} name @returns {name is SetName} */

@@ -194,6 +194,14 @@ export function createTraining(engine, store, paper) {
   };
 }
 
+/** What has been evolved, unless that was for something else. @param {State} state @returns {Evolved | null} */
+export function evolvedFor(state) {
+  const { evolved, generations } = trainingSlice.of(state);
+  const isSame =
+    evolved?.generations === generations && changesOf(evolved.experiment, state.experiment).length === 0;
+  return isSame ? evolved : null;
+}
+
 /** What is another one than when the gains were evolved. @param {Experiment} then @param {Experiment} now @returns {('start' | 'goal' | 'limits' | 'seed' | 'settings')[]} */
 export function changesOf(then, now) {
   if (then === now) return [];

@@ -14,6 +14,7 @@ import { createSlice } from '../../run/store.js';
  * @property {Evolved | null} evolved
  * @property {Spread | null} spread Of what was evolved, with other seeds.
  * @property {{ spec: Spec, results: Partial<Record<RowName, Result>> } | null} given What was not evolved here.
+ * @property {boolean} wanted Somebody asks for the three evolutions of the present experiment.
  * @property {Triple | null} byHand Gains by hand, kept while a row of the table drives.
  */
 
@@ -28,6 +29,7 @@ export const trainingSlice = createSlice(
     evolved: null,
     spread: null,
     given: null,
+    wanted: false,
     byHand: null,
   }),
 );

@@ -2,7 +2,7 @@
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
-import { costText, degrees, fixed, postureText, sixDigits } from './numbers.js';
+import { costText, degrees, fixed, grouped, postureText, sixDigits } from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './numbers.js';
@@ -141,7 +141,8 @@ export const costParts = [
 
 /** @param {{ others: number, population: number, arrived: number | null }} drives Null where nobody can arrive. */
 export function othersText({ others, population, arrived }) {
-  const who = others === population - 1 ? `나머지 ${others}대` : `전체 ${population}대 중 다음 ${others}대`;
+  const who =
+    others === population - 1 ? `나머지 로봇 ${others}대` : `전체 로봇 ${population}대 중 다음 ${others}대`;
   return arrived === null ? who : `${who}, ${arrived}대 도착`;
 }
 
@@ -223,7 +224,7 @@ export const restartText = (restart, population, isPapers) =>
 
 /** @param {Statistics} first @param {Statistics} newest */
 export function progressText(first, newest) {
-  const drives = `지금까지 주행 ${newest.evaluations}회`;
+  const drives = `지금까지 주행 ${grouped(newest.evaluations)}회`;
   const [from, to] = [costText(first.best.cost), costText(newest.best.cost)];
   return from === to ? `${drives}, 최소 J 변화 없음: ${to}` : `${drives}, 최소 J: ${from} → ${to}`;
 }

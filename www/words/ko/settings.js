@@ -139,8 +139,8 @@ export const settings = {
   'evolution.sigmaFloor': { name: 'σ의 하한', help: 'σ는 이 값 아래로 내려가지 않습니다.' },
   'evolution.selection': {
     name: '생존 선택',
-    help: '살아남는 개체를 정하는 방식입니다. 가장 많이 이긴 개체, 비용이 가장 낮은 개체, 또는 부모와 자식 중 나은 쪽입니다.',
-    choices: { tournament: '토너먼트', truncation: '가장 낮은 J', parent: '자식 대 부모' },
+    help: '살아남는 개체를 정하는 방식입니다. 가장 많이 이긴 개체, 비용이 가장 낮은 개체, 또는 부모와 자손 중 나은 쪽입니다.',
+    choices: { tournament: '토너먼트', truncation: '가장 낮은 J', parent: '자손 대 부모' },
   },
   'evolution.crossover': {
     name: '교차',

@@ -4,7 +4,7 @@
 
 export const build = {
   texts: {
-    begin: `Everything you have seen fits into about sixty lines. This step says what they must hold, and gives you five numbers by which you know that yours are right.`,
+    begin: `Everything you have seen fits into about seventy lines of program. This step says what they must hold, and gives you five numbers by which you know that yours are right.`,
     motion: `*The robot.* Its posture changes with {v} and {w}, and with nothing else. A program keeps both for one sample of 0.01 s; then the robot drives an exact arc, which needs no approximation. The law (5) commands them, for a goal at rest:`,
     errors: `*Its errors* follow from that. You need not integrate them, (3) gives them at every sample; but with them you can check the proof of step 4 by pencil:`,
     program: `*The program.* One drive, and one generation. Press the phases of the figure: the lines that do it light up.`,

@@ -22,16 +22,16 @@ function rankText({ comparison, count }, name) {
 
 export const contest = {
   texts: {
-    begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for they cost one as much and the other ten times that.
+    begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for a generation of one may cost ten times as many drives as that of another.
 
 Two things can be asked of a run: how low is {J} when the drives are used up, or *how many drives until {J} is below a target*? Here it is the second: 7.72, a quarter of a percent above the best that is known.`,
-    read: `That is how such a result looks, and it is a result. The shaded bands, half of the runs each, lie upon each other. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would be as uneven. Step 7 showed a better robot falling in the tournament. It costs nothing that can be measured here, and it gains nothing.`,
-    drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Whoever had asked for 8.09 alone would have called them a waste.`,
-    slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then slide to 3, to 10, to 20. It is not that few runs lie; they leave the question open, and it is we who like to read an answer into them.`,
-    budget: `Drag the *upright* line, the drives at which one reads, from 4\u202f000 to the end. Twenty robots come down early and then stand still: what has not arrived by then hardly ever will. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
-    ellipse: `Why does the famous one lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it believes three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a cliff: beyond {ky} = 0 one pays.
+    read: `That is how such a result looks, and it is a result. The shaded bands, half of the runs each, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would be as uneven. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
+    drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Had we asked for 8.09 alone, we would have called them a waste.`,
+    slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then slide to 3, to 10, to 20. A few runs do not lie. They leave the question open, and it is we who read an answer into them.`,
+    budget: `Drag the *upright* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: what has not arrived by then hardly ever will. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
+    ellipse: `Why does the famous one lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it follows the best three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a cliff: below {ky} = 0 there is a penalty.
 
-There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=55), or [let it try twenty](landscape&x=kx&y=ky&evolution.method=cma-es&generation=19) before it decides. Which helps more? The last of the things to try lets them run. So is it the method that lost, or who set it up?`,
+There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=55), or [let it try twenty](landscape&x=kx&y=ky&evolution.method=cma-es&generation=19) before it decides. Which helps more? The last of the things to try lets them run. So was it the method that lost, or whoever set it up?`,
     next: `One task, one start, three gains: what wins here need not win elsewhere. The contest counts how *soon* a search finds what the cost asks for. Whether the cost asks for the right thing, no contest tells.`,
   },
   quizzes: {
@@ -49,7 +49,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     },
     sigma: {
       question:
-        'Now {s} stays at 1 for good, nothing adapts. Who is sooner at an easy target, {J} = 8.09, and who at 7.72?',
+        'Now {s} stays at 1 for good, nothing adapts. Which is sooner at an easy target, {J} = 8.09, and which at 7.72?',
       choices: [
         'Self-adaptation is sooner at both',
         'At 8.09 it is no sooner; at 7.72 it is far ahead',
@@ -57,7 +57,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
       ],
       /** @param {{ early: Row[], late: Row[], far: number, near: number }} outcome */
       why: ({ early, late, far, near }) =>
-        `To ${far} it takes ${ertText(early[0])} drives with self-adaptation and ${ertText(early[1])} with σ = 1: ${rankText(early[1], 'σ = 1')} Below ${near} get ${reachedText(late[0])} runs with self-adaptation, and ${reachedText(late[1])} with σ = 1.`,
+        `To ${far} it takes ${ertText(early[0])} drives with self-adaptation and ${ertText(early[1])} with σ = 1: ${rankText(early[1], 'σ = 1')} ${reachedText(late[0])} runs with self-adaptation get below ${near}, and ${reachedText(late[1])} with σ = 1.`,
     },
     fewer: {
       question:
@@ -69,23 +69,23 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     },
     crowd: {
       question:
-        'A hundred robots instead of twenty, but no more drives. Of which do more runs get below 7.72?',
+        'A hundred robots instead of twenty, but no more drives. With which do more runs get below 7.72?',
       choices: [
-        'Of twenty, after 4\u202f000 drives and after 20\u202f000',
-        'Of twenty after 4\u202f000 drives, of a hundred after 20\u202f000',
-        'Of a hundred, both times',
+        'With twenty, after 4\u202f000 drives and after 20\u202f000',
+        'With twenty after 4\u202f000 drives, with a hundred after 20\u202f000',
+        'With a hundred, both times',
       ],
       /** @param {{ early: Row[], late: Row[], drives: number[] }} outcome */
       why: ({ early, late, drives }) =>
-        `After ${grouped(drives[0])} drives ${reachedText(early[0])} with twenty robots, ${reachedText(early[1])} with a hundred. After ${grouped(drives[1])} ${reachedText(late[0])} and ${reachedText(late[1])}.`,
+        `After ${grouped(drives[0])} drives: ${reachedText(early[0])} runs with twenty robots, ${reachedText(early[1])} with a hundred. After ${grouped(drives[1])}: ${reachedText(late[0])} and ${reachedText(late[1])}.`,
     },
     rivals: {
       question:
-        'Two rivals with the same drives: *differential evolution* (DE), which takes its steps from the differences between its robots, and *CMA-ES*, the most famous of all, which learns the shape of the valley. Who needs the fewest drives to 7.72 (ERT)?',
+        'Two rivals with the same drives: *differential evolution* (DE), which takes its steps from the differences between its robots, and *CMA-ES*, the most famous of all, which learns the shape of the valley. Which needs the fewest drives to 7.72 (ERT)?',
       choices: ['The paper’s EP', 'DE', 'CMA-ES'],
       /** @param {{ lines: Row[] }} outcome */
       why: ({ lines: [ep, de, cma] }) =>
-        `ERT is ${ertText(ep)} for EP, ${ertText(de)} for DE and ${ertText(cma)} for CMA-ES; below the target get ${reachedText(ep)}, ${reachedText(de)} and ${reachedText(cma)} of their runs.`,
+        `ERT is ${ertText(ep)} for EP, ${ertText(de)} for DE and ${ertText(cma)} for CMA-ES. Runs that get below the target: ${reachedText(ep)}, ${reachedText(de)} and ${reachedText(cma)}.`,
     },
   },
   tries: {
@@ -96,8 +96,8 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     remedies: 'CMA-ES and its remedies',
   },
   notice: [
-    'Of the other three parts only crossover can be told apart from none: robots trade gains *and* step sizes. The paper has none.',
-    'Cauchy’s steps change nothing that 51 runs could tell; letting each child fight only its own parent is fatal.',
+    'Of the other three parts only crossover makes a difference that can be told: robots trade gains *and* step sizes. The paper has none.',
+    'Cauchy’s steps make no difference that 51 runs could show; letting each child fight only its own parent is fatal.',
     'With a floor no run is lost in the end, but none gets much below its target either: then the steps are too long.',
     'Six robots come to 7.8 with no more drives than twenty.',
     'A hand that moves one slider after the other does well here, for the best {ky} lies at the end of its slider. Take the end away, and it is lost.',

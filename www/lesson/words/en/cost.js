@@ -20,7 +20,7 @@ export const cost = {
   quizzes: {
     heavier: {
       question:
-        'With {Rv} and {Rw} at 1 the paper’s EP gains cost less than the arbitrary and the gentle ones. At 5, driving and turning cost five times as much. Who is lowest then?',
+        'With {Rv} and {Rw} at 1 the paper’s EP gains cost less than the arbitrary and the gentle ones. At 5, driving and turning cost five times as much. Which cost least then?',
       choices: [
         'The EP gains again: evolution found them',
         'The arbitrary gains: they arrive first',
@@ -47,6 +47,6 @@ export const cost = {
   },
   notice: [
     'A weight changes no drive. It changes its price, and so which drive evolution will keep.',
-    'Whoever arrives pays almost nothing for the end: here, arriving means within 5 cm and 0.05 rad.',
+    'A robot that arrives pays almost nothing for the end: here, arriving means within 5 cm and 0.05 rad.',
   ],
 };

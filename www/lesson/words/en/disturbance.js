@@ -49,7 +49,7 @@ export const disturbance = {
       question:
         'Now *random pushes*: 100 times a second a new one, anything between −0.1 and 0.1 m/s. How far from the goal does the robot of the paper stay in the end?',
       choices: [
-        'Further than with the slip: nobody can get used to them',
+        'Farther than with the slip: nobody can get used to them',
         'As far: they are as strong as the slip',
         'Nearer than with the slip',
       ],
@@ -68,7 +68,7 @@ export const disturbance = {
     'Under the slip straight ahead the robot ends just on the edge of the set of (6): a smaller one would be wrong.',
     'Under the slip that turns, |sin θₑ| stays a little outside its set, and it may: the theorem promises something only outside *all three*.',
     'With {ky} near zero the set of (7) is metres wide. What evolution saved is missing here.',
-    'Random pushes stay far inside the sets. The theorem reckons with the worst.',
+    'Under random pushes the errors stay far inside the sets: the theorem allows for the worst.',
   ],
 };
 

@@ -27,7 +27,7 @@ export const generation = {
   fate: (name, fate) => `${name[0].toUpperCase()}${name.slice(1)} ${fate}.`,
   quizzes: {
     luck: {
-      question: 'In generation 1 offspring 6 drives better than parent 12. Who of the two stays?',
+      question: 'In generation 1 offspring 6 drives better than parent 12. Which of the two stays?',
       choices: ['Only offspring 6', 'Only parent 12', 'Both', 'Neither'],
       /** @param {{ better: Fate, worse: Fate, bouts: number }} outcome */
       why: ({ better, worse, bouts }) =>

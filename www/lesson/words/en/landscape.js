@@ -8,8 +8,8 @@ export const landscape = {
   texts: {
     map: `Every point of this map is a robot: {kx} grows to the right, {kt} upwards, {ky} is the same everywhere. The colour is its {J}; dark is good. {=drives} robots have driven for the picture. *Press anywhere, and that robot drives.*
 
-The white dots are the population. *Press Run* and watch it walk: the line is the way of its best. It is in generation {=generation} now, after {=spent} drives. And it *never sees the map*. Evolution knows {J} only where one of its robots stands.`,
-    shape: `Three things deserve a name. The *valley* is dark: {=floor}\u00a0% of this map cost at most 5 % more than its lowest point (four short strokes mark it), so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes zero just when the law looks, one huge command costs energy.
+The white dots are the population. *Press Run* and watch it walk: the line is the path of its best robot. It is in generation {=generation} now, after {=spent} drives. And it *never sees the map*. Evolution knows {J} only where one of its robots stands.`,
+    shape: `Three things deserve a name. The *valley* is dark: {=floor}\u00a0% of this map cost at most 5 % more than its lowest point (four short strokes mark it), so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes through zero just at a sample, one huge command costs energy.
 
 A method that follows the slope stumbles over edges and ripples, and may stop in a *local optimum*: a place that is better than all around it, but not the best. Evolution needs no slope: it only compares. That makes it sturdy, not infallible.`,
     next: `Here evolution finds what there is to find, the lowest point of *one* landscape. But a landscape belongs to one start and one goal. Has the robot learned to park, or only to park from there?`,

@@ -36,7 +36,7 @@ export const lecturers = {
           seen: 'They shrink by many powers of ten: evolution stands still, whether or not it is at the best place.',
         },
         landscape: {
-          text: '*6 min.* What was climbed: each point a robot. Drag the goal and watch the valley.',
+          text: '*6 min.* The ground it searched: each point is a robot. Drag the goal and watch the valley.',
           seen: 'The population sits in the dark valley.',
         },
         elsewhere: {
@@ -117,7 +117,7 @@ export const lecturers = {
         },
         kanayama: {
           text: 'Kanayama’s rule instead of the paper’s law. Let it evolve. Why does nobody arrive?',
-          seen: 'With a goal at rest it never turns (ω = 0). No gains can mend that.',
+          seen: 'With a goal at rest it never turns (ω = 0). No gains can change that.',
         },
         acceleration: {
           text: 'Gains 10, 10, 10 with limited acceleration. Explain the swings of θ from the curves of v and ω.',

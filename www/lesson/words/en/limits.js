@@ -20,7 +20,7 @@ export const limits = {
 Would it be better without limits? The proof of the last step assumes none.`,
     theory: `The proof has a gap where it meets a real robot: it wants the law to act *at every instant*, but a computer decides once in a hundredth of a second and holds its command until the next. A huge command that is held turns the robot much too far. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples.
 
-Do limits of speed mend that? From the paper’s own start it looks so: with them {V} falls at every sample.`,
+Do speed limits close that gap? From the paper’s own start it looks so: with them {V} falls at every sample.`,
     clipped: `The terms of {v} and of {w} cancel each other only together. Limits clip {v} and {w} *apart*, each to its own size, and then what should cancel no longer does. So with limits, too, {V} may rise for a while; the proof promises nothing about a robot whose wheels are saturated. Limits of *acceleration* add to it: the robot answers late, and cannot brake where the law wants it to.`,
     next: `So there is no gain that is best by theory. What is best depends on the wheels, on the start, and on what one calls “good”. That word comes next.`,
   },
@@ -38,7 +38,7 @@ Do limits of speed mend that? From the paper’s own start it looks so: with the
       choices: ['In fewer than 10', 'In 10 to 50', 'In more than half'],
       /** @param {{ drives: number, starts: number }} outcome */
       why: ({ drives, starts }) =>
-        `In ${drives} of ${starts}. The drive on the plane is one of that kind: look where V is red.`,
+        `In ${drives} of ${starts}. The drive on the plane is one of them: look at the red marks under V.`,
     },
     brakes: {
       question:

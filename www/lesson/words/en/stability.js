@@ -1,5 +1,8 @@
 // The step “stability” in English.
-import { fixed } from '../../../words/numbers.js';
+import { costText, fixed } from '../../../words/en/numbers.js';
+
+/** @param {number} V */
+const heightText = (V) => (V < 1e4 ? fixed(V, 2) : costText(V));
 
 export const stability = {
   texts: {
@@ -38,7 +41,7 @@ export const stability = {
       ],
       /** @param {{ first: number, last: number, most: number }} outcome */
       why: ({ first, last, most }) =>
-        `V begins at ${fixed(first, 2)} and ends at ${fixed(last, 2)}; the highest is ${fixed(most, 2)}. With ky below zero the orange part is above zero: it pushes the robot up the wall, and the farther it is to the side, the harder, with the fourth power.`,
+        `V begins at ${heightText(first)} and ends at ${heightText(last)}; the highest is ${heightText(most)}. With ky below zero the orange part is above zero: it pushes the robot up the wall, and the farther it is to the side, the harder, with the fourth power.`,
     },
     kanayama: {
       question:
@@ -50,7 +53,7 @@ export const stability = {
       ],
       /** @param {{ away: number, turned: number }} outcome */
       why: ({ away, turned }) =>
-        `It stops ${fixed(away, 2)} m from the goal. Its largest turn rate was ${fixed(turned, 2)} rad/s: with a goal at rest the rule never turns. (It has a V of its own, which is the one shown.) This is what the paper set out to mend.`,
+        `It stops ${fixed(away, 2)} m from the goal. Its largest turn rate was ${fixed(turned, 2)} rad/s: with a goal at rest the rule never turns. (It has a V of its own, which is the one shown.) This is the flaw that the paper set out to fix.`,
     },
   },
   tries: {

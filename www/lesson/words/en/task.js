@@ -15,9 +15,9 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
     asked: `Why so small? From the one start that evolution was given, the goal lies straight ahead, along its own direction: there {ye} is {=ye} m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and it made that drive cheap. Fitting what one is asked so closely that it fails elsewhere is called *overfitting*; doing well where one was not asked, *generalisation*.
 
 *An optimiser gives what the cost asks for, not what you meant.*`,
-    many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. In [Training](training&generation=100) press *Evolve all three*: on one start, on 32 on a circle, on 36 on a grid. Each is then tested on 1000 starts that none has seen.`,
-    half: `Better, and still only half of the unseen starts. More starts alone do not mend it, so look at what the cost *asks for*. Who starts beside the bay must turn away, drive, and turn back. Turning is energy, and at {Rw} = 1 it is so costly that a robot which stops near the bay and waits is cheaper than one which parks. (You saw such a robot in step 6.) The price of turning was our choice. Here it is: *make it a tenth*, 0.1 in the place of 1.`,
-    whole: `Now press *Evolve all three* yourself, and then watch any start of the table. Nothing about the robot, the law, the starts or evolution has changed. *What was asked for has.* This is what you played in step 9.`,
+    many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. [Training](training&generation=100) does that three times: on one start, on 32 on a circle, on 36 on a grid. Each result is then tested on 1000 starts that none has seen. Your prediction sets it going.`,
+    half: `Better, and still only half of the unseen starts. More starts alone do not solve it, so look at what the cost *asks for*. Who starts beside the bay must turn away, drive, and turn back. Turning is energy, and at {Rw} = 1 it is so costly that a robot which stops near the bay and waits is cheaper than one which parks. (You saw such a robot in step 6.) The price of turning was our choice. Here it is: *make it a tenth*, 0.1 in the place of 1.`,
+    whole: `Press any start in the pictures, and watch the robot park. Nothing about the robot, the law, the starts or evolution has changed. *What was asked for has.* This is what you played in step 9. And between 0.1 and 1? Set another price of turning, press *Evolve again*, and find where the robots stop parking.`,
     next: `This holds far beyond robots: look at what a cost does *not* ask for. Ours has never asked for a floor that pushes.`,
   },
   quizzes: {
@@ -58,7 +58,7 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
       choices: ['It falls: more practice helps everywhere', 'It stays as it is', 'It rises'],
       /** @param {{ one: Result, many: Result }} outcome */
       why: ({ one, many }) =>
-        `From ${costText(one.own)} to ${costText(many.own)}. In return the robot arrives from ${many.unseen.count} of the ${many.unseen.starts.length} starts that it never saw, instead of ${one.unseen.count}. And ky is ${fixed(many.gains[1], 2)} now, not ${fixed(one.gains[1], 4)}: asked for, it came back. Press *Evolve all three* to see them all.`,
+        `From ${costText(one.own)} to ${costText(many.own)}. In return the robot arrives from ${many.unseen.count} of the ${many.unseen.starts.length} starts that it never saw, instead of ${one.unseen.count}. And ky is ${fixed(many.gains[1], 2)} now, not ${fixed(one.gains[1], 4)}: asked for, it came back. The table has all three.`,
     },
   },
   tries: {

@@ -20,7 +20,7 @@ export const cost = {
   quizzes: {
     heavier: {
       question:
-        '{Rv}와 {Rw}가 1이면 논문의 EP 이득이 임의 이득이나 느긋한 이득보다 비용이 낮습니다. 5로 올리면 주행과 회전의 비용이 다섯 배가 됩니다. 그때는 누가 가장 낮습니까?',
+        '{Rv}와 {Rw}가 1이면 논문의 EP 이득이 임의 이득이나 느긋한 이득보다 비용이 낮습니다. 5로 올리면 주행과 회전의 비용이 다섯 배가 됩니다. 그때는 어느 이득의 비용이 가장 낮습니까?',
       choices: [
         '이번에도 EP 이득: 진화가 찾은 것이므로',
         '임의 이득: 가장 먼저 도착하므로',
@@ -33,7 +33,7 @@ export const cost = {
     home: {
       question:
         '두 가중치가 100이고, 이득이 모두 0인 로봇이 있습니다. 10초 동안 제자리에 서 있을 뿐 도착하지 못합니다. 느긋한 로봇은 도착합니다. 누구의 J가 더 낮습니까?',
-      choices: ['느긋한 로봇: 할 일을 하므로', '제자리에 남은 로봇'],
+      choices: ['느긋한 로봇: 할 일을 하므로', '제자리에 머무는 로봇'],
       /** @param {{ stays: Run, drives: Run }} outcome */
       why: ({ stays, drives }) =>
         `제자리에 있으면 ${costText(stays.cost.total)}입니다. 시간 ${fixed(stays.cost.time, 0)}, 경로 ${fixed(stays.cost.path, 1)}, 최종 ${fixed(stays.cost.finalError, 1)}입니다. 느긋한 주행은 ${costText(drives.cost.total)}이고 그중 에너지가 ${fixed(drives.cost.energy, 1)}입니다. J는 우리의 뜻을 모릅니다. 세라고 한 것을 셀 뿐입니다.`,

@@ -6,7 +6,7 @@ import { costText } from '../../../words/ko/numbers.js';
 export const generation = {
   newborn: {
     /** @param {number} better @param {number} count */
-    title: (better, count) => `자손 로봇 ${count}대의 주행. 초록색: 부모보다 나음, ${better}대. 아래: J.`,
+    title: (better, count) => `자손 로봇 ${count}대의 주행. 초록색: 부모보다 나은 로봇 ${better}대. 아래: J.`,
     /** @param {number} count */
     parents: (count) => `부모 로봇 ${count}대의 주행. 아래: J.`,
     /** @param {number} number @param {boolean} _isParent */
@@ -18,7 +18,7 @@ export const generation = {
     drive: `*2. [주행](generation&generation=1&phase=drive&individual=26).* 자손이 모두 달립니다(그림 위). {=child}의 J는 {=childCost}, 그 부모의 J는 {=parentCost}입니다. 자손 로봇 {=count}대 가운데 {=better}대가 부모보다 잘 주행합니다. 대개는 부모보다 못합니다. 무작위 걸음은 좋을 때보다 나쁠 때가 많기 때문입니다.`,
     rule: `*3. 토너먼트.* 부모와 자손을 합친 로봇 {=all}대가 각각 무작위로 *복원 추출*한 로봇 {=bouts}대와 겨룹니다. 같은 상대를 두 번 만날 수 있지만 자기 자신과는 만나지 않습니다. J가 상대보다 낮거나 같으면 이깁니다.
 
-*4. 생존.* 승수가 많은 로봇 {=count}대가 이득과 변이 폭과 J를 그대로 지닌 채 다음 세대의 부모가 됩니다. 눌러 보기 전에 문제가 하나 있습니다.`,
+*4. 생존.* 승수가 많은 로봇 {=count}대가 이득과 변이 폭과 J를 그대로 지닌 채 다음 세대의 부모가 됩니다. 누르기 전에 먼저 문제를 하나 풀어 봅시다.`,
     select: `*3. [토너먼트](generation&generation=1&phase=tournament&individual=26).* {=chosen}의 성적은 {=bouts}전 {=wins}승입니다. *순위*는 승수가 많은 순서입니다. *4. [생존](generation&generation=1&phase=survivors&individual=26).* {=fate} 네 가지 일을 차례로 눌러 보고, 다른 로봇도 골라 보십시오.`,
     next: `네 가지 일은 논문 그대로입니다. 로봇이 스무 대라는 것과, 승수가 같으면 J가 낮은 쪽이 앞선다는 것은 이 페이지가 정했습니다. 가장 좋은 것이 언제나 살아남는 것을 *엘리트주의(elitism)*라고 하는데, 여기서는 저절로 그렇게 됩니다. 그런데 한 걸음은 얼마나 커야 할까요? 모든 로봇이 {s} = 1로 시작하고, 그 뒤로는 아무도 정해 주지 않습니다.`,
   },
@@ -42,7 +42,7 @@ export const generation = {
   },
   tries: {
     lucky: '시드 3: 부모 13은 J가 높은데도 남는다. 누구를 만났는가?',
-    below: '자손 15는 한 걸음이 지나쳤다: J는 여기에 무엇을 매기는가?',
+    below: '자손 15는 한 걸음이 지나쳤다: J는 무엇에 벌점을 매기는가?',
     bouts: '10전 대신 각각 200전: 그래도 운이 남는가?',
     late: '60세대: 이제 부모보다 잘 주행하는 자손은 몇 대인가?',
   },

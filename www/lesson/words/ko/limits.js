@@ -26,7 +26,7 @@ export const limits = {
   },
   quizzes: {
     free: {
-      question: '논문의 EP 이득을 속도 제한 없이 달리게 하면 J는 어떻게 됩니까?',
+      question: '논문의 EP 이득으로 속도 제한 없이 달리면 J는 어떻게 됩니까?',
       choices: ['낮아진다. 로봇이 마음대로 움직일 수 있으므로', '거의 그대로다', '높아진다'],
       /** @param {{ free: Driven, limited: Driven }} outcome */
       why: ({ free, limited }) =>
@@ -34,18 +34,18 @@ export const limits = {
     },
     heals: {
       question:
-        '속도 제한을 두고, 목표 둘레 4 m 안에서 아무 방향이나 보는 출발점 100개에서 논문의 EP 이득으로 달립니다. {V}가 한 번이라도 커지는 주행은 몇 개입니까?',
-      choices: ['10개 미만', '10개에서 50개', '절반이 넘는다'],
+        '속도 제한을 둔 채 논문의 EP 이득으로 출발점 100개에서 달립니다. 출발점은 목표에서 4 m 안에 있고 방향은 제각각입니다. {V}가 한 번이라도 커지는 주행은 몇 번입니까?',
+      choices: ['10번 미만', '10번에서 50번', '절반이 넘는다'],
       /** @param {{ drives: number, starts: number }} outcome */
       why: ({ drives, starts }) =>
-        `${starts}개 중 ${drives}개입니다. 평면의 주행이 그런 주행입니다. V가 빨간 곳을 보십시오.`,
+        `${starts}번 중 ${drives}번입니다. 평면의 주행이 그런 주행입니다. V 아래의 빨간 표시를 보십시오.`,
     },
     brakes: {
-      question: '이득 10, 10, 10은 속도 제한에서 일찍 도착합니다. 이제 가속도도 제한하면 언제 도착합니까?',
+      question: '이득 10, 10, 10은 속도만 제한할 때 일찍 도착합니다. 이제 가속도도 제한하면 언제 도착합니까?',
       choices: ['더 일찍', '조금 늦게', '훨씬 늦게, 또는 도착하지 못한다'],
       /** @param {{ limited: Driven, sluggish: Driven }} outcome */
       why: ({ limited, sluggish }) =>
-        `속도 제한에서 로봇은 ${arrival(limited.run)}. 가속도까지 제한하면 ${arrival(sluggish.run)}. V가 커지는 샘플은 ${limited.rises}개 → ${sluggish.rises}개입니다. 큰 이득에는 빠른 바퀴가 필요합니다. J는 ${costText(limited.run.cost.total)} → ${costText(sluggish.run.cost.total)}입니다.`,
+        `속도만 제한하면 로봇은 ${arrival(limited.run)}. 가속도까지 제한하면 ${arrival(sluggish.run)}. V가 커지는 샘플은 ${limited.rises}개 → ${sluggish.rises}개입니다. 큰 이득에는 빠른 바퀴가 필요합니다. J는 ${costText(limited.run.cost.total)} → ${costText(sluggish.run.cost.total)}입니다.`,
     },
   },
   tries: {

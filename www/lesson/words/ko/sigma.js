@@ -12,7 +12,7 @@ export const sigma = {
         ? '0세대의 가장 좋은 로봇: 부모가 없습니다.'
         : count === 1
           ? `${generation}세대의 가장 좋은 로봇은 처음 로봇 가운데 하나여서 부모가 없습니다.`
-          : `${generation}세대의 가장 좋은 로봇과 그 조상 ${count - 1}대: 물려받은 변이 폭`,
+          : `${generation}세대의 가장 좋은 로봇과 그 조상 로봇 ${count - 1}대: 물려받은 변이 폭`,
     axis: '세대',
     /** @param {number} first @param {number} last */
     sigma: (first, last) => `σ ${sigmaText(first)} → ${sigmaText(last)}`,

@@ -180,8 +180,8 @@ function drawLimited(context, { x: across, frame }, { time, limited }) {
   context.globalAlpha = 1;
 }
 
-/** Where V rises, over its line. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving */
-function drawRises(context, { x: across, y: scale }, driving) {
+/** Where V rises, over its line, and below it, where a short rise is seen, too. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving */
+function drawRises(context, { x: across, y: scale, frame }, driving) {
   const { time, lyapunov } = driving;
   const isRising = risesOf(driving);
   context.strokeStyle = colour('--error');
@@ -193,6 +193,9 @@ function drawRises(context, { x: across, y: scale }, driving) {
     context.lineTo(across(time[i + 1]), scale(lyapunov[i + 1]));
   }
   context.stroke();
+  context.fillStyle = colour('--error');
+  for (let i = 0; i + 1 < time.length; i += 1)
+    if (isRising(i)) context.fillRect(across(time[i]) - 1, frame.bottom - 7, 2, 7);
 }
 
 /** @param {Axes} axes */

@@ -64,7 +64,7 @@ export function upsetText(anatomy) {
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
   if (record.wins.length === 0)
-    return `${nameOf(anatomy, survivor)}(J ${write(a)})는 남고, 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)})는 탈락합니다. 서로 겨루지 않고 각자 자기 ${record.mutations.length > 0 ? '부모' : '개체'}와만 견줍니다.`;
+    return `${nameOf(anatomy, survivor)}(J ${write(a)})는 남고, 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)})는 탈락합니다. 서로 겨루지 않고 각자 자기 ${record.mutations.length > 0 ? '부모' : '개체'}와만 비교합니다.`;
   return `${nameOf(anatomy, survivor)}(J ${write(a)}): ${winsText(record.wins[survivor])}, 생존. ${nameOf(anatomy, fallen)}(J ${write(b)}): ${winsText(record.wins[fallen])}, 탈락. 상대를 잘 만난 운입니다.`;
 }
 
@@ -75,9 +75,10 @@ export const drivingText = (name, generation) => `${generation}세대의 ${name}
 export function othersText({ method }, phase, shown, all, arrived) {
   const kind =
     method === 'ep'
-      ? { parents: '부모', mutation: '부모', drive: '자손', survivors: '생존 개체' }
+      ? { parents: '부모 로봇', mutation: '부모 로봇', drive: '자손 로봇', survivors: '생존 로봇' }
       : { parents: '로봇', mutation: '로봇', drive: '시험 로봇', survivors: '남은 로봇' };
-  const who = phase === 'tournament' ? '상대' : phase === 'ranking' ? '나머지' : `나머지 ${kind[phase]}`;
+  const who =
+    phase === 'tournament' ? '상대 로봇' : phase === 'ranking' ? '나머지 로봇' : `나머지 ${kind[phase]}`;
   const drawn = shown < all ? `${who} ${all}대 중 ${shown}대` : `${who} ${all}대`;
   return arrived === null ? drawn : `${drawn}, ${arrived}대 도착`;
 }

@@ -93,10 +93,10 @@ const sentences = {
       `개체 로봇 ${count}대를 순위가 높은 것부터 보여 줍니다. 개체마다 시험 벡터가 하나씩 생깁니다.`,
     mutation: () => 'a에서 c→b의 절반만큼 움직이고, 일부 이득은 원래 개체의 값을 그대로 씁니다.',
     drive: ({ record: { parents, offspring } }) =>
-      `시험 벡터가 주행합니다. ${parents.length}대 중 ${offspring.filter(({ cost }, i) => cost <= parents[i].cost).length}대의 J가 원래 개체보다 높지 않습니다.`,
+      `시험 벡터가 주행합니다. ${parents.length}개 중 ${offspring.filter(({ cost }, i) => cost <= parents[i].cost).length}개의 J가 원래 개체보다 높지 않습니다.`,
     survivors: ({ record: { survivors, parents } }) => {
       const taken = survivors.filter((number) => number >= parents.length).length;
-      return `시험 벡터 ${taken}대가 원래 개체의 자리를 차지하고, 개체 ${parents.length - taken}대는 그대로 남습니다.`;
+      return `시험 벡터 ${taken}개가 원래 개체의 자리를 차지하고, 개체 ${parents.length - taken}개는 그대로 남습니다.`;
     },
   },
   'cma-es': {
@@ -105,7 +105,7 @@ const sentences = {
     mutation: ({ record }) => `이 분포에서 로봇 ${record.offspring.length}대를 뽑습니다.`,
     drive: () => '모두 주행하여 J를 얻습니다. 다음에는 그 순서만 쓰입니다.',
     ranking: ({ counting, ranked }) =>
-      `좋은 쪽 ${counting}대만, 좋을수록 크게 반영합니다(막대: 가중치). 나머지 ${ranked - counting}대는 쓰지 않습니다.`,
+      `좋은 쪽 로봇 ${counting}대만, 좋을수록 크게 반영합니다(막대: 가중치). 나머지 ${ranked - counting}대는 쓰지 않습니다.`,
     survivors({ record: { ellipse, next } }) {
       const ratio = ellipse && next.ellipse ? deviationRatio(ellipse, next.ellipse) : 1;
       return `평균이 가중 평균으로 옮겨 가고, 타원은 그 모양을 따르며 너비가 ${fixed(ratio, 2)}배가 됩니다.`;

@@ -39,7 +39,7 @@ export const lowest = '가장 낮은 점';
 export const lowestText = (gains, cost) => `여기서 가장 낮은 점: J ${costText(cost)}, ${gains}`;
 
 /** @param {number} count */
-export const outside = (count) => `개체군 중 ${count}대는 이 범위 밖에 있습니다`;
+export const outside = (count) => `개체군의 로봇 ${count}대는 이 범위 밖에 있습니다`;
 
 export const paperEp = '논문 EP';
 export const paperArbitrary = '논문 임의';

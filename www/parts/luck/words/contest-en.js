@@ -86,7 +86,7 @@ const shortNames = {
   de: 'DE',
   'cma-es-7': 'CMA-ES, 7',
   'cma-es-7-mirror': 'CMA-ES, 7, mirrored',
-  'one-at-a-time': 'one gain a time',
+  'one-at-a-time': 'one at a time',
   hand: 'as by hand',
   'finite-differences': 'differences',
 };

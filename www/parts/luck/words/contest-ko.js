@@ -2,7 +2,10 @@
 /** @import { Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
 import { costText, grouped } from '../../../words/ko/numbers.js';
-import { percent, targetText, timesText } from './common.js';
+import { targetText, timesText } from './common.js';
+
+/** @param {number} part */
+export const percent = (part) => `${Math.round(100 * part)}%`;
 
 export const viewLegend = '무엇을 알아볼지';
 /** @type {readonly import('../../../kit/segmented.js').Choice<'seeds' | 'contest'>[]} */
@@ -36,7 +39,7 @@ export const readings = [
   {
     value: 'targets',
     text: '목표 51개',
-    hint: '최소 J보다 10 % 높은 값부터 0.1 % 높은 값까지 목표 51개 가운데 이른 비율',
+    hint: '최소 J보다 10% 높은 값부터 0.1% 높은 값까지 목표 51개 가운데 이른 비율',
   },
   { value: 'ends', text: '마지막 J', hint: '실행마다 끝난 곳, 시드 하나에 점 하나' },
   { value: 'table', text: '표', hint: '누가 언제 목표에 이르는가' },
@@ -50,7 +53,7 @@ const names = {
   'floor-0.01': 'σ 하한 0.01',
   'floor-0.1': 'σ 하한 0.1',
   truncation: '토너먼트 없이 가장 낮은 J 선택',
-  parent: '자식 대 부모',
+  parent: '자손 대 부모',
   crossover: '교차 0.5',
   'n-6': 'N = 6',
   'n-100': 'N = 100',
@@ -106,11 +109,11 @@ export const contestCancelled = (done, all) =>
 export const otherContest = '지금 고른 것이 아니라 이전 겨루기의 결과입니다. 고른 대로 다시 실행해 주십시오.';
 /** @param {{ seeds: number, budget: number }} asked */
 export const contestInvitation = ({ seeds, budget }) =>
-  `어느 부분이 효과를 낼까요? 참가자마다 같은 시드 ${seeds}개로 ${grouped(budget)}회씩 주행합니다. 세대가 아니라 주행 횟수로 견주어 보십시오.`;
+  `어느 부분이 효과를 낼까요? 참가자마다 같은 시드 ${seeds}개로 ${grouped(budget)}회씩 주행합니다. 세대가 아니라 주행 횟수로 비교해 보십시오.`;
 
 /** @param {Lowest} lowest */
 export const usualTargetText = ({ cost, name, seed }) =>
-  `최소 J ${targetText(cost)}보다 0.2 % 높은 값(${shortName(name)}, 시드 ${seed})`;
+  `최소 J ${targetText(cost)}보다 0.2% 높은 값(${shortName(name)}, 시드 ${seed})`;
 /** @param {string} was */
 export const targetRefused = (was) => `목표는 수여야 하는데, 입력한 값은 “${was}”입니다.`;
 
@@ -130,7 +133,7 @@ export const contestColumns = [
   { text: '도달', hint: '목표에 이른 실행의 수' },
   {
     text: 'ERT',
-    hint: '기대 실행 시간: 모든 실행이 목표나 한도까지 쓴 주행 횟수를 목표에 이른 실행의 수로 나눈 값. 곁의 수는 95 % 부트스트랩 구간',
+    hint: '기대 실행 시간: 모든 실행이 목표나 한도까지 쓴 주행 횟수를 목표에 이른 실행의 수로 나눈 값. 곁의 수는 95% 부트스트랩 구간',
   },
   { text: 'J 중앙값', hint: '주행 한도에서 J의 중앙값' },
   {

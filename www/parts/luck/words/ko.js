@@ -6,6 +6,7 @@ import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 export * from './contest-ko.js';
+export { percent } from './contest-ko.js';
 
 export const texts = {
   luckGainsPicture: '모든 시드의 이득',

@@ -14,14 +14,14 @@ export const invitation = (count) =>
 export function ending({ best, count }, { gains, parked, generation }) {
   const mine = best?.parked ?? 0;
   if (parked <= mine)
-    return `Evolution stopped at ${parked} of ${count}; you had ${mine}. It began elsewhere: try another seed.`;
+    return `Evolution stopped at ${parked} of ${count}; you had ${mine}. That was luck, good or bad: try another seed.`;
   const beyond = gains[1] / 12;
   const where =
     beyond > 1.5
       ? ` Your slider for ky ends at 12; evolution, which has no slider, went to ${fixed(gains[1], 0)}.`
       : '';
   return parked === count
-    ? `After ${generation} generations one robot parks from all ${count} starts. Nobody told evolution how: it was given one number a robot, and kept what drove well.${where}`
+    ? `After ${generation} generations one robot parks from all ${count} starts. Nobody told evolution how: it was given one number for each robot, and kept what drove well.${where}`
     : `After ${generation} generations evolution parks ${parked} of ${count}.${where}`;
 }
 
@@ -30,6 +30,8 @@ export const ofParked = (count) => `of ${count} parked`;
 /** @param {number} parked @param {number} count */
 export const share = (parked, count) => `${parked} of ${count}`;
 export const yours = 'with your numbers';
+/** Before anybody has moved one. */
+export const given = 'with these numbers';
 /** @param {number} generation */
 export const swarm = (generation) =>
   generation === 0 ? 'best of 20 random robots' : `best robot of generation ${generation}`;

@@ -14,7 +14,7 @@ export const invitation = (count) =>
 export function ending({ best, count }, { gains, parked, generation }) {
   const mine = best?.parked ?? 0;
   if (parked <= mine)
-    return `진화는 ${count}대 가운데 ${parked}대에서 멈추었고, 직접 찾은 값은 ${mine}대였습니다. 출발이 달랐을 뿐이니 다른 시드로 다시 해 보십시오.`;
+    return `진화는 로봇 ${count}대 가운데 ${parked}대에서 멈추었고, 직접 찾은 세 수로는 ${mine}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
   const beyond = gains[1] / 12;
   const where =
     beyond > 1.5
@@ -30,6 +30,8 @@ export const ofParked = (count) => `/ ${count}대 주차`;
 /** @param {number} parked @param {number} count */
 export const share = (parked, count) => `${count}대 중 ${parked}대`;
 export const yours = '직접 고른 세 수로';
+/** Before anybody has moved one. */
+export const given = '아래의 세 수로';
 /** @param {number} generation */
 export const swarm = (generation) =>
   generation === 0 ? '무작위 로봇 20대 중 최우수' : `${generation}세대의 최우수 로봇`;

@@ -99,12 +99,14 @@ const arrivals = (arrived, headings) =>
 /** @param {Place} place @param {{ arrived: number, headings: number, time: number, cost: number }} cell */
 export const cellText = (place, { arrived, headings, time, cost }) =>
   `${placeText(place)}: ${arrivals(arrived, headings)}${
-    arrived === 0 ? '' : `, in ${fixed(time, 2)} s${arrived > 1 ? ' on average' : ''}, J ${fixed(cost, 2)}`
+    arrived === 0
+      ? ''
+      : `, in ${fixed(time, 2)} s${arrived > 1 ? ' on average' : ''}, J\u00a0${fixed(cost, 2)}`
   }.`;
 
 /** @param {Place} place @param {Drive} drive */
 export const driveText = (place, drive) =>
-  `${placeText(place)}, heading ${degrees(drive.heading)}: ${outcome(drive)}, J ${costText(drive.cost)}.`;
+  `${placeText(place)}, heading ${degrees(drive.heading)}: ${outcome(drive)}, J\u00a0${costText(drive.cost)}.`;
 
 /** @param {Drive} drive @param {number} next */
 export const watching = (drive, next) =>

@@ -27,8 +27,9 @@ export const generationsChoice = (generations) => `${generations} generations`;
 /** Groups of three digits, when there are more than four. @param {number} value */
 const whole = (value) => (value < 10_000 ? String(value) : grouped(value));
 
-/** @param {number} part @param {number} count */
-export const percent = (part, count) => `${fixed((100 * part) / count, 0)}\u202f%`;
+/** All of them is more than nearly all. @param {number} part @param {number} count */
+export const percent = (part, count) =>
+  `${fixed((100 * part) / count, part < count && part / count >= 0.995 ? 1 : 0)}\u202f%`;
 
 /** @param {number} count */
 const starts = (count) => (count === 1 ? 'one start' : `${count} starts`);

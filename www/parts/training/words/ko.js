@@ -23,8 +23,9 @@ export const cancel = '취소';
 /** @param {number} generations */
 export const generationsChoice = (generations) => `${generations}세대`;
 
-/** @param {number} part @param {number} count */
-export const percent = (part, count) => `${fixed((100 * part) / count, 0)}%`;
+/** All of them is more than nearly all. @param {number} part @param {number} count */
+export const percent = (part, count) =>
+  `${fixed((100 * part) / count, part < count && part / count >= 0.995 ? 1 : 0)}%`;
 
 /** @param {RowName} name @param {number} count The number of starts that it was evolved on. */
 export const rowName = (name, count) =>
