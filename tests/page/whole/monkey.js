@@ -52,7 +52,8 @@ export async function monkey(seed, count, links) {
     '0.5',
     '1e9',
     '-1e-9',
-    'NaN',
+    // None to the page, and no word that it may say.
+    'nan',
     'Infinity',
     'x',
     '٣',
