@@ -96,7 +96,7 @@ engineTest(
     assert.ok(lowest);
     const text = await told(lowest.cost.toFixed(3));
     const [kx, , ktheta] =
-      /kx ([\d.]+), ky ([\d.]+), kθ ([\d.]+)/.exec(String(text))?.slice(1).map(Number) ?? [];
+      /kx\s([\d.]+), ky\s([\d.]+), kθ\s([\d.]+)/.exec(String(text))?.slice(1).map(Number) ?? [];
     assert.ok(Math.abs(kx - lowest.gains[0]) < 0.01 && Math.abs(ktheta - lowest.gains[2]) < 0.01);
     assert.ok(simulate(velocityLimits, lowest.gains).arrived);
 
