@@ -123,7 +123,7 @@ pageTest('the cursor reads J, and a click drives those gains', async (page) => {
   const axes = await axesOn(page, across, up);
   await hover(page, [axes.x.at(6), axes.y.at(2)]);
   const [, kx, ky, ktheta, cost, outcome] =
-    /kx ([\d.]+), ky ([\d.]+), kθ ([\d.]+): J ([\d.]+), (.*)/.exec(await readout(page)) ?? [];
+    /kx\s([\d.]+), ky\s([\d.]+), kθ\s([\d.]+): J ([\d.]+), (.*)/.exec(await readout(page)) ?? [];
   assert.ok(Math.abs(Number(kx) - 6) < 0.1 && Math.abs(Number(ktheta) - 2) < 0.1, `${kx}, ${ktheta}`);
   assert.equal(ky, '0.0968');
   const run = simulate(velocityLimits, [Number(kx), paperKy, Number(ktheta)]);
