@@ -152,6 +152,8 @@ pageTest('the evolved robot that drives stands in the table, in the place of one
   await page.evaluate(() =>
     /** @type {HTMLElement} */ (document.querySelector('[data-try="evolved"]')).click(),
   );
+  // The first of its generations are seen before the last.
+  await page.until('generation 60', () => document.getElementById('generation')?.textContent === '60');
   const cost = await page.until('its J', () => {
     const row = document.querySelector('#standings tr:nth-child(4)');
     const total = row?.querySelector('.standing-total')?.textContent;
