@@ -12,34 +12,21 @@ import {
 } from '../../../www/lesson/duel.js';
 import { marksOf } from '../../../www/lesson/marks.js';
 import { duel as step } from '../../../www/lesson/steps/duel.js';
-import { yardOf } from '../../../www/lesson/yard.js';
 import { noTally } from '../../../www/lesson/state.js';
 import { taskText } from '../../../www/lesson/tally.js';
 import { duel as words } from '../../../www/lesson/words/en/duel.js';
 import { Key, pageTest } from '../harness/browsers.js';
-import { Evolution, evaluate, seedRuns, shown } from '../harness/core.js';
+import { evaluate, seedRuns, shown } from '../harness/core.js';
+import { contest, engine, evolvedBest, yard } from './duel-task.js';
 import { opened } from './links.js';
 import { answered, liveOf, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
-const { engine } = liveOf('lab');
-const yard = yardOf(engine);
-const contest = yard.experimentOf(opened(step.link).experiment);
-
 /** What was driven by hand, with these J. @param {readonly number[]} costs */
 const driven = (costs) =>
   lockedIn({ ...noTally, experiment: taskText(contest), drives: costs.length, costs }, contest);
-
-/** The best of an evolution with a seed. @param {number} seed @param {number} generation */
-function evolvedBest(seed, generation) {
-  const evolution = new Evolution({ ...contest, evolution: { ...contest.evolution, seed } });
-  for (let i = 0; i < generation; i++) evolution.step();
-  const { cost, gains } = evolution.statistics().best;
-  evolution.free();
-  return { cost, gains: /** @type {[number, number, number]} */ ([...gains]) };
-}
 
 test('evolution gets the generations that fit into as many trials, at least its twenty', () => {
   for (const [drives, generation] of [

@@ -1,24 +1,8 @@
 // The task of the duel: what a hand can do there, and what only evolution does.
 import assert from 'node:assert/strict';
-import { duel as step } from '../../../www/lesson/steps/duel.js';
-import { yardOf } from '../../../www/lesson/yard.js';
-import { Evolution, evaluate, fares, seedRuns } from '../harness/core.js';
-import { opened } from './links.js';
-import { liveOf } from './live.js';
+import { evaluate, fares, seedRuns } from '../harness/core.js';
+import { contest, evolvedBest, yard } from './duel-task.js';
 import { test } from '../harness/once.js';
-
-const { engine } = liveOf('lab');
-const yard = yardOf(engine);
-const contest = yard.experimentOf(opened(step.link).experiment);
-
-/** The best of an evolution with a seed. @param {number} seed @param {number} generation */
-function evolvedBest(seed, generation) {
-  const evolution = new Evolution({ ...contest, evolution: { ...contest.evolution, seed } });
-  for (let i = 0; i < generation; i++) evolution.step();
-  const { cost, gains } = evolution.statistics().best;
-  evolution.free();
-  return { cost, gains: /** @type {[number, number, number]} */ ([...gains]) };
-}
 
 test('the yard is the mean over its starts, as the core has it', () => {
   for (const gains of /** @type {const} */ ([
