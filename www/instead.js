@@ -1,7 +1,6 @@
 // What stands in the place of the robots until they drive, and stays where they cannot: why, a picture, the lesson to read.
 import { byId, create } from './kit/elements.js';
 import { isLost, messageOf } from './words/errors.js';
-import { showMessage } from './lab/views.js';
 import { instead as words } from './words/index.js';
 import { language } from './words/language.js';
 
@@ -19,20 +18,30 @@ function reasonOf(error) {
   return words.notLoaded(messageOf(error));
 }
 
-/** The robots drive. */
-export const clearInstead = () => byId('instead').remove();
+/** The robots drive; should the page fail on its last steps, what there is to read is wanted again. */
+export const hideInstead = () => {
+  byId('instead').hidden = true;
+};
 
 /** Says why they do not, and keeps what there is to read. @param {unknown} error */
 export function showInstead(error) {
   byId('instrument').hidden = true;
   // A figure would have its title in its foot.
   document.body.removeAttribute('data-embed');
-  showMessage(words.cannot(reasonOf(error)));
   const instead = byId('instead');
+  sayBefore(instead, words.cannot(reasonOf(error)));
   instead.className = 'instead';
+  instead.hidden = false;
   for (const element of instead.querySelectorAll('.instead-why, [lang]'))
     if (element.getAttribute('lang') !== language) element.remove();
   for (const details of instead.querySelectorAll('details')) details.open = true;
+}
+
+/** In a place of its own, for the page may still draw. @param {HTMLElement} place @param {string} text */
+function sayBefore(place, text) {
+  const message = create('p', 'message', text);
+  message.setAttribute('role', 'alert');
+  place.before(message);
 }
 
 /** After a panic or a trap the core must not be used again: whatever is pressed then might be answered wrongly. */
@@ -42,9 +51,7 @@ export function watchCore() {
     const instrument = byId('instrument');
     if (!isLost(error) || instrument.inert) return;
     instrument.inert = true;
-    const message = create('p', 'message', words.stopped);
-    message.setAttribute('role', 'alert');
-    instrument.before(message);
+    sayBefore(instrument, words.stopped);
   };
   addEventListener('error', (event) => stop(event.error));
   addEventListener('unhandledrejection', (event) => stop(event.reason));

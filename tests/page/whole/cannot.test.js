@@ -30,7 +30,7 @@ const inSight = (page) =>
         .filter((element) => element.checkVisibility({ visibilityProperty: true }))
         .map((element) => element.innerText);
     return {
-      message: texts('#message, noscript').join(''),
+      message: texts('.message').join(''),
       why: texts('.instead-why').join(''),
       lessons: texts('#instead a'),
       captions: texts('#instead figcaption p'),
@@ -43,6 +43,14 @@ const inSight = (page) =>
 /** A file of the site that is not sent. @param {RegExp} name @returns {Changes} */
 const without = (name) => ({ send: (file, content) => (name.test(file) ? null : content) });
 
+/** The page fails when it listens to an event, which it does when all else is there. @param {string} name */
+const failing = (name) => `
+  const listen = addEventListener;
+  window.addEventListener = (name, ...rest) => {
+    if (name === '${name}') throw Error('no ear for ${name}');
+    listen(name, ...rest);
+  };`;
+
 engineTest('what the browser or the server lacks is said, above a picture and the lesson', async (page) => {
   for (const [wrong, fragment, said] of /** @type {[Changes, string, RegExp][]} */ ([
     [{ before: 'delete globalThis.WebAssembly;' }, '', /^The robots cannot drive here: .*no WebAssembly/],
@@ -52,11 +60,14 @@ engineTest('what the browser or the server lacks is said, above a picture and th
       /no SIMD/,
     ],
     [without(/\.wasm$/), '?embed#lab', /could not be loaded \(.*404/],
+    [{ before: failing('popstate') }, '', /could not be loaded \(no ear for popstate\)/],
     [{ policy: { 'script-src': "'self'" } }, '#lesson&lang=ko', /주행할 수 없습니다.*WebAssembly를 금지/],
   ]))
     await withSite(page, wrong, async (address) => {
       await page.visit(address + fragment);
-      await page.until('a message is there to read', () => document.getElementById('message')?.innerText);
+      await page.until('a message is there to read', () =>
+        document.querySelector('main > .message:not(#message)')?.checkVisibility(),
+      );
       const korean = fragment.includes('ko');
       const { message, why, lessons, captions, picture, instrument, all } = await inSight(page);
       assert.match(message, said);
@@ -217,7 +228,7 @@ pageTest('the one file has the lesson to read in it, where the core cannot run',
         .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#instead details > section')),
       ];
       return (
-        document.getElementById('message')?.innerText &&
+        document.querySelector('main > .message:not(#message)') &&
         seen.filter((section) => section.checkVisibility()).map((section) => section.innerText)
       );
     });
