@@ -1,6 +1,7 @@
 // What every task needs: steps with a name and a time, child processes, and failures told in one line.
 import { spawn, spawnSync } from 'node:child_process';
 import { existsSync, readdirSync, statSync } from 'node:fs';
+import { setPriority } from 'node:os';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -65,16 +66,17 @@ export async function step(name, body, usual) {
  * Runs a program to its end and returns its standard output, which is shown as it comes.
  * @param {string} program
  * @param {string[]} args
- * @param {{ env?: Record<string, string>, keepColours?: boolean }} [options] keepColours hands the terminal to the program, and then nothing is returned
+ * @param {{ env?: Record<string, string>, keepColours?: boolean, yields?: boolean }} [options] keepColours hands the terminal to the program, and then nothing is returned; with yields all others go first
  * @returns {Promise<string>}
  */
-export function run(program, args, { env = {}, keepColours = true } = {}) {
+export function run(program, args, { env = {}, keepColours = true, yields = false } = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, {
       cwd: top,
       env: { ...process.env, ...env },
       stdio: ['ignore', keepColours ? 'inherit' : 'pipe', 'inherit'],
     });
+    if (yields && child.pid) setPriority(child.pid, 10);
     let output = '';
     child.stdout?.setEncoding('utf8').on('data', (text) => {
       output += text;

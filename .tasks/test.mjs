@@ -116,9 +116,9 @@ async function together(lanes) {
   if (reasons.length > 0) throw reasons[0];
 }
 
-/** @param {string[]} target */
-function clippy(...target) {
-  return run('cargo', ['clippy', ...target, '--', '-D', 'warnings']);
+/** @param {string[]} target @param {Parameters<typeof run>[2]} [options] */
+function clippy(target, options) {
+  return run('cargo', ['clippy', ...target, '--', '-D', 'warnings'], options);
 }
 
 /** What needs nothing but cargo and the npm packages. */
@@ -127,25 +127,30 @@ async function testSources() {
   await step('format and lint of the JavaScript (npm run format mends it)', () =>
     runPackage('@biomejs/biome/bin/biome', ['check', '.']),
   );
-  await step('lint of the Rust', () => clippy('--all-targets'));
+  await step('lint of the Rust', () => clippy(['--all-targets']));
   await step('native tests', () => counted('cargo', ['test']));
 }
 
-/** The core as WebAssembly. With every optimisation the tests of the page run it, under Node and in the browsers. */
+/**
+ * The core as WebAssembly. With every optimisation the tests of the page run it, under Node and in the browsers; to those, which
+ * take the longest, it leaves the machine.
+ */
 async function testModule() {
+  const yields = true;
   const target = ['--target', 'wasm32-unknown-unknown'];
   await step('lint of the Rust for WebAssembly', async () => {
-    await clippy('--lib', ...target);
-    await clippy('--lib', ...target, '--no-default-features', '--features', 'bytes');
+    await clippy(['--lib', ...target], { yields });
+    await clippy(['--lib', ...target, '--no-default-features', '--features', 'bytes'], { yields });
   });
   await step('the same tests as WebAssembly under Node', () =>
     // A panic loses the instance that it happens in.
     counted('cargo', ['test', ...target, '--test', 'wasm', '--test', 'panics'], {
-      CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner',
+      env: { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner' },
+      yields,
     }),
   );
   await step('the known values with every optimisation, natively', () =>
-    counted('cargo', ['test', '--release', '--test', 'golden']),
+    counted('cargo', ['test', '--release', '--test', 'golden'], { yields }),
   );
 }
 
@@ -160,7 +165,7 @@ function testPage(...lanes) {
   return step('tests of the built page in real browsers', () =>
     together(
       lanesOf(...lanes).map(({ files, env }) =>
-        counted(process.execPath, ['--test-reporter=spec', every, ...files], env),
+        counted(process.execPath, ['--test-reporter=spec', every, ...files], { env }),
       ),
     ),
   );
@@ -170,9 +175,9 @@ function testPage(...lanes) {
  * Runs tests and adds up what their closing lines count, also if some fail.
  * @param {string} program
  * @param {string[]} args
- * @param {Record<string, string>} [env]
+ * @param {Parameters<typeof run>[2]} [options]
  */
-async function counted(program, args, env) {
+async function counted(program, args, options) {
   /** @param {string} output */
   const add = (output) => {
     for (const [, passed, failed] of output.matchAll(/test result: .*?(\d+) passed; (\d+) failed/g)) {
@@ -184,7 +189,7 @@ async function counted(program, args, env) {
     }
   };
   try {
-    add(await run(program, args, { env, keepColours: false }));
+    add(await run(program, args, { ...options, keepColours: false }));
   } catch (error) {
     if (error instanceof Failure) add(error.output);
     throw error;
