@@ -213,7 +213,7 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
   const rows = /** @type {const} */ ([
     ['nowhere', /“nowhere”.*lab, .*landscape/],
     ['lab&seed=-1', /seed.*evolution\.seed must be a whole number from 0 to 4294967295/],
-    ['lab&goal.x=1e9', /goal\.x.*goal\.x must be/],
+    ['lab&goal.x=1e9', /goal\.x.*goal\.x must be .*, but was 1000000000\.$/],
     ['lab&goal.x=abc', /goal\.x.*must be a number.*“abc”/],
     ['lab&goal.x=NaN', /goal\.x.*must be a number/],
     ['lab&goal=1,2', /goal was left out.*no such setting/],

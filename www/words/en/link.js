@@ -5,7 +5,8 @@ export const unknownPart = (found, parts) =>
   `The link asks for “${found}”, which is no part of this page: ${parts.join(', ')}.`;
 
 /** @param {string} key @param {string} reason */
-export const ignored = (key, reason) => `In the link, ${key} was left out: ${reason}`;
+export const ignored = (key, reason) =>
+  `In the link, ${key} was left out: ${reason}${/[.…]$/.test(reason) ? '' : '.'}`;
 
 /** @param {number} count */
 export const moreIgnored = (count) =>
