@@ -8,7 +8,7 @@ use common::{PRESET, Random};
 use ep_locomotion::run::{Experiment, Preset};
 use ep_locomotion::schema::WordField;
 use ep_locomotion::wasm::{Evolution, evaluate, fields, paper, random_seed, simulate, word_fields};
-use js_sys::{Array, Object, Reflect};
+use js_sys::{Array, Function, Object, Reflect};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -65,6 +65,32 @@ fn presets_have_every_field_and_partial_experiments_are_completed() {
     ] {
         assert_eq!(message(ep_locomotion::wasm::experiment(js(a), js(b))), expected);
     }
+}
+
+#[wasm_bindgen_test]
+fn a_spread_copy_of_an_experiment_is_completed_from_the_preset_that_this_was_made_from() {
+    let spread: Function = js("(whole, change) => ({...whole, ...change})").unchecked_into();
+    let with = |whole: &JsValue, change: &str| {
+        experiment(spread.call2(&JsValue::NULL, whole, &js(change)).expect("a copy"))
+            .expect("valid")
+    };
+    for name in Preset::WORDS {
+        let preset = experiment((*name).into()).expect("a preset");
+        for change in ["{limits: {speed: 1}}", "{horizon: 5, goal: {x: 1}, limits: {}}"] {
+            let changed = with(&preset, change);
+            let named = ep_locomotion::wasm::experiment((*name).into(), js(change));
+            assert_eq!(text(&changed), text(&named.expect("valid")));
+            assert_eq!(text(&get(&with(&changed, "{limits: {}}"), "limits")), {
+                text(&get(&preset, "limits"))
+            });
+        }
+    }
+    let other = experiment("acceleration-limits".into()).expect("a preset");
+    let part = Object::new();
+    Reflect::set(&part, &"goal".into(), &get(&other, "goal")).expect("a plain object");
+    assert_eq!(text(&experiment(part.into()).expect("valid")), PRESET);
+    let parsed = js_sys::JSON::parse(&text(&other)).expect("its text");
+    assert!(get(&with(&parsed, "{limits: {}}"), "limits.acceleration").is_null());
 }
 
 #[wasm_bindgen_test]

@@ -4,33 +4,39 @@ use crate::run::{Experiment, Preset, Setting};
 use crate::schema::{Allowed, Input, InvalidInput, Place, Source, refused};
 use crate::study::Evolution;
 
-/// The given experiment, completed with the fields of the usual one.
+/// The given experiment, completed with the fields of the preset that it was made from, or else of the usual one.
 pub fn setting<S: Source>(given: &S) -> Result<Setting, InvalidInput> {
-    completed(Preset::VelocityLimits, given)
+    completed(usual(given), given)
 }
 
 /// The experiment of a preset, or the given fields of one with every other field filled in. With both, in whichever order,
-/// the preset is what fills in; without, `velocity-limits` does.
+/// the preset is what fills in; without, the one that the fields were made from, or else `velocity-limits`.
 pub fn experiment<S: Source>(given: &S, other: &S) -> Result<Setting, InvalidInput> {
+    let preset = preset(given, other)?;
     match given.text() {
-        Some(name) if other.is_given() => completed(Preset::find(&name)?, other),
-        Some(name) => Setting::new(Preset::find(&name)?.experiment()),
-        None if other.is_given() => completed(preset(other)?, given),
-        None => setting(given),
+        Some(_) if other.is_given() => completed(preset, other),
+        Some(_) => Setting::new(preset.experiment()),
+        None => completed(preset, given),
     }
+}
+
+/// The preset that fills in.
+pub fn preset<S: Source>(given: &S, other: &S) -> Result<Preset, InvalidInput> {
+    match given.text().or_else(|| other.text()) {
+        Some(name) => Preset::find(&name),
+        None if other.is_given() => Err(refused(other, Place::Named("preset"), Preset::expected())),
+        None => Ok(usual(given)),
+    }
+}
+
+fn usual<S: Source>(given: &S) -> Preset {
+    given.origin().and_then(Preset::named).unwrap_or(Preset::VelocityLimits)
 }
 
 fn completed<S: Source>(preset: Preset, given: &S) -> Result<Setting, InvalidInput> {
     let mut experiment: Experiment = preset.experiment();
     experiment.read(given)?;
     Setting::new(experiment)
-}
-
-fn preset<S: Source>(given: &S) -> Result<Preset, InvalidInput> {
-    match given.text() {
-        Some(name) => Preset::find(&name),
-        None => Err(refused(given, Place::Named("preset"), Preset::expected())),
-    }
 }
 
 /// A number that has a name.

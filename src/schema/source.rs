@@ -19,6 +19,11 @@ pub trait Source: Sized {
     /// The field with this name.
     fn field(&self, name: &'static str) -> Self;
 
+    /// The name of what it was made from, where that is remembered.
+    fn origin(&self) -> Option<&'static str> {
+        None
+    }
+
     /// Whether it is there at all.
     fn is_given(&self) -> bool {
         self.kind() != Kind::Missing

@@ -3,6 +3,8 @@
 
 mod write;
 
+mod origin;
+
 mod read;
 
 mod task;
@@ -39,7 +41,7 @@ pub fn throw_panics() {
 }
 
 /// The experiment of a preset, or the given fields of one with every other field filled in. With both, in whichever order,
-/// the preset is what fills in; without, `velocity-limits` does.
+/// the preset is what fills in; without, the one that a whole experiment was made from, or else `velocity-limits`.
 ///
 /// Throws an Error that names the field when one is unknown, of a wrong type, or out of its range.
 #[wasm_bindgen(unchecked_return_type = "Experiment")]
@@ -51,7 +53,10 @@ pub fn experiment(
     given: JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "PartialExperiment | Preset")] other: JsValue,
 ) -> Result<JsValue> {
-    Ok(plain(outside::experiment(&Given::of(given), &Given::of(other))?.experiment()))
+    let (given, other) = (Given::of(given), Given::of(other));
+    let experiment = plain(outside::experiment(&given, &other)?.experiment());
+    origin::remember(&experiment, outside::preset(&given, &other)?);
+    Ok(experiment)
 }
 
 /// Start postures evenly on a circle, each with a random heading.

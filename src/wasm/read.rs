@@ -5,7 +5,9 @@ use core::cell::Cell;
 use js_sys::{Array, ArrayBuffer, Float64Array, Reflect};
 use wasm_bindgen::prelude::*;
 
+use super::origin;
 use super::write::named;
+use crate::run::Preset;
 use crate::schema::{InvalidInput, Keys, Kind, Place, Source, refused, too_many};
 
 /// What js-sys has too, but there an exception would leave the core in the middle of a function: each time, what that
@@ -69,6 +71,10 @@ impl Source for Given {
             value if is_list(value, false) => Kind::List(self.length(false)),
             value => Kind::Other(value.js_typeof().as_string().unwrap_or_default()),
         }
+    }
+
+    fn origin(&self) -> Option<&'static str> {
+        origin::of(self.value.as_ref()?).map(Preset::word)
     }
 
     // Quicker than by its kind.

@@ -23,6 +23,11 @@ export async function monkey(seed, count, links) {
       setTimeout(resolve, 200);
     });
 
+  // The dialogue of a printer would hold the page.
+  window.print = () => {
+    for (const name of ['beforeprint', 'afterprint']) dispatchEvent(new Event(name));
+  };
+
   /** @type {string[]} */
   const done = [];
   const keys = [
