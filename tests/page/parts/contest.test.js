@@ -1,16 +1,10 @@
-// The contest: its numbers are those of the core's trials, counted here once more; and its CSV is read by others.
+// The contest: its numbers are those of the core's trials, counted here once more; and its CSV.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { trials } from '../../../pkg/ep_locomotion.js';
 import { mostRobotsOfCall } from '../../../www/core/bounds.js';
 import { partsOf } from '../../../www/parts/luck/contest-asked.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
-import { findProgram } from '../harness/engines.js';
 import { test } from '../harness/once.js';
 import { contestOf, others, small, velocityLimits } from './contests.js';
 
@@ -193,35 +187,4 @@ test('the CSV has a row for each improvement', () => {
     ),
   );
   assert.deepEqual(rows.slice(1), expected);
-});
-
-const python = findProgram(['python3', 'python']);
-
-test('the example for IOHprofiler writes every run with all its rows, from drive 1 to the budget', {
-  skip: !python && 'there is no Python',
-}, () => {
-  const folder = mkdtempSync(join(tmpdir(), 'contest-'));
-  const csv = join(folder, 'contest.csv');
-  writeFileSync(csv, contestCsv(small));
-  const program = fileURLToPath(new URL('../../../examples/contest/to_iohprofiler.py', import.meta.url));
-  execFileSync(/** @type {string} */ (python), [program, csv, join(folder, 'ioh'), '1000']);
-  for (const { name, trials: runs } of small.lines) {
-    const own = join(folder, 'ioh', name ?? 'lab');
-    const told = JSON.parse(readFileSync(join(own, 'IOHprofiler_f1_J.json'), 'utf8'));
-    assert.equal(told.algorithm.name, name ?? 'lab');
-    const [{ path, runs: listed }] = told.scenarios;
-    assert.deepEqual(
-      listed.map((/** @type {any} */ { instance, evals, best }) => [instance, evals, best.y]),
-      runs.map(({ seed, champion }) => [seed, 1000, champion.cost]),
-    );
-    const blocks = readFileSync(join(own, path), 'utf8').split('evaluations raw_y\n').slice(1);
-    for (const [i, { drives, costs }] of runs.entries()) {
-      const rows = blocks[i].trimEnd().split('\n');
-      const falls = [...drives].map((drive, j) => `${drive} ${costs[j]}`);
-      assert.deepEqual(rows.slice(0, falls.length), falls);
-      assert.equal(rows[0].split(' ')[0], '1');
-      assert.equal(rows.at(-1), `1000 ${costs.at(-1)}`);
-    }
-  }
-  rmSync(folder, { recursive: true });
 });
