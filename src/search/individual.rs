@@ -3,7 +3,7 @@
 use rand::{Rng, RngExt};
 
 use super::settings::EvolutionSettings;
-use crate::number::{Purpose, stream};
+use crate::number::{Purpose, Real, stream};
 use crate::robot::Gains;
 use crate::schema::record;
 
@@ -31,7 +31,7 @@ impl Individual {
     fn random(e: &EvolutionSettings, rng: &mut impl Rng) -> Self {
         let [low, high] = e.initial_range;
         let gains = [0; 3].map(|_| low + (high - low) * rng.random::<f64>());
-        Self::new(e.tried(gains), [e.floored(e.initial_sigma); 3])
+        Self::new(e.tried(gains), [e.initial_sigma.at_least(e.sigma_floor); 3])
     }
 
     /// The same with other σ.

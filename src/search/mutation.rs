@@ -7,7 +7,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::individual::Individual;
 use super::settings::{EvolutionSettings, Step};
-use crate::number::{Purpose, stream};
+use crate::number::{Purpose, Real, stream};
 use crate::schema::record;
 
 record! { (Copy)
@@ -74,7 +74,7 @@ impl Mutation {
     /// The same with the ingredients of these settings.
     pub(super) fn offspring_in(&self, e: &EvolutionSettings, parent: &Individual) -> Individual {
         let (gains, sigmas) = self.moved(parent, LearningRates::times(e.adaptation));
-        Individual::new(e.tried(gains), sigmas.map(|sigma| e.floored(sigma)))
+        Individual::new(e.tried(gains), sigmas.map(|sigma| sigma.at_least(e.sigma_floor)))
     }
 
     fn moved(&self, parent: &Individual, rates: LearningRates) -> ([f64; 3], [f64; 3]) {

@@ -1,5 +1,6 @@
 //! What a search is told before it begins.
 
+use crate::number::Real;
 use crate::robot::Gains;
 use crate::schema::{Allowed, InvalidInput, Text, record, words};
 
@@ -134,17 +135,12 @@ impl EvolutionSettings {
         }
     }
 
-    /// A σ, or the floor where it is under that.
-    pub(super) fn floored(&self, sigma: f64) -> f64 {
-        if sigma < self.sigma_floor { self.sigma_floor } else { sigma }
-    }
-
     /// The gains that are tried for these.
     pub(super) fn tried(&self, gains: [f64; 3]) -> Gains {
         match self.below_zero {
             BelowZero::Penalty => gains.into(),
             BelowZero::Mirror => gains.map(f64::abs).into(),
-            BelowZero::Clamp => gains.map(|gain| if gain < 0.0 { 0.0 } else { gain }).into(),
+            BelowZero::Clamp => gains.map(|gain| gain.at_least(0.0)).into(),
         }
     }
 }
