@@ -30,11 +30,7 @@ impl Search for CmaEs {
         let tried = |step: Vector| e.tried(plus(normal.mean, normal.sigma, step));
         let trials = steps.into_iter().map(|step| Individual::new(tried(step), sigmas)).collect();
         let making = Making { ellipse: Some(normal.ellipse()), ..Making::default() };
-        match generation {
-            0 => Brood::initial(trials),
-            _ => Brood::beside(&self.found.population, trials, generation),
-        }
-        .made_by(making)
+        Brood::beside(&self.found.population, trials, generation).made_by(making)
     }
 
     fn tell(&mut self, e: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {

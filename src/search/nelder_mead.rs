@@ -43,10 +43,7 @@ impl Search for NelderMead {
         };
         let new = |gains: Vector| Individual::new(e.tried(gains), [0.0; 3]);
         let trials = trials.into_iter().map(new).collect();
-        match generation {
-            0 => Brood::initial(trials),
-            _ => Brood::beside(&self.found.population, trials, generation),
-        }
+        Brood::beside(&self.found.population, trials, generation)
     }
 
     fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
@@ -143,14 +140,12 @@ impl NelderMead {
 
     fn is_small(&self) -> bool {
         let [lowest, others @ ..] = self.simplex();
-        let spread = self.found.population.last().map_or(0.0, |worst| worst.cost)
-            - self.found.population[0].cost;
         let edge = |corner: &Vector| {
             (0..3).fold(0.0, |largest: f64, j| largest.max((corner[j] - lowest[j]).abs()))
         };
         let largest = others.iter().map(edge).fold(0.0, f64::max);
-        // Also where no corner has a cost, for which all are infinite.
-        largest <= SMALLEST || spread.is_nan()
+        // Also where no corner has a cost, for then not even the best is finite.
+        largest <= SMALLEST || !self.found.population[0].cost.is_finite()
     }
 }
 

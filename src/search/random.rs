@@ -12,10 +12,7 @@ pub struct RandomSearch(Found);
 
 impl Search for RandomSearch {
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood {
-        match generation {
-            0 => Brood::initial(drawn(e, 0)),
-            _ => Brood::beside(&self.0.population, drawn(e, generation), generation),
-        }
+        Brood::beside(&self.0.population, drawn(e, generation), generation)
     }
 
     fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
