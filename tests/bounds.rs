@@ -92,6 +92,18 @@ fn seeds_are_counted_by_what_each_keeps() {
         "the number of drives must be at most 1000000 with 1 starts and 1 samples a run, but was 1073741824",
     );
     assert_eq!(seed_runs(&setting, [7, 9], 3).map(|runs| runs.len()), Ok(2));
+    assert_eq!(trials(&setting, [3_000_000, 3_000_002], 1).map(|trials| trials.len()), Ok(2));
+}
+
+/// 507 solutions of 512 bytes, 32 drives of 16 and an object of 2048 are 2¹⁸ bytes, a part in 1024 of what there may be.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_fills_the_memory_to_the_last_byte_is_allowed() {
+    let setting = lasting(0.01, |e| (e.evolution.population, e.starts) = (507, vec![e.goal]));
+    assert_eq!(trials(&setting, [0, 1024], 32).map(|trials| trials.len()), Ok(1024));
+    assert_refused(
+        trials(&setting, [0, 1025], 32),
+        "the number of seeds must be at most 1024, for each takes 262144 bytes, but was 1025",
+    );
 }
 
 /// To begin a run takes as long as some samples, and so do the bouts of a tournament.

@@ -92,6 +92,8 @@ fn a_crossed_parent_has_each_gain_and_its_sigma_of_one_of_two() {
         }
     }
     assert!((340..460).contains(&crossed), "{crossed} of 800");
+    let of_two = evolved(searched_by(|e| (e.crossover, e.population) = (1.0, 2)), 3);
+    assert!(records(&of_two)[1..].iter().all(|record| record.donors == [[1], [0]]));
     assert!(
         evolved(searched_by(|e| (e.crossover, e.population) = (1.0, 1)), 3).newest().best.cost
             > 0.0

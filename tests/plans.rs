@@ -182,7 +182,7 @@ fn the_axes_of_an_ellipse_spread_each_gain_by_its_sigma() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_simplex_that_begins_anew_begins_elsewhere() {
+fn each_simplex_begins_at_the_next_draw_of_the_initial_range() {
     let experiment = common::searched_by(|e| e.method = Method::NelderMead);
     let begun: Vec<_> = common::records(&common::evolved(experiment, 300))
         .iter()
@@ -190,18 +190,98 @@ fn a_simplex_that_begins_anew_begins_elsewhere() {
         .map(|record| gains(record.tried(), 0))
         .collect();
     assert!(begun.len() > 1, "it never shrinks");
-    assert!(begun.iter().enumerate().all(|(i, first)| !begun[..i].contains(first)), "{begun:?}");
+    let draws = records(Method::Random, |_| ());
+    let drawn: Vec<_> = draws.iter().map(|record| gains(record.tried(), 0)).collect();
+    assert_eq!(begun, drawn[..begun.len()]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_simplex_without_a_single_cost_begins_anew() {
     let e = common::searched_by(|e| e.method = Method::NelderMead).evolution;
-    for (costs, motion) in
-        [([f64::INFINITY; 4], Motion::Begin), ([1.0, 2.0, 3.0, f64::INFINITY], Motion::Reflection)]
-    {
+    for (costs, motion) in [
+        ([f64::INFINITY; 4], Motion::Begin),
+        ([1.0, 2.0, 3.0, f64::INFINITY], Motion::Reflection),
+        ([0.0; 4], Motion::Reflection),
+    ] {
         let mut search = search(e.method);
         search.tell(&e, search.ask(&e, 0), &costs);
         let plan = search.plan(&e);
         assert_eq!((plan.motion, plan.corners.is_empty()), (Some(motion), motion == Motion::Begin));
     }
+}
+
+/// Four corners cost 1, 2, 3 and 4: what the trials after them cost, what comes after each, which costs are left, and whether
+/// the last trial is among them.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_simplex_keeps_what_nelder_and_mead_keep() {
+    use Motion::{Expansion, InsideContraction, OutsideContraction, Reflection, Shrink};
+    let e = common::searched_by(|e| e.method = Method::NelderMead).evolution;
+    type Case<'a> = (&'a [f64], &'a [Motion], [f64; 4], bool);
+    let cases: [Case; 13] = [
+        (&[2.5], &[Reflection], [1.0, 2.0, 2.5, 3.0], true),
+        (&[1.0], &[Reflection], [1.0, 1.0, 2.0, 3.0], true),
+        (&[0.5, 0.4], &[Expansion, Reflection], [0.4, 1.0, 2.0, 3.0], true),
+        (&[0.5, 0.5], &[Expansion, Reflection], [0.5, 1.0, 2.0, 3.0], false),
+        (&[0.5, 9.0], &[Expansion, Reflection], [0.5, 1.0, 2.0, 3.0], false),
+        (&[3.5, 0.5], &[OutsideContraction, Reflection], [0.5, 1.0, 2.0, 3.0], true),
+        (&[3.5, 3.5], &[OutsideContraction, Reflection], [1.0, 2.0, 3.0, 3.5], true),
+        (&[3.0, 3.1], &[OutsideContraction, Shrink], [1.0, 2.0, 3.0, 4.0], false),
+        (&[3.5, 3.6], &[OutsideContraction, Shrink], [1.0, 2.0, 3.0, 4.0], false),
+        (&[4.5, 3.9], &[InsideContraction, Reflection], [1.0, 2.0, 3.0, 3.9], true),
+        (&[4.0, 4.0], &[InsideContraction, Shrink], [1.0, 2.0, 3.0, 4.0], false),
+        (&[4.5, 4.1], &[InsideContraction, Shrink], [1.0, 2.0, 3.0, 4.0], false),
+        (
+            &[4.5, 4.1, 7.0, 9.0, 8.0],
+            &[InsideContraction, Shrink, Reflection],
+            [1.0, 7.0, 8.0, 9.0],
+            true,
+        ),
+    ];
+    for (mut costs, motions, left, stays) in cases {
+        let mut search = search(e.method);
+        search.tell(&e, search.ask(&e, 0), &[1.0, 2.0, 3.0, 4.0]);
+        let mut last = search.best().gains;
+        for (generation, motion) in (1..).zip(motions) {
+            let brood = search.ask(&e, generation);
+            let trials = brood.trials();
+            let (own, others) = costs.split_at(trials.len());
+            search.tell(&e, brood, own);
+            assert_eq!(search.plan(&e).motion, Some(*motion), "{own:?}");
+            (costs, last) = (others, trials[trials.len() - 1]);
+        }
+        let found = search.population();
+        assert_eq!(found.iter().map(|one| one.cost).collect::<Vec<_>>(), left, "{motions:?}");
+        assert_eq!(found.iter().any(|one| one.gains == last), stays, "{left:?}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn where_no_slope_can_be_told_it_is_probed_again() {
+    let e = common::searched_by(|e| e.method = Method::FiniteDifferences).evolution;
+    for (here, beside) in [(7.0, 7.0), (7.0, f64::INFINITY), (f64::INFINITY, f64::INFINITY)] {
+        let mut search = search(e.method);
+        search.tell(&e, search.ask(&e, 0), &[here]);
+        for generation in 1..4 {
+            search.tell(&e, search.ask(&e, generation), &[beside; 3]);
+            assert_eq!(search.plan(&e), Plan::NONE, "{here} {beside}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn steps_that_find_nothing_are_halved_to_the_shortest_before_the_slope_is_probed_again() {
+    let change = |e: &mut EvolutionSettings| {
+        (e.method, e.initial_sigma) = (Method::FiniteDifferences, 4e-6);
+    };
+    let e = common::searched_by(change).evolution;
+    let mut search = search(e.method);
+    search.tell(&e, search.ask(&e, 0), &[1.0]);
+    let mut lengths = Vec::new();
+    for generation in 1..=6 {
+        let steps = search.plan(&e).steps;
+        lengths.push(steps.map(|[x, ..]| -x));
+        let costs: &[f64] = if steps.is_some() { &[2.0] } else { &[2.0, 1.0, 1.0] };
+        search.tell(&e, search.ask(&e, generation), costs);
+    }
+    assert_eq!(lengths, [None, Some(4e-6), Some(2e-6), Some(1e-6), None, Some(1e-6)]);
 }

@@ -247,6 +247,18 @@ mod tests {
         assert!(rates.weights.is_sorted_by(|a, b| a > b) && rates.weights.len() == 3);
         assert!((rates.effective - 2.2548).abs() < 1e-4, "{}", rates.effective);
         assert!((rates.length - 0.41491).abs() < 1e-4, "{}", rates.length);
+        // Three normal draws are √(8/π) long in the mean.
+        let mean = (8.0 / core::f64::consts::PI).sqrt();
+        assert!((EXPECTED_LENGTH / mean - 1.0).abs() < 1e-3, "{EXPECTED_LENGTH}");
+    }
+
+    #[test]
+    fn where_it_has_no_width_it_stays() {
+        let mut flat = Normal::new([1.0; 3], 0.5);
+        flat.covariance[2][2] = 0.0;
+        let next = flat.moved(&[[0.1, -0.2, 0.0]; 7]);
+        assert_eq!((next.mean[2], next.length_path[2], next.axes().0[2]), (1.0, 0.0, 0.0));
+        assert!(next.sigma.is_finite() && next.mean[0] > 1.0 && next.mean[1] < 1.0);
     }
 
     /// The limit for n = 3 and λ = 7 is a first step of 2.02 σ: beyond, the path is long because σ is too small.
