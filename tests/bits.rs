@@ -1,5 +1,8 @@
 //! What the same bits on every machine rest on, where the known evolutions would not notice.
 
+mod common;
+
+use common::{evolved, records, velocity_limits};
 use ep_locomotion::search::Mutation;
 use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
@@ -15,19 +18,36 @@ fn normals() -> impl Iterator<Item = f64> {
 }
 
 /// FNV-1a over the little-endian bytes.
-fn hash(numbers: impl Iterator<Item = f64>) -> u64 {
-    let bytes = numbers.flat_map(f64::to_le_bytes);
-    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+fn hash(words: impl Iterator<Item = u64>) -> String {
+    let hash = words.flat_map(u64::to_le_bytes).fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
+    });
+    format!("{hash:016x}")
 }
 
 /// Beyond 3.654, where one draw of 4000 lies, a normal needs a logarithm, and of those few differ between machines.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_million_normals_have_the_same_bits_everywhere() {
-    let hash = hash(normals().take(1_000_000));
-    assert_eq!(format!("{hash:016x}"), "25c9da22310c5490");
+    let hash = hash(normals().take(1_000_000).map(f64::to_bits));
+    assert_eq!(hash, "25c9da22310c5490");
     assert!(normals().take(1_000_000).filter(|x| x.abs() > 3.66).count() > 200);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_hash_of_a_history_is_that_of_all_its_numbers_one_after_the_other() {
+    let evolution = evolved(velocity_limits(), 5);
+    let mut words = Vec::new();
+    for record in records(&evolution) {
+        words.push(record.generation.into());
+        for one in record.parents.iter().chain(&record.offspring) {
+            let numbers = one.gains.to_array().into_iter().chain(one.sigmas).chain([one.cost]);
+            words.extend(numbers.map(f64::to_bits));
+        }
+        let opponents = record.tournament.opponents.iter().flatten();
+        let counts = opponents.chain(&record.tournament.wins).chain(&record.survivors);
+        words.extend(counts.map(|number| u64::from(*number)));
+    }
+    assert_eq!(evolution.hash(), hash(words.into_iter()));
 }
 
 /// With it rand_distr takes the logarithm of the machine instead of libm's, and nothing says so.
