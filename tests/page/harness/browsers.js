@@ -112,7 +112,7 @@ async function startBrowser(engine, moves) {
   }
   const driver = builder.build();
   endings.push(() => driver.quit());
-  await driver.getSession();
+  await driver.manage().setTimeouts({ script: patience });
   return driver;
 }
 
