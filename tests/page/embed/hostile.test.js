@@ -171,7 +171,7 @@ const counting = `(() => {
     const [begin, end] = [window[set].bind(window), window[clear].bind(window)];
     window[set] = (act, ...rest) => {
       // So long one driver waits for its own scripts.
-      if (rest[0] === 30000) return begin(act, ...rest);
+      if (rest[0] === ${patience}) return begin(act, ...rest);
       waiting.calls += 1;
       const id = begin((...given) => {
         if (!again) waiting[list].delete(id);
