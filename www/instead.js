@@ -18,20 +18,21 @@ function reasonOf(error) {
   return words.notLoaded(messageOf(error));
 }
 
-/** The robots drive; should the page fail on its last steps, what there is to read is wanted again. */
-export const hideInstead = () => {
-  byId('instead').hidden = true;
-};
+/** Out of the document, for an exercise may hide what it tells; should the page fail on its last steps, it is wanted again. */
+const taken = document.createDocumentFragment();
+
+/** The robots drive. */
+export const takeInstead = () => taken.append(byId('instead'));
 
 /** Says why they do not, and keeps what there is to read. @param {unknown} error */
 export function showInstead(error) {
   byId('instrument').hidden = true;
   // A figure would have its title in its foot.
   document.body.removeAttribute('data-embed');
+  byId('instrument').before(taken);
   const instead = byId('instead');
   sayBefore(instead, words.cannot(reasonOf(error)));
   instead.className = 'instead';
-  instead.hidden = false;
   for (const element of instead.querySelectorAll('.instead-why, [lang]'))
     if (element.getAttribute('lang') !== language) element.remove();
   for (const details of instead.querySelectorAll('details')) details.open = true;

@@ -4,7 +4,7 @@
 import { createEngine } from './core/engine.js';
 import { tryNow } from './core/pending.js';
 import { createEmbed } from './embed/page.js';
-import { hideInstead, showInstead, watchCore } from './instead.js';
+import { takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
 import { isEmbedded, standsStill } from './kit/host.js';
 import { createAccumulator, createFrameLoop } from './kit/loop.js';
@@ -125,7 +125,7 @@ async function start(engine) {
   }
 
   byId('plane-robots').setAttribute('aria-label', words.planeLabel);
-  hideInstead();
+  takeInstead();
   byId('instrument').hidden = false;
   followSurroundings(actions, show);
   createKeys(share.openChecks);

@@ -47,6 +47,22 @@ const shownOn = async (page) => (await page.evaluate(everything)).join('\n');
 const press = (page, selector) =>
   page.evaluate((wanted) => /** @type {HTMLElement} */ (document.querySelector(wanted)).click(), selector);
 
+pageTest(
+  'nor do they stand in the one file, which has the lesson to read in it until the robots drive',
+  async (page) => {
+    const file = new URL('../../../dist/ep-locomotion.html', import.meta.url).href;
+    for (const [link, isTold] of /** @type {const} */ ([
+      ['lab&v=1&drives=paper-ep', true],
+      ['lab&v=1&seed=7&hide=paper', false],
+    ])) {
+      await page.leave();
+      await page.visit(`${file}#${link}`);
+      await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+      assert.equal(tellsPaper(await shownOn(page)) !== null, isTold, link);
+    }
+  },
+);
+
 pageTest('hidden gains of the paper stand in no view, no table, no file and no code', async (page) => {
   await page.open('#lab&v=1&drives=paper-ep');
   assert.ok(tellsPaper(await shownOn(page)));
