@@ -42,6 +42,7 @@ export default defineConfig(({ mode }) => ({
   root: fileOf('..'),
   base: './',
   publicDir: false,
+  css: { transformer: 'lightningcss', lightningcss: { drafts: { customMedia: true } } },
   server: { watch: { ignored: ['**/target/**', '**/dist/**', '**/.tools/**'] } },
   build: {
     target: 'es2022',

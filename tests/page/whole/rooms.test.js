@@ -87,3 +87,13 @@ test('run/ knows no document', () => {
     assert.doesNotMatch(text, /\b(document|window|matchMedia|requestAnimationFrame|HTML\w*Element)\b/, name);
   }
 });
+
+test('what size a screen has is asked by name', () => {
+  const sheets = readdirSync(www, { recursive: true, encoding: 'utf8' }).filter((name) =>
+    name.endsWith('.css'),
+  );
+  const asking = sheets.filter((name) =>
+    /@media[^{]*(width|height)/.test(readFileSync(join(www, name), 'utf8')),
+  );
+  assert.deepEqual(asking, []);
+});
