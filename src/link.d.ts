@@ -14,7 +14,10 @@ export interface LinkedRun {
   drives: string;
   /** The gains that were set by hand, if any. */
   gains: readonly [number, number, number] | null;
-  /** What else the link carries, which is about the page alone: as text, by its key. */
+  /**
+   * What else the link carries, as text, by its key: what is about the page alone, and what is not applied here (`vary`,
+   * `who`, `from`, `under`, `step`).
+   */
   others: Record<string, string>;
   /** What of it is wrong, and was left as it is in the preset. */
   problems: string[];

@@ -153,7 +153,7 @@ const anyFile = fc.oneof(
   mutated(fc.constantFrom(...files)),
 );
 
-/** Tries so many links and a tenth as many files. @param {number} count @param {number} seed */
+/** Tries so many links and a hundredth as many experiments and files. @param {number} count @param {number} seed */
 export async function fuzz(count, seed) {
   const usual = openLink('', engine);
   fc.assert(fc.property(anyLink, checkLink), { numRuns: count, seed });
