@@ -194,6 +194,8 @@ class EpLocomotion extends HTMLElement {
     if (this.#isHeard || !this.#frame.hasAttribute('src')) return;
     clearTimeout(this.#silence);
     this.#silence = setTimeout(() => {
+      // Who asks later is to be told too.
+      this.#silence = undefined;
       const { silent } = this.#words;
       const [address] = this.#frame.src.split('#');
       this.#complain(silent(address));

@@ -102,11 +102,17 @@ engineTest('where nothing answers, it is said, and no question stays open', asyn
       setTimeout = (done, longest) => usual(done, [15000, 60000].includes(longest) ? 100 : longest);
     </script>`;
   await inPage(page, html, async (address) => {
-    const refused = await page.evaluate(() =>
-      /** @type {any} */ (document.getElementById('absent'))
-        .read()
-        .catch((/** @type {Error} */ error) => error.message),
+    const asked = () =>
+      page.evaluate(() =>
+        /** @type {any} */ (document.getElementById('absent'))
+          .read()
+          .catch((/** @type {Error} */ error) => error.message),
+      );
+    const silent = en.silent(`${address}absent.html`);
+    assert.equal(await asked(), silent);
+    await page.until('it is said', () =>
+      document.getElementById('absent')?.shadowRoot?.querySelector('p')?.textContent?.includes('absent'),
     );
-    assert.equal(refused, en.silent(`${address}absent.html`));
+    assert.equal(await asked(), silent, 'asked once more, when it is known');
   });
 });
