@@ -4,7 +4,7 @@ import { basename, join } from 'node:path';
 import { top } from './run.mjs';
 
 /** @typedef {import('../tests/page/harness/engines.js').EngineName} EngineName */
-/** One process and what it is told. @typedef {{ name: string, files: string[], env: Record<string, string> }} Lane */
+/** One process and what it is told. @typedef {{ files: string[], env: Record<string, string> }} Lane */
 
 const folder = join('tests', 'page');
 
@@ -46,13 +46,12 @@ export function lanesOf(engines, files, late) {
     LATE_FRAMES: String(engine === first ? late : 0),
   });
   return [
-    { name: 'without browsers', files, env: { PAGE_TESTS: 'without browsers' } },
+    { files, env: { PAGE_TESTS: 'without browsers' } },
     // Who waits for late frames leaves the machine to others.
     ...(first ? shared(files, late > 0 ? 4 : 2) : []).map((some) => ({
-      name: first,
       files: some,
       env: browser(first),
     })),
-    ...others.map((engine) => ({ name: engine, files, env: browser(engine) })),
+    ...others.map((engine) => ({ files, env: browser(engine) })),
   ];
 }

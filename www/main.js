@@ -6,7 +6,7 @@ import { tryNow } from './core/pending.js';
 import { createEmbed } from './embed/page.js';
 import { takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
-import { isEmbedded, standsStill } from './kit/host.js';
+import { isEmbedded, isStill } from './kit/host.js';
 import { createAccumulator, createFrameLoop } from './kit/loop.js';
 import { createComputing } from './lab/computing.js';
 import { createDraw } from './lab/draw.js';
@@ -33,8 +33,6 @@ import { lab as words } from './words/index.js';
 import { fitnessTable } from './lab/fitness-table.js';
 import { showTable } from './lab/table-sheet.js';
 
-const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
-const isStill = () => stillPlease.matches || standsStill();
 /** To the questions of the lesson. @param {State} state */
 const answersOf = (state) => progressSlice.of(state).answers;
 

@@ -1,6 +1,7 @@
 // The long jobs: each is split by index into parts for the pool, and the parts' results are joined in order.
 /** @import { Gains, Landscape, Robustness, StartGrid } from '../../pkg/ep_locomotion.js' */
 /** @import { Golden } from './checks/check.js' */
+/** @import { Jobs } from './jobs.js' */
 /** @import { Channel, Pool, Run, RunOptions } from './pool.js' */
 import { samplesOfDrive, samplesOfRobot } from './bounds.js';
 
@@ -19,6 +20,9 @@ const mostParts = 1024;
 export function createSurveys(pool) {
   /** @type {(options: SurveyOptions | undefined) => Run} */
   const runOf = (options) => options?.channel?.run ?? pool.run;
+
+  /** What comes of a job of one part. @template {keyof Jobs} K @param {K} call @param {Parameters<Jobs[K]>} args @param {SurveyOptions} [options] */
+  const one = async (call, args, options) => (await runOf(options)({ call, parts: [args] }, options))[0];
 
   /**
    * [first, end) of each part, for `count` things of which each drives `samples`.
@@ -77,28 +81,19 @@ export function createSurveys(pool) {
     },
 
     /** How the search comes down with a few seeds [first, end), drive by drive. @param {Experiment} experiment @param {import('../../pkg/ep_locomotion.js').Trials} trials @param {SurveyOptions} [options] */
-    async trials(experiment, trials, options) {
-      // Not split: who asks does so for few seeds at a time, so that those are kept that were done before a cancel.
-      const [runs] = await runOf(options)({ call: 'trials', parts: [[experiment, trials]] }, options);
-      return runs;
-    },
+    // Not split: who asks does so for few seeds at a time, so that those are kept that were done before a cancel.
+    trials: (experiment, trials, options) => one('trials', [experiment, trials], options),
 
     /** One whole evolution. @param {Experiment} experiment @param {number} generations @param {SurveyOptions} [options] */
-    async evolve(experiment, generations, options) {
-      const [evolved] = await runOf(options)({ call: 'evolve', parts: [[experiment, generations]] }, options);
-      return evolved;
-    },
+    evolve: (experiment, generations, options) => one('evolve', [experiment, generations], options),
 
     /** Many at once. @param {readonly Experiment[]} experiments @param {number} generations @param {SurveyOptions} [options] */
     evolveAll: (experiments, generations, options) =>
       runOf(options)({ call: 'evolve', parts: experiments.map((one) => [one, generations]) }, options),
 
     /** The sizes of the error over time that Theorem 2 bounds, from every start. @param {Experiment} experiment @param {Gains} gains @param {SurveyOptions} [options] */
-    async errorParts(experiment, gains, options) {
-      // Not split, because the draws of a disturbance go by the number of the start.
-      const [runs] = await runOf(options)({ call: 'errorParts', parts: [[experiment, gains]] }, options);
-      return runs;
-    },
+    // Not split, because the draws of a disturbance go by the number of the start.
+    errorParts: (experiment, gains, options) => one('errorParts', [experiment, gains], options),
 
     /** What remains of them in the last seconds, in each of these experiments. @param {readonly Experiment[]} experiments @param {Gains} gains @param {number} seconds @param {SurveyOptions} [options] */
     remainingErrors: (experiments, gains, seconds, options) =>
@@ -115,11 +110,8 @@ export function createSurveys(pool) {
       ),
 
     /** J of each triple of gains. @param {Experiment} experiment @param {Gains} gains @param {SurveyOptions} [options] */
-    async evaluate(experiment, gains, options) {
-      // Not split, so that an error counts the gains as they were given.
-      const [costs] = await runOf(options)({ call: 'evaluate', parts: [[experiment, gains]] }, options);
-      return costs;
-    },
+    // Not split, so that an error counts the gains as they were given.
+    evaluate: (experiment, gains, options) => one('evaluate', [experiment, gains], options),
 
     /** J of one robot after the other, each in an experiment of its own. @param {readonly (readonly [Experiment, Gains])[]} robots @param {SurveyOptions} [options] */
     async costs(robots, options) {
@@ -130,20 +122,12 @@ export function createSurveys(pool) {
     },
 
     /** What a search has come to in a generation: its population, best first, and the statistics. @param {Experiment} experiment @param {number} generation @param {SurveyOptions} [options] */
-    async generation(experiment, generation, options) {
-      const [newest] = await runOf(options)(
-        { call: 'newestGeneration', parts: [[experiment, generation]] },
-        options,
-      );
-      return newest;
-    },
+    generation: (experiment, generation, options) =>
+      one('newestGeneration', [experiment, generation], options),
 
     /** What came of the checks of the core's own numbers: a list for each group. @param {Golden} golden @param {SurveyOptions} [options] */
-    async checks(golden, options) {
-      // Not split, because every worker more would first have to learn the same code: that takes longer than the checks.
-      const [groups] = await runOf(options)({ call: 'checks', parts: [[golden]] }, options);
-      return groups;
-    },
+    // Not split, because every worker more would first have to learn the same code: that takes longer than the checks.
+    checks: (golden, options) => one('checks', [golden], options),
   };
 }
 

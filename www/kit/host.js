@@ -18,8 +18,8 @@ if (isEmbedded)
       { capture: true, once: true },
     );
 
-/** In a frame nothing moves until someone has used the figure. */
-export const standsStill = () => !used;
+/** In a frame nothing moves until someone has used the figure, and nowhere for who wants less motion. */
+export const isStill = () => !used || matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 /** The address of the whole page, or with `embed` of its figure for a frame. @param {string} page @param {string} link the text after # @param {boolean} embed */
 export function addressOf(page, link, embed) {

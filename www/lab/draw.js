@@ -66,7 +66,14 @@ export function createDraw(views, engine, paper) {
     });
     views.notes.draw({
       ...endsOf(state),
-      ...notedOf(state),
+      driver,
+      found: state.found,
+      history,
+      generation,
+      population: state.population.length,
+      pins: state.pins,
+      atRest: !state.robot.playing && !state.evolving && !state.dragging,
+      tried: state.trial.start !== null,
       scene,
       time,
       moved: isMoved(experiment, preset),
@@ -86,29 +93,6 @@ function drawCurve(views, state, scene) {
   if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp?.cost.total ?? null, theme });
   else views.sigmas.draw({ history, generation, theme });
 }
-
-/** What the notes say of the state alone. @param {State} state */
-const notedOf = ({
-  driver,
-  found,
-  history,
-  generation,
-  population,
-  pins,
-  robot,
-  evolving,
-  dragging,
-  trial,
-}) => ({
-  driver,
-  found,
-  history,
-  generation,
-  population: population.length,
-  pins,
-  atRest: !robot.playing && !evolving && !dragging,
-  tried: trial.start !== null,
-});
 
 /** @param {State} state */
 function evolutionOf(state) {

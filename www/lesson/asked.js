@@ -44,28 +44,10 @@ export function createAsked(_tools, { asked: words }) {
   element.id = 'asked';
   element.setAttribute('role', 'img');
   const chart = createChart(element, (context, size, /** @type {Model} */ model) => {
-    const half = (size.height - gap) / 2;
+    const half = { ...size, height: (size.height - gap) / 2 };
     const { run } = model;
-    drawHalf(
-      context,
-      { ...size, height: half },
-      0,
-      run,
-      [run.commandLinear, run.linear],
-      '--energy',
-      words.linear,
-      model,
-    );
-    drawHalf(
-      context,
-      { ...size, height: half },
-      half,
-      run,
-      [run.commandAngular, run.angular],
-      '--omega',
-      words.angular,
-      model,
-    );
+    drawHalf(context, half, 0, [run.commandLinear, run.linear], '--energy', words.linear, model);
+    drawHalf(context, half, half.height, [run.commandAngular, run.angular], '--omega', words.angular, model);
     drawSigns(context, size, words);
   });
   return {
@@ -87,8 +69,8 @@ export function createAsked(_tools, { asked: words }) {
 const tickText = (tick) =>
   tick === 0 ? '0' : `${tick < 0 ? '−' : ''}${powerOfTen(Math.round(Math.log10(Math.abs(tick))))}`;
 
-/** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {Run} run @param {readonly [ArrayLike<number>, ArrayLike<number>]} values @param {string} token @param {string} name @param {Model} model */
-function drawHalf(context, { width, height }, top, run, [asked, done], token, name, { time }) {
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {readonly [ArrayLike<number>, ArrayLike<number>]} values @param {string} token @param {string} name @param {Model} model */
+function drawHalf(context, { width, height }, top, [asked, done], token, name, { run, time }) {
   const most = 1.4 * Math.max(2, largest(asked), largest(done));
   const frame = { left: 52, right: width - 24, top: top + 22, bottom: top + height - 4 };
   /** @type {Axes} */

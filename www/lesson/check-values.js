@@ -3,9 +3,10 @@ import { html, render } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { download } from '../kit/download.js';
 import { messageOf } from '../words/errors.js';
+import { tableOf } from './paper-table.js';
 
 /** @import { Engine, PaperResult } from '../core/engine.js' */
-/** @import { Block, Live, Tools } from './page.js' */
+/** @import { Block, Tools } from './page.js' */
 /** @typedef {{ values: { label: string, heads: readonly string[], rows: readonly string[] }, downloads: { python: string, javascript: string, about: string } }} BuildWords */
 
 /** From the core as it runs: v and ω that the law asks for at the start, t_f and J of the paper's gains, J of the arbitrary ones. @param {Pick<Engine, 'experiment' | 'samples' | 'drive'>} engine @param {PaperResult[]} paper */
@@ -17,32 +18,14 @@ export function checkValues(engine, paper) {
   return [command.linear, command.angular, best.finalTime, best.cost.total, other.cost.total];
 }
 
-/** @param {Tools} _tools @param {BuildWords} words @returns {Block} */
-export function createCheckValues(_tools, { values: words }) {
-  const element = create('table', 'lesson-table check-values');
+/** @param {Tools} tools @param {BuildWords} words @returns {Block} */
+export function createCheckValues({ engine }, { values: words }) {
+  const values = checkValues(engine, engine.paper());
+  const rows = words.rows.map((text, i) => [text, String(values[i]).replace('-', '−')]);
+  const element = tableOf('lesson-table check-values', words.heads, rows);
   element.id = 'check-values';
-  let isDrawn = false;
-  return {
-    element,
-    draw(/** @type {Live} */ { engine, paper }) {
-      if (isDrawn) return;
-      isDrawn = true;
-      const values = checkValues(engine, paper);
-      element.setAttribute('aria-label', words.label);
-      const cell = (/** @type {string} */ tag, /** @type {string} */ text) => create(tag, '', text);
-      const heads = words.heads.map((text) => {
-        const head = cell('th', text);
-        head.setAttribute('scope', 'col');
-        return head;
-      });
-      const rows = words.rows.map((text, i) => {
-        const head = cell('th', text);
-        head.setAttribute('scope', 'row');
-        return create('tr', '', head, cell('td', String(values[i]).replace('-', '−')));
-      });
-      element.replaceChildren(create('thead', '', create('tr', '', ...heads)), create('tbody', '', ...rows));
-    },
-  };
+  element.setAttribute('aria-label', words.label);
+  return { element, draw() {} };
 }
 
 const files = {

@@ -1,5 +1,5 @@
 // A clock of its own for what is watched beside the words: it runs once, until nothing moves any more, and then stands.
-import { standsStill } from '../kit/host.js';
+import { isStill } from '../kit/host.js';
 
 /** @import { Store } from '../run/store.js' */
 
@@ -14,7 +14,6 @@ export const filmRuns = () => running.size > 0;
 
 /** @param {Store} store */
 export function createFilm(store) {
-  const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
   let time = 0;
   let last = Number.NaN;
   let end = 0;
@@ -23,7 +22,7 @@ export function createFilm(store) {
     begin(seconds) {
       end = seconds;
       last = Number.NaN;
-      time = stillPlease.matches || standsStill() ? seconds : 0;
+      time = isStill() ? seconds : 0;
       if (time < end) running.add(film);
     },
 

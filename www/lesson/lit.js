@@ -22,7 +22,6 @@ export function createLit() {
     for (const element of document.querySelectorAll('.lit')) element.classList.remove('lit');
     if (selector) for (const element of document.querySelectorAll(selector)) element.classList.add('lit');
     lit = selector;
-    document.body.toggleAttribute('data-lit', selector !== '');
   };
   for (const kind of ['pointerover', 'focusin'])
     document.addEventListener(kind, (event) => light(meant(event.target)));

@@ -40,8 +40,6 @@ export const sup = (base, power) => mathml('msup', node(base), node(power));
 export const sub = (base, index) => indexed(node(base), node(index));
 /** @param {Part} from @param {Part} to */
 export const integral = (from, to) => mathml('msubsup', node('∫'), node(from), node(to));
-/** @param {Part} inside */
-export const root = (inside) => mathml('msqrt', node(inside));
 /** @param {Part} of */
 export const size = (of) => row('|', of, '|');
 /** One line of a formula: what it is, an equals sign, and the rest. @param {Part} left @param {Part[]} right */

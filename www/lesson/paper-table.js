@@ -10,8 +10,8 @@ import { degrees, fixed, postureText } from '../words/numbers.js';
 
 const generations = 200;
 
-/** @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
-function tableOf(className, head, rows) {
+/** Heads above and before cells. @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
+export function tableOf(className, head, rows) {
   // A corner that names nothing heads no column.
   const heads = head.map((text) => (text ? headCell('col', '', text) : create('td', '')));
   const body = rows.map(([first, ...rest]) =>
@@ -89,7 +89,7 @@ export function createChoicesTable({ engine }, words) {
 }
 
 /** The choices as the core has them. @param {Experiment} e @param {Experiment} a */
-export const textsOf = (e, a) => ({
+const textsOf = (e, a) => ({
   start: postureText(e.starts[0]),
   goal: postureText(e.goal),
   speed: fixed(e.limits.speed ?? 0, 0),

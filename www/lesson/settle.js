@@ -1,5 +1,4 @@
 // Answers what was predicted, once what shows it has been seen.
-import { language } from '../words/language.js';
 import { keyOf } from './blocks.js';
 import { progressSlice } from './state.js';
 import words from './words/index.js';
@@ -28,8 +27,7 @@ export function restOf({ time, x, y, theta }) {
 }
 
 /** Whether the drive has been seen to its end. @param {Live} live */
-export const isSeen = ({ state: { robot }, scene: { driving } }) =>
-  !robot.playing || robot.time >= restOf(driving);
+const isSeen = ({ state: { robot }, scene: { driving } }) => !robot.playing || robot.time >= restOf(driving);
 
 /** @type {WeakSet<Answer>} */
 const pending = new WeakSet();
@@ -52,7 +50,7 @@ export function settle(live, step, store) {
     Promise.resolve(found).then((outcome) => {
       const { answers } = progressSlice.of(store.get());
       if (answers[key] !== answer) return;
-      const told = { ...answer, right: outcome.right, why: why(outcome), language };
+      const told = { ...answer, right: outcome.right, why: why(outcome) };
       progressSlice.update(store, { answers: { ...answers, [key]: told } });
     });
   }

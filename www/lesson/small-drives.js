@@ -14,7 +14,7 @@ import { boxAround } from '../kit/transform.js';
 export function createSmallDrive(store) {
   const canvas = /** @type {HTMLCanvasElement} */ (create('canvas', ''));
   canvas.setAttribute('aria-hidden', 'true');
-  const element = create('div', 'small-drive', canvas);
+  const element = create('div', 'small-drive layers', canvas);
   const layer = createLayer(canvas);
   const sizeOf = followSize(element, () => store.redraw());
   const changed = watch();

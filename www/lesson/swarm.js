@@ -39,7 +39,7 @@ function viewOf({ experiment }, { width, height }) {
 export function createSwarm({ store }, words, seenIn) {
   const canvas = /** @type {HTMLCanvasElement} */ (create('canvas', ''));
   canvas.setAttribute('role', 'img');
-  const picture = create('div', 'swarm-picture', canvas);
+  const picture = create('div', 'swarm-picture layers', canvas);
   const head = create('div', 'swarm-head');
   const element = create('div', 'swarm', head, picture);
   element.id = 'swarm';

@@ -33,7 +33,7 @@ export function createTheoremNow(_tools, { holds: words }) {
       });
       const rows = found.map(
         ({ part, holds, text }) => html`<li class=${`of-${part}${holds ? ' held' : ''}`}>
-          <span class="holds-number">${names.equations[part]}</span>${text}</span>
+          <span class="holds-number">${names.equations[part]}</span>${text}
         </li>`,
       );
       const count = found.filter(({ holds }) => holds).length;

@@ -1,5 +1,6 @@
 // The yard: one set of gains drives from 32 starts around the goal, those that Training evolves on too.
 import { isLongDrive } from '../core/bounds.js';
+import { rememberEach } from '../kit/memo.js';
 import { createSets } from '../parts/training/sets.js';
 import { taskText } from './tally.js';
 
@@ -42,12 +43,5 @@ function createYard(engine) {
   };
 }
 
-/** @type {WeakMap<Engine, ReturnType<typeof createYard>>} */
-const yards = new WeakMap();
-
-/** One for each engine, so that nothing drives twice. @param {Engine} engine */
-export function yardOf(engine) {
-  const yard = yards.get(engine) ?? createYard(engine);
-  yards.set(engine, yard);
-  return yard;
-}
+/** One for each engine, so that nothing drives twice. */
+export const yardOf = rememberEach(createYard);

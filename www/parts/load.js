@@ -3,15 +3,10 @@
 import { byId } from '../kit/elements.js';
 import { createWaiting } from '../lab/waiting.js';
 
-/**
- * What makes the page of a part, once all of it is there.
- * @template M
- * @param {Promise<unknown>[]} words @param {Promise<M>} module
- * @param {(module: M) => (tools: Tools) => Page} pick
- */
-export async function partOf(words, module, pick) {
-  const [page] = await Promise.all([module, ...words]);
-  return pick(page);
+/** What makes the page of a part, once all of it is there. @param {Promise<unknown>[]} words @param {Promise<{ createPage: (tools: Tools) => Page }>} module */
+export async function partOf(words, module) {
+  const [{ createPage }] = await Promise.all([module, ...words]);
+  return createPage;
 }
 
 /** @type {WeakMap<Part, ReturnType<Part['load']>>} */

@@ -80,6 +80,10 @@ export function createKeep(tools, sheet) {
     }
   };
 
+  const insteadOfIt = (/** @type {() => void} */ open) => () => {
+    sheet.dialog.close();
+    open();
+  };
   const on = {
     savePicture,
     /** @param {string} value */
@@ -89,14 +93,8 @@ export function createKeep(tools, sheet) {
     },
     copyLink: () => copy('keep-link', words.copied, words.notCopied).then(say),
     copyFrame: () => copy('embed-text', words.textCopied, words.textNotCopied).then(say),
-    makeExercise() {
-      sheet.dialog.close();
-      maker.open();
-    },
-    collect() {
-      sheet.dialog.close();
-      openCollect();
-    },
+    makeExercise: insteadOfIt(maker.open),
+    collect: insteadOfIt(openCollect),
     saveRun: () => download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
     saveGenerations: () => saveCsv('generations', generationsCsv(store.get().history, origin())),
     saveDrive() {
@@ -112,14 +110,8 @@ export function createKeep(tools, sheet) {
       input.value = '';
       if (chosen) open(chosen);
     },
-    takeCode() {
-      sheet.dialog.close();
-      openCode();
-    },
-    check() {
-      sheet.dialog.close();
-      openChecks();
-    },
+    takeCode: insteadOfIt(openCode),
+    check: insteadOfIt(openChecks),
   };
 
   const draw = () => {

@@ -53,10 +53,7 @@ export function createShare(tools) {
   const openCode = () => code(({ start }) => start());
   const collectSheet = createSheet('collect', 'table-sheet collect-sheet', texts.collectTitle, texts.close);
   const collect = createOnDemand(collectSheet, async () =>
-    (await import('./collect/dialog.js')).createCollect(
-      { ...tools, openChecks, openCode, openCollect },
-      collectSheet,
-    ),
+    (await import('./collect/dialog.js')).createCollect(tools, collectSheet),
   );
   const openCollect = () => collect(({ start }) => start());
   /** @type {((state: State) => void) | null} */

@@ -65,10 +65,10 @@ export const risesFromEverywhere = remember(
 /** @param {Live} live */
 const runsOf = ({ engine, state, gains }) => runsWith(engine, state.experiment, gains);
 
-/** The drive that the text speaks of, whatever is on screen. */
-const epOf = remember((/** @type {Live['engine']} */ engine, /** @type {Triple} */ gains) => ({
-  ep: engine.drive(engine.experiment('velocity-limits'), [gains])[0],
-}));
+/** The drives that the text speaks of, whatever is on screen. */
+const epOf = remember((/** @type {Live['engine']} */ engine, /** @type {Triple} */ gains) =>
+  runsWith(engine, engine.experiment('velocity-limits'), gains),
+);
 
 /** @type {Step} */
 export const limits = {
@@ -137,11 +137,11 @@ export const limits = {
   ],
   values(live) {
     const usual = live.engine.experiment('velocity-limits');
-    const { ep } = epOf(live.engine, live.paper[0].gains);
-    const { free } = runsWith(live.engine, usual, live.paper[0].gains);
+    const { free, limited } = epOf(live.engine, live.paper[0].gains);
+    const { commandLinear, commandAngular } = limited.run;
     return {
-      askedV: fixed(largest(ep.commandLinear.map(Math.abs)), 1),
-      askedW: fixed(largest(ep.commandAngular.map(Math.abs)), 0),
+      askedV: fixed(largest(commandLinear.map(Math.abs)), 1),
+      askedW: fixed(largest(commandAngular.map(Math.abs)), 0),
       v: fixed(usual.limits.speed ?? 0, 1),
       w: fixed(usual.limits.turnRate ?? 0, 1),
       rises: String(free.rises),

@@ -7,14 +7,9 @@ import { chainFormula, errorRateFormula } from '../formulas-motion.js';
 import { lyapunovFormula, rateFormula } from '../formulas.js';
 import { path } from '../path.js';
 
-/** @import { Live } from '../page.js' */
 /** @import { Step } from '../steps.js' */
 
 const unlimited = 'limits.speed=off&limits.turnRate=off';
-
-/** V at every sample of what drives. @param {Live} live */
-const valuesOf = ({ engine, scene, gains }) =>
-  engine.samples(scene.experiment, gains).map(({ lyapunov }) => lyapunov);
 
 /** @type {Step} */
 export const stability = {
@@ -40,10 +35,10 @@ export const stability = {
         shows: `curves&view=stability&drives=hand&gains=3,-1,5&${unlimited}`,
         watch: true,
         order: [2, 0, 1],
-        answer(live) {
-          const values = valuesOf(live);
+        answer({ samples, scene }) {
+          const values = samples.map(({ lyapunov }) => lyapunov);
           const [first, last, most] = [values[0], values[values.length - 1], largest(values)];
-          const { arrived } = live.scene.driving;
+          const { arrived } = scene.driving;
           return { right: arrived ? 0 : last > first ? 2 : 1, first, last, most };
         },
       },

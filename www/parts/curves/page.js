@@ -21,7 +21,7 @@ import { curvesSlice } from './state.js';
 /** @typedef {{ draw: (state: State, scene: Scene, shown: Shown) => void }} View */
 
 /** @param {Tools} tools @returns {Page} */
-export function createCurvesPage(tools) {
+export function createPage(tools) {
   const { store } = tools;
   const element = createSection('curves', 'curves-section');
   const choose = (/** @type {CurvesView} */ view) => curvesSlice.update(store, { view });

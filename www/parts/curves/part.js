@@ -19,6 +19,5 @@ export const curves = {
     partKey('scale', slice, 'scale', (text) => oneOf(scales, text)),
   ],
   figure: [0.72, 700],
-  load: () =>
-    partOf([loadWords(), loadStability()], import('./page.js'), ({ createCurvesPage }) => createCurvesPage),
+  load: () => partOf([loadWords(), loadStability()], import('./page.js')),
 };

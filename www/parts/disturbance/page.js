@@ -15,7 +15,7 @@ import { summarize } from './summary.js';
 import { tableOf } from './table.js';
 
 /** @param {Tools} tools @returns {Page} */
-export function createDisturbancePage(tools) {
+export function createPage(tools) {
   const { engine, store, paper } = tools;
   const element = createSection('disturbance');
   const specOf = createSpec(engine, paper);

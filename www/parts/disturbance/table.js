@@ -41,7 +41,7 @@ function rowOf(part, summary) {
     <tr class="part-${part}">
       <th scope="row">
         <span class="remains-formula">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
-        <div class="remains-plot" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>
+        <div class="remains-plot layers" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>
       </th>
       <td class=${numbers && !numbers.isInside ? 'beyond' : ''}>${cellOf('drive')}</td>
       <td title=${words.equationHints[part]}>${cell(numbers?.set, words.equations[part])}</td>

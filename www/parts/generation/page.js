@@ -24,7 +24,7 @@ import { createSteps } from './steps.js';
 import { generationTable } from './table.js';
 
 /** @param {Tools} tools @returns {Page} */
-export function createGenerationPage({ engine, store, actions }) {
+export function createPage({ engine, store, actions }) {
   const element = createSection('generation', 'generation-section');
   const anatomyOf = createAnatomy(engine.record);
   const steps = createSteps({ store, actions, anatomyOf });

@@ -39,7 +39,7 @@ const choices = [false, true].flatMap((log) =>
 );
 
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
-export function createLandscapePage({ engine, store, actions, paper }) {
+export function createPage({ engine, store, actions, paper }) {
   const element = createSection('landscape', 'landscape-section');
   const specOf = createSpec(paper);
   const requests = createLandscapeRequests(engine, store);
@@ -212,7 +212,7 @@ function sight(landscape, { spec, isTyping, readout, lowest, method }, on) {
       ${thirdGain(landscape, spec.third, isTyping, on)}
     </div>
     ${method ? html`<p id="landscape-method" class="muted">${method}</p>` : nothing}
-    <div id="landscape-map" class="map" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
+    <div id="landscape-map" class="map layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
       aria-label=${words.mapLabel} aria-describedby="landscape-readout">
       <canvas id="landscape-picture" aria-hidden="true"></canvas>
       <canvas id="landscape-marks" aria-hidden="true"></canvas>

@@ -6,7 +6,7 @@
 import { messageOf } from '../../words/errors.js';
 import { gainNames, landscapeSlice } from './state.js';
 import { createRefining } from '../../core/refine.js';
-import { remember } from '../../kit/memo.js';
+import { once, remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
 
 /** @typedef {'kx' | 'ky' | 'ktheta'} GainName */
@@ -61,8 +61,7 @@ export function createSpec(paper) {
 
 /** @param {Engine} engine @param {Store} store */
 export function createLandscapeRequests(engine, store) {
-  /** @type {ReturnType<Engine['surveys']['channel']> | null} */
-  let channel = null;
+  const channel = once(() => engine.surveys.channel());
   const update = (/** @type {Partial<LandscapeState>} */ patch) => landscapeSlice.update(store, patch);
 
   return createRefining({
@@ -74,9 +73,8 @@ export function createLandscapeRequests(engine, store) {
         const [from, to] = endsOfAxis(choice, spec.range);
         return { ...choice, from, to, count };
       };
-      channel ??= engine.surveys.channel();
       const asked = { x: axis(spec.x), y: axis(spec.y), gains: gainsAt(spec, [1, 1]) };
-      const costs = await engine.surveys.landscape(spec.experiment, asked, { channel });
+      const costs = await engine.surveys.landscape(spec.experiment, asked, { channel: channel() });
       return { spec, count, costs, milliseconds: performance.now() - began };
     },
     onResult: (result) => update({ result, message: '' }),

@@ -30,7 +30,7 @@ import { seedTable } from './table.js';
 /** @typedef {import('./state.js').LuckState['view']} View */
 
 /** @param {PageParts} parts @returns {Page} */
-export function createLuckPage({ engine, store, actions, paper }) {
+export function createPage({ engine, store, actions, paper }) {
   const section = createSection('luck');
   const showView = (/** @type {View} */ view) =>
     render(

@@ -6,7 +6,7 @@ import './style.css';
 import { render } from 'lit-html';
 import { messageOf } from '../../words/errors.js';
 import { create, followSize } from '../../kit/elements.js';
-import { standsStill } from '../../kit/host.js';
+import { isStill } from '../../kit/host.js';
 import { createFrameLoop } from '../../kit/loop.js';
 import { remember, watch } from '../../kit/memo.js';
 import { hidesPaper } from '../../run/exercise.js';
@@ -21,14 +21,11 @@ import words from './words/index.js';
 
 /** @typedef {import('./film.js').Film} Film */
 
-const stillPlease = matchMedia('(prefers-reduced-motion: reduce)');
-const isStill = () => stillPlease.matches || standsStill();
-
 /** @param {Tools} tools @returns {Page} */
-export function createParkPage({ engine, store, paper, links }) {
+export function createPage({ engine, store, paper, links }) {
   const task = createTask(engine);
   const element = createSection('park');
-  const plane = create('div', 'park-plane');
+  const plane = create('div', 'park-plane layers');
   plane.dataset.picture = 'park';
   plane.dataset.name = words.pictureName;
   const canvases = Array.from({ length: 3 }, () => document.createElement('canvas'));

@@ -25,7 +25,7 @@ import { createShading } from './scale.js';
 import { axesOf, createMap } from './view.js';
 
 /** @param {Tools} parts @returns {Page} */
-export function createRobustnessPage({ engine, store, actions, paper }) {
+export function createPage({ engine, store, actions, paper }) {
   const element = createSection('robustness');
   const specOf = createSpec(paper);
   const rivalSpecOf = createSpec(paper);

@@ -6,7 +6,7 @@
 import { messageOf } from '../../words/errors.js';
 import { robustnessSlice } from './state.js';
 import { createRefining } from '../../core/refine.js';
-import { remember } from '../../kit/memo.js';
+import { once, remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
 import { gridAround, tally } from './grid.js';
 
@@ -39,17 +39,15 @@ export function createSpec(paper) {
 
 /** @param {Engine} engine @param {Store} store */
 export function createSurveyRequests(engine, store) {
-  /** @type {ReturnType<Engine['surveys']['channel']> | null} */
-  let channel = null;
+  // One for both, so that what is compared never keeps the map itself waiting.
+  const channel = once(() => engine.surveys.channel());
 
   /** @param {Spec} spec @param {number} count @returns {Promise<Survey>} */
   const compute = async (spec, count) => {
     const began = performance.now();
     const grid = gridAround(spec.experiment.goal, spec.half, count);
-    // One for both, so that what is compared never keeps the map itself waiting.
-    channel ??= engine.surveys.channel();
     const asked = { ...grid, gains: [...spec.gains] };
-    const runs = await engine.surveys.robustness(spec.experiment, asked, { channel });
+    const runs = await engine.surveys.robustness(spec.experiment, asked, { channel: channel() });
     return { spec, grid, runs, tally: tally(runs), milliseconds: performance.now() - began };
   };
   const onFailure = (/** @type {unknown} */ error) =>

@@ -100,7 +100,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
         ${options(extents, half)}</select> <span>${texts.robustnessAround}</span></label>
     </div>
     <div class="survey">
-      <div id="robustness-map" class="survey-map" data-picture="robustness" data-name=${words.texts.robustnessPicture} tabindex="0" role="application"
+      <div id="robustness-map" class="survey-map layers" data-picture="robustness" data-name=${words.texts.robustnessPicture} tabindex="0" role="application"
         aria-label=${words.mapLabel}
         aria-describedby="robustness-share robustness-summary robustness-sides robustness-readout">
         <canvas id="robustness-picture" aria-hidden="true"></canvas>

@@ -25,7 +25,7 @@ import { tableOf } from './table.js';
 const { texts } = words;
 
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
-export function createTrainingPage({ engine, store, actions, paper }) {
+export function createPage({ engine, store, actions, paper }) {
   const element = createSection('training');
   const training = createTraining(engine, store, paper);
   const update = (/** @type {Partial<TrainingState>} */ patch) => trainingSlice.update(store, patch);

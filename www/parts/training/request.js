@@ -8,7 +8,7 @@
 import { trainingSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { createRefining } from '../../core/refine.js';
-import { remember } from '../../kit/memo.js';
+import { once, remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
 import { createSets, setNames, testOn } from './sets.js';
 import { evolveSeeds } from './spread.js';
@@ -124,15 +124,14 @@ export function createTraining(engine, store, paper) {
   const setsOf = createSets(engine);
   /** @type {AbortController | null} */
   let evolution = null;
-  /** @type {ReturnType<Engine['surveys']['channel']> | null} */
-  let channel = null;
+  const channel = once(() => engine.surveys.channel());
 
   const given = createRefining({
     counts: [1],
     compute: async (/** @type {Spec} */ spec) => {
-      channel ??= engine.surveys.channel();
       const { experiment, robots } = spec;
-      return { spec, results: await testRobots(engine, setsOf(experiment), experiment, robots, { channel }) };
+      const options = { channel: channel() };
+      return { spec, results: await testRobots(engine, setsOf(experiment), experiment, robots, options) };
     },
     onResult: (result) => trainingSlice.update(store, { given: result, message: '' }),
     onFailure: (error) => trainingSlice.update(store, { message: messageOf(error) }),

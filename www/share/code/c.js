@@ -19,7 +19,7 @@ const said = (text) => comment(text, '// ');
 
 /** @param {Controller} controller @param {Words['comments']} words */
 export function c(controller, words) {
-  const { name, link, start, experiment, samples } = controller;
+  const { name, start, experiment, samples } = controller;
   const head = headOf(controller, words, `cc ${name}.c -lm && ./a.out`).map(said);
   /** @type {[string, string][]} */
   const poses = [
@@ -28,9 +28,7 @@ export function c(controller, words) {
     [`static const int SAMPLES = ${samples};`, words.samples],
   ];
   return code`
-${head.slice(0, 2).join('\n')}
-// ${link}
-${head.slice(2).join('\n')}
+${head.join('\n')}
 
 #include <stdbool.h>
 #include <stdio.h>

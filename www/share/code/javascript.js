@@ -22,7 +22,7 @@ const said = (text) => comment(text, '// ');
 
 /** @param {Controller} controller @param {Words['comments']} words */
 export function javascript(controller, words) {
-  const { name, link, start, experiment } = controller;
+  const { name, start, experiment } = controller;
   const head = headOf(controller, words, `node ${name}.mjs`).map(said);
   /** @type {[string, string][]} */
   const poses = [
@@ -30,9 +30,7 @@ export function javascript(controller, words) {
     [`const GOAL = ${pose(experiment.goal)};`, words.goal],
   ];
   return code`
-${head.slice(0, 2).join('\n')}
-// ${link}
-${head.slice(2).join('\n')}
+${head.join('\n')}
 
 ${beside(controlGroups(controller, words).map(assigned), ' // ')}
 

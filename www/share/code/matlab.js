@@ -19,7 +19,7 @@ const said = (text) => comment(text, '% ');
 
 /** @param {Controller} controller @param {Words['comments']} words */
 export function matlab(controller, words) {
-  const { name, link, start, experiment } = controller;
+  const { name, start, experiment } = controller;
   const head = headOf(controller, words, name).map(said);
   /** @type {[string, string][]} */
   const poses = [
@@ -28,9 +28,7 @@ export function matlab(controller, words) {
   ];
   return code`
 function control = ${name}
-${head.slice(0, 2).join('\n')}
-% ${link}
-${head.slice(2).join('\n')}
+${head.join('\n')}
 % ${words.handle} control = ${name}; q = control(pose, goal, previous)
 if nargout == 0
     main

@@ -59,12 +59,13 @@ export function slowly({ experiment: { tolerance } }, { and, abs, v, w, of = '' 
 }
 
 /** What is said first. @param {Controller} controller @param {Words['comments']} words @param {string} run How the program is run. */
-export function headOf({ experiment, version, isDisturbed, isSteady, page, isTracking }, words, run) {
+export function headOf({ experiment, version, link, isDisturbed, isSteady, page, isTracking }, words, run) {
   const { law, horizon } = experiment;
   const end = isTracking && page.outcome === 'horizon' ? 'tracking' : page.outcome;
   return [
     words.head[law],
     words.origin(version),
+    link,
     words.page(page.cost, words.ends[end](Number(page.time.toPrecision(12)), horizon)),
     ...(isDisturbed ? [words.disturbed] : []),
     ...(isSteady ? [] : [words.unsteady]),

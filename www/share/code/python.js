@@ -19,7 +19,7 @@ const doc = (text) => comment(`"""${text}"""`, '');
 
 /** @param {Controller} controller @param {Words['comments']} words */
 export function python(controller, words) {
-  const { name, link, start, experiment } = controller;
+  const { name, start, experiment } = controller;
   const head = headOf(controller, words, `python3 ${name}.py`).map((text) => comment(text, '# '));
   /** @type {[string, string][]} */
   const poses = [
@@ -27,9 +27,7 @@ export function python(controller, words) {
     [`GOAL = ${pose(experiment.goal)}`, words.goal],
   ];
   return code`
-${head.slice(0, 2).join('\n')}
-# ${link}
-${head.slice(2).join('\n')}
+${head.join('\n')}
 
 import math
 

@@ -25,7 +25,7 @@ const { texts } = words;
 
 /** @typedef {{ status: string, isBad: boolean, share: number | null, rows: Row[], given: Given | null, files: File[], order: import('./table.js').Order, pinned: Set<number>, first: number }} View */
 
-/** @param {SheetTools} tools @param {Sheet} sheet */
+/** @param {Omit<SheetTools, 'openChecks' | 'openCode' | 'openCollect'>} tools @param {Sheet} sheet */
 export function createCollect(tools, sheet) {
   const { engine, store, actions, links, open } = tools;
   const reader = createReader(links.pages);

@@ -21,15 +21,8 @@ const columns = /** @type {const} */ ([
   'remark',
   'open',
 ]);
-const sorted = /** @type {readonly Column[]} */ ([
-  'number',
-  'name',
-  'cost',
-  'met',
-  'points',
-  'drives',
-  'remark',
-]);
+/** By these nothing is sorted. @type {readonly Column[]} */
+const unsorted = ['pin', 'who', 'open'];
 
 /** @param {Row} row */
 export const nameOf = ({ entry, checked }) => entry.name || checked?.who || '';
@@ -99,7 +92,7 @@ export function tableOf(rows, order, pinned, on) {
 /** @param {Column} column @param {Order} order @param {(column: Column) => void} sort */
 function headOf(column, order, sort) {
   const text = words.columns[column];
-  if (!sorted.includes(column)) return text;
+  if (unsorted.includes(column)) return text;
   const mark = column === order.column ? (order.isDown ? ' ↓' : ' ↑') : '';
   const button = create('button', 'link', `${text}${mark}`);
   button.setAttribute('type', 'button');
