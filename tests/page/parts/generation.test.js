@@ -184,3 +184,17 @@ pageTest('the rule of mutation stands in one line', async (page) => {
   );
   assert.ok(rule.height < 30 && exponent.top < rule.top + rule.height / 2, JSON.stringify([rule, exponent]));
 });
+
+pageTest('who wants less motion sees none from one phase to the next', async (page) => {
+  await openAt(page, 1);
+  await go(page, 'drive');
+  await shownOn(page);
+  const lasts = await page.evaluate(() => {
+    const picture = /** @type {Element} */ (document.querySelector('.generation-picture'));
+    picture.classList.remove('still');
+    return [...picture.querySelectorAll('.mark, .pair, .ring')].map(
+      (mark) => getComputedStyle(mark).transitionDuration,
+    );
+  });
+  assert.deepEqual([...new Set(lasts)], ['0s']);
+});
