@@ -1,5 +1,5 @@
-// Into which files the page is divided: few, and none that waits for itself. A file that awaits the words of a language
-// must hold nothing that these words need, for they would wait for it in turn.
+// Into which files the page is divided: few, and none that is run too soon. A file that needs the words of a language must hold
+// nothing that these words need, nor what loads them.
 
 /** @typedef {{ getModuleInfo: (id: string) => { importers: readonly string[] } | null }} Graph */
 
@@ -15,15 +15,22 @@ function isLoadedWith(id, isOne, graph) {
   return false;
 }
 
+/** It asks for the words. @param {string} id */
+const isFirst = (id) => id.endsWith('/www/main.js');
+
 /** By rank, for each takes what its modules need with it. @type {((id: string, graph: Graph) => string | null)[]} */
 const files = [
   (id, graph) =>
-    !languages.test(id) && isLoadedWith(id, (one) => languages.test(one), graph) ? 'symbols' : null,
+    !isFirst(id) &&
+    !languages.test(id) &&
+    isLoadedWith(id, (one) => isFirst(one) || languages.test(one), graph)
+      ? 'symbols'
+      : null,
   (id) => /[\\/]www[\\/]words[\\/](en|ko)[\\/]/.exec(id)?.[1] ?? null,
   (id, graph) =>
-    !languages.test(id) && isLoadedWith(id, (one) => one.endsWith('/www/main.js'), graph) ? 'page' : null,
+    !languages.test(id) && isLoadedWith(id, (one) => one.endsWith('/www/page.js'), graph) ? 'page' : null,
   // What several parts share; a part alone is in one file by itself, and so are the checks.
-  (id) => (/[\\/]www[\\/](kit|core(?![\\/]checks))[\\/]/.test(id) ? 'shared' : null),
+  (id) => (/[\\/]www[\\/](kit|core(?![\\/]checks))[\\/].*\.js$/.test(id) ? 'shared' : null),
 ];
 
 export const chunks = { groups: files.map((name, i) => ({ name, priority: files.length - i })) };

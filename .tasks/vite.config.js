@@ -4,6 +4,7 @@ import { chunks } from './chunks.mjs';
 import { hints } from './hints.mjs';
 import { instead } from './instead.mjs';
 import { oneFile } from './offline.mjs';
+import { wordsFirst } from './words.mjs';
 
 /** @param {string} path */
 const fileOf = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -54,7 +55,10 @@ export default defineConfig(({ mode }) => ({
   },
   // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.
   worker: { format: 'iife' },
-  plugins: [instead({ isOneFile: mode === 'offline' }), mode === 'offline' ? oneFile() : hints()],
+  plugins: [
+    instead({ isOneFile: mode === 'offline' }),
+    ...(mode === 'offline' ? [oneFile()] : [wordsFirst(), hints()]),
+  ],
   ...(mode === 'element' && { build: element }),
   ...(mode === 'link' && { build: link, plugins: [inPackage] }),
 }));

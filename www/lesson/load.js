@@ -5,12 +5,16 @@
 /** @import { Tools } from './page.js' */
 import { byId } from '../kit/elements.js';
 import { createWaiting } from '../lab/waiting.js';
+import { load as loadDisturbance } from '../parts/disturbance/words/load.js';
+import { load as loadGeneration } from '../parts/generation/words/load.js';
+import { afterWords } from '../words/pick.js';
+import { load as loadWords } from './words/load.js';
 
 /** @type {Promise<typeof import('./page.js')> | null} */
 let asked = null;
-/** Asked for once: in WebKit a second import() of what still awaits its words comes too early. */
+/** Asked for once. */
 function load() {
-  asked ??= import('./page.js');
+  asked ??= afterWords([loadWords, loadGeneration, loadDisturbance], () => import('./page.js'));
   return asked;
 }
 

@@ -2,17 +2,18 @@
 /** @import { Page, Part, Tools } from './part.js' */
 import { byId } from '../kit/elements.js';
 import { createWaiting } from '../lab/waiting.js';
+import { afterWords } from '../words/pick.js';
 
-/** What makes the page of a part, once all of it is there. @param {Promise<unknown>[]} words @param {Promise<{ createPage: (tools: Tools) => Page }>} module */
+/** What makes the page of a part, once all of it is there. @param {readonly (() => Promise<unknown>)[]} words @param {() => Promise<{ createPage: (tools: Tools) => Page }>} module */
 export async function partOf(words, module) {
-  const [{ createPage }] = await Promise.all([module, ...words]);
+  const { createPage } = await afterWords(words, module);
   return createPage;
 }
 
 /** @type {WeakMap<Part, ReturnType<Part['load']>>} */
 const asked = new WeakMap();
 
-/** Asked for once: in WebKit a second import() of what still awaits its words comes too early. @param {Part} part */
+/** Asked for once. @param {Part} part */
 function makerOf(part) {
   const maker = asked.get(part) ?? part.load();
   asked.set(part, maker);

@@ -10,6 +10,12 @@ import { createSheet } from '../kit/sheet.js';
 import { createWaiting } from '../lab/waiting.js';
 import { isFree } from '../run/guard.js';
 import { opening as words } from '../words/index.js';
+import { afterWords } from '../words/pick.js';
+import { load as loadChecks } from './checks/words/load.js';
+import { load as loadCode } from './code/words/load.js';
+import { load as loadCollect } from './collect/words/load.js';
+import { load as loadHandIn } from './handin/words/load.js';
+import { load as loadWords } from './words/load.js';
 
 /** What the sheets get. `open` opens a file whether or not the controls are locked. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], openChecks: () => void, openCode: () => void, openCollect: () => void }} SheetTools */
 
@@ -43,24 +49,27 @@ export function createShare(tools) {
   const { texts } = words;
   const checksSheet = createSheet('checks', 'table-sheet', texts.checksTitle, texts.close);
   const checks = createOnDemand(checksSheet, async () =>
-    (await import('./checks/dialog.js')).createChecks(tools.engine, checksSheet),
+    (await afterWords([loadChecks], () => import('./checks/dialog.js'))).createChecks(
+      tools.engine,
+      checksSheet,
+    ),
   );
   const openChecks = () => checks(({ start }) => start());
   const codeSheet = createSheet('code', 'code-sheet', texts.codeTitle, texts.close);
   const code = createOnDemand(codeSheet, async () =>
-    (await import('./code/dialog.js')).createCode(tools, codeSheet),
+    (await afterWords([loadCode], () => import('./code/dialog.js'))).createCode(tools, codeSheet),
   );
   const openCode = () => code(({ start }) => start());
   const collectSheet = createSheet('collect', 'table-sheet collect-sheet', texts.collectTitle, texts.close);
   const collect = createOnDemand(collectSheet, async () =>
-    (await import('./collect/dialog.js')).createCollect(tools, collectSheet),
+    (await afterWords([loadCollect], () => import('./collect/dialog.js'))).createCollect(tools, collectSheet),
   );
   const openCollect = () => collect(({ start }) => start());
   /** @type {((state: State) => void) | null} */
   let drawMaker = null;
   const keepSheet = createSheet('keep', 'keep', texts.keepTitle, texts.close);
   const keep = createOnDemand(keepSheet, async () => {
-    const made = (await import('./dialog.js')).createKeep(
+    const made = (await afterWords([loadWords, loadHandIn], () => import('./dialog.js'))).createKeep(
       { ...tools, openChecks, openCode, openCollect },
       keepSheet,
     );

@@ -1,16 +1,9 @@
-// Every word on screen, in the language of the page, which alone is loaded. Every language has the same words: the types demand it.
-import { language } from './language.js';
+// Every word on screen.
+import { load } from './load.js';
 
 /** @template T @typedef {import('./pick.js').Words<T>} Words */
 
-/** @template T @typedef {{ [Part in keyof T]: Words<T[Part]> }} Parts */
-
-/** Neither language has a word that the other lacks. @typedef {Parts<typeof import('./en/index.js')> & Parts<typeof import('./ko/index.js')>} All */
-
-/** @type {Record<import('./language.js').Language, () => Promise<All>>} */
-const load = { en: () => import('./en/index.js'), ko: () => import('./ko/index.js') };
-
-const all = await load[language]();
+const all = /** @type {import('./load.js').All} */ (await load());
 
 export const {
   embed,

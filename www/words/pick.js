@@ -14,7 +14,26 @@ import { language } from './language.js';
  * @template E
  * @template K
  * @param {{ en: () => Promise<E & Words<K>>, ko: () => Promise<K & Words<E>> }} languages
- * @returns {() => Promise<Words<E> & Words<K>>}
+ * @returns {(() => Promise<Words<E> & Words<K>>) & { there: () => Words<E> & Words<K> }} `there`: the words, once they are loaded.
  */
-export const picked = (languages) =>
-  /** @type {Record<Language, () => Promise<any>>} */ (languages)[language];
+export function picked(languages) {
+  const bring = /** @type {Record<Language, () => Promise<any>>} */ (languages)[language];
+  /** @type {any} */
+  let words;
+  const load = async () => {
+    words ??= await bring();
+    return words;
+  };
+  return Object.assign(load, { there: () => words });
+}
+
+/**
+ * What needs words is loaded after them. If it awaited them itself, WebKit would hold for ever a page from which it is taken away meanwhile.
+ * @template M
+ * @param {readonly (() => Promise<unknown>)[]} words @param {() => Promise<M>} module
+ * @returns {Promise<M>}
+ */
+export async function afterWords(words, module) {
+  await Promise.all(words.map((load) => load()));
+  return module();
+}

@@ -20,7 +20,8 @@ const floors = {
   embed: 5,
   lesson: 6,
   share: 7,
-  'main.js': 8,
+  'main.js': 9,
+  'page.js': 8,
   'instead.js': 7,
 };
 

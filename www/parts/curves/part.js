@@ -19,5 +19,5 @@ export const curves = {
     partKey('scale', slice, 'scale', (text) => oneOf(scales, text)),
   ],
   figure: [0.72, 700],
-  load: () => partOf([loadWords(), loadStability()], import('./page.js')),
+  load: () => partOf([loadWords, loadStability], () => import('./page.js')),
 };

@@ -11,5 +11,5 @@ export const disturbance = {
   places: { settings: { lock: '#disturbance-controls', hide: '#disturbance-controls' } },
   tries: ['start', 'disturbance'],
   figure: [0.75, 680],
-  load: () => partOf([loadWords()], import('./page.js')),
+  load: () => partOf([loadWords], () => import('./page.js')),
 };

@@ -17,5 +17,5 @@ export const generation = {
   places: { run: { lock: '#generation-step', hide: '#generation-step button' } },
   phases: true,
   figure: [0.72, 620],
-  load: () => partOf([loadWords()], import('./page.js')),
+  load: () => partOf([loadWords], () => import('./page.js')),
 };

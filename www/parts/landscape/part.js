@@ -36,5 +36,5 @@ export const landscape = {
   },
   places: { gains: { lock: '#landscape-map' } },
   figure: [0.64, 620],
-  load: () => partOf([loadWords()], import('./page.js')),
+  load: () => partOf([loadWords], () => import('./page.js')),
 };

@@ -39,5 +39,5 @@ export const luck = {
     seed: { lock: '#luck-open', hide: '#luck-open' },
   },
   figure: [0.7, 640],
-  load: () => partOf([loadWords()], import('./page.js')),
+  load: () => partOf([loadWords], () => import('./page.js')),
 };

@@ -13,5 +13,5 @@ export const park = {
     run: { lock: '#park-evolve', hide: '#park-evolve' },
   },
   figure: [0.75, 640],
-  load: () => partOf([loadWords()], import('./page.js')),
+  load: () => partOf([loadWords], () => import('./page.js')),
 };

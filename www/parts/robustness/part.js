@@ -19,5 +19,5 @@ export const robustness = {
   places: { postures: { lock: '#robustness-map' } },
   tries: ['start'],
   figure: [0.64, 620],
-  load: () => partOf([loadWords()], import('./page.js')),
+  load: () => partOf([loadWords], () => import('./page.js')),
 };

@@ -14,5 +14,5 @@ export const training = {
   },
   tries: ['start'],
   figure: [0.7, 640],
-  load: () => partOf([loadWords()], import('./page.js')),
+  load: () => partOf([loadWords], () => import('./page.js')),
 };

@@ -8,6 +8,9 @@ import { once, watch } from '../../kit/memo.js';
 import { showOn } from '../../lab/navigation.js';
 import { parts } from '../../parts/parts.js';
 import { exercise as words } from '../../words/index.js';
+import { afterWords } from '../../words/pick.js';
+import { load as loadHandIn } from '../handin/words/load.js';
+import { load as loadWords } from '../words/load.js';
 import {
   asksSomething,
   groupNames,
@@ -56,7 +59,7 @@ function createWorkOnDemand(tools) {
   let work = null;
   const load = once(async () => {
     try {
-      const { createWork } = await import('../handin/work.js');
+      const { createWork } = await afterWords([loadWords, loadHandIn], () => import('../handin/work.js'));
       work = createWork(tools, byId('exercise-work'));
       tools.store.redraw();
     } catch (error) {

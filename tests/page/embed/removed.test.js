@@ -1,0 +1,18 @@
+// A figure that is taken away while it loads, as a page that changes does.
+import assert from 'node:assert/strict';
+import { engineTest } from '../harness/browsers.js';
+
+engineTest('a frame that is taken away while it loads does not hold the page around it', async (page) => {
+  await page.visit(page.site.blank);
+  const left = await page.evaluate(async (src) => {
+    for (let wait = 0; wait < 200; wait += 5) {
+      const frame = document.createElement('iframe');
+      Object.assign(frame, { src, width: '640', height: '420' });
+      document.body.append(frame);
+      await new Promise((resolve) => setTimeout(resolve, wait));
+      frame.remove();
+    }
+    return document.querySelectorAll('iframe').length;
+  }, `${page.site.address}?embed#training`);
+  assert.equal(left, 0);
+});
