@@ -6,9 +6,12 @@
   /** While a frame that changes something is waited for, how long at most: what nobody sees gets no frames. */
   const patience = 10_000;
 
-  /** The frames that are asked for, each with whether another frame did, as motion does. @type {Map<number, boolean>} */
+  /**
+   * The frames that are asked for, each with how many frames it comes of: none, or one where a frame has measured what is to be
+   * drawn, or ever more of them in motion. @type {Map<number, number>}
+   */
   const asked = new Map();
-  let isInFrame = false;
+  let depth = 0;
   /** How many times as fast the time of the frames runs. */
   let pace = 1;
 
@@ -17,14 +20,15 @@
   window.requestAnimationFrame = (callback) => {
     latest += 1;
     const id = latest;
-    asked.set(id, isInFrame);
+    const depthOfThis = depth;
+    asked.set(id, depthOfThis);
     const run = (/** @type {number} */ now) => {
       if (!asked.delete(id)) return;
-      isInFrame = true;
+      depth = depthOfThis + 1;
       try {
         callback(pace * now);
       } finally {
-        isInFrame = false;
+        depth = 0;
       }
     };
     // Out of sight there is no late frame either.
@@ -47,7 +51,8 @@
   async function drawn() {
     const end = performance.now() + patience;
     const before = [...asked.keys()];
-    const isDrawn = () => !before.some((id) => asked.has(id)) && ![...asked.values()].includes(false);
+    const isDrawn = () =>
+      !before.some((id) => asked.has(id)) && [...asked.values()].every((frames) => frames > 1);
     while (!isDrawn() && performance.now() < end) await frame();
   }
 
