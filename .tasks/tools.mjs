@@ -43,9 +43,9 @@ function preparePath() {
 
 async function checkToolchain() {
   const [major, minor] = process.versions.node.split('.').map(Number);
-  if (major < 20 || (major === 20 && minor < 19) || (major === 22 && minor < 12)) {
+  if (!((major === 20 && minor >= 19) || (major === 22 && minor >= 12) || major > 22)) {
     throw new Failure(
-      `Node ${process.versions.node} is too old: Node 20.19 or newer is needed (22.12 or newer of 22)`,
+      `Node ${process.versions.node} cannot build this: Node 20.19, 22.12 or newer is needed`,
     );
   }
   const sysroot = ask('rustc', ['--print', 'sysroot']);
