@@ -22,7 +22,7 @@ fn told(answer: Result<impl Plain, InvalidInput>) -> Result<Value, String> {
 fn whole(given: Value, other: Value) -> Result<Value, String> {
     let other = Given(Some(&other).filter(|other| !other.is_null()));
     let setting = outside::experiment(&Given(Some(&given)), &other);
-    told(setting.map(|setting| setting.experiment().clone()))
+    told(setting.map(|(setting, _)| setting.experiment().clone()))
 }
 
 #[wasm_bindgen_test(unsupported = test)]

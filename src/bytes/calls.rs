@@ -74,7 +74,7 @@ const CALLS: &[(&str, Call)] = &[
     ("experiment", |_, mut given| {
         let [given, changes] = [given.next(), given.next()];
         if given.text().is_some() {
-            return told(outside::experiment(&given, &changes)?.experiment());
+            return told(outside::experiment(&given, &changes)?.0.experiment());
         }
         let mut experiment = outside::setting(&given)?.experiment().clone();
         if changes.is_given() {

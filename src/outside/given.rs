@@ -10,18 +10,18 @@ pub fn setting<S: Source>(given: &S) -> Result<Setting, InvalidInput> {
 }
 
 /// The experiment of a preset, or the given fields of one with every other field filled in. With both, in whichever order,
-/// the preset is what fills in; without, the one that the fields were made from, or else `velocity-limits`.
-pub fn experiment<S: Source>(given: &S, other: &S) -> Result<Setting, InvalidInput> {
+/// the preset is what fills in; without, the one that the fields were made from, or else `velocity-limits`. Beside it, what filled in.
+pub fn experiment<S: Source>(given: &S, other: &S) -> Result<(Setting, Preset), InvalidInput> {
     let preset = preset(given, other)?;
-    match given.text() {
+    let setting = match given.text() {
         Some(_) if other.is_given() => completed(preset, other),
         Some(_) => Setting::new(preset.experiment()),
         None => completed(preset, given),
-    }
+    };
+    Ok((setting?, preset))
 }
 
-/// The preset that fills in.
-pub fn preset<S: Source>(given: &S, other: &S) -> Result<Preset, InvalidInput> {
+fn preset<S: Source>(given: &S, other: &S) -> Result<Preset, InvalidInput> {
     match given.text().or_else(|| other.text()) {
         Some(name) => Preset::find(&name),
         None if other.is_given() => Err(refused(other, Place::Named("preset"), Preset::expected())),

@@ -54,8 +54,9 @@ pub fn experiment(
     #[wasm_bindgen(unchecked_optional_param_type = "PartialExperiment | Preset")] other: JsValue,
 ) -> Result<JsValue> {
     let (given, other) = (Given::of(given), Given::of(other));
-    let experiment = plain(outside::experiment(&given, &other)?.experiment());
-    origin::remember(&experiment, outside::preset(&given, &other)?);
+    let (setting, preset) = outside::experiment(&given, &other)?;
+    let experiment = plain(setting.experiment());
+    origin::remember(&experiment, preset);
     Ok(experiment)
 }
 
