@@ -27,9 +27,9 @@ import { leastHeight, mostHeight, version } from './frame.js';
 
 /** Vite would take the address for a file to bundle if it were written in one. */
 const here = String(import.meta.url);
-/** Within it the slowest figure has spoken, once its frame is loaded. */
+/** Within it whatever is a figure has said that it is one, once its frame is loaded. */
 const longestSilence = 15_000;
-/** Within it the slowest frame is loaded, once somebody asks it something. */
+/** Within it the slowest frame is loaded, once somebody asks it something, and the slowest figure ready. */
 const longestLoading = 60_000;
 /** What a frame can show; javascript: would run in the page around it. */
 const protocols = ['http:', 'https:', 'file:', 'blob:', 'data:'];
@@ -59,7 +59,9 @@ class EpLocomotion extends HTMLElement {
   #questions = new Map();
   #asked = 0;
   #isPlaced = false;
-  /** Whether a figure of any version has spoken. */
+  /** How long what is in the frame may be silent: longer, once it has said that it is a figure. */
+  #patience = longestSilence;
+  /** Whether a figure of any version is ready. */
   #isHeard = false;
   #isReady = false;
   #wantedHeight = 0;
@@ -77,7 +79,7 @@ class EpLocomotion extends HTMLElement {
     this.#problem.setAttribute('role', 'alert');
     this.#frame.name = frameName;
     this.#frame.allow = 'fullscreen';
-    this.#frame.addEventListener('load', () => this.#listen(longestSilence));
+    this.#frame.addEventListener('load', () => this.#listen(this.#patience));
     root.append(this.#problem, this.#frame);
   }
 
@@ -138,6 +140,10 @@ class EpLocomotion extends HTMLElement {
   handleEvent({ source, origin, data }) {
     if (source !== this.#frame.contentWindow || typeof data?.ep !== 'number') return;
     if (this.#origin !== null && origin !== this.#origin) return;
+    if (data.type === 'loading') {
+      this.#patience = longestLoading;
+      return this.#listen(longestLoading);
+    }
     this.#isHeard = true;
     clearTimeout(this.#silence);
     if (data.ep !== version) return this.#complain(this.#words.otherVersion(data.ep, version));
@@ -183,6 +189,7 @@ class EpLocomotion extends HTMLElement {
   #close() {
     clearTimeout(this.#silence);
     this.#silence = undefined;
+    this.#patience = longestSilence;
     this.#isHeard = false;
     this.#isReady = false;
     this.#origin = null;

@@ -10,6 +10,7 @@
 //
 // and each is answered in its turn with a state, or with { ep: 1, type: 'error', message }; an id that was sent comes back in
 // the answer.
+// To <ep-locomotion> the figure first says { type: 'loading' }, from loading.js, while the rest of it is still on its way.
 // By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height.
 // What its user does it tells as { type: 'drive', driver, gains, cost, arrived, finalTime, drives } when other gains drive,

@@ -5,7 +5,10 @@ export const frameName = 'ep-locomotion figure';
 
 const asked = new URLSearchParams(globalThis.location?.search);
 
-export const isEmbedded = asked.has('embed') || globalThis.window?.name === frameName;
+/** By <ep-locomotion>. */
+export const isHeldByElement = globalThis.window?.name === frameName;
+
+export const isEmbedded = asked.has('embed') || isHeldByElement;
 
 let used = !isEmbedded;
 if (isEmbedded)

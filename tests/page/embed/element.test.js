@@ -117,7 +117,8 @@ engineTest('an element shows a figure, does what its page asks, and tells what c
         refused: en.gone,
       },
     );
-    assert.equal((await use(page, 'far', 'it.read()')).generation, 0);
+    const { refused, generation } = await use(page, 'far', 'it.read()');
+    assert.deepEqual({ refused, generation }, { refused: undefined, generation: 0 });
   });
 });
 
@@ -164,6 +165,43 @@ pageTest('what the author of a page has wrong is said in sight', async (page) =>
     assert.equal(await complaint(page, 'absent'), '');
     // Who has spoken is not called silent.
     assert.equal(await complaint(page, 'old'), `<ep-locomotion>: ${en.otherVersion(2, 1)}`);
+  });
+});
+
+engineTest('a figure says that it is on its way, and who says so is given time', async (page) => {
+  const slow = `data:text/html,<script>parent.postMessage({ ep: 1, type: 'loading' }, '*')</script>`;
+  const html = `
+    <ep-locomotion id="slow" src="${slow}"></ep-locomotion>
+    <script>
+      said = [];
+      addEventListener('message', ({ data }) => said.push(data.type));
+      const usual = setTimeout;
+      // Nobody is to wait until the silence is long enough, but for who is given time.
+      setTimeout = (done, longest) => usual(done, longest === 15000 ? 100 : longest);
+    </script>`;
+  await inPage(page, html, async (address) => {
+    await page.until('it has said so', () => Reflect.get(window, 'said').includes('loading'));
+    await page.evaluate(() => {
+      Reflect.get(window, 'said').length = 0;
+      for (const [id, src] of [
+        ['absent', '/absent.html'],
+        ['own', '/dist/index.html'],
+      ]) {
+        const figure = Object.assign(document.createElement('ep-locomotion'), { id });
+        figure.setAttribute('src', src);
+        document.body.prepend(figure);
+      }
+    });
+    const silent = `<ep-locomotion>: ${en.silent(`${address}absent.html`)}`;
+    await page.until(
+      'the silent one is called so',
+      (text) => document.getElementById('absent')?.shadowRoot?.querySelector('p')?.textContent === text,
+      silent,
+    );
+    assert.equal(await complaint(page, 'slow'), '');
+    await isReady(page, 'own');
+    assert.deepEqual((await use(page, 'own', 'said')).slice(0, 2), ['loading', 'ready']);
+    assert.equal(await complaint(page, 'own'), '');
   });
 });
 
