@@ -135,3 +135,28 @@ pageTest('the evolution that was seen is opened in the lab, with the same best r
   );
   assert.equal(Number(shown), Number(gains[1].toFixed(3)));
 });
+
+pageTest(
+  'on a small telephone the robots and the three sliders are in sight at once, in both languages',
+  async (page) => {
+    for (const language of ['en', 'ko']) {
+      await page.evaluate((lang) => {
+        const src = new URL(location.href);
+        src.hash = `park&lang=${lang}`;
+        document.querySelector('iframe')?.remove();
+        const frame = document.createElement('iframe');
+        // In a frame, because not every window can be so narrow, and without the bar for scrolling, which a telephone has not.
+        Object.assign(frame, { src, width: '360', height: '640', frameBorder: '0', scrolling: 'no' });
+        document.body.append(frame);
+      }, language);
+      const ends = await page.until('the narrow page is ready', () => {
+        const inside = document.querySelector('iframe')?.contentDocument;
+        if (inside?.documentElement.dataset.ready !== 'true') return;
+        const shown = [...inside.querySelectorAll('.park-plane, .park-count, .park .gain')];
+        return shown.map((element) => Math.round(element.getBoundingClientRect().bottom));
+      });
+      assert.equal(ends.length, 5);
+      assert.ok(Math.max(...ends) <= 640, `${language}: ${ends}`);
+    }
+  },
+);
