@@ -3,4 +3,7 @@ import { sayLoading } from './embed/loading.js';
 import { load } from './words/load.js';
 
 sayLoading();
-load().then(() => import('./page.js'));
+// Where a file is missing, index.html says it. Where the page is left meanwhile, nobody is there to be told.
+load()
+  .then(() => import('./page.js'))
+  .catch(console.error);

@@ -154,7 +154,7 @@ async function begin() {
     await start(await createEngine());
   } catch (error) {
     showInstead(error);
-    throw error;
+    console.error(error);
   }
 }
 begin();

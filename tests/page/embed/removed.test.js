@@ -16,3 +16,24 @@ engineTest('a frame that is taken away while it loads does not hold the page aro
   }, `${page.site.address}?embed#training`);
   assert.equal(left, 0);
 });
+
+engineTest(
+  'a page that is left while a figure in it loads throws nothing that nobody catches',
+  async (page) => {
+    for (let wait = 0; wait < 80; wait += 8) {
+      await page.visit(page.site.blank);
+      await page.evaluate(
+        async (src, pause) => {
+          const frame = document.createElement('iframe');
+          Object.assign(frame, { src, width: '640', height: '420' });
+          document.body.append(frame);
+          await new Promise((resolve) => setTimeout(resolve, pause));
+        },
+        `${page.site.address}?embed#training`,
+        wait,
+      );
+      await page.leave();
+      assert.equal(page.uncaught, '', `after ${wait} ms`);
+    }
+  },
+);
