@@ -77,6 +77,8 @@ async function start(engine) {
     : null;
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;
+  /** Nothing of the first picture moves because the open part comes later. */
+  let isWhole = false;
 
   /** Draws what the state says, and lets the open part ask the workers for what it still lacks. */
   const show = () => {
@@ -101,6 +103,7 @@ async function start(engine) {
 
   /** @param {number} seconds */
   function frame(seconds) {
+    if (!isWhole) return false;
     const before = store.get();
     tryNow(() => made.of(before.page)?.tick?.(before, seconds), loop.request);
     // First of all there is a picture.
@@ -123,14 +126,14 @@ async function start(engine) {
   }
 
   byId('plane-robots').setAttribute('aria-label', words.planeLabel);
-  takeInstead();
-  byId('instrument').hidden = false;
-  followSurroundings(actions, show);
   createKeys(share.openChecks);
   byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get().history)));
   address = createAddress({ ...tools, actions, firstPage });
-  loop.request();
   await Promise.all([made.open(store.get().page), lesson.open(store.get())]);
+  isWhole = true;
+  takeInstead();
+  byId('instrument').hidden = false;
+  followSurroundings(actions, show);
   embed?.begin();
   loop.request();
   /** After the first picture, which was asked for before this, of a run that has come as far as its link says or is being computed. */

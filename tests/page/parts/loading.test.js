@@ -63,6 +63,27 @@ pageTest('a part is loaded when it is opened, in the language of the page alone'
   assert.deepEqual(await page.problems(), []);
 });
 
+pageTest('nothing is shown before the open part is there: the first picture is whole', async (page) => {
+  for (const link of ['park', 'training', 'lesson&step=3']) {
+    await page.visit(page.site.blank);
+    const waits = await page.evaluate((src) => {
+      const frame = document.createElement('iframe');
+      Object.assign(frame, { src, width: '1000', height: '700' });
+      document.body.replaceChildren(frame);
+      return new Promise((resolve) => {
+        const look = () => {
+          const instrument = frame.contentDocument?.getElementById('instrument');
+          if (!instrument) return setTimeout(look, 1);
+          const shown = () => resolve(frame.contentDocument?.querySelectorAll('.part-waits').length);
+          new MutationObserver(shown).observe(instrument, { attributeFilter: ['hidden'] });
+        };
+        look();
+      });
+    }, `${page.site.address}#${link}`);
+    assert.equal(waits, 0, link);
+  }
+});
+
 pageTest('Share and the checks are loaded when they are opened, and open at once', async (page) => {
   await page.open('#lab&lang=ko');
   const first = await asked(page);
