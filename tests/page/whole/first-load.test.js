@@ -39,3 +39,29 @@ pageTest('a first visit loads no more than it may', async (page) => {
     assert.ok(sum <= budget, `${fragment || 'the address alone'} loads ${sum} bytes:${all}`);
   }
 });
+
+pageTest('what is in sight while the page opens stays where it is', async (page) => {
+  for (const width of [1200, 500]) {
+    await page.resize(width, 900);
+    for (const fragment of ['', '#lab', '#training', '#lesson&step=3', '#lab&v=1&lang=ko']) {
+      await page.open(fragment);
+      const moved = await page.evaluate(
+        () =>
+          /** @type {Promise<number>} */ (
+            new Promise((resolve) => {
+              const observer = new PerformanceObserver((list) =>
+                resolve(
+                  list
+                    .getEntriesByType('layout-shift')
+                    .reduce((sum, entry) => sum + Reflect.get(entry, 'value'), 0),
+                ),
+              );
+              // Chromium alone knows what has moved; every engine tells of its navigation, so that there is an end.
+              for (const type of ['layout-shift', 'navigation']) observer.observe({ type, buffered: true });
+            })
+          ),
+      );
+      assert.ok(moved < 0.05, `${fragment} at ${width} pixels: ${moved}`);
+    }
+  }
+});
