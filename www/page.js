@@ -133,6 +133,8 @@ async function start(engine) {
   isWhole = true;
   takeInstead();
   byId('instrument').hidden = false;
+  // At once, because the next frame may be late.
+  show();
   followSurroundings(actions, show);
   embed?.begin();
   loop.request();
