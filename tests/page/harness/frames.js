@@ -40,20 +40,25 @@
     asked.delete(id);
   };
 
-  /** The next frame, with what the page hears of its new sizes after it. */
+  /** The next frame, with what the page hears of its new sizes after it; whether it came. */
   const frame = () =>
     new Promise((resolve) => {
-      ask(() => setTimeout(resolve));
-      setTimeout(resolve, patience);
+      ask(() => setTimeout(() => resolve(true)));
+      setTimeout(() => resolve(false), patience);
     });
+
+  /** So many frames in vain are no busy machine. */
+  const endless = 100;
 
   /** Waits for every frame that is asked for, and for those that come of what these changed; motion goes on. */
   async function drawn() {
     const end = performance.now() + patience;
+    let frames = 0;
     const before = [...asked.keys()];
     const isDrawn = () =>
-      !before.some((id) => asked.has(id)) && [...asked.values()].every((frames) => frames > 1);
-    while (!isDrawn() && performance.now() < end) await frame();
+      !before.some((id) => asked.has(id)) && [...asked.values()].every((count) => count > 1);
+    while (!isDrawn() && performance.now() < end) if (await frame()) frames += 1;
+    if (frames > endless && !isDrawn()) throw new Error('drawing without end: each asks for the next');
   }
 
   /** Whether nothing is to be drawn. */

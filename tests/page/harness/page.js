@@ -111,6 +111,7 @@ export class Page {
           ...args,
         )
         .catch(async (reason) => {
+          if (String(reason).includes('drawing without end')) throw reason;
           left = reason;
           await delay(20);
           return null;

@@ -48,14 +48,23 @@ pageTest('what is pressed and typed within one frame is all kept', async (page) 
   );
 });
 
+/** By how much the panel's content is wider than its place, where a scrollbar would cover what is pressed. @param {Page} page */
+const sideways = (page) =>
+  page.evaluate(() => {
+    const groups = /** @type {Element} */ (document.querySelector('#maker .settings-groups'));
+    return groups.scrollWidth - groups.clientWidth;
+  });
+
 engineTest('every field of the maker has a name and room, and what is wrong is said', async (page) => {
   await openMaker(page);
+  assert.equal(await sideways(page), 0);
   await page.focus('#maker-aim');
   // Each kind of aim has the same fields, with other values.
   for (const kind of ['cost', 'parks', 'unseen']) {
     await page.click(`#maker-aim option[value="${kind}"]`);
     await page.until('its fields are there', () => document.getElementById('maker-points-1'));
     assert.deepEqual(await page.obstacles('#maker'), [], kind);
+    assert.equal(await sideways(page), 0, kind);
   }
   await page.focus('#maker-value');
   await page.press(Key.BACK_SPACE, Key.BACK_SPACE, Key.BACK_SPACE, '2');
