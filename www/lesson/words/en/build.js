@@ -14,7 +14,7 @@ export const build = {
 
 *1.* Parking means bringing three errors to zero by choosing two velocities.
 
-*2.* The law gives each error a gain, and its terms cancel so that one number, {V}, can only fall, as long as the wheels can do what is asked.
+*2.* The law gives each error a gain, and its terms cancel so that one number, {V}, can only fall, as long as the wheels do at every instant what is asked.
 
 *3.* Real wheels saturate and computers wait between samples, so which gains are good is not a question for the proof alone.
 
@@ -34,17 +34,20 @@ export const build = {
       [1, 'drive', 'repeat every 0.01 s:'],
       [2, 'drive', 'xₑ, yₑ, θₑ ← error(posture)          (3), θₑ wrapped to ±π'],
       [2, 'drive', 'stop if √(xₑ²+yₑ²) ≤ 0.05 m and |θₑ| ≤ 0.05, or t ≥ 10 s'],
-      [2, 'drive', 'v, ω ← law(gains, xₑ, yₑ, θₑ)        (5), |sin θₑ| at least 10⁻⁶'],
+      [2, 'drive', 'v, ω ← law(gains, xₑ, yₑ, θₑ)        (5), |sin θₑ| ≥ 10⁻⁶'],
       [2, 'drive', 'v ← clamp(v, ±2); ω ← clamp(ω, ±2π)'],
       [2, 'drive', 'integral ← integral + (xₑ²+yₑ²+θₑ² + R_v v² + R_ω ω²)·0.01'],
-      [2, 'drive', 'posture ← along the arc of v, ω      (2); t ← t + 0.01'],
+      [2, 'drive', 'h ← 0.005 ω; c ← 0.01 v sin(h)/h     (2); sin(0)/0 is 1'],
+      [2, 'drive', 'x ← x + c cos(θ+h); y ← y + c sin(θ+h)'],
+      [2, 'drive', 'θ ← θ + 2h; t ← t + 0.01'],
       [1, 'drive', 'J ← t + xₑ²+yₑ²+θₑ² + ½ integral + 1000 Σ max(0, −kᵢ)'],
     ]),
     generation: /** @type {Line[]} */ ([
-      [0, 'parents', 'parents ← N = 20 of (gains, σ, J), at first gains ∈ [0.01, 10], σ = 1'],
+      [0, 'parents', 'parents ← N = 20 of (gains, σ, J); first: [0.01, 10], σ = 1'],
+      [0, 'mutation', 'τ′ ← 1/√6; τ ← 1/√(2√3)'],
       [0, '', 'repeat for each generation:'],
-      [1, 'mutation', 'for each parent, one offspring:'],
-      [2, 'mutation', 'gainsⱼ ← parent’s gainsⱼ + σⱼ · normal()'],
+      [1, 'mutation', 'for each parent, one offspring: common ← normal()'],
+      [2, 'mutation', 'gainsⱼ ← parent’s gainsⱼ + parent’s σⱼ · normal()'],
       [2, 'mutation', 'σⱼ ← parent’s σⱼ · exp(τ′·common + τ·normal())'],
       [2, 'drive', 'J ← drive(gains)'],
       [1, 'tournament', 'for each of the 2N:'],

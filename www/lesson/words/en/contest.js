@@ -29,7 +29,7 @@ Two things can be asked of a run: how low is {J} when the drives are used up, or
     drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Had we asked for 8.09 alone, we would have called them a waste.`,
     slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then slide to 3, to 10, to 20. A few runs do not lie. They leave the question open, and it is we who read an answer into them.`,
     budget: `Drag the *upright* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: what has not arrived by then hardly ever will. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
-    ellipse: `Why does the famous one lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it follows the best three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a cliff: below {ky} = 0 there is a penalty.
+    ellipse: `Why does CMA-ES, the famous one, lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it follows the best three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a wall: below {ky} = 0 there is the penalty.
 
 There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=55), or [let it try twenty](landscape&x=kx&y=ky&evolution.method=cma-es&generation=19) before it decides. Which helps more? The last of the things to try lets them run. So was it the method that lost, or whoever set it up?`,
     next: `One task, one start, three gains: what wins here need not win elsewhere. The contest counts how *soon* a search finds what the cost asks for. Whether the cost asks for the right thing, no contest tells.`,
@@ -81,7 +81,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     },
     rivals: {
       question:
-        'Two rivals with the same drives: *differential evolution* (DE), which takes its steps from the differences between its robots, and *CMA-ES*, the most famous of all, which learns the shape of the valley. Which needs the fewest drives to 7.72 (ERT)?',
+        'Two rivals with the same drives: *differential evolution* (DE), which takes its steps from the differences between its robots, and *CMA-ES*, the most famous of all, which learns the shape of the valley, with the seven trials a generation that its authors advise. Which needs the fewest drives to 7.72 (ERT)?',
       choices: ['The paper’s EP', 'DE', 'CMA-ES'],
       /** @param {{ lines: Row[] }} outcome */
       why: ({ lines: [ep, de, cma] }) =>
@@ -96,7 +96,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     remedies: 'CMA-ES and its remedies',
   },
   notice: [
-    'Of the other three parts only crossover makes a difference that can be told: robots trade gains *and* step sizes. The paper has none.',
+    'Of the other three parts only crossover makes the search better, as far as can be told: robots trade gains *and* step sizes. The paper has none.',
     'Cauchy’s steps make no difference that 51 runs could show; letting each child fight only its own parent is fatal.',
     'With a floor no run is lost in the end, but none gets much below its target either: then the steps are too long.',
     'Six robots come to 7.8 with no more drives than twenty.',

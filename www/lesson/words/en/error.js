@@ -11,11 +11,11 @@ export const error = {
   quizzes: {
     largest: {
       question:
-        'The robot starts at 0 m, 2 m, straight to the left of the goal, which still points to the upper right. Which is longer, {xe} or {ye}?',
+        'The robot starts at 0 m, 2 m, straight to the left of the goal, which still points to the upper right. Signs aside, which is longer, {xe} or {ye}?',
       choices: ['{xe}', '{ye}', 'They are equally long'],
       /** @param {{ x: number, y: number, theta: number }} outcome */
       why: ({ x, y, theta }) =>
-        `At the start {xe} is ${fixed(x, 2)} m, {ye} is ${fixed(y, 2)} m and {te} is ${degreesText(theta)}. The lengths are measured along the goal’s direction, not along the walls: at 45°, “to the left” is half “behind” and half “beside”.`,
+        `At the start {xe} is ${fixed(x, 2)} m, {ye} is ${fixed(y, 2)} m and {te} is ${degreesText(theta)}. The lengths are measured along the goal’s direction, not along the walls: at 45°, “to the left” is as much “behind” as “beside”.`,
     },
   },
   tries: {
@@ -25,7 +25,7 @@ export const error = {
   },
   notice: [
     'While the robot drives straight, only {xe} and {ye} change; while it turns on the spot, only {te}.',
-    '{xe} is below zero when the goal lies behind, {ye} when it lies to the right of the goal’s direction.',
+    '{xe} is below zero when the robot stands beyond the goal, {ye} when it stands to the left of the goal’s line, whichever way it faces.',
     'Near the goal some drives zigzag: the law divides by sin {te}. Why, the next step tells.',
   ],
 };

@@ -22,12 +22,12 @@ export const sigma = {
     other: 'This search hands no step sizes from parent to child.',
   },
   texts: {
-    begin: `Too short a step gets nowhere. Too long a step misses. And what was right at the beginning is too long near the end. So nobody sets the *step size*: every robot has its own {s} for each gain, a standard deviation, and hands it to its offspring, a little changed. This is *self-adaptation*. The factor is the exponential of a normal draw, so it is *log-normal* and never negative:`,
-    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt} change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In 70 % of all births a new {s} lies between half and twice the old one.
+    begin: `Too short a step gets nowhere. Too long a step misses. And what was right at the beginning is too long near the end. So nobody sets the *step size*: every robot has its own {s} for each gain, a standard deviation, and hands it to its offspring, times a random factor. This is *self-adaptation*. The factor is the exponential of a normal draw, so it is *log-normal* and always positive:`,
+    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt}, drawn anew, change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In 70 % of all births a new {s} lies between half and twice the old one.
 
 Nobody judges {s} itself. Steps of a good length make good offspring, and these inherit it. The picture shows how the best robot came by its own: the bells of its family, from the first ancestor down; each is where the gain of the next offspring was likely to land. The curves show the mean {s} of all robots, on an axis on which equal distances are equal factors: after {=generation} generations {=sx} for {kx}, {=sy} for {ky}, {=st} for {kt}.`,
     collapse: `In the long run {s} falls. A short step cannot spoil much, so its offspring survive more often and hand it on. Nothing stops this: *the step sizes collapse*. [After 300 generations](lab&generation=300&curve=sigmas) they are below a millionth, and evolution stands still, whether it has found the best place or not. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none; [step 11](lesson&step=contest) lets you try one.`,
-    next: `A method with a weakness, then. In the task so far that does little harm: its valley is short and wide. And where it is long? Try it yourself first.`,
+    next: `A method with a weakness, then. In the task so far that does little harm: the best gains are not far from the first robots. And where they are far? Try it yourself first.`,
   },
   quizzes: {
     small: {
@@ -40,7 +40,7 @@ Nobody judges {s} itself. Steps of a good length make good offspring, and these 
       ],
       /** @param {{ own: number, usual: number, generation: number, sigma: number }} outcome */
       why: ({ own, usual, generation, sigma }) =>
-        `After ${generation} generations the best J is ${costText(own)}; with σ = 1 at the start it is ${costText(usual)}. A new σ is seldom more than twice the old one, so it takes many generations to make ${sigma} large.`,
+        `After ${generation} generations the best J is ${costText(own)}; with σ = 1 at the start it is ${costText(usual)}. Only about one birth in seven more than doubles a σ, so it takes many generations to make ${sigma} large.`,
     },
     further: {
       question:

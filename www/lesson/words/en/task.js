@@ -12,7 +12,7 @@ export const task = {
 
 Put it to the test: the same gains, other starts. {=places} places on a square of {=side} m around the goal, in each {=headings} headings, make {=starts} starts.`,
     beside: `Watch those that fail, here or on [the map](robustness&generation=100), where a press on a hatched place drives from there. The robot drives up, turns the right way, and stops *beside* the goal: {xe} and {te} are gone, {ye} is left. The gain against {ye} is {ky}, and evolution has left it at {=ky}.`,
-    asked: `Why so small? From the one start that evolution was given, the goal lies straight ahead, along its own direction: there {ye} is {=ye} m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and it made that drive cheap. Fitting what one is asked so closely that it fails elsewhere is called *overfitting*; doing well where one was not asked, *generalisation*.
+    asked: `Why so small? The one start that evolution was given lies straight behind the goal, on the goal’s own line: there {ye} is {=ye} m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and it made that drive cheap. Fitting what one is asked so closely that it fails elsewhere is called *overfitting*; doing well where one was not asked, *generalisation*.
 
 *An optimiser gives what the cost asks for, not what you meant.*`,
     many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. [Training](training&generation=100) does that three times: on one start, on 32 on a circle, on 36 on a grid. Each result is then tested on 1000 starts that none has seen. Your prediction sets it going.`,
