@@ -29,6 +29,7 @@ import { createSettingsPanel } from './settings/panel.js';
 import { createExercise } from './share/exercise/page.js';
 import { createKeys } from './share/keys.js';
 import { createShare } from './share/load.js';
+import { messageOf } from './words/errors.js';
 import { lab as words } from './words/index.js';
 import { fitnessTable } from './lab/fitness-table.js';
 import { showTable } from './lab/table-sheet.js';
@@ -46,7 +47,9 @@ async function start(engine) {
   const loop = createFrameLoop(frame);
   const first = firstState(engine, 'velocity-limits', isStill() ? atEnd : fromStart);
   const store = createStore(first, loop.request);
-  const sight = createSight(sceneOf, first, loop.request);
+  const sight = createSight(sceneOf, first, loop.request, (error) =>
+    store.update({ message: messageOf(error) }),
+  );
   /** Of the state that is seen. @param {State} state */
   const seenScene = (state) => sight.of(state).scene;
   const drivingOf = () => seenScene(store.get()).driving;

@@ -23,24 +23,20 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
   const onward = isEmbedded ? 'replaceState' : 'pushState';
   let waiting = false;
   let written = location.hash.slice(1);
+  /** Where the address is: the part, and the step of the lesson. */
+  let place = { page: '', lesson: 0 };
 
   const open = () => {
     // The words are chosen when the page loads.
     if (languageOfAddress() !== language) return location.reload();
     written = location.hash.slice(1);
     const { opened, problems } = links.openLink(written || firstPage, engine, whoAsked());
+    place = placeOf(opened);
     actions.openLinked(opened, problems);
   };
 
-  const numberOf = (/** @type {string | undefined} */ step) =>
-    step === undefined ? 0 : links.stepNamed(step).number;
-  /** Where the address is: the part, and the step of the lesson. */
-  const place = () => ({
-    page: pages.find((name) => name === written.split('&')[0]) ?? 'lab',
-    lesson: numberOf(/&lesson=(\w+)/.exec(written)?.[1]),
-  });
   const isElsewhere = (/** @type {State} */ state) =>
-    state.page !== place().page || state.lesson !== place().lesson;
+    state.page !== place.page || state.lesson !== place.lesson;
   /** Another part is not to wait until evolution rests: one goes back from there too. */
   const isDue = (/** @type {State} */ state) => !state.computing && (rests(state) || isElsewhere(state));
   const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
@@ -54,10 +50,11 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
     if (!isElsewhere(state) || written === '') history.replaceState(null, '', `#${link}`);
     else {
       // A step that "back" takes back: to all that the part before has come to.
-      history.replaceState(null, '', `#${linkFor({ ...state, ...place() })}`);
+      history.replaceState(null, '', `#${linkFor({ ...state, ...place })}`);
       history[onward](null, '', `#${link}`);
     }
     written = link;
+    place = placeOf(state);
   };
 
   /** To the parts and the lesson: an exercise may have taken them out of the document. @type {Map<string, HTMLElement | null>} */
@@ -99,6 +96,9 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
 
 /** Who works here, where the address says so before its #, as learning platforms write it. */
 const whoAsked = () => tidyTask(new URLSearchParams(location.search).get('who') ?? '').slice(0, mostOfWho);
+
+/** @param {{ page: string, lesson: number }} at */
+const placeOf = ({ page, lesson }) => ({ page, lesson });
 
 /** @param {State} state */
 const rests = (state) => !state.dragging && !state.evolving;

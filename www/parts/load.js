@@ -2,6 +2,7 @@
 /** @import { Page, Part, Tools } from './part.js' */
 import { byId } from '../kit/elements.js';
 import { createWaiting } from '../lab/waiting.js';
+import { isLost } from '../words/errors.js';
 import { afterWords } from '../words/pick.js';
 
 /** What makes the page of a part, once all of it is there. @param {readonly (() => Promise<unknown>)[]} words @param {() => Promise<{ createPage: (tools: Tools) => Page }>} module */
@@ -47,6 +48,7 @@ export function createParts(parts, tools, onLoaded) {
       place.fill(page.element);
       onLoaded();
     } catch (error) {
+      if (isLost(error)) throw error;
       console.warn(error);
       place.fail();
     }
@@ -78,12 +80,10 @@ function createPlace(name) {
   byId('cost').after(place);
   return {
     fail,
-    /** @param {HTMLElement} [element] */
+    /** @param {HTMLElement} element */
     fill(element) {
-      if (element) {
-        element.hidden = place.hidden;
-        place.before(element);
-      }
+      element.hidden = place.hidden;
+      place.before(element);
       place.remove();
     },
   };

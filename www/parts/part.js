@@ -13,7 +13,7 @@
 /**
  * A part that has been opened.
  * @typedef {object} Page
- * @property {HTMLElement} [element] What it shows, which stands in the page since then.
+ * @property {HTMLElement} element What it shows, which stands in the page since then.
  * @property {(state: State, scene: Scene) => void} draw At every change of the state, while it is open.
  * @property {(state: State, seconds: number) => void} [tick] At every frame, while it is open.
  * @property {(state: State) => ChosenDrives | null} [drives] What drives on the plane in the place of the population.

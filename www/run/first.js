@@ -3,6 +3,7 @@
 /** @import { RobotClock, State } from './state.js' */
 import { boxAround } from '../kit/transform.js';
 import { firstMaker, noExercise } from './exercise.js';
+import { usualUntil } from './pace.js';
 import { noPins } from './pins.js';
 import { newWork, noTrial } from './state.js';
 import { noVersions } from './undo.js';
@@ -27,7 +28,7 @@ export function firstState(engine, preset, robot) {
     catchingUp: null,
     computing: null,
     pace: 8,
-    until: { kind: 'every', value: 100 },
+    until: usualUntil,
     untilError: '',
     restart: 'begin',
     driver: 'evolved',

@@ -4,7 +4,8 @@
 
 /** Where evolution pauses by itself. By default at every so many generations, so that a forgotten page comes to rest. @typedef {{ kind: 'every' | 'generation' | 'cost', value: number }} Until */
 
-const generationsPerRun = 100;
+/** @type {Until} */
+export const usualUntil = { kind: 'every', value: 100 };
 /** The pace at which each phase of a generation is shown. */
 const phaseByPhase = 0;
 export const paces = [phaseByPhase, 1, 8, 60, Number.POSITIVE_INFINITY];
@@ -19,4 +20,4 @@ export const pausesAt = ({ kind, value }, { generation, best }) =>
     ? best.cost < value
     : kind === 'generation'
       ? generation === value
-      : generation % generationsPerRun === 0;
+      : generation % value === 0;

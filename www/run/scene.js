@@ -145,16 +145,28 @@ export function createScene(drive, paper, chosenDrives) {
 
 /** @typedef {{ state: State, scene: Scene, isComputing: boolean }} Seen */
 
+/** Whether the same drives in both. @param {State} a @param {State} b */
+const drivesAs = (a, b) =>
+  a.experiment === b.experiment &&
+  a.population === b.population &&
+  a.driver === b.driver &&
+  a.handGains === b.handGains &&
+  a.trial === b.trial &&
+  a.pins === b.pins &&
+  a.page === b.page;
+
 /**
  * The newest state whose drives are all there, with its scene: what takes long to drive is seen once it has been driven, and of
- * what is asked for meanwhile only the newest.
- * @param {(state: State) => Scene} sceneOf @param {State} first A state of which everything is driven at once. @param {() => void} onArrival
+ * what is asked for meanwhile only the newest. What cannot be driven is told once, and asked for again when something else is to drive.
+ * @param {(state: State) => Scene} sceneOf @param {State} first A state of which everything is driven at once. @param {() => void} onArrival @param {(error: unknown) => void} onFailure
  */
-export function createSight(sceneOf, first, onArrival) {
+export function createSight(sceneOf, first, onArrival, onFailure) {
   let shown = { state: first, scene: sceneOf(first) };
   let isComputing = false;
   let isStale = false;
   let arriving = Promise.resolve();
+  /** Of which no drives could be had. @type {State | null} */
+  let failed = null;
   const ask = (/** @type {State} */ state) => {
     isComputing = true;
     isStale = false;
@@ -166,12 +178,19 @@ export function createSight(sceneOf, first, onArrival) {
         isComputing = false;
         throw error;
       }
-      arriving = error.arrival.then(() => ask(state)).finally(onArrival);
+      arriving = error.arrival
+        .then(() => ask(state))
+        .catch((reason) => {
+          failed = state;
+          onFailure(reason);
+        })
+        .finally(onArrival);
     }
   };
   /** @param {State} state */
   const of = (state) => {
-    if (!isComputing && (isStale || state !== shown.state)) ask(state);
+    const isAsked = isStale || (state !== shown.state && !(failed && drivesAs(failed, state)));
+    if (!isComputing && isAsked) ask(state);
     return { ...shown, isComputing };
   };
   return {

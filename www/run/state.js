@@ -13,7 +13,7 @@
 /** @typedef {Experiment['disturbance']} Disturbance */
 /** @typedef {{ start: Posture | null, disturbance: Disturbance | null }} Trial What a drive meets that evolution did not. */
 /** What a worker computes: an experiment that begins, the next generation, or a recorded one. Since when, in milliseconds, and how much of it is done, if that is known. @typedef {{ what: 'begin' | 'generation' | 'recorded', since: number, share: () => number | null }} Computing */
-/** What was done since a link was opened: gains that were tried by hand, one after the other, and drives of evolutions that were given up. `since` in milliseconds. @typedef {{ tries: number, tried: string, spent: number, since: number }} Work */
+/** What was done since a link was opened: gains that were tried by hand, one after the other, and drives of evolutions that were given up. `since` in milliseconds; `opened`: the generation that the link shows. @typedef {{ tries: number, tried: string, spent: number, since: number, opened: number }} Work */
 /** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */
 
 /**
@@ -69,8 +69,14 @@ export const presets = ['velocity-limits', 'acceleration-limits'];
 /** @type {Trial} */
 export const noTrial = Object.freeze({ start: null, disturbance: null });
 
-/** @param {string} tried Gains that need no try. @returns {Work} */
-export const newWork = (tried) => ({ tries: 0, tried, spent: 0, since: performance.now() });
+/** @param {string} tried Gains that need no try. @param {number} [opened] @returns {Work} */
+export const newWork = (tried, opened = 0) => ({
+  tries: 0,
+  tried,
+  spent: 0,
+  since: performance.now(),
+  opened,
+});
 
 /** How many times a robot was driven for this answer, once from each start: what evolution drove up to the generation that is shown, or all that was driven here. @param {Pick<State, 'driver' | 'history' | 'generation' | 'work' | 'experiment'>} state */
 export function drivesOf({ driver, history, generation, work, experiment }) {

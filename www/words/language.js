@@ -5,8 +5,7 @@
 /** What each language calls itself. */
 export const languages = { en: 'English', ko: '한국어' };
 
-/** @type {readonly Language[]} */
-export const languageNames = ['en', 'ko'];
+export const languageNames = /** @type {readonly Language[]} */ (Object.keys(languages));
 
 /** The language of a link without one. */
 export const usualLanguage = 'en';

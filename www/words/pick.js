@@ -1,5 +1,4 @@
 // What is loaded of the words: those of the page's language.
-/** @import { Language } from './language.js' */
 import { language } from './language.js';
 
 /**
@@ -17,7 +16,7 @@ import { language } from './language.js';
  * @returns {(() => Promise<Words<E> & Words<K>>) & { there: () => Words<E> & Words<K> }} `there`: the words, once they are loaded.
  */
 export function picked(languages) {
-  const bring = /** @type {Record<Language, () => Promise<any>>} */ (languages)[language];
+  const bring = languages[language];
   /** @type {any} */
   let words;
   const load = async () => {

@@ -53,6 +53,20 @@ engineTest('another part of the page is a step that back takes back, and nothing
   await page.until('the landscape is open', () => document.body.dataset.open === 'landscape');
 });
 
+pageTest('a link that is not written as the page writes it leaves nothing to go back to', async (page) => {
+  for (const asked of ['lesson', 'lesson&step=3', 'lab&amp;lesson=2', 'landscape?name=value']) {
+    const { blank } = page.site;
+    await page.visit(blank);
+    await page.visit(`${page.site.address}#${asked}`);
+    await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+    await page.until('the address is the link of what is open', () =>
+      /^#landscape$|&v=1/.test(location.hash),
+    );
+    await page.evaluate(() => history.back());
+    await page.until(`back leads away from ${asked}`, (address) => location.href === address, blank);
+  }
+});
+
 pageTest('a link with something wrong says what, and opens the rest', async (page) => {
   await page.open('#lab&seed=7&goal.x=1000000&flavour=red');
   const message = await page.text('#message');

@@ -127,6 +127,27 @@ pageTest('where Share cannot be loaded its sheet says so, and all else goes on',
   }
 });
 
+pageTest(
+  'where what is handed in cannot be loaded the exercise says so, and its figure works',
+  async (page) => {
+    const site = await serve(undefined, {
+      send: (name, content) => (/work-.*\.js$/.test(name) ? null : content),
+    });
+    try {
+      await page.visit(`${site.address}#lab&v=1&task=Park.&aim=J%3C8`);
+      await page.until('it is said', () =>
+        document.querySelector('#exercise .part-failed')?.checkVisibility(),
+      );
+      assert.match(await page.text('#exercise'), /Park\..*could not be loaded.*Try again/s);
+      await page.click('#one-generation');
+      assert.equal(await page.text('#generation'), '1');
+    } finally {
+      await page.leave();
+      await site.close();
+    }
+  },
+);
+
 pageTest('a part that cannot be loaded says so, and all else goes on until it can', async (page) => {
   /** What is not sent. @type {(name: string, content: Buffer) => boolean} */
   let refuses = (name, content) => /page-.*\.js$/.test(name) && content.includes('luck-finding');

@@ -168,6 +168,40 @@ engineTest('an exercise is made by pressing, and holds against pointer, keys and
   assert.equal((await read(page)).generation, '3');
 });
 
+pageTest(
+  'who may not open another part sees whole generations, not their phases in Generation',
+  async (page) => {
+    await page.open('#lab&v=1&lock=parts&task=Stay');
+    await page.evaluate(() => {
+      const pace = /** @type {HTMLSelectElement} */ (document.getElementById('pace'));
+      pace.value = '0';
+      pace.dispatchEvent(new Event('change'));
+    });
+    await page.click('#run');
+    await page.until('evolution goes on', () => document.getElementById('generation')?.textContent !== '0');
+    assert.deepEqual(
+      await page.evaluate(() => [
+        document.body.dataset.open,
+        /** @type {HTMLSelectElement} */ (document.getElementById('pace')).value,
+      ]),
+      ['lab', '1'],
+    );
+  },
+);
+
+pageTest('the table of Training holds to what is locked', async (page) => {
+  await page.open('#training&v=1&lock=gains,drives&task=Stay');
+  const rows = ['paper-ep', 'paper-arbitrary'];
+  const chosen = () => page.evaluate(() => document.querySelector('#training-table tr.chosen')?.id ?? 'none');
+  const before = [await chosen(), (await read(page)).driver];
+  for (const row of rows) await page.click(`#training-${row} .training-unseen`);
+  assert.deepEqual([await chosen(), (await read(page)).driver], before);
+  assert.deepEqual(
+    await waysOf(page, ...rows.map((row) => `#training-${row} .training-name`)),
+    rows.map(() => 'locked'),
+  );
+});
+
 pageTest('an exercise stays through parts, steps and undo, and maps hold to it', async (page) => {
   await page.open('#landscape&v=1&goal.x=1.5&lock=gains&task=Stay');
   const opened = await read(page);

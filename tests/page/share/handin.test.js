@@ -13,7 +13,9 @@ import {
 } from '../../../www/share/handin/receipt.js';
 import { newWork } from '../../../www/run/state.js';
 import { createEngine, evaluate, evolve, experiment, paper, simulate } from '../harness/core.js';
+import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
+import { serve } from '../harness/server.js';
 
 const engine = createEngine();
 const tools = { engine, links, paper: paper() };
@@ -143,3 +145,38 @@ test('what an aim wants is measured from its own starts', async () => {
   assert.ok(value > 0.05 && value < 0.95 && Number.isInteger(Math.round(1000 * value)));
   assert.equal((await of('J<8', many)).cost, evaluate(many, gains)[0]);
 });
+
+/** In the page: pauses evolution as soon as that can be pressed. */
+const pausesAtOnce = `new MutationObserver((_, observer) => {
+  const run = document.getElementById('run');
+  if (run?.textContent !== 'Pause') return;
+  observer.disconnect();
+  run.click();
+}).observe(document, { childList: true, characterData: true, subtree: true });`;
+
+pageTest(
+  'a receipt whose run is paused on its way is not called broken, and is judged once it is there',
+  async (page) => {
+    const { link } = await receiptOf(
+      tools,
+      await opened('lab&v=1&task=Evolve.&aim=J%3C8&generation=1500&who=s4711'),
+    );
+    const site = await serve(undefined, { before: pausesAtOnce });
+    try {
+      await page.visit(`${site.address}#${link}`);
+      await page.until('what there is to do is there', () => document.getElementById('hand-in'));
+      const generation = Number(await page.text('#generation'));
+      assert.ok(generation > 0 && generation < 1500, `paused at ${generation}`);
+      assert.equal(await page.evaluate(() => document.querySelectorAll('.work-said').length), 0);
+    } finally {
+      await page.leave();
+      await site.close();
+    }
+    await page.open(`#${link}`);
+    assert.match(
+      await page.until('it is judged', () => document.querySelector('.work-said')?.textContent),
+      /s4711/,
+    );
+    assert.deepEqual(await page.problems(), []);
+  },
+);

@@ -174,6 +174,9 @@ pageTest('what is drawn for a student waits for who it is, and follows from it',
   await page.until('it begins', () => document.getElementById('hand-in'));
   const drawn = await ends();
   assert.notDeepEqual(drawn, before);
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+  await page.driver.actions().keyDown(Key.CONTROL).sendKeys('z').keyUp(Key.CONTROL).perform();
+  assert.deepEqual(await ends(), drawn, 'it is not taken back');
   await page.until('the address says who', () => /&vary=goal,seed&who=s4711$/.test(location.hash));
   // As a learning platform writes it: before the # and behind all.
   await page.open(`?who=S4711#${link}`);

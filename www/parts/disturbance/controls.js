@@ -3,7 +3,7 @@
 import { disturbanceSlice } from './state.js';
 import { html } from 'lit-html';
 import { createRow } from '../../lab/gains.js';
-import { messageOf } from '../../words/errors.js';
+import { isLost, messageOf } from '../../words/errors.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
@@ -33,6 +33,7 @@ export function createControls({ engine, store, actions }) {
     try {
       tryOut(patch);
     } catch (error) {
+      if (isLost(error)) throw error;
       refuse(index, lab.gainRefused(name, messageOf(error)));
     }
   };

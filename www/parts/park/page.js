@@ -4,7 +4,7 @@
 /** @import { Page, Tools } from '../part.js' */
 import './style.css';
 import { render } from 'lit-html';
-import { messageOf } from '../../words/errors.js';
+import { isLost, messageOf } from '../../words/errors.js';
 import { create, followSize } from '../../kit/elements.js';
 import { isStill } from '../../kit/host.js';
 import { createFrameLoop } from '../../kit/loop.js';
@@ -16,7 +16,7 @@ import { filmOf, isOver, later, parkedBy } from './film.js';
 import { createParkPicture } from './picture.js';
 import { heading, linkToLab, sight } from './sight.js';
 import { parkSlice } from './state.js';
-import { anyGains, createTask, firstGains, parkedOf } from './task.js';
+import { anyGains, createTask, firstGains, mostGain, parkedOf } from './task.js';
 import words from './words/index.js';
 
 /** @typedef {import('./film.js').Film} Film */
@@ -73,6 +73,7 @@ export function createPage({ engine, store, paper, links }) {
         update({ seed: next, bred: [], evolving: true, message: '' });
         breed();
       } catch (error) {
+        if (isLost(error)) throw error;
         update({ evolving: false, message: messageOf(error) });
       }
     },
@@ -136,6 +137,8 @@ export function createPage({ engine, store, paper, links }) {
         over: isOver(film),
         count: task.starts.length,
         tolerance: task.tolerance,
+        most: mostGain,
+        population: task.population,
       };
       if (!changed(state.slices.park, parked, model.over)) return;
       plane.setAttribute('aria-label', words.picture(parked, model.count));

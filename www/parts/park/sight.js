@@ -6,10 +6,10 @@ import { html, nothing, svg } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { styled, valueIn } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
-import { preset, sliderRange } from './task.js';
+import { preset } from './task.js';
 import words from './words/index.js';
 
-/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, moved: boolean, parked: number, over: boolean, count: number, tolerance: Experiment['tolerance'] }} Model */
+/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, moved: boolean, parked: number, over: boolean, count: number, most: number, population: number, tolerance: Experiment['tolerance'] }} Model */
 /** @typedef {{ slide: (index: number, value: number) => void, again: () => void, evolve: () => void, stop: () => void, lesson: string, lab: string | null }} Events */
 
 /** @param {Model} model */
@@ -25,7 +25,7 @@ export function sight(model, on) {
   const { parked, count, bred, evolving, over, message } = model;
   const newest = bred.at(-1);
   const hand = model.moved ? words.yours : words.given;
-  const seen = evolving && newest ? words.swarm(newest.generation) : hand;
+  const seen = evolving && newest ? words.swarm(newest.generation, model.population) : hand;
   return html`
     <p class="park-count"><strong id="park-count">${parked}</strong> ${words.ofParked(count)}
       <span class="muted">${newest && !evolving && over ? '' : seen}</span></p>
@@ -36,7 +36,7 @@ export function sight(model, on) {
       <button id="park-again" type="button" .disabled=${evolving || !over} @click=${on.again}>${words.again}</button>
     </p>
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
-    ${bred.length > 0 ? climb(model) : html`<p class="muted">${model.moved ? words.ready : words.first}</p>`}
+    ${bred.length > 0 ? climb(model) : html`<p class="muted">${model.moved ? words.ready(model.population) : words.first}</p>`}
     ${over && !evolving && parked < count ? html`<p class="muted">${words.missed(model.tolerance)}</p>` : nothing}
     ${newest && !evolving ? comparison(model, newest) : nothing}
     ${newest && !evolving ? html`<p class="park-on"><a id="park-lesson" href="#${on.lesson}">${words.how}</a> ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
@@ -44,13 +44,12 @@ export function sight(model, on) {
 }
 
 /** @param {typeof lab.gains[number]} gain @param {number} index @param {Model} model @param {Events} on */
-function rowOf({ id, name, letter, index: sub }, index, { gains, evolving }, on) {
-  const [low, high] = sliderRange;
+function rowOf({ id, name, letter, index: sub }, index, { gains, evolving, most }, on) {
   const value = gains[index];
   return html`<div class="gain ${id}">
     <label for="park-${id}">${letter}<sub>${sub}</sub></label>
-    <input id="park-${id}" type="range" step="0.1" aria-label=${lab.gainSliderLabel(name)} min=${low} max=${high}
-      .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * (value - low)) / (high - low)}%`)}
+    <input id="park-${id}" type="range" step="0.1" aria-label=${lab.gainSliderLabel(name)} min="0" max=${most}
+      .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * value) / most}%`)}
       @input=${(/** @type {Event} */ event) => on.slide(index, Number(valueIn(event)))}>
     <output for="park-${id}">${words.gain(value)}</output>
   </div>`;

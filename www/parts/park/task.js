@@ -6,8 +6,8 @@
 /** Around the goal. */
 export const circle = { x: 2, y: 2, radius: 2.83, count: 32, seed: 1 };
 export const preset = 'velocity-limits';
-/** No hand with these sliders parks all. */
-export const sliderRange = /** @type {const} */ ([0, 12]);
+/** Where the sliders end, which begin at 0: no hand parks all with them. */
+export const mostGain = 12;
 /** Between the wheels, in metres: as the robots are drawn. */
 export const axle = 0.24;
 
@@ -26,6 +26,7 @@ export function createTask(engine) {
     goal: base.goal,
     tolerance: base.tolerance,
     radius: circle.radius,
+    population: base.evolution.population,
 
     /** @param {number} seed @returns {Experiment} */
     experiment: (seed) => ({ ...base, evolution: { ...base.evolution, seed } }),

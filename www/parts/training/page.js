@@ -16,6 +16,7 @@ import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
+import { isFree } from '../../run/guard.js';
 import { createPicture } from './picture.js';
 import { changesOf, createTraining, evolvedFor, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
@@ -80,9 +81,13 @@ function createEvents({ store, actions }, training, rowsOf) {
   const choose = (name) => {
     const state = store.get();
     const row = rowsOf(state).find((one) => one.name === name);
+    const isPapers = name === 'paper-ep' || name === 'paper-arbitrary';
+    /** @type {readonly import('../../run/exercise.js').Group[]} */
+    const groups = isPapers ? ['drives', 'paper'] : ['gains'];
+    if (row?.result && !groups.every((group) => isFree(state, group))) return;
     trainingSlice.update(store, { chosen: name });
     if (!row?.result) return;
-    if (name === 'paper-ep' || name === 'paper-arbitrary') actions.chooseDriver(name);
+    if (isPapers) actions.chooseDriver(name);
     else {
       trainingSlice.update(store, { byHand: handOf(state) });
       actions.driveGains(row.result.gains, isSet(name) ? 'training' : 'hand');

@@ -4,11 +4,17 @@ import { partOf } from '../load.js';
 import { trainingSlice as slice } from './state.js';
 import { load as loadWords } from './words/load.js';
 
+/** The rows of the paper's gains. */
+const papers = ':is(#training-paper-ep, #training-paper-arbitrary) .training-name';
+
 /** @type {Part} */
 export const training = {
   name: 'training',
   slice,
   places: {
+    gains: { lock: ':is(#training-one, #training-circle, #training-grid, #training-hand) .training-name' },
+    drives: { lock: papers },
+    paper: { lock: papers },
     postures: { lock: '#training-seen, #training-unseen' },
     run: { lock: '#training-evolve', hide: '.training-controls' },
   },

@@ -2,7 +2,7 @@
 /** @import { Triple } from '../../core/engine.js' */
 /** @import { Disturbance, Driver, Found } from '../state.js' */
 /** @import { Basis } from './basis.js' */
-import { messageOf } from '../../words/errors.js';
+import { isLost, messageOf } from '../../words/errors.js';
 import { lab as words } from '../../words/index.js';
 import { advanceRobot, atEnd, fromStart } from '../clock.js';
 import { gainsOf } from '../drivers.js';
@@ -63,6 +63,7 @@ export function createDrive({ engine, store, paper, attempt, shown, driveAgain }
         driveByHand(withGain(index, value));
         driveAgain();
       } catch (error) {
+        if (isLost(error)) throw error;
         refuseGain(index, words.gainRefused(name, messageOf(error)));
       }
     },

@@ -4,7 +4,8 @@
 /** @import { Basis } from './basis.js' */
 import { lab as words } from '../../words/index.js';
 import { atEnd, fromStart } from '../clock.js';
-import { pausesAt, playsPhases } from '../pace.js';
+import { isFree } from '../guard.js';
+import { paces, pausesAt, playsPhases, usualUntil } from '../pace.js';
 
 /** Milliseconds of a frame in which a run catches up. */
 const atOnce = 30;
@@ -41,6 +42,8 @@ export function createEvolution(
   const seePhases = () => {
     const state = store.get();
     if (!playsPhases(state) || state.page === places.phases) return;
+    // Who may not go there sees whole generations.
+    if (!isFree(state, 'parts')) return store.update({ pace: paces[1] });
     const { [places.phases]: _, ...slices } = state.slices;
     store.update({ slices });
     openPage(places.phases);
@@ -91,7 +94,7 @@ export function createEvolution(
 
     pauseEvolution() {
       forget();
-      store.update({ evolving: false });
+      store.update({ evolving: false, catchingUp: null });
     },
 
     /** @param {number} pace */
@@ -102,8 +105,9 @@ export function createEvolution(
 
     /** @param {Until['kind']} kind @param {string} text */
     setUntil(kind, text) {
+      if (kind === 'every') return store.update({ until: usualUntil, untilError: '' });
       const value = words.numberOf(text);
-      const wrong = kind === 'every' ? '' : words.untilRefused(kind, value, text);
+      const wrong = words.untilRefused(kind, value, text);
       store.update(wrong ? { untilError: wrong } : { until: { kind, value }, untilError: '' });
     },
 
@@ -119,15 +123,15 @@ export function createEvolution(
 
     /** What is under way is given up, and what is done stays. */
     stopComputing() {
-      const { computing, catchingUp, evolving, generation } = store.get();
+      const { computing, catchingUp, generation } = store.get();
       if (!computing && !catchingUp) return;
       forget();
       const message = words.stoppedText(computing?.what === 'begin' ? null : generation);
-      store.update({ catchingUp: null, evolving: evolving && !computing && !catchingUp, message });
+      store.update({ catchingUp: null, evolving: false, message });
     },
 
     oneGeneration() {
-      store.update({ evolving: false });
+      store.update({ evolving: false, catchingUp: null });
       forward();
       driveAgain();
     },

@@ -5,7 +5,7 @@
 /** @import { Basis } from './basis.js' */
 import { Pending, whenThere } from '../../core/pending.js';
 import { boxAround } from '../../kit/transform.js';
-import { messageOf } from '../../words/errors.js';
+import { isLost, messageOf } from '../../words/errors.js';
 import { settings as words } from '../../words/index.js';
 import { valueAt, withValue } from '../paths.js';
 import { endsOf, noTrial } from '../state.js';
@@ -63,7 +63,7 @@ export function createExperiments(basis) {
         try {
           tryToBegin(withValue(experiment, path, value), 'setting', { dragging });
         } catch (error) {
-          if (error instanceof Pending) throw error;
+          if (error instanceof Pending || isLost(error)) throw error;
           return refuseSetting(path, words.named(messageOf(error)));
         }
         if (!dragging) settle();

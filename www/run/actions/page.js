@@ -51,7 +51,7 @@ export function createPage(basis, openPage, catchUp) {
         tryToBegin(experiment, 'begin', {
           ...run,
           lastStep: run.lesson || before.lastStep,
-          work: newWork(String(run.handGains)),
+          work: newWork(String(run.handGains), generation),
           trial: places.triesDisturbance(run.page) ? { ...run.trial, disturbance: tried } : run.trial,
           tried,
           slices: {
@@ -87,7 +87,13 @@ export function createPage(basis, openPage, catchUp) {
       }
       attempt(() => {
         const drawn = engine.experiment(drawnFor(experiment, exercise.vary, who));
-        tryToBegin(drawn, 'begin', { student: { ...student, who, base: experiment }, work, robot: shown() });
+        tryToBegin(drawn, 'begin', {
+          student: { ...student, who, base: experiment },
+          work,
+          robot: shown(),
+          // What is drawn for a student is not taken back.
+          versions: noVersions,
+        });
         whenThere(
           () => store.update({ box: boxAround(inSight()) }),
           () => store.get().experiment === drawn,

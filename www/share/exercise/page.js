@@ -1,4 +1,5 @@
 // An exercise as who follows the link sees it: the task at the top, and the controls that are locked or hidden.
+/** @import { Places } from '../../parts/part.js' */
 /** @import { Group } from '../../run/exercise.js' */
 /** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
@@ -6,6 +7,7 @@ import { byId } from '../../kit/elements.js';
 import { isEmbedded } from '../../kit/host.js';
 import { once, watch } from '../../kit/memo.js';
 import { showOn } from '../../lab/navigation.js';
+import { createWaiting } from '../../lab/waiting.js';
 import { parts } from '../../parts/parts.js';
 import { exercise as words } from '../../words/index.js';
 import { afterWords } from '../../words/pick.js';
@@ -22,8 +24,6 @@ import {
 } from '../../run/exercise.js';
 import { createAway } from './away.js';
 import { keepFromLinks, lock, lockAgain } from './locks.js';
-
-/** @typedef {Partial<Record<Group, { lock?: string, hide?: string }>>} Places Where the controls of a group stand, as selectors: what is locked, and what is gone when they are hidden. */
 
 /** Those of the lab, the lesson, the settings and Share. @type {Places} */
 const own = {
@@ -64,6 +64,9 @@ function createWorkOnDemand(tools) {
       tools.store.redraw();
     } catch (error) {
       console.warn(error);
+      const { element, fail } = createWaiting();
+      byId('exercise-work').append(element);
+      fail();
     }
   });
   return (/** @type {State} */ state, /** @type {Scene} */ scene) => {

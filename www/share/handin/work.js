@@ -74,7 +74,9 @@ export function createWork(tools, root) {
       const said = verdict.of(state);
       const drives = drivesOf(state);
       const isOpen = asksSomething(exercise) && state.page !== withoutAnswer;
-      if (!drawn(exercise, state.student, known, said, drives, isOpen)) return;
+      // A run that is made again is handed in once it is all there.
+      const isOnItsWay = state.catchingUp !== null;
+      if (!drawn(exercise, state.student, known, said, drives, isOpen, isOnItsWay)) return;
       const needsWho = exercise.vary.length > 0 && !state.student.base && !state.maker.open;
       render(
         html`${said ? html`<p class="work-said ${said.isGood ? '' : 'bad'}" role="status">${said.text}</p>` : nothing}
@@ -82,7 +84,7 @@ export function createWork(tools, root) {
           ${exercise.aim && isOpen && !needsWho ? aimLine(exercise, known, drives) : nothing}
           ${
             isOpen && !needsWho
-              ? html`<button id="hand-in" type="button" class="primary" .disabled=${state.maker.open} @click=${sheet.open}>${texts.handIn}</button>`
+              ? html`<button id="hand-in" type="button" class="primary" .disabled=${state.maker.open || isOnItsWay} @click=${sheet.open}>${texts.handIn}</button>`
               : nothing
           }`,
         root,
@@ -153,9 +155,12 @@ function createVerdict({ engine, store, paper, links }) {
       const { handin } = state.student;
       if (!handin || state.catchingUp || state.computing) return null;
       const gains = String(gainsOf(state, state.driver, paper));
-      // Opened anew.
-      if (of?.handin !== handin || of.since !== state.work.since) compute(state, gains).catch(() => {});
-      return of && of.experiment === state.experiment && of.gains === gains ? of.said : null;
+      const isNew = of?.handin !== handin || of.since !== state.work.since;
+      // What was paused on its way is not yet what was handed in.
+      if (isNew && state.generation === state.work.opened) compute(state, gains).catch(() => {});
+      return of?.handin === handin && of.experiment === state.experiment && of.gains === gains
+        ? of.said
+        : null;
     },
   };
 }

@@ -11,14 +11,14 @@ export const invitation = (count) =>
   `${count} robots, one parking place. All of them obey the same three numbers. Find three that park every robot.`;
 
 /** @param {Model} model @param {Bred} found */
-export function ending({ best, count }, { gains, parked, generation }) {
+export function ending({ best, count, most }, { gains, parked, generation }) {
   const mine = best?.parked ?? 0;
   if (parked <= mine)
     return `Evolution stopped at ${parked} of ${count}; you had ${mine}. That was luck, good or bad: try another seed.`;
-  const beyond = gains[1] / 12;
+  const beyond = gains[1] / most;
   const where =
     beyond > 1.5
-      ? ` Your slider for ky ends at 12; evolution, which has no slider, went to ${fixed(gains[1], 0)}.`
+      ? ` Your slider for ky ends at ${most}; evolution, which has no slider, went to ${fixed(gains[1], 0)}.`
       : '';
   return parked === count
     ? `After ${generation} generations one robot parks from all ${count} starts. Nobody told evolution how: it was given one number for each robot, and kept what drove well.${where}`
@@ -32,9 +32,9 @@ export const share = (parked, count) => `${parked} of ${count}`;
 export const yours = 'with your numbers';
 /** Before anybody has moved one. */
 export const given = 'with these numbers';
-/** @param {number} generation */
-export const swarm = (generation) =>
-  generation === 0 ? 'best of 20 random robots' : `best robot of generation ${generation}`;
+/** @param {number} generation @param {number} population */
+export const swarm = (generation, population) =>
+  generation === 0 ? `best of ${population} random robots` : `best robot of generation ${generation}`;
 
 export const sliders = 'The three numbers';
 export const evolve = 'Let evolution try';
@@ -42,7 +42,9 @@ export const stop = 'Stop';
 export const otherSeed = 'Evolve again, another seed';
 export const again = 'Drive again';
 export const first = 'Move a slider: all robots drive again at once.';
-export const ready = 'Stuck? Evolution starts from 20 random robots and knows nothing else.';
+/** @param {number} population */
+export const ready = (population) =>
+  `Stuck? Evolution starts from ${population} random robots and knows nothing else.`;
 
 /** @param {number} value */
 export const gain = (value) => fixed(value, 1);

@@ -1,0 +1,42 @@
+// What is seen while drives that take long are computed elsewhere.
+import assert from 'node:assert/strict';
+import { Pending } from '../../../www/core/pending.js';
+import { createSight } from '../../../www/run/scene.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../../../www/run/state.js').State} State */
+/** @typedef {import('../../../www/run/scene.js').Scene} Scene */
+
+const stateOf = (/** @type {object} */ fields) => /** @type {State} */ (fields);
+
+test('drives that cannot be had are told once, and asked for again when something else is to drive', async () => {
+  const first = stateOf({ experiment: {} });
+  let asked = 0;
+  let isPending = true;
+  /** @type {string[]} */
+  const told = [];
+  const scene = /** @type {Scene} */ ({});
+  const sight = createSight(
+    (state) => {
+      if (state === first) return scene;
+      asked += 1;
+      isPending = !isPending;
+      if (!isPending) throw new Pending(Promise.resolve());
+      throw new Error('a worker was lost');
+    },
+    first,
+    () => {},
+    (error) => told.push(String(error)),
+  );
+  const long = stateOf({ experiment: { horizon: 1 } });
+  assert.ok(sight.of(long).isComputing);
+  await sight.whenSeen(() => long);
+  assert.deepEqual([asked, told], [2, ['Error: a worker was lost']]);
+  // That it is told is another state, of the same drives.
+  for (const state of [long, stateOf({ ...long, message: 'a worker was lost' })]) {
+    const { isComputing, state: seen } = sight.of(state);
+    assert.deepEqual([isComputing, seen === first, asked], [false, true, 2]);
+  }
+  assert.ok(sight.of(stateOf({ experiment: { horizon: 2 } })).isComputing);
+  assert.equal(asked, 3);
+});
