@@ -14,7 +14,7 @@ export const build = {
 
 *1.* Parking means bringing three errors to zero by choosing two velocities.
 
-*2.* The law gives each error a gain, and its terms cancel so that one number, {V}, can only fall, as long as the wheels do at every instant what is asked.
+*2.* The law gives each error a gain, and its terms cancel so that one number, {V}, can only fall, as long as at every instant the wheels do what is asked.
 
 *3.* Real wheels saturate and computers wait between samples, so which gains are good is not a question for the proof alone.
 
@@ -43,7 +43,7 @@ export const build = {
       [1, 'drive', 'J ← t + xₑ²+yₑ²+θₑ² + ½ integral + 1000 Σ max(0, −kᵢ)'],
     ]),
     generation: /** @type {Line[]} */ ([
-      [0, 'parents', 'parents ← N = 20 of (gains, σ, J); first: [0.01, 10], σ = 1'],
+      [0, 'parents', 'parents ← N = 20 of (gains ∈ [0.01, 10], σ = 1, J)'],
       [0, 'mutation', 'τ′ ← 1/√6; τ ← 1/√(2√3)'],
       [0, '', 'repeat for each generation:'],
       [1, 'mutation', 'for each parent, one offspring: common ← normal()'],

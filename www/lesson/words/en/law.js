@@ -11,7 +11,7 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
     written: `Stop the clock where the bars are long, and move a slider. The formula says the same: point at a term, and its slider, its bars and its errors light up.`,
     each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. (Two more terms of {w} contain {ye}: the next step shows what they cancel.) Now two gains together.`,
     sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from this start the gains 3, 8, 5 ask for up to {=most} rad/s, and the limits leave {=leaves}.`,
-    next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and the wheels do at every instant what is asked.`,
+    next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and at every instant the wheels do what is asked.`,
   },
   pushes: {
     tableLabel: 'What each term of the law adds now',
@@ -59,6 +59,6 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
     'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',
     'A bar with an arrow leaves the picture: then the limits drive, not the law.',
     'In {w} each gain has a term, in {v} only two.',
-    'What to do at sin {te} = 0 the paper does not say. We never take its size for less than 0.000001.',
+    'What to do at sin {te} = 0 the paper does not say. Here its size is never taken as less than 0.000001.',
   ],
 };

@@ -10,7 +10,7 @@ export const stability = {
     falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move when the robot drives at {v} and {w}; for a goal at rest {vr} and {wr} are 0:`,
     chain: `How fast does {V} change? By the chain rule:`,
     left: `What is left is the rate at which {V} changes, the paper’s Theorem 1:`,
-    parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive; and all three are zero at the bottom alone, but for the one spot of the last note below. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot rolls down until it is at the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
+    parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive; and all three are zero together only at the bottom, except at one spot, which the last note below describes. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot rolls down until it is at the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
     before: `Before this law there was a simpler one, by Kanayama and others. It follows a moving goal well. But with it the robot turns only while the goal *moves*.`,
     next: `The proof says that {V} never rises. From another start the program shows that at times it does. Both are right: the next step tells why.`,
   },
