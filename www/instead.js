@@ -51,7 +51,9 @@ export function watchCore() {
   const stop = (error) => {
     const instrument = byId('instrument');
     if (!isLost(error) || instrument.inert) return;
-    instrument.inert = true;
+    /** @type {NodeListOf<HTMLElement>} */
+    const all = document.querySelectorAll('#instrument, .masthead');
+    for (const part of all) part.inert = true;
     sayBefore(instrument, words.stopped);
   };
   addEventListener('error', (event) => stop(event.error));

@@ -52,9 +52,8 @@ async function start(engine) {
   );
   /** Of the state that is seen. @param {State} state */
   const seenScene = (state) => sight.of(state).scene;
-  const drivingOf = () => seenScene(store.get()).driving;
   const whenSeen = () => sight.whenSeen(store.get);
-  const finalTime = () => drivingOf().finalTime;
+  const finalTime = () => seenScene(store.get()).driving.finalTime;
   const actions = createActions({ engine, store, paper, finalTime, isStill, places });
   const controls = guarded(actions, store);
   const tools = { engine, store, actions: controls, paper, links };
@@ -76,7 +75,14 @@ async function start(engine) {
   const computingLine = createComputing(controls);
   const pinButton = createPinButton(tools, seenScene);
   const embed = isEmbedded
-    ? createEmbed({ ...tools, actions, drivingOf, answersOf, whenSeen, shapes: parts })
+    ? createEmbed({
+        ...tools,
+        actions,
+        seen: () => sight.of(store.get()),
+        answersOf,
+        whenSeen,
+        shapes: parts,
+      })
     : null;
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;

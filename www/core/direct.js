@@ -127,7 +127,9 @@ function createEvolution(ask, evolving) {
         // What is refused is refused at once.
         experiment(from);
         const { statistics, population, hash } = ask(evolving().steps.run, 'newestGeneration', from, 0);
-        return take({ experiment: from, here: null, newest: 0, hash: () => hash, population }, statistics);
+        // The answer may have been given before, and this is another evolution.
+        const own = { ...statistics };
+        return take({ experiment: from, here: null, newest: 0, hash: () => hash, population }, own);
       }
       const here = new Evolution(from);
       const population = here.population();

@@ -35,6 +35,7 @@
  * @property {number[]} again Parts that are to be done again, because their worker was lost.
  * @property {Set<number>} lost All parts whose worker was lost once.
  * @property {number} finished
+ * @property {boolean} ended Before its time.
  * @property {number} done As it was told last, from 0 to 1.
  * @property {unknown[]} results
  * @property {((done: number) => void) | undefined} onProgress
@@ -180,6 +181,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   /** Ends a task before its time. @param {Task} task @param {unknown} error */
   function fail(task, error) {
     waiting.delete(task);
+    task.ended = true;
     task.forget();
     task.onProgress = undefined;
     task.reject(error);
@@ -197,7 +199,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
     dismiss(hand);
     if (task && indices.some((index) => task.lost.has(index)))
       fail(task, new Error(`A worker was lost: ${reason}`));
-    else if (task) {
+    else if (task && !task.ended) {
       for (const index of indices) task.lost.add(index);
       task.again.push(...indices);
       waiting.add(task);
@@ -229,6 +231,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
       again: [],
       lost: new Set(),
       finished: 0,
+      ended: false,
       done: 0,
       results: [],
       onProgress,

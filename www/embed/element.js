@@ -20,7 +20,8 @@
 import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
 import { frameName } from '../kit/host.js';
-import { leastHeight, mostHeight, version } from './frame.js';
+import { sheet } from './element-style.js';
+import { isHeight, leastHeight, mostHeight, version } from './frame.js';
 
 /** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting */
 /** @typedef {{ message: object, resolve: (report: Report) => void, reject: (reason: Error) => void }} Question */
@@ -41,15 +42,6 @@ const mostOfLink = 100_000;
 /** @type {Record<string, import('../words/index.js').Words<typeof en>>} */
 const languages = { en, ko };
 
-const sheet = new CSSStyleSheet();
-sheet.replaceSync(`
-  :host { display: block; }
-  :host([hidden]) { display: none; }
-  iframe { display: block; width: 100%; height: 420px; border: 0; }
-  p { margin: 0 0 8px; padding: 8px 12px; border: 2px solid #b3261e; background: #fff; color: #b3261e; font: 1rem/1.4 sans-serif; }
-  p:empty { display: none; }
-`);
-
 class EpLocomotion extends HTMLElement {
   static observedAttributes = ['link', 'src', 'height', 'label'];
 
@@ -64,6 +56,8 @@ class EpLocomotion extends HTMLElement {
   /** Whether a figure of any version is ready. */
   #isHeard = false;
   #isReady = false;
+  /** Why no figure will answer. */
+  #refusal = '';
   #wantedHeight = 0;
   /** Of the figure that is ready: nobody else is heard in its place. @type {string | null} */
   #origin = null;
@@ -91,7 +85,7 @@ class EpLocomotion extends HTMLElement {
   connectedCallback() {
     addEventListener('message', this);
     this.#isPlaced = true;
-    this.#frame.loading = 'lazy';
+    this.#frame.loading = this.#questions.size > 0 ? 'eager' : 'lazy';
     this.#open();
   }
 
@@ -146,7 +140,7 @@ class EpLocomotion extends HTMLElement {
     }
     this.#isHeard = true;
     clearTimeout(this.#silence);
-    if (data.ep !== version) return this.#complain(this.#words.otherVersion(data.ep, version));
+    if (data.ep !== version) return this.#refuse(this.#words.otherVersion(data.ep, version));
     const { ep, type, id, ...told } = data;
     const question = this.#questions.get(id);
     this.#questions.delete(id);
@@ -180,7 +174,7 @@ class EpLocomotion extends HTMLElement {
     const address = URL.canParse(src, base) ? new URL(src, base) : null;
     if (!address || !protocols.includes(address.protocol)) {
       this.#frame.removeAttribute('src');
-      return this.#complain(this.#words.noAddress(src.slice(0, 200)));
+      return this.#refuse(this.#words.noAddress(src.slice(0, 200)));
     }
     address.hash = this.#link;
     this.#frame.src = address.href;
@@ -194,6 +188,7 @@ class EpLocomotion extends HTMLElement {
     this.#isReady = false;
     this.#origin = null;
     this.#state = null;
+    this.#refusal = '';
   }
 
   /** Whatever is in the frame must speak within a time. @param {number} longest */
@@ -208,6 +203,13 @@ class EpLocomotion extends HTMLElement {
       this.#complain(silent(address));
       this.#giveUp(silent(address));
     }, longest);
+  }
+
+  /** No figure will answer here. @param {string} why */
+  #refuse(why) {
+    this.#refusal = why;
+    this.#complain(why);
+    this.#giveUp(why);
   }
 
   /** Nobody is to wait for an answer that will not come. @param {string} why */
@@ -237,6 +239,7 @@ class EpLocomotion extends HTMLElement {
 
   /** @param {object} question @returns {Promise<Report>} */
   #ask(question) {
+    if (this.#refusal) return Promise.reject(new Error(this.#refusal));
     this.#asked += 1;
     const id = this.#asked;
     const message = { ep: version, id, ...question };
@@ -281,10 +284,6 @@ class EpLocomotion extends HTMLElement {
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 }
-
-/** @param {unknown} height */
-const isHeight = (height) =>
-  Number.isInteger(height) && Number(height) >= leastHeight && Number(height) <= mostHeight;
 
 for (const name of EpLocomotion.observedAttributes)
   Object.defineProperty(EpLocomotion.prototype, name, {

@@ -14,6 +14,10 @@ export const sizes = /** @type {const} */ ([
 export const leastHeight = 300;
 /** Nor in more. */
 export const mostHeight = 5000;
+
+/** @param {unknown} height */
+export const isHeight = (height) =>
+  Number.isInteger(height) && Number(height) >= leastHeight && Number(height) <= mostHeight;
 /** How high a figure looks best for its width, and the most that helps it. @typedef {readonly [share: number, most: number]} Shape */
 /** @type {Shape} */
 const ofLab = [0.64, 620];

@@ -19,13 +19,13 @@
 // told.js has the table of what may be sent, and what each field must be.
 // What a link locks is locked for who sits before the figure, not for the page around it: an experiment that it sets leaves
 // the locks as they are, and a link that it opens brings its own, or none.
-/** @import { Engine, Experiment, PaperResult, Run, Statistics, Triple } from '../core/engine.js' */
+/** @import { Engine, Experiment, Run, Statistics, Triple } from '../core/engine.js' */
 /** @import { Links } from '../link/link.js' */
 /** @import { Actions } from '../run/actions/actions.js' */
+/** @import { Seen } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
 import { isLost, messageOf } from '../words/errors.js';
-import { gainsOf } from '../run/drivers.js';
 import { drivesOf, noTrial } from '../run/state.js';
 import { watch } from '../kit/memo.js';
 import { idIn, isForFigure, messageIn, shortError } from './told.js';
@@ -50,13 +50,10 @@ const sliceMilliseconds = 12;
 /** Predictions of the lesson by the names of their questions, and the right ones once they are known. @typedef {(state: State) => Readonly<Record<string, { choice: number, right: number | null }>>} AnswersOf */
 
 /**
- * @param {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links, drivingOf: () => Run, answersOf: AnswersOf, whenSeen: () => Promise<void> }} parts `whenSeen`: once all that drives is there.
+ * @param {{ engine: Engine, store: Store, actions: Actions, links: Links, seen: () => Seen, answersOf: AnswersOf, whenSeen: () => Promise<void> }} parts `seen`: what drives on screen; `whenSeen`: once all of it is there.
  * @param {(message: object) => void} send To the page around.
  */
-export function createMessages(
-  { engine, store, actions, paper, links, drivingOf, answersOf, whenSeen },
-  send,
-) {
+export function createMessages({ engine, store, actions, links, seen, answersOf, whenSeen }, send) {
   /** @type {Statistics[]} */
   let announced = [];
 
@@ -67,9 +64,9 @@ export function createMessages(
   let answered = {};
 
   const driven = () => {
-    const state = store.get();
-    const { cost, arrived, finalTime } = drivingOf();
-    const [kx, ky, ktheta] = gainsOf(state, state.driver, paper);
+    const { driving, gains } = seen().scene;
+    const { cost, arrived, finalTime } = driving;
+    const [kx, ky, ktheta] = gains;
     return { gains: /** @type {Triple} */ ([kx, ky, ktheta]), cost, arrived, finalTime };
   };
 
@@ -77,7 +74,8 @@ export function createMessages(
   const announceWork = (isTold) => {
     const state = store.get();
     const { driver, work } = state;
-    if (drivesOther(driver, work.tries) && isTold)
+    // What is still computed is told once it is there.
+    if (!seen().isComputing && drivesOther(driver, work.tries) && isTold)
       send({ type: 'drive', driver, ...driven(), drives: drivesOf(state) });
     const answers = answersOf(state);
     if (answers === answered) return;
@@ -131,6 +129,8 @@ export function createMessages(
     actions.openLinked(opened, []);
     await actions.whenIdle();
     if (store.get().experiment !== opened.experiment) throw new Error(store.get().message);
+    // It is the host's doing.
+    announceWork(false);
     await arrive();
     actions.standAt(Number.POSITIVE_INFINITY);
     announce();

@@ -131,6 +131,9 @@ export function within(context, frame, draw) {
   context.restore();
 }
 
+/** A figure that opens may be narrower than its margins. @param {Frame} frame */
+const widthOf = (frame) => Math.max(1, frame.right - frame.left);
+
 /** Where a curve has more samples than this for each pixel, most of them cannot be seen. */
 const crowded = 4;
 
@@ -181,7 +184,7 @@ export function pointsOf({ x, y, frame }, xs, values, isHeld = false) {
   let [fromX, fromY] = [x(xs[first]), inside(y(values[first]))];
   /** @type {[number, number][]} */
   const points = [[fromX, fromY]];
-  for (const i of seenSamples(first, xs.length, values, frame.right - frame.left).slice(1)) {
+  for (const i of seenSamples(first, xs.length, values, widthOf(frame)).slice(1)) {
     const [px, py] = [x(xs[i]), inside(y(values[i]))];
     if (Number.isNaN(py)) break;
     if (i < last && Math.abs(px - fromX) + Math.abs(py - fromY) < least) continue;

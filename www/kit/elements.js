@@ -36,9 +36,22 @@ export function followSize(element, onResize) {
   };
   // In the next frame: what is drawn now might change a size that is being told.
   new ResizeObserver(() => requestAnimationFrame(measure)).observe(element);
-  // Another density of pixels comes without another size.
-  addEventListener('resize', () => {
+  measures.set(element, () => {
     if (density !== devicePixelRatio) measure();
   });
+  followed.add(new WeakRef(element));
   return () => size;
 }
+
+/** What is followed, as long as anybody else holds it: a step of the lesson makes its pictures anew at every visit. @type {Set<WeakRef<HTMLElement>>} */
+const followed = new Set();
+/** @type {WeakMap<HTMLElement, () => void>} */
+const measures = new WeakMap();
+// Another density of pixels comes without another size.
+globalThis.addEventListener?.('resize', () => {
+  for (const held of followed) {
+    const element = held.deref();
+    if (element) measures.get(element)?.();
+    else followed.delete(held);
+  }
+});

@@ -60,14 +60,22 @@ export const groupOf = {
 /** @param {Pick<State, 'exercise' | 'maker'>} state @param {Group} group */
 export const isFree = (state, group) => wayOf(shownExercise(state), group) === 'free';
 
+/** What an action obeys besides, for what it is given. @param {keyof Actions} name @param {unknown} first @returns {readonly Group[]} */
+function moreOf(name, first) {
+  if (name === 'chooseDriver') return String(first).startsWith('paper-') ? ['paper'] : [];
+  if (name === 'backToPreset') return ['postures', 'seed'];
+  if (name !== 'changeSetting') return [];
+  if (/^(?:starts|goal)\b/.test(String(first))) return ['postures'];
+  return first === 'evolution.seed' ? ['seed'] : [];
+}
+
 /** The actions as the controls have them: what is locked or hidden does nothing. @param {Actions} actions @param {Store} store @returns {Actions} */
 export function guarded(actions, store) {
   /** @param {keyof Actions} name @param {unknown[]} given */
   const mayDo = (name, [first]) => {
     const state = store.get();
     const group = groupOf[name];
-    const asksForPaper = name === 'chooseDriver' && String(first).startsWith('paper-');
-    return (group === 'free' || isFree(state, group)) && (!asksForPaper || isFree(state, 'paper'));
+    return [group, ...moreOf(name, first)].every((one) => one === 'free' || isFree(state, one));
   };
   const entries = Object.entries(actions).map(([name, act]) => [
     name,

@@ -4,6 +4,7 @@
 /** @import { Driver, State, Trial } from './state.js' */
 import { Pending, together } from '../core/pending.js';
 import { remember } from '../kit/memo.js';
+import { isLost } from '../words/errors.js';
 import { gainsOf, rivalOf } from './drivers.js';
 import { hidesPaper } from './exercise.js';
 import { noTrial } from './state.js';
@@ -167,6 +168,11 @@ export function createSight(sceneOf, first, onArrival, onFailure) {
   let arriving = Promise.resolve();
   /** Of which no drives could be had. @type {State | null} */
   let failed = null;
+  const fail = (/** @type {State} */ state, /** @type {unknown} */ error) => {
+    if (isLost(error)) throw error;
+    failed = state;
+    onFailure(error);
+  };
   const ask = (/** @type {State} */ state) => {
     isComputing = true;
     isStale = false;
@@ -176,14 +182,11 @@ export function createSight(sceneOf, first, onArrival, onFailure) {
     } catch (error) {
       if (!(error instanceof Pending)) {
         isComputing = false;
-        throw error;
+        return fail(state, error);
       }
       arriving = error.arrival
         .then(() => ask(state))
-        .catch((reason) => {
-          failed = state;
-          onFailure(reason);
-        })
+        .catch((reason) => fail(state, reason))
         .finally(onArrival);
     }
   };

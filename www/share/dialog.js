@@ -5,6 +5,7 @@
 import './style.css';
 import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
+import { whenThere } from '../core/pending.js';
 import { copy } from '../kit/copy.js';
 import { download } from '../kit/download.js';
 import { addressOf } from '../kit/host.js';
@@ -69,15 +70,27 @@ export function createKeep(tools, sheet) {
     sheet.open();
   };
 
+  /** The newest that was chosen. @type {File | null} */
+  let newest = null;
+
   /** @param {File} file */
   const open = async (file) => {
+    newest = file;
     try {
       const { opened, generations } = await openRunFile(await file.text(), engine, links);
+      if (newest !== file) return;
       tools.open(opened, [], generations);
       show(words.opened(file.name, generations));
     } catch (error) {
       show(words.notOpened(file.name, messageOf(error)));
     }
+  };
+
+  const saveDrive = () => {
+    const { experiment, gains, driving } = sceneOf(store.get());
+    const about = [...origin(), ...driveOrigin(experiment, gains, driving)];
+    const table = driveCsv(driving, engine.stability(experiment, gains), about);
+    saveCsv(`drive-${fingerprintOf(experiment, gains)}`, table);
   };
 
   const insteadOfIt = (/** @type {() => void} */ open) => () => {
@@ -97,12 +110,8 @@ export function createKeep(tools, sheet) {
     collect: insteadOfIt(openCollect),
     saveRun: () => download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
     saveGenerations: () => saveCsv('generations', generationsCsv(store.get().history, origin())),
-    saveDrive() {
-      const { experiment, gains, driving } = sceneOf(store.get());
-      const about = [...origin(), ...driveOrigin(experiment, gains, driving)];
-      const table = driveCsv(driving, engine.stability(experiment, gains), about);
-      saveCsv(`drive-${fingerprintOf(experiment, gains)}`, table);
-    },
+    /** A long drive is read by a worker. */
+    saveDrive: () => whenThere(saveDrive, () => sheet.dialog.open),
     /** @param {Event} event */
     choose({ target }) {
       const input = /** @type {HTMLInputElement} */ (target);

@@ -44,7 +44,7 @@ export function createKeys(openChecks) {
       const found = words.single.find(([key]) => key === letterOf(event));
       const button = found && byId(found[2]);
       // What is not in sight is not pressed.
-      if (button?.checkVisibility()) button.click();
+      if (button?.checkVisibility() && !button.closest('[inert]')) button.click();
     }
   });
 }

@@ -6,4 +6,5 @@ export const messageOf = (error) =>
 
 /** Whether the core has failed, which must not be used again then, and has not only refused something. @param {unknown} error */
 export const isLost = (error) =>
-  error instanceof Error && (error.name === 'RuntimeError' || error.message.includes('internal error'));
+  error instanceof Error &&
+  (error.name === 'RuntimeError' || /internal error|recursive use of an object/.test(error.message));

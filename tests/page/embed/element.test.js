@@ -163,6 +163,12 @@ pageTest('what the author of a page has wrong is said in sight', async (page) =>
     await use(page, 'absent', `it.src = 'dist/index.html'`);
     await isReady(page, 'absent');
     assert.equal(await complaint(page, 'absent'), '');
+    // Nor is anybody to wait for an answer that will not come.
+    for (const [id, why] of [
+      ['old', en.otherVersion(2, 1)],
+      ['nowhere', en.noAddress('https://')],
+    ])
+      assert.deepEqual(await use(page, id, 'it.read()'), { refused: why });
     // Who has spoken is not called silent.
     assert.equal(await complaint(page, 'old'), `<ep-locomotion>: ${en.otherVersion(2, 1)}`);
   });

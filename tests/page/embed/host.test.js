@@ -9,6 +9,17 @@ import { clockOf, course } from './course.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
+pageTest(
+  'what a figure tells of its drive are the gains that drive, also where one robot of many is chosen',
+  async (page) => {
+    await inHost(page, frameOf(page, 'generation&v=1&seed=7&generation=5', 640, 420), async () => {
+      const { drive } = await ask(page, 0, { type: 'read' });
+      const { cost } = simulate(experiment({ evolution: { seed: 7 } }), drive.gains);
+      assert.equal(drive.cost.total, cost.total);
+    });
+  },
+);
+
 engineTest('the host sets experiments and reads what comes of them', async (page) => {
   await inHost(page, course(page), async () => {
     const [first] = await heardFrom(page, 0);

@@ -65,6 +65,14 @@ test('of many samples the points reach as high and as low as all do, and are few
   );
 });
 
+test('a chart that is narrower than its margins has points all the same', () => {
+  for (const right of [frame.left, frame.left - 30]) {
+    const values = tremblingOf(500, [0, 1]);
+    const xs = values.map((_, i) => i);
+    assert.ok(pointsOf({ ...axesOf(values), frame: { ...frame, right } }, xs, values).length > 0);
+  }
+});
+
 test('a curve goes from its first number to where it has none', () => {
   for (const count of [50, 5000]) {
     const values = tremblingOf(count, [0.3, -0.3]);

@@ -35,9 +35,14 @@ test('each group of controls is free, locked or hidden, and says so in a fixed o
 test('what is locked or hidden does nothing, whichever control asks for it; what is free goes on', () => {
   /** Each action with the group that it obeys; of what drives, the paper's gains are a group of their own. @type {[name: string, owners: string[], ...given: unknown[]][]} */
   const asked = [
-    .../** @type {[string, string][]} */ (Object.entries(groupOf)).map(
-      ([name, owner]) => /** @type {[string, string[]]} */ ([name, [owner]]),
-    ),
+    .../** @type {[string, string][]} */ (Object.entries(groupOf))
+      .filter(([name]) => name !== 'backToPreset')
+      .map(([name, owner]) => /** @type {[string, string[]]} */ ([name, [owner]])),
+    ['backToPreset', ['settings', 'postures', 'seed']],
+    ['changeSetting', ['settings', 'postures'], 'goal.x'],
+    ['changeSetting', ['settings', 'postures'], 'starts[0].theta'],
+    ['changeSetting', ['settings', 'seed'], 'evolution.seed'],
+    ['changeSetting', ['settings'], 'evolution.population'],
     ['chooseDriver', ['drives'], 'evolved'],
     ['chooseDriver', ['drives', 'paper'], 'paper-ep'],
     ['chooseDriver', ['drives', 'paper'], 'paper-arbitrary'],

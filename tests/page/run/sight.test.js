@@ -40,3 +40,22 @@ test('drives that cannot be had are told once, and asked for again when somethin
   assert.ok(sight.of(stateOf({ experiment: { horizon: 2 } })).isComputing);
   assert.equal(asked, 3);
 });
+
+test('drives that cannot be had at once are told as well, and the last ones stay', () => {
+  const first = stateOf({ experiment: {} });
+  /** @type {string[]} */
+  const told = [];
+  const scene = /** @type {Scene} */ ({});
+  const sight = createSight(
+    (state) => {
+      if (state === first) return scene;
+      throw new Error('a worker was lost');
+    },
+    first,
+    () => {},
+    (error) => told.push(String(error)),
+  );
+  const next = stateOf({ experiment: { horizon: 1 } });
+  for (let i = 0; i < 3; i += 1) assert.equal(sight.of(next).scene, scene);
+  assert.deepEqual(told, ['Error: a worker was lost']);
+});

@@ -65,6 +65,8 @@ test('a receipt is found in its text, as a link, in HTML, in a table, in a folde
     ['all/Kim Lee_4711_assignsubmission_onlinetext/onlinetext.html', 'Kim Lee'],
     ['leekim_12345_67890_hand-in-s1.txt', 'leekim'],
     ['leekim_LATE_12345_67890_text.html', 'leekim'],
+    ['leekim_12345_text.html', 'leekim'],
+    ['leekim_LATE_12345_link.html', 'leekim'],
     ['hand-in-s1.txt', 'hand-in-s1'],
   ])
     assert.equal(nameOfFile(path), name);
@@ -77,6 +79,20 @@ test('a receipt is found in its text, as a link, in HTML, in a table, in a folde
   assert.match(worksheet.text, /^I could not\./);
   const [file] = await reader.readFile('all/Kim Lee_4711_assignsubmission_onlinetext/onlinetext.html', html);
   assert.deepEqual([file.name, file.link?.includes('handin=')], ['Kim Lee', true]);
+});
+
+test('what stands behind a receipt in a text is none of it', async () => {
+  const { link } = await handedIn('s1', good);
+  for (const text of [
+    `My work is ${link}.`,
+    `(${site}#${link})`,
+    `${link}, thanks`,
+    `[my work](${link})`,
+    `<a href='${site}#${link}'>work</a>`,
+  ]) {
+    const [entry] = await reader.read(text);
+    assert.equal(entry.link?.slice(-20), link.slice(-20), text);
+  }
 });
 
 test('what is cut, forged, of another exercise, of another version, too long, or no hand-in is a row that says so', async () => {

@@ -189,6 +189,33 @@ pageTest(
   },
 );
 
+pageTest('start, goal and seed that are locked are locked in the settings too', async (page) => {
+  await page.open('#lab&v=1&seed=7&lock=postures,seed&task=Stay');
+  const before = await read(page);
+  await page.click('#settings-button');
+  await page.until('the settings are there', () => document.getElementById('setting-goal-x'));
+  await page.evaluate(() => {
+    for (const group of document.querySelectorAll('details')) group.open = true;
+  });
+  assert.deepEqual(
+    await waysOf(
+      page,
+      '#setting-goal-x',
+      '#setting-starts-0-x',
+      '#setting-evolution-seed',
+      '#settings-preset',
+    ),
+    Array(4).fill('locked'),
+  );
+  assert.deepEqual(await waysOf(page, '#setting-evolution-population'), ['free']);
+  await page.evaluate(() => {
+    const goal = /** @type {HTMLInputElement} */ (document.getElementById('setting-goal-x'));
+    goal.value = '0.3';
+    goal.dispatchEvent(new Event('change', { bubbles: true }));
+  });
+  assert.deepEqual(await read(page), before);
+});
+
 pageTest('the table of Training holds to what is locked', async (page) => {
   await page.open('#training&v=1&lock=gains,drives&task=Stay');
   const rows = ['paper-ep', 'paper-arbitrary'];

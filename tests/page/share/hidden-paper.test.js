@@ -69,6 +69,13 @@ pageTest('hidden gains of the paper stand in no view, no table, no file and no c
   for (const name of pageNames) {
     await page.open(`#${name}&v=1&seed=7&generation=2&hide=paper`);
     assert.equal(tellsPaper(await shownOn(page)), null, name);
+    // The page's own checks tell them.
+    await press(page, '#keys-button');
+    assert.equal(
+      await page.evaluate(() => document.querySelectorAll('#keys-checks, #keep-checks').length),
+      0,
+    );
+    await press(page, '#keys-close');
     for (const id of ['luck-run', 'training-evolve']) {
       if (await page.evaluate((button) => !document.getElementById(button)?.checkVisibility(), id)) continue;
       await press(page, `#${id}`);

@@ -87,6 +87,16 @@ engineTest('every field of the maker has a name and room, and what is wrong is s
   assert.deepEqual(await page.problems(), []);
 });
 
+pageTest('where no exercise was made the focus stays where it is', async (page) => {
+  await page.open('#lab&v=1');
+  await page.click('#keep-button');
+  await page.until('Share is there', () => document.getElementById('keep-exercise'));
+  await page.press(Key.ESCAPE);
+  await page.focus('#slider-kx');
+  await page.press(Key.ARROW_RIGHT, Key.ARROW_RIGHT);
+  assert.equal(await page.evaluate(() => document.activeElement?.id), 'slider-kx');
+});
+
 pageTest('what cannot be handed in is not made: Park leads on into the lab', async (page) => {
   await openMaker(page, '#park&v=1');
   // To lock its sliders is no task.

@@ -11,7 +11,7 @@ import { addressOf } from '../../kit/host.js';
 import { once } from '../../kit/memo.js';
 import { fillTable, mostRows } from '../../kit/table.js';
 import { isEmpty, noExercise } from '../../run/exercise.js';
-import { styles } from '../../run/pins.js';
+import { isFull, pinOf, styles } from '../../run/pins.js';
 import { nobody } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
 import { createGainsPlane, createHistogram, pointsIn } from './chart.js';
@@ -25,6 +25,19 @@ const { texts } = words;
 
 /** @typedef {{ status: string, isBad: boolean, share: number | null, rows: Row[], given: Given | null, files: File[], order: import('./table.js').Order, pinned: Set<number>, first: number }} View */
 
+/** @type {View} */
+const noView = {
+  status: '',
+  isBad: false,
+  share: null,
+  rows: [],
+  given: null,
+  files: [],
+  order: { column: 'number', isDown: false },
+  pinned: new Set(),
+  first: 0,
+};
+
 /** @param {Omit<SheetTools, 'openChecks' | 'openCode' | 'openCollect'>} tools @param {Sheet} sheet */
 export function createCollect(tools, sheet) {
   const { engine, store, actions, links, open } = tools;
@@ -37,17 +50,7 @@ export function createCollect(tools, sheet) {
   }));
   let control = new AbortController();
   /** @type {View} */
-  let view = {
-    status: '',
-    isBad: false,
-    share: null,
-    rows: [],
-    given: null,
-    files: [],
-    order: { column: 'number', isDown: false },
-    pinned: new Set(),
-    first: 0,
-  };
+  let view = noView;
   const update = (/** @type {Partial<View>} */ patch) => {
     view = { ...view, ...patch };
     draw();
@@ -106,6 +109,15 @@ export function createCollect(tools, sheet) {
       input.value = '';
       check();
     },
+    /** Another class. */
+    empty() {
+      control.abort();
+      /** @type {NodeListOf<HTMLInputElement>} */
+      const fields = document.querySelectorAll('#collect-text, #collect-exercise');
+      for (const field of fields) field.value = '';
+      update({ ...noView, order: view.order });
+      byId('collect-text').focus();
+    },
     /** @param {Column} column */
     sort: (column) =>
       update({ order: { column, isDown: column === view.order.column && !view.order.isDown }, first: 0 }),
@@ -125,13 +137,13 @@ export function createCollect(tools, sheet) {
       open({ ...checked.run, pins, exercise: noExercise, student: nobody, parts: {} }, []);
     },
     pinAll() {
-      for (const row of [...view.pinned].slice(0, styles.length)) {
+      for (const row of view.pinned) {
         const { checked } = view.rows[row];
-        if (checked)
-          actions.togglePin(
-            { experiment: checked.run.experiment, gains: checked.gains },
-            nameOf(view.rows[row]) || words.rowNumber(row),
-          );
+        const { pins } = store.get();
+        if (!checked || isFull(pins)) continue;
+        const driven = { experiment: checked.run.experiment, gains: checked.gains };
+        // The same answer stands there once.
+        if (!pinOf(pins, driven)) actions.togglePin(driven, nameOf(view.rows[row]) || words.rowNumber(row));
       }
       update({ status: words.pinnedText(styles.length) });
     },
@@ -187,7 +199,7 @@ export function createCollect(tools, sheet) {
   };
 }
 
-/** @param {View} view @param {HTMLElement} table @param {{ check: () => void, cancel: () => void, choose: (event: Event) => void, pinAll: () => void, save: () => void, show: (first: number) => void }} on */
+/** @param {View} view @param {HTMLElement} table @param {{ check: () => void, cancel: () => void, choose: (event: Event) => void, empty: () => void, pinAll: () => void, save: () => void, show: (first: number) => void }} on */
 const contentOf = ({ status, isBad, share, rows, given, files, pinned, first }, table, on) => html`
   <p class="muted">${texts.help}</p>
   <textarea id="collect-text" rows=${rows.length > 0 ? 2 : 5} spellcheck="false" aria-label=${texts.paste}></textarea>
@@ -200,6 +212,7 @@ const contentOf = ({ status, isBad, share, rows, given, files, pinned, first }, 
     <input id="collect-file" type="file" multiple hidden @change=${on.choose}>
     <input id="collect-directory" type="file" webkitdirectory hidden @change=${on.choose}>
     <span class="muted">${words.filesText(files.length)}</span>
+    <button id="collect-empty" type="button" .hidden=${files.length === 0} @click=${on.empty}>${texts.empty}</button>
     <input id="collect-exercise" type="text" spellcheck="false" autocomplete="off" aria-label=${texts.exercise} placeholder=${texts.exercise}>
   </div>
   <p id="collect-status" class=${isBad ? 'field-error' : ''} role="status">${status} ${given ? html`<span class="muted">${words.judgedBy(given.id, given.run.exercise.task)}</span>` : nothing}</p>

@@ -43,6 +43,9 @@ const saidIn = (html) =>
 /** @param {string} text */
 const beginning = (text) => text.replace(/\s+/g, ' ').trim().slice(0, 80);
 
+/** A receipt to its last digits, without what a text has behind them; null if they are not there. @param {string} link */
+const wholeIn = (link) => /^.*?handin=.*?(?:~|%7E)[\da-f]{8}(?!~|%7E)/i.exec(link)?.[0] ?? null;
+
 /** @param {readonly string[]} pages */
 export function createReader(pages) {
   const pattern = new RegExp(`(?<![\\w%])(?:${pages.join('|')})&(?:amp;)*[\\w.]+=[^\\s"<>\\\\^\`{}|]*`, 'g');
@@ -54,10 +57,11 @@ export function createReader(pages) {
   function linkIn(text) {
     const found = linksIn(text);
     const receipts = found.filter((link) => link.includes('handin='));
-    if (receipts.length > 0) return receipts[receipts.length - 1];
+    const whole = receipts.map(wholeIn).filter((link) => link !== null);
+    if (whole.length > 0) return whole[whole.length - 1];
     // One that was broken into lines.
     const joined = found.length > 0 && text.includes(mark) ? linksIn(text.replace(/[\s>]+/g, '')) : [];
-    return joined.find((link) => link.includes('handin=')) ?? found[found.length - 1] ?? null;
+    return joined.map(wholeIn).find(Boolean) ?? receipts.at(-1) ?? found.at(-1) ?? null;
   }
 
   /** @param {string} text @param {string} name @param {Entry['ident']} [ident] @returns {Entry} */
@@ -146,12 +150,12 @@ export function createReader(pages) {
   };
 }
 
-/** Moodle names folders and files of submissions `Name_12345_assignsubmission_…`, Canvas `name_12345_67890_file`. @param {string} path */
+/** Moodle names folders and files of submissions `Name_12345_assignsubmission_…`, Canvas `name_12345_67890_file`, and what was typed there `name_12345_text`. @param {string} path */
 export function nameOfFile(path) {
   const parts = path.split('/');
   const moodle = parts.map((part) => /^(.+?)_\d+_assignsubmission_/.exec(part)?.[1]).find(Boolean);
   const file = parts[parts.length - 1].replace(/\.\w+$/, '');
-  return moodle ?? /^(\D+?)_(?:LATE_)?\d+_\d+_/.exec(file)?.[1] ?? file;
+  return moodle ?? /^(\D+?)_(?:LATE_)?\d+_(?:\d+_|(?:text|link)$)/.exec(file)?.[1] ?? file;
 }
 
 const names = {
@@ -170,7 +174,7 @@ const written = /^(online text|submission text|text|온라인 텍스트|texte en
 function tableIn(text, hasLink) {
   // A mark that some programs put before a text.
   const whole = text.replace(/^\ufeff/, '');
-  const [head, next] = Papa.parse(whole.slice(0, 100_000), { preview: 2 }).data.map(
+  const [head, next] = Papa.parse(whole.slice(0, 100_000), { preview: 2, skipEmptyLines: 'greedy' }).data.map(
     (row) => /** @type {string[]} */ (row),
   );
   if (

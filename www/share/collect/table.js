@@ -159,12 +159,24 @@ export function csvOf(rows, page) {
       checked?.how ?? '',
       checked?.answers ?? '',
       remarksOf(row, rows).join('; '),
+      checked?.who ?? '',
       entry.link && checked ? `${page}#${entry.link}` : '',
     ];
   });
   const { points, aim, drives, minutes, how, answers, remarks, link } = words.csvHead;
   const numbers = ['J', drives, minutes, 'kx', 'ky', 'ktheta'];
-  const fields = [words.columns.name, ...idents, points, aim, ...numbers, how, answers, remarks, link];
+  const fields = [
+    words.columns.name,
+    ...idents,
+    points,
+    aim,
+    ...numbers,
+    how,
+    answers,
+    remarks,
+    words.columns.who,
+    link,
+  ];
   // Spreadsheets know by the mark that it is UTF-8.
   return `\ufeff${Papa.unparse({ fields, data: lines }, { escapeFormulae: formula })}\r\n`;
 }

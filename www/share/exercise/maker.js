@@ -68,6 +68,8 @@ export function createMaker({ engine, store, actions, links, paper }) {
   });
 
   const openChanged = watch();
+  // Closed as it begins, it gives no focus back.
+  openChanged(false);
   const changed = watch();
   return {
     open() {

@@ -25,17 +25,30 @@ import {
 import { createAway } from './away.js';
 import { keepFromLinks, lock, lockAgain } from './locks.js';
 
+/** Rows of the settings. @param {...string} ids How those of their fields begin. */
+const settingsOf = (...ids) => `.setting:has(${ids.map((id) => `[id^="setting-${id}"]`).join(', ')})`;
+const ends = settingsOf('starts-0', 'goal');
+const seed = settingsOf('evolution-seed');
+const fields = ':is(input, select, button)';
+
 /** Those of the lab, the lesson, the settings and Share. @type {Places} */
 const own = {
   gains: { lock: '#gains', hide: '#gains, #gains-note' },
   drives: { lock: '#drives, .standing-name', hide: '#drives' },
   paper: {
     lock: '#drives-paper-ep, #drives-paper-arbitrary',
-    hide: 'label:has(> #drives-paper-ep), label:has(> #drives-paper-arbitrary)',
+    // The page's own checks tell them.
+    hide: 'label:has(> #drives-paper-ep), label:has(> #drives-paper-arbitrary), #keys-checks, #keep-checks',
   },
-  postures: { lock: '#handles, #restore-postures', hide: '#handles, #postures .hint' },
+  postures: {
+    lock: `#handles, #restore-postures, ${ends} ${fields}, #settings-preset`,
+    hide: `#handles, #postures .hint, ${ends}, #settings-preset`,
+  },
   run: { lock: '#evolution-clock, #evolution-pace', hide: '#evolving' },
-  seed: { lock: '#new-seed', hide: '#new-seed' },
+  seed: {
+    lock: `#new-seed, ${seed} ${fields}, #settings-preset`,
+    hide: `#new-seed, ${seed}, #settings-preset`,
+  },
   clock: { lock: '#robot-clock', hide: '#robot-clock' },
   settings: {
     lock: '#preset, #settings-button, #weights',

@@ -66,7 +66,7 @@ export function createHandInSheet(tools) {
     save: () => handed && download(words.fileName(handed.receipt.who), 'text/plain', `${handed.text}\n`),
   };
 
-  const draw = () => sheet.draw(contentOf(store.get().student.who, handed, status, on));
+  const draw = () => sheet.draw(contentOf(store.get().student, handed, status, on));
 
   return {
     open() {
@@ -80,11 +80,12 @@ export function createHandInSheet(tools) {
   };
 }
 
-/** @param {string} who @param {HandedIn | null} handed @param {string} status @param {{ name: () => void, copyText: () => void, copyLink: () => void, save: () => void }} on */
-const contentOf = (who, handed, status, on) => html`
+/** @param {import('../../run/variant.js').Student} student @param {HandedIn | null} handed @param {string} status @param {{ name: () => void, copyText: () => void, copyLink: () => void, save: () => void }} on */
+const contentOf = ({ who, base }, handed, status, on) => html`
   <div class="bar handin-name">
     <label for="handin-who">${texts.whoLabel}</label>
-    <input id="handin-who" type="text" maxlength=${mostOfWho} autocomplete="off" .value=${live(who)} @keydown=${onEnter(on.name)}>
+    <input id="handin-who" type="text" maxlength=${mostOfWho} autocomplete="off" .value=${live(who)}
+      .readOnly=${base !== null} title=${base ? texts.whoDrawn : ''} @keydown=${onEnter(on.name)}>
     <button id="handin-make" type="button" @click=${on.name} class=${handed ? '' : 'primary'}>${texts.make}</button>
   </div>
   ${

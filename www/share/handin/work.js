@@ -13,6 +13,7 @@ import { gainsOf } from '../../run/drivers.js';
 import { asksSomething, shownExercise, tidyTask } from '../../run/exercise.js';
 import { drivesOf, noTrial } from '../../run/state.js';
 import { mostOfWho } from '../../run/variant.js';
+import { messageOf } from '../../words/errors.js';
 import { measure } from './measure.js';
 import { holds, isWhole, toldIn } from './receipt.js';
 import { createHandInSheet } from './sheet.js';
@@ -52,13 +53,15 @@ export function createWork(tools, root) {
       return;
     }
     known = { ...known, isNew: false };
-    measure(engine, aim, state.experiment, gains, { channel }).then(
-      (measured) => {
-        known = { measured, isNew: true };
-        store.redraw();
-      },
-      () => {},
-    );
+    measure(engine, aim, state.experiment, gains, { channel }).then((measured) => {
+      known = { measured, isNew: true };
+      store.redraw();
+    }, say);
+  };
+
+  /** What a newer question took the place of is none. @param {unknown} error */
+  const say = (error) => {
+    if (!(error instanceof DOMException && error.name === 'AbortError')) actions.say(messageOf(error));
   };
 
   const begin = () => {
@@ -120,7 +123,7 @@ function aimLine({ aim, scale }, { measured, isNew }, drives) {
 }
 
 /** What is said of a receipt that was opened, as long as its run is on screen. @param {WorkTools} tools */
-function createVerdict({ engine, store, paper, links }) {
+function createVerdict({ engine, store, actions, paper, links }) {
   /** @type {{ handin: string, since: number, experiment: object, gains: string, said: { text: string, isGood: boolean } | null } | null} */
   let of = null;
   const compute = async (/** @type {State} */ state, /** @type {string} */ gains) => {
@@ -157,7 +160,8 @@ function createVerdict({ engine, store, paper, links }) {
       const gains = String(gainsOf(state, state.driver, paper));
       const isNew = of?.handin !== handin || of.since !== state.work.since;
       // What was paused on its way is not yet what was handed in.
-      if (isNew && state.generation === state.work.opened) compute(state, gains).catch(() => {});
+      if (isNew && state.generation === state.work.opened)
+        compute(state, gains).catch((error) => actions.say(messageOf(error)));
       return of?.handin === handin && of.experiment === state.experiment && of.gains === gains
         ? of.said
         : null;

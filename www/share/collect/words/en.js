@@ -5,11 +5,12 @@
 export * from './common.js';
 
 export const texts = {
-  help: 'Paste what your students handed in, or drop files and folders here: receipts, links, a column or the whole table of Moodle or Canvas, their online texts. Every drive is computed again here, and nothing leaves this page.',
+  help: 'Paste what your students handed in, or drop files and folders here: receipts, links, a column or the whole table of Moodle or Canvas, their online texts. A zip is to be unpacked first. Every drive is computed again here, and nothing leaves this page.',
   paste: 'What was handed in',
   exercise: 'Link of the exercise (else the one that most are of)',
   files: 'Choose files',
   folder: 'Choose a folder',
+  empty: 'Another class',
   check: 'Check',
   cancel: 'Cancel',
   csv: 'Table for the gradebook (CSV)',

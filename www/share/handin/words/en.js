@@ -11,6 +11,7 @@ export const texts = {
   close: 'Close',
   whoLabel: 'Your name or number',
   whoHelp: 'It is asked once, and goes nowhere but into what you hand in.',
+  whoDrawn: 'The exercise was drawn for this name: for another, open its link again.',
   begin: 'Begin',
   whoFirst: 'This exercise is a little different for everyone: say who you are, and yours is drawn.',
   make: 'Make the receipt',

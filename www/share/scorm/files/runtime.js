@@ -72,9 +72,18 @@
     return set('lesson_status', met ? 'passed' : 'failed');
   }
 
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let soon;
+  const read = () => figure.contentWindow?.postMessage({ ep: 1, type: 'read' }, '*');
+
   /** @type {Readonly<Record<string, (message: any) => void>>} */
   const heard = {
-    drive: () => figure.contentWindow?.postMessage({ ep: 1, type: 'read' }, '*'),
+    drive: read,
+    // Many come, one after the other.
+    generation() {
+      clearTimeout(soon);
+      soon = setTimeout(read, 1000);
+    },
     state(state) {
       latest = `#${state.link}`;
       keep();
