@@ -185,6 +185,20 @@ pageTest('what is drawn for a student waits for who it is, and follows from it',
   await page.open(`#${link.replaceAll('&', '&amp;')}?who=s4711`);
   await page.until('it begins', () => document.getElementById('hand-in'));
   assert.deepEqual(await ends(), drawn);
+  // Drawn for a name that is typed, the run comes as far as the link says; and the name stays that for which it is drawn.
+  await page.open(`#${link}&generation=12`);
+  await page.until('it asks', () => document.getElementById('work-who'));
+  await page.focus('#work-who');
+  await page.press(...'s4711', Key.ENTER);
+  await page.until('it has come as far', () => document.getElementById('generation')?.textContent === '12');
+  await page.click('#hand-in');
+  await page.until('it says who', () => document.getElementById('handin-who'));
+  assert.equal(
+    await page.evaluate(
+      () => /** @type {HTMLInputElement} */ (document.getElementById('handin-who')).readOnly,
+    ),
+    true,
+  );
   assert.deepEqual(await page.problems(), []);
 });
 

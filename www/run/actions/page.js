@@ -98,6 +98,7 @@ export function createPage(basis, openPage, catchUp) {
           () => store.update({ box: boxAround(inSight()) }),
           () => store.get().experiment === drawn,
         );
+        if (work.opened > 0) catchUp(work.opened, work.opened);
       });
     },
 
