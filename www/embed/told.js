@@ -80,9 +80,10 @@ export function messageIn({ ep, type, ...given }) {
   const fields = messages[/** @type {Type} */ (type)];
   // A link has all of it.
   const looked = type === 'set' && typeof given.link === 'string' ? { link: given.link } : given;
-  const all = { ...usual, ...looked };
+  /** What is undefined is left out. @param {string} name */
+  const valueOf = (name) => (looked[name] === undefined ? usual[name] : looked[name]);
   const said = Object.fromEntries(
-    Object.entries(fields).map(([name, check]) => [name, check(name, all[name])]),
+    Object.entries(fields).map(([name, check]) => [name, check(name, valueOf(name))]),
   );
   if (type === 'set' && said.link === null && said.experiment === null)
     throw new Error(words.linkOrExperiment);
