@@ -1,7 +1,11 @@
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, fares, paperGains, startsOnCircle } from '../harness/core.js';
+import { test } from '../harness/once.js';
 import { read } from '../harness/reading.js';
+import { handOf } from '../../../www/parts/training/request.js';
+import { createSets, testOn } from '../../../www/parts/training/sets.js';
+import { trainingSlice } from '../../../www/parts/training/state.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -83,6 +87,24 @@ async function readRow(page, name) {
     };
   }, `training-${name}`);
 }
+
+test('gains are tested the same whatever method the lab evolves with', () => {
+  const { unseen } = createSets({ startsOnCircle })(velocityLimits);
+  const gains = paperGains('velocity-limits', 'ep');
+  const usual = fares(testOn(velocityLimits, unseen), gains);
+  for (const method of /** @type {const} */ (['de', 'cma-es'])) {
+    const own = { ...velocityLimits, evolution: { ...velocityLimits.evolution, method } };
+    assert.deepEqual(fares(testOn(own, unseen), gains), usual, method);
+  }
+});
+
+test('gains from Training, even of an evolution of before, are not those by hand', () => {
+  const byHand = /** @type {const} */ ([1, 2, 3]);
+  const slices = { [trainingSlice.name]: { ...trainingSlice.first, byHand } };
+  const state = /** @type {any} */ ({ handGains: [4, 5, 6], found: 'training', slices });
+  assert.equal(handOf(state), byHand);
+  assert.deepEqual(handOf({ ...state, found: 'hand' }), [4, 5, 6]);
+});
 
 /** @param {Page} page @param {string} id */
 const text = async (page, id) => (await page.text(`#${id}`)).replaceAll('\u202f', ' ');
