@@ -6,6 +6,7 @@ import { sight } from '../../../www/parts/park/sight.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { written } from '../harness/templates.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/parts/park/task.js').Drive} Drive */
@@ -42,16 +43,6 @@ test('a film ends with the last that parks, and waits a while for those that do 
   assert.deepEqual(seen, [0, 0, 1, 2, 2]);
   assert.ok(isOver(later(film, 100)));
 });
-
-/** What a template says. @param {any} part @returns {string} */
-const written = (part) =>
-  typeof part === 'string' || typeof part === 'number'
-    ? String(part)
-    : Array.isArray(part)
-      ? part.map(written).join('')
-      : (part?.strings ?? [])
-          .map((/** @type {string} */ text, /** @type {number} */ i) => text + written(part.values[i]))
-          .join('');
 
 test('the count says whose robots drive', () => {
   const bred = [{ gains: [1, 2, 3], parked: 20, generation: 7, drives: 700 }];
