@@ -139,6 +139,14 @@ pageTest("the paper's rows are there without pressing, those to evolve are empty
   assert.ok((await text(page, 'training-finding')).includes('arrive from 25 % of 1000 starts'));
 });
 
+pageTest('where the paper is hidden, the page says what to press', async (page) => {
+  await page.open('#training&v=1&hide=paper');
+  assert.equal(
+    await text(page, 'training-finding'),
+    'Evolve on one start and on many: which robot gets further?',
+  );
+});
+
 pageTest('the three evolved rows are what evolution and the core give', async (page) => {
   await page.open('#training');
   await evolveAll(page);
