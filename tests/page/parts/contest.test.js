@@ -128,10 +128,11 @@ test('at every target and budget a verdict follows from p, A12 and the expected 
     for (const until of [100, 300, 1000])
       for (const only of [6, 10, 15]) {
         const { lines } = standingsOf(small, { target: 7.71 + 0.02 * i, until, only });
-        for (const { verdict, comparison, ert, reached, interval } of lines.slice(1)) {
+        for (const { verdict, comparison, ert, reached, count, interval } of lines.slice(1)) {
           const { a12, p } = comparison ?? { a12: 0.5, p: 1 };
           nearly += Number(p >= 0.05 && p < 0.1);
           const isSooner = ert < lines[0].ert;
+          const fewer = lines[0].reached / lines[0].count - reached / count;
           // A factor is told only where its interval ends.
           const sooner = lines[0].interval[1] < Infinity ? 'sooner' : 'mostly';
           const later = interval[1] < Infinity ? 'later' : 'hardly';
@@ -141,8 +142,8 @@ test('at every target and budget a verdict follows from p, A12 and the expected 
               : reached === 0 || lines[0].reached === 0
                 ? ['only-this', 'only-first', 'better', 'worse']
                 : a12 > 0.5
-                  ? [isSooner ? sooner : 'riskier']
-                  : [isSooner ? 'surer' : later];
+                  ? [isSooner ? sooner : fewer > 0 ? 'riskier' : 'better']
+                  : [isSooner ? (fewer < 0 ? 'surer' : 'worse') : later];
           assert.ok(verdict && expected.includes(verdict.kind), `${verdict?.kind}: ${a12} ${p} ${ert}`);
           kinds.add(verdict.kind);
         }
@@ -176,6 +177,14 @@ test('what is behind in most pairs and yet cheaper in the mean is said to be sur
     ).lines[1].verdict?.kind;
   assert.equal(verdictOf(fast, sure), 'surer');
   assert.equal(verdictOf(sure, fast), 'riskier');
+  // Nobody fails where the slow ones are only late.
+  const late = seeds.map((seed) => run(seed, seed % 10 < 3 ? 900 : 10 + seed));
+  assert.equal(verdictOf(late, sure), 'worse');
+  assert.equal(verdictOf(sure, late), 'better');
+  // Runs with other seeds are not run by run the same.
+  assert.equal(verdictOf(sure, sure), 'same');
+  const apart = sure.map((trial) => ({ ...trial, seed: trial.seed + 50 }));
+  assert.equal(verdictOf(sure, apart), 'undecided');
 });
 
 test('the CSV has a row for each improvement', () => {

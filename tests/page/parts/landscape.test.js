@@ -102,6 +102,24 @@ engineTest('the landscape has the colours of the costs that the core computes', 
   assert.deepEqual(await page.obstacles(), []);
 });
 
+pageTest('landscape and map of starts name the generation that is shown', async (page) => {
+  for (const [part, id] of [
+    ['landscape', 'landscape-readout'],
+    ['robustness', 'robustness-summary'],
+  ]) {
+    await page.open(`#${part}&v=1&generation=2&drives=evolved`);
+    for (const generation of [2, 1]) {
+      await page.until(
+        `generation ${generation} is named`,
+        (element, name) => document.getElementById(element)?.textContent?.includes(name),
+        id,
+        `best of generation ${generation}`,
+      );
+      await page.evaluate(() => document.getElementById('one-back')?.click());
+    }
+  }
+});
+
 pageTest('after the goal was dragged the landscape is that of the new goal', async (page) => {
   await openLandscape(page);
   const { x, y } = await middleOf(page, 'goal-position', 'goal-position');

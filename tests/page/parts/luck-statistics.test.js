@@ -1,6 +1,10 @@
 // What is counted of many seeds.
 import assert from 'node:assert/strict';
 import { csvOf, quartilesOf } from '../../../www/parts/luck/statistics.js';
+import { surveyOf } from '../../../www/parts/luck/request.js';
+import { luckSlice } from '../../../www/parts/luck/state.js';
+import * as en from '../../../www/parts/luck/words/en.js';
+import { firstMaker, noExercise } from '../../../www/run/exercise.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -26,4 +30,19 @@ test('the CSV of one seed is what it was', () => {
       'J evolution generation 0,J evolution generation 1,J random search generation 0,J random search generation 1\r\n' +
       '4,40,7,3,-0.5,5,7.75,8,7,8,7.75\r\n',
   );
+});
+
+test('a result from before does not tell what the paper’s gains cost where they are hidden', () => {
+  const result = { generations: 50, paper: { gains: [1, 2, 3], cost: 7.935 } };
+  const state = /** @type {any} */ ({
+    slices: { [luckSlice.name]: { ...luckSlice.first, result } },
+    exercise: noExercise,
+    maker: firstMaker,
+  });
+  assert.equal(surveyOf(state), result);
+  const hiding = { ...state, exercise: { ...noExercise, hidden: ['paper'] } };
+  const shownThen = /** @type {any} */ (surveyOf(hiding));
+  assert.equal(surveyOf(hiding), shownThen);
+  assert.match(en.curveLabel(/** @type {any} */ (result), ''), /7\.935/);
+  assert.doesNotMatch(en.curveLabel(shownThen, ''), /7\.935|paper/);
 });

@@ -51,6 +51,7 @@ async function cancelSeeds(page) {
   await page.click('#luck-generations option[value="200"]');
   await page.click('#luck-run');
   await page.until('the seeds run', () => document.getElementById('luck-run')?.textContent === 'Cancel');
+  assert.equal(await (await page.element('#luck-count')).isEnabled(), false);
   await page.click('#luck-run');
   await page.until(
     'no seeds run',

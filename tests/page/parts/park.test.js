@@ -2,9 +2,11 @@
 import assert from 'node:assert/strict';
 import { Evolution, simulate, startsOnCircle } from '../../../pkg/ep_locomotion.js';
 import { filmOf, isOver, later, parkedBy } from '../../../www/parts/park/film.js';
+import { sight } from '../../../www/parts/park/sight.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { written } from '../harness/templates.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/parts/park/task.js').Drive} Drive */
@@ -40,6 +42,24 @@ test('a film ends with the last that parks, and waits a while for those that do 
   const seen = [0, 1.9, 2, 3, 4].map((time) => parkedBy({ ...film, time }));
   assert.deepEqual(seen, [0, 0, 1, 2, 2]);
   assert.ok(isOver(later(film, 100)));
+});
+
+test('the count says whose robots drive', () => {
+  const bred = [{ gains: [1, 2, 3], parked: 20, generation: 7, drives: 700 }];
+  const model = /** @type {any} */ ({
+    gains: [1, 1, 1],
+    best: null,
+    bred,
+    ...{ evolving: false, seed: 1, message: '', moved: true, isFree: true, isOwn: false },
+    ...{ parked: 3, over: false, count: 32, most: 12, population: 20, tolerance: usual.tolerance },
+  });
+  const said = (/** @type {object} */ other) =>
+    written(sight({ ...model, ...other }, /** @type {any} */ ({ lesson: '', lab: null })));
+  for (const evolving of [true, false]) {
+    const text = said({ evolving });
+    assert.ok(text.includes('best robot of generation 7') && !text.includes('with your numbers'), text);
+  }
+  assert.ok(said({ isOwn: true }).includes('with your numbers'));
 });
 
 /** @param {Page} page @param {string} gain @param {number} value */
@@ -114,6 +134,11 @@ pageTest('evolution is stopped by a press, and by a hand on a slider', async (pa
     await stop();
     await page.until('it rests', () => document.getElementById('park-lesson'));
   }
+});
+
+pageTest('where the sliders are locked, evolution can begin at once', async (page) => {
+  await page.open('#park&v=1&lock=gains');
+  await page.until('evolution can begin', () => document.querySelector('#park-evolve:not(:disabled)'));
 });
 
 pageTest('the evolution that was seen is opened in the lab, with the same best robot', async (page) => {

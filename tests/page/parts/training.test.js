@@ -1,7 +1,11 @@
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, fares, paperGains, startsOnCircle } from '../harness/core.js';
+import { test } from '../harness/once.js';
 import { read } from '../harness/reading.js';
+import { handOf } from '../../../www/parts/training/request.js';
+import { createSets, testOn } from '../../../www/parts/training/sets.js';
+import { trainingSlice } from '../../../www/parts/training/state.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -84,6 +88,24 @@ async function readRow(page, name) {
   }, `training-${name}`);
 }
 
+test('gains are tested the same whatever method the lab evolves with', () => {
+  const { unseen } = createSets({ startsOnCircle })(velocityLimits);
+  const gains = paperGains('velocity-limits', 'ep');
+  const usual = fares(testOn(velocityLimits, unseen), gains);
+  for (const method of /** @type {const} */ (['de', 'cma-es'])) {
+    const own = { ...velocityLimits, evolution: { ...velocityLimits.evolution, method } };
+    assert.deepEqual(fares(testOn(own, unseen), gains), usual, method);
+  }
+});
+
+test('gains from Training, even of an evolution of before, are not those by hand', () => {
+  const byHand = /** @type {const} */ ([1, 2, 3]);
+  const slices = { [trainingSlice.name]: { ...trainingSlice.first, byHand } };
+  const state = /** @type {any} */ ({ handGains: [4, 5, 6], found: 'training', slices });
+  assert.equal(handOf(state), byHand);
+  assert.deepEqual(handOf({ ...state, found: 'hand' }), [4, 5, 6]);
+});
+
 /** @param {Page} page @param {string} id */
 const text = async (page, id) => (await page.text(`#${id}`)).replaceAll('\u202f', ' ');
 
@@ -115,6 +137,14 @@ pageTest("the paper's rows are there without pressing, those to evolve are empty
     );
   assert.equal(await page.text('#training-circle strong'), '–');
   assert.ok((await text(page, 'training-finding')).includes('arrive from 25 % of 1000 starts'));
+});
+
+pageTest('where the paper is hidden, the page says what to press', async (page) => {
+  await page.open('#training&v=1&hide=paper');
+  assert.equal(
+    await text(page, 'training-finding'),
+    'Evolve on one start and on many: which robot gets further?',
+  );
 });
 
 pageTest('the three evolved rows are what evolution and the core give', async (page) => {

@@ -1,6 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from '../harness/once.js';
+import * as words from '../harness/words.js';
 import * as numbers from '../../../www/words/numbers.js';
+
+/** @type {Record<'en' | 'ko', any>} */
+const { en, ko } = words;
 
 test('every number is written as one, also what is none', () => {
   const { fixed, threeDigits, sixDigits, powerText, costText, signed } = numbers;
@@ -18,4 +22,28 @@ test('every number is written as one, also what is none', () => {
       assert.match(text, /^(?:−?\d+(?:\.\d+)?(?:×10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?|−?∞)$/, `${value}: ${text}`);
       assert.equal(text.includes('∞'), !Number.isFinite(value), `${value}: ${text}`);
     }
+});
+
+test('seconds are told as short as they are exact', () => {
+  const run = { outcome: 'horizon', referenceX: [0] };
+  for (const [seconds, text] of /** @type {const} */ ([
+    [10, '10'],
+    [2, '2'],
+    [1.5, '1.5'],
+    [0.4, '0.4'],
+    [3 * 0.1, '0.3'],
+  ])) {
+    assert.ok(en.lab.outcomeText({ ...run, finalTime: seconds }).includes(` ${text} s`));
+    assert.ok(ko.lab.outcomeText({ ...run, finalTime: seconds }).includes(`${text}초`));
+    assert.equal(en.disturbance.lastText(seconds), `last ${text} s`);
+    assert.equal(ko.disturbance.lastText(seconds), `마지막 ${text} s`);
+  }
+});
+
+test('with more starts than one the landscape says from which the J of a drive is', () => {
+  const run = { cost: { total: 7.5 } };
+  const [english, korean] = [en, ko].map(({ landscape }) => landscape.readout);
+  assert.equal(english('', 'kx 1', run, 'arrives', true), 'kx 1: J 7.500 from the first start, arrives');
+  assert.equal(english('', 'kx 1', run, 'arrives', false), 'kx 1: J 7.500, arrives');
+  assert.equal(korean('', 'kx 1', run, '도착', true), 'kx 1: 첫 출발점에서 J 7.500, 도착');
 });

@@ -18,6 +18,12 @@ import { isInitial, partnerOf } from './record.js';
 /** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, run: Run, starts: number, successes: Successes | null }} DetailsModel */
 /** @typedef {{ rates: Rates, choose: (number: number) => void }} Context */
 
+/** τ and τ′ as an experiment has them: the paper's, times its factor. @param {Rates} rates @param {number} adaptation @returns {Rates} */
+export const ratesOf = ({ own, common }, adaptation) => ({
+  own: adaptation * own,
+  common: adaptation * common,
+});
+
 /** More bouts than that are told as a number. */
 const mostBouts = 20;
 /** A σ so small makes the numbers of a mutation long. */

@@ -14,7 +14,7 @@ import { showTable } from '../../lab/table-sheet.js';
 import { playsPhases } from '../../run/pace.js';
 import words from './words/index.js';
 import { createSection } from '../section.js';
-import { detailsOf } from './details.js';
+import { detailsOf, ratesOf } from './details.js';
 import { successesIn } from './detail-methods.js';
 import { phasesOf, phasesOfMethod } from './phases.js';
 import { createPicture } from './picture.js';
@@ -33,7 +33,8 @@ export function createPage({ engine, store, actions }) {
     actions.driveAgain();
   };
   const onTable = () => showTable(generationTable(anatomyOf(store.get())));
-  const on = { rates: engine.learningRates(), choose, steps, onTable };
+  const paperRates = engine.learningRates();
+  const on = { choose, steps, onTable };
   const changed = watch();
   /** @type {ReturnType<typeof createPicture> | null} */
   let picture = null;
@@ -53,8 +54,12 @@ export function createPage({ engine, store, actions }) {
       // Only in one phase the drive itself is told.
       if (changed(anatomy, phase, chosen, hurries, starts, phase === 'drive' ? scene.driving : null)) {
         const successes = successesIn(anatomy, state.history);
+        const rates = ratesOf(paperRates, state.experiment.evolution.adaptation);
         render(
-          contentOf({ anatomy, phase, chosen, run: scene.driving, starts, successes }, hurries, on),
+          contentOf({ anatomy, phase, chosen, run: scene.driving, starts, successes }, hurries, {
+            ...on,
+            rates,
+          }),
           element,
         );
       }

@@ -63,7 +63,8 @@ export function createPage({ engine, store, actions, paper }) {
   const show = (state, spec, run, gains) => {
     const own = landscapeSlice.of(state);
     const isTyping = document.activeElement?.id === 'landscape-third';
-    if (changed(own, spec, run, state.population, isTyping))
+    const { driver, found, generation } = state;
+    if (changed(own, spec, run, state.population, driver, found, generation, isTyping))
       render(
         sight(
           own,

@@ -21,11 +21,11 @@ const gainsText = (gains) =>
 
 /** Under the cursor, or of who drives. @param {State} state @param {Spec} spec @param {Run} run @param {Triple} gains */
 export function readoutOf(state, spec, run, gains) {
-  const { population, driver, generation, found } = state;
+  const { population, driver, generation, found, experiment } = state;
   const who = landscapeSlice.of(state).cursor ? '' : lab.driverName(driver, generation, found);
   const outside = countOutside(spec, population);
   return [
-    words.readout(who, gainsText(gains), run, lab.outcomeText(run)),
+    words.readout(who, gainsText(gains), run, lab.outcomeText(run), experiment.starts.length > 1),
     ...(outside > 0 ? [words.outside(outside)] : []),
   ].join('. ');
 }

@@ -25,6 +25,7 @@ export function createContest(element, { engine, store }) {
     luckSlice.update(store, patch);
   const on = {
     update,
+    redraw: store.redraw,
     onContest: () => (luck().contestRuns ? requests.cancel() : requests.run()),
     onCsv() {
       const { contest } = luck();
@@ -56,10 +57,11 @@ export function createContest(element, { engine, store }) {
   const show = (state) => {
     const { contest, target, until, only, draw } = luckSlice.of(state);
     const found = standings(contest, target, until, only, draw);
-    if (!changed(luckSlice.of(state), state.experiment)) return found;
+    const isTyping = document.activeElement?.id === 'contest-target';
+    if (!changed(luckSlice.of(state), state.experiment, isTyping)) return found;
     const stale = staleText(state);
     element.classList.toggle('stale', stale !== '');
-    render(contestSight(state, found, stale, on), element);
+    render(contestSight(state, found, stale, isTyping, on), element);
     return found;
   };
   show(store.get());

@@ -3,7 +3,7 @@
 /** @import { Standing, Standings } from './contest-summary.js' */
 /** @import { Contestant } from './contestants.js' */
 /** @import { LuckState } from './state.js' */
-import { html, nothing } from 'lit-html';
+import { html, noChange, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { createSwatch } from '../../kit/swatch.js';
@@ -18,6 +18,7 @@ import words from './words/index.js';
 /**
  * @typedef {object} ContestEvents
  * @property {(patch: Partial<LuckState>) => void} update
+ * @property {() => void} redraw
  * @property {() => void} onContest
  * @property {() => void} onCsv
  */
@@ -27,8 +28,8 @@ const seedChoices = contestSeeds.map((count) => /** @type {const} */ ([count, wo
 const budgetChoices = budgets.map((drives) => /** @type {const} */ ([drives, words.drivesChoice(drives)]));
 const [legend, rows] = [0, 1].map(() => styles.map(createSwatch));
 
-/** @param {State} state @param {Standings | null} standings @param {string} stale What of the lab has changed since. @param {ContestEvents} on */
-export function contestSight(state, standings, stale, on) {
+/** @param {State} state @param {Standings | null} standings @param {string} stale What of the lab has changed since. @param {boolean} isTyping What is typed stays. @param {ContestEvents} on */
+export function contestSight(state, standings, stale, isTyping, on) {
   const luck = luckSlice.of(state);
   const { contest, contestRuns } = luck;
   const sentences = standings?.lines.map(sentenceOf).filter((text) => text !== '') ?? [];
@@ -47,7 +48,7 @@ export function contestSight(state, standings, stale, on) {
     </fieldset>
     <div class="luck-curve contest-chart"><div id="contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
       aria-label=${words.contestLabel(sentences)}></div></div>
-    ${contest && standings?.lowest ? [targetField(luck, standings, on), fewerSeeds(luck, standings, on)] : nothing}
+    ${contest && standings?.lowest ? [targetField(luck, standings, isTyping, on), fewerSeeds(luck, standings, on)] : nothing}
     ${standings ? table(standings) : nothing}`;
 }
 
@@ -86,8 +87,8 @@ function entrants({ others, contestRuns }, { update }) {
   </ul>`;
 }
 
-/** @param {LuckState} luck @param {Standings} standings @param {ContestEvents} on */
-function targetField({ target, targetError, contest }, standings, { update }) {
+/** @param {LuckState} luck @param {Standings} standings @param {boolean} isTyping @param {ContestEvents} on */
+function targetField({ target, targetError, contest }, standings, isTyping, { update, redraw }) {
   const contestBudget = contest?.budget;
   const change = (/** @type {Event} */ event) => {
     const text = valueIn(event);
@@ -101,8 +102,8 @@ function targetField({ target, targetError, contest }, standings, { update }) {
   return html`
     <div class="bar contest-target">
       <label class="bar"><span>${texts.target}</span>
-        <input id="contest-target" type="text" inputmode="decimal" .value=${live(words.targetText(standings.target))}
-          @focus=${selectAll} @change=${change}></label>
+        <input id="contest-target" type="text" inputmode="decimal" .value=${isTyping ? noChange : live(words.targetText(standings.target))}
+          @focus=${selectAll} @blur=${redraw} @change=${change}></label>
       ${
         target === null
           ? html`<span id="contest-usual" class="muted">${standings.lowest ? words.usualTargetText(standings.lowest) : ''}</span>`

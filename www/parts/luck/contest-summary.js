@@ -131,10 +131,12 @@ const isSameList = (a, b) => a.length === b.length && a.every((value, i) => valu
 /** As far as both have run. @param {readonly Trial[]} a @param {readonly Trial[]} b */
 function isSameRuns(a, b) {
   const bySeed = new Map(a.map((trial) => [trial.seed, trial]));
-  return b.every(({ seed, drives, costs }) => {
+  const common = b.filter(({ seed }) => bySeed.has(seed));
+  const isSame = (/** @type {Trial} */ { seed, drives, costs }) => {
     const other = bySeed.get(seed);
-    return !other || (isSameList(other.drives, drives) && isSameList(other.costs, costs));
-  });
+    return !!other && isSameList(other.drives, drives) && isSameList(other.costs, costs);
+  };
+  return common.length > 0 && common.every(isSame);
 }
 
 /** @param {Alone} first @param {Alone} own @param {Comparison} comparison @param {boolean} isSame @returns {Verdict} */
@@ -154,8 +156,9 @@ function verdictOf(first, own, { a12, p }, isSame) {
   if (a12 < 0.5 && times < 1)
     return own.interval[1] === Infinity ? { kind: 'hardly', ...shares } : { kind: 'later', times: 1 / times };
   // Who is behind in most pairs, but fails less often, may need fewer drives in the mean; and the other way round.
-  if (a12 < 0.5 && times > 1) return { kind: 'surer', a12, times };
-  if (a12 > 0.5 && times < 1) return { kind: 'riskier', a12, times: 1 / times };
+  const surer = own.reached / own.count - first.reached / first.count;
+  if (a12 < 0.5 && times > 1 && surer > 0) return { kind: 'surer', a12, times };
+  if (a12 > 0.5 && times < 1 && surer < 0) return { kind: 'riskier', a12, times: 1 / times };
   return { kind: a12 > 0.5 ? 'better' : 'worse', a12 };
 }
 

@@ -19,7 +19,7 @@ import { hidesPaper } from '../../run/exercise.js';
 import words from './words/index.js';
 import { createContest } from './contest-page.js';
 import { createSeedCurve } from './curve.js';
-import { createSeedRequests } from './request.js';
+import { createSeedRequests, surveyOf } from './request.js';
 import { isSameButSeed } from './same.js';
 import { sight } from './sight.js';
 import { createStrips } from './strips.js';
@@ -68,7 +68,8 @@ export function createPage({ engine, store, actions, paper }) {
   const changed = watch();
   /** @param {State} state @param {number} index @param {boolean} fresh */
   const show = (state, index, fresh) => {
-    if (!changed(luckSlice.of(state), state.experiment, state.history, index, fresh)) return;
+    if (!changed(luckSlice.of(state), hidesPaper(state), state.experiment, state.history, index, fresh))
+      return;
     element.classList.toggle('stale', !fresh);
     render(sight(state, index, fresh, on), element);
   };
@@ -99,7 +100,7 @@ export function createPage({ engine, store, actions, paper }) {
       const labSeed = state.experiment.evolution.seed;
       const isLab = result && index >= 0 && fresh && result.first + index === labSeed;
       curve.draw({
-        survey: result,
+        survey: surveyOf(state),
         generations: result?.generations ?? generations,
         lab: fresh && !isLab ? labLine(state.history, labSeed) : null,
         seed: result && index >= 0 ? seedLine(result, index) : null,

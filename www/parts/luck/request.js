@@ -5,6 +5,7 @@
 import { luckSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { gainsOf } from '../../run/drivers.js';
+import { rememberEach } from '../../kit/memo.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { summaryOf } from './statistics.js';
 
@@ -25,6 +26,17 @@ const firstSeed = 1;
 /** @param {Experiment} experiment @param {number} generations */
 export const drivesOf = ({ evolution, starts }, generations) =>
   evolution.population * (generations + 1) * starts.length;
+
+const withoutPaper = rememberEach((/** @type {SeedSurvey} */ survey) => ({
+  ...survey,
+  paper: { ...survey.paper, cost: Number.NaN },
+}));
+
+/** What may be shown of the result: where the paper is hidden, not what its gains cost. @param {Pick<State, 'slices' | 'exercise' | 'maker'>} state */
+export function surveyOf(state) {
+  const { result } = luckSlice.of(state);
+  return result && hidesPaper(state) ? withoutPaper(result) : result;
+}
 
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
 export function createSeedRequests(engine, store, paper) {

@@ -8,7 +8,8 @@ import { live } from 'lit-html/directives/live.js';
 import { luckSlice } from './state.js';
 import { options, valueIn } from '../../kit/templates.js';
 import words from './words/index.js';
-import { drivesOf } from './request.js';
+import { hidesPaper } from '../../run/exercise.js';
+import { drivesOf, surveyOf } from './request.js';
 import { isSameButSeed } from './same.js';
 
 /**
@@ -29,7 +30,8 @@ const lengths = [50, 100, 200].map(
 /** @param {State} state @param {number} index @param {boolean} fresh @param {Events} on */
 export function sight(state, index, fresh, on) {
   const luck = luckSlice.of(state);
-  const { result, log } = luck;
+  const { log } = luck;
+  const result = surveyOf(state);
   const finding = result
     ? words.finding(result)
     : words.invitation(luck.count, luck.generations, drivesOf(state.experiment, luck.generations));
@@ -49,7 +51,7 @@ export function sight(state, index, fresh, on) {
     </div>
     <div id="luck-curve" class="luck-curve" data-picture="luck-curve" role="img"
       aria-label=${result ? words.curveLabel(result, finding) : words.emptyCurveLabel}></div>
-    <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}</p>
+    <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}${hidesPaper(state) ? '' : words.paperSign}</p>
       <p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>
     <canvas id="luck-gains" class="luck-gains" data-picture="luck-gains" data-name=${texts.luckGainsPicture} role="img"
       aria-label=${result ? words.gainsLabel(result) : words.emptyGainsLabel}></canvas>
@@ -62,9 +64,9 @@ function bar({ progress, count, generations }, { onRun, update }) {
   return html`
     <div class="bar luck-bar">
       <button id="luck-run" type="button" class="primary" @click=${onRun}>${runs ? words.cancel : words.runText(count)}</button>
-      <select id="luck-count" aria-label=${texts.luckCount}
+      <select id="luck-count" aria-label=${texts.luckCount} .disabled=${runs}
         @change=${(/** @type {Event} */ event) => update({ count: Number(valueIn(event)) })}>${options(counts, count)}</select>
-      <select id="luck-generations" aria-label=${texts.luckGenerations}
+      <select id="luck-generations" aria-label=${texts.luckGenerations} .disabled=${runs}
         @change=${(/** @type {Event} */ event) => update({ generations: Number(valueIn(event)) })}>${options(lengths, generations)}</select>
       <progress id="luck-progress" max="1" class=${runs ? '' : 'visually-hidden'} aria-label=${texts.luckProgress}
         .value=${progress ?? 0}></progress>

@@ -10,6 +10,7 @@ import { isStill } from '../../kit/host.js';
 import { createFrameLoop } from '../../kit/loop.js';
 import { remember, watch } from '../../kit/memo.js';
 import { hidesPaper } from '../../run/exercise.js';
+import { isFree } from '../../run/guard.js';
 import { createSection } from '../section.js';
 import { createBreeding } from './breeding.js';
 import { filmOf, isOver, later, parkedBy } from './film.js';
@@ -133,6 +134,8 @@ export function createPage({ engine, store, paper, links }) {
         ...parkSlice.of(state),
         gains: gainsNow(),
         moved: slice().gains !== null,
+        isFree: isFree(state, 'gains'),
+        isOwn: film.drives === handFilm(gainsNow()).drives,
         parked,
         over: isOver(film),
         count: task.starts.length,
@@ -140,7 +143,7 @@ export function createPage({ engine, store, paper, links }) {
         most: mostGain,
         population: task.population,
       };
-      if (!changed(state.slices.park, parked, model.over)) return;
+      if (!changed(state.slices.park, parked, model.over, model.isFree, model.isOwn)) return;
       plane.setAttribute('aria-label', words.picture(parked, model.count));
       const lab = linkToLab(state, task.experiment(model.seed), model.bred, linkOf);
       render(heading(model), head);

@@ -9,7 +9,7 @@ import { lab } from '../../words/index.js';
 import { preset } from './task.js';
 import words from './words/index.js';
 
-/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, moved: boolean, parked: number, over: boolean, count: number, most: number, population: number, tolerance: Experiment['tolerance'] }} Model */
+/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, moved: boolean, isFree: boolean, isOwn: boolean, parked: number, over: boolean, count: number, most: number, population: number, tolerance: Experiment['tolerance'] }} Model `isFree`: the sliders can be moved; `isOwn`: the robots drive with the sliders' gains. */
 /** @typedef {{ slide: (index: number, value: number) => void, again: () => void, evolve: () => void, stop: () => void, lesson: string, lab: string | null }} Events */
 
 /** @param {Model} model */
@@ -25,18 +25,18 @@ export function sight(model, on) {
   const { parked, count, bred, evolving, over, message } = model;
   const newest = bred.at(-1);
   const hand = model.moved ? words.yours : words.given;
-  const seen = evolving && newest ? words.swarm(newest.generation, model.population) : hand;
+  const seen = newest && !model.isOwn ? words.swarm(newest.generation, model.population) : hand;
   return html`
     <p class="park-count"><strong id="park-count">${parked}</strong> ${words.ofParked(count)}
       <span class="muted">${newest && !evolving && over ? '' : seen}</span></p>
     <fieldset id="park-gains" aria-label=${words.sliders}>${lab.gains.map((gain, i) => rowOf(gain, i, model, on))}</fieldset>
     <p class="park-bar">
-      <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved}
+      <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
       <button id="park-again" type="button" .disabled=${evolving || !over} @click=${on.again}>${words.again}</button>
     </p>
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
-    ${bred.length > 0 ? climb(model) : html`<p class="muted">${model.moved ? words.ready(model.population) : words.first}</p>`}
+    ${bred.length > 0 ? climb(model) : html`<p class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
     ${over && !evolving && parked < count ? html`<p class="muted">${words.missed(model.tolerance)}</p>` : nothing}
     ${newest && !evolving ? comparison(model, newest) : nothing}
     ${newest && !evolving ? html`<p class="park-on"><a id="park-lesson" href="#${on.lesson}">${words.how}</a> ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}

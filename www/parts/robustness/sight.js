@@ -51,7 +51,7 @@ export function createSight(element, store) {
   return (state, scene, spec, rivalSpec) => {
     const own = robustnessSlice.of(state);
     const { survey, rival } = own;
-    const generation = state.history.length - 1;
+    const { generation } = state;
     const { comparisonDriver, driving } = scene;
     const { start } = endsOf(state);
     if (

@@ -186,7 +186,7 @@ function sight(state, rows, titles, { choose, evolve, spread: onSpread, update }
     cancelled ? words.cancelled(evolved !== null) : '',
     changes.length > 0 ? words.outOfDate(changes) : '',
   ].filter((text) => text !== '');
-  const ep = rows.find(({ name }) => name === 'paper-ep')?.result;
+  const ep = rows.find(({ name }) => name === 'paper-ep');
   return html`
     <div class="heading">
       <h2 id="training-title">${texts.trainingTitle}</h2>
@@ -214,9 +214,11 @@ function sight(state, rows, titles, { choose, evolve, spread: onSpread, update }
         ? spread
           ? words.spreadText(spread, unseenCount)
           : words.lesson(evolved)
-        : ep
-          ? words.question(ep)
-          : words.driving
+        : !ep
+          ? words.invitation
+          : ep.result
+            ? words.question(ep.result)
+            : words.driving
     }</p>
     ${tableOf(rows, spread, chosenOf(state), unseenCount, choose)}
     <div class="training-pictures" data-picture="training" data-name=${words.texts.trainingPicture}>

@@ -22,18 +22,9 @@ import { evolveSeeds } from './spread.js';
 
 export const lengths = [50, 100, 200];
 
-/** @param {Triple} a @param {Triple} b */
-const isSame = (a, b) => a.every((gain, i) => gain === b[i]);
-
-/** The gains by hand that are not those of an evolved row. @param {Pick<State, 'handGains' | 'slices'>} state */
-export function handOf(state) {
-  const { handGains } = state;
-  const { evolved, byHand } = trainingSlice.of(state);
-  const isRow = Object.values(evolved?.results ?? {}).some(
-    ({ gains }) => handGains && isSame(gains, handGains),
-  );
-  return isRow ? byHand : handGains;
-}
+/** The gains by hand that are not those of an evolved row, of now or of before. @param {Pick<State, 'handGains' | 'found' | 'slices'>} state */
+export const handOf = (state) =>
+  state.found === 'training' ? trainingSlice.of(state).byHand : state.handGains;
 
 /**
  * How robots fare from their own starts, from those that no evolution sees, and from the experiment's own.

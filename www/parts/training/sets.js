@@ -57,9 +57,9 @@ function gridAround({ x, y, theta }) {
   });
 }
 
-/** A population of one, because who drives from many starts here is not evolved on them. @param {Experiment} experiment @param {Posture[]} starts @returns {Experiment} */
+/** A population of one, because who drives from many starts here is not evolved on them; only EP can be so small. @param {Experiment} experiment @param {Posture[]} starts @returns {Experiment} */
 export const testOn = (experiment, starts) => ({
   ...experiment,
   starts,
-  evolution: { ...experiment.evolution, population: 1 },
+  evolution: { ...experiment.evolution, method: 'ep', population: 1 },
 });

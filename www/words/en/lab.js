@@ -124,8 +124,8 @@ export const outcomeText = (run) =>
   ({
     arrived: `arrives after ${fixed(run.finalTime, 2)} s`,
     horizon: isTracking(run)
-      ? `follows the reference for ${fixed(run.finalTime, 0)} s`
-      : `has not arrived after ${fixed(run.finalTime, 0)} s`,
+      ? `follows the reference for ${sixDigits(run.finalTime)} s`
+      : `has not arrived after ${sixDigits(run.finalTime)} s`,
     diverged: 'leaves the finite numbers',
   })[run.outcome];
 

@@ -119,8 +119,8 @@ export const outcomeText = (run) =>
   ({
     arrived: `${fixed(run.finalTime, 2)}초 뒤 도착`,
     horizon: isTracking(run)
-      ? `${fixed(run.finalTime, 0)}초 동안 기준을 추종`
-      : `${fixed(run.finalTime, 0)}초 안에 도착하지 못함`,
+      ? `${sixDigits(run.finalTime)}초 동안 기준을 추종`
+      : `${sixDigits(run.finalTime)}초 안에 도착하지 못함`,
     diverged: '유한한 값을 벗어나 발산',
   })[run.outcome];
 

@@ -2,7 +2,7 @@
 /** @import { Experiment } from '../../../core/engine.js' */
 /** @import { PartName, Summary } from '../summary.js' */
 import { amount, crestSeconds, formulaText, parts, unitOf } from './common.js';
-import { fixed, threeDigits } from '../../../words/en/numbers.js';
+import { sixDigits, threeDigits } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 
@@ -44,9 +44,9 @@ export const axisUnit = (part) => (unitOf[part] ? ` in ${unitOf[part]}` : '');
 /** @param {number} starts */
 export const startsText = (starts) => `${starts} other starts`;
 /** @param {number} seconds */
-export const lastText = (seconds) => `last ${fixed(seconds, 0)} s`;
+export const lastText = (seconds) => `last ${sixDigits(seconds)} s`;
 /** @param {number} seconds */
-export const captionText = (seconds) => `largest of the last ${fixed(seconds, 0)} s; grey: undisturbed`;
+export const captionText = (seconds) => `largest of the last ${sixDigits(seconds)} s; grey: undisturbed`;
 
 export const legend = {
   drive: 'this drive',
@@ -62,7 +62,7 @@ export const equationHints = {
 /** @param {PartName} part @param {Summary} summary */
 export const plotLabel = (part, { rows, seconds, horizon }) => {
   const { drive, set } = rows[part];
-  return `${formulaText(part)} over ${fixed(horizon, 0)} s: in the last ${fixed(seconds, 0)} s this drive stays within ${amount(part, drive)}; its set of Theorem 2 reaches to ${amount(part, set)}.`;
+  return `${formulaText(part)} over ${sixDigits(horizon)} s: in the last ${sixDigits(seconds)} s this drive stays within ${amount(part, drive)}; its set of Theorem 2 reaches to ${amount(part, set)}.`;
 };
 
 /** What came out, in whole sentences. @param {Summary} summary */
@@ -72,7 +72,7 @@ export function summaryText(summary) {
 
 /** @param {Summary} summary */
 function driveText({ rows, seconds, disturbed }) {
-  const last = `In the last ${fixed(seconds, 0)} s`;
+  const last = `In the last ${sixDigits(seconds)} s`;
   if (!disturbed) {
     const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
     return `Without a disturbance, Theorem 2 lets the error go to 0. ${last} this drive still has up to ${left}.`;

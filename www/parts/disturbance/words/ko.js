@@ -2,7 +2,7 @@
 /** @import { Experiment } from '../../../core/engine.js' */
 /** @import { PartName, Summary } from '../summary.js' */
 import { amount, crestSeconds, formulaText, parts, unitOf } from './common.js';
-import { fixed, threeDigits } from '../../../words/ko/numbers.js';
+import { sixDigits, threeDigits } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 
@@ -41,9 +41,9 @@ export const failed = (message) => `마지막으로 계산된 결과입니다: $
 /** @param {number} starts */
 export const startsText = (starts) => `다른 출발점 ${starts}개`;
 /** @param {number} seconds */
-export const lastText = (seconds) => `마지막 ${fixed(seconds, 0)} s`;
+export const lastText = (seconds) => `마지막 ${sixDigits(seconds)} s`;
 /** @param {number} seconds */
-export const captionText = (seconds) => `마지막 ${fixed(seconds, 0)}초의 최댓값. 회색: 외란 없음`;
+export const captionText = (seconds) => `마지막 ${sixDigits(seconds)}초의 최댓값. 회색: 외란 없음`;
 
 export const legend = {
   drive: '이 주행',
@@ -62,7 +62,7 @@ export const axisUnit = (part) => (unitOf[part] ? ` (${unitOf[part]})` : '');
 /** @param {PartName} part @param {Summary} summary */
 export const plotLabel = (part, { rows, seconds, horizon }) => {
   const { drive, set } = rows[part];
-  return `${fixed(horizon, 0)}초 동안의 ${formulaText(part)}. 마지막 ${fixed(seconds, 0)}초의 최댓값: 이 주행 ${amount(part, drive)}, 정리 2의 집합 ${amount(part, set)}.`;
+  return `${sixDigits(horizon)}초 동안의 ${formulaText(part)}. 마지막 ${sixDigits(seconds)}초의 최댓값: 이 주행 ${amount(part, drive)}, 정리 2의 집합 ${amount(part, set)}.`;
 };
 
 /** What came out, in whole sentences. @param {Summary} summary */
@@ -72,7 +72,7 @@ export function summaryText(summary) {
 
 /** @param {Summary} summary */
 function driveText({ rows, seconds, disturbed }) {
-  const last = `마지막 ${fixed(seconds, 0)}초 동안`;
+  const last = `마지막 ${sixDigits(seconds)}초 동안`;
   if (!disturbed) {
     const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
     return `외란이 없으면 정리 2에 따라 오차는 0에 수렴합니다. ${last} 이 주행에 남은 최대 오차: ${left}.`;

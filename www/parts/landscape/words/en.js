@@ -30,9 +30,9 @@ export const computing = 'the robots are driving…';
 /** @param {string} message */
 export const failed = (message) => `The landscape is the last that could be computed: ${message}`;
 
-/** @param {string} who Empty for the cursor. @param {string} gains @param {Run} run @param {string} outcome */
-export const readout = (who, gains, run, outcome) =>
-  `${who ? `${who}, ` : ''}${gains}: J ${costText(run.cost.total)}, ${outcome}`;
+/** @param {string} who Empty for the cursor. @param {string} gains @param {Run} run @param {string} outcome @param {boolean} isOneOfMany J is from the first start, the map from all. */
+export const readout = (who, gains, run, outcome, isOneOfMany) =>
+  `${who ? `${who}, ` : ''}${gains}: J ${costText(run.cost.total)}${isOneOfMany ? ' from the first start' : ''}, ${outcome}`;
 
 /** At its mark on the map. */
 export const lowest = 'lowest';

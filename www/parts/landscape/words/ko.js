@@ -29,9 +29,9 @@ export const computing = '로봇이 주행하고 있습니다…';
 /** @param {string} message */
 export const failed = (message) => `마지막으로 계산된 비용 지형입니다: ${message}`;
 
-/** @param {string} who Empty for the cursor. @param {string} gains @param {Run} run @param {string} outcome */
-export const readout = (who, gains, run, outcome) =>
-  `${who ? `${who}, ` : ''}${gains}: J ${costText(run.cost.total)}, ${outcome}`;
+/** @param {string} who Empty for the cursor. @param {string} gains @param {Run} run @param {string} outcome @param {boolean} isOneOfMany J is from the first start, the map from all. */
+export const readout = (who, gains, run, outcome, isOneOfMany) =>
+  `${who ? `${who}, ` : ''}${gains}: ${isOneOfMany ? '첫 출발점에서 ' : ''}J ${costText(run.cost.total)}, ${outcome}`;
 
 /** At its mark on the map. */
 export const lowest = '가장 낮은 점';

@@ -17,7 +17,7 @@ export const texts = {
   luckProgress: 'Seeds that have run',
   luckCurve: 'Best J so far: median and quartiles',
   luckLog: 'log',
-  luckGainsTitle: 'Gains in the end: a dot a seed, ◇ paper’s EP',
+  luckGainsTitle: 'Gains in the end: a dot a seed',
   luckMedian: 'median',
   luckLuckiest: 'luckiest',
   luckUnluckiest: 'unluckiest',
@@ -88,6 +88,8 @@ const seedsText = (count) => (count === 1 ? '1 seed' : `${count === 0 ? 'no' : c
 export const evolutionLine = 'evolution';
 export const randomLine = 'random search';
 export const paperLine = 'paper’s EP';
+/** After the title of the gains. */
+export const paperSign = ', ◇ paper’s EP';
 export const evolutionHead = 'evolution';
 export const randomHead = 'random';
 export const generationAxis = 'generation';

@@ -18,7 +18,7 @@ export const texts = {
   luckProgress: '끝난 시드',
   luckCurve: '지금까지의 최소 J: 중앙값과 사분위수',
   luckLog: '로그',
-  luckGainsTitle: '마지막 이득: 점 하나가 시드 하나, ◇ 논문의 EP',
+  luckGainsTitle: '마지막 이득: 점 하나가 시드 하나',
   luckMedian: '중앙값',
   luckLuckiest: '최고의 운',
   luckUnluckiest: '최악의 운',
@@ -79,6 +79,8 @@ export function finding({ runs, generations, summary }) {
 export const evolutionLine = '진화';
 export const randomLine = '무작위 탐색';
 export const paperLine = '논문 EP';
+/** After the title of the gains. */
+export const paperSign = ', ◇ 논문의 EP';
 export const evolutionHead = '진화';
 export const randomHead = '무작위';
 export const generationAxis = '세대';

@@ -2,7 +2,7 @@
 /** @import { Quantity } from '../request.js' */
 /** @import { Drive, Place } from './common.js' */
 import { placeText } from './common.js';
-import { costText, degrees, fixed, grouped } from '../../../words/en/numbers.js';
+import { costText, degrees, fixed, grouped, sixDigits } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 
@@ -86,7 +86,7 @@ export const goal = 'goal';
 export const ownStart = 'start of J';
 /** @param {Drive} drive */
 const outcome = ({ arrived, finalTime }) =>
-  arrived ? `arrives after ${fixed(finalTime, 2)} s` : `has not arrived after ${fixed(finalTime, 0)} s`;
+  arrived ? `arrives after ${fixed(finalTime, 2)} s` : `has not arrived after ${sixDigits(finalTime)} s`;
 
 /** @param {number} arrived @param {number} headings */
 const arrivals = (arrived, headings) =>

@@ -2,7 +2,7 @@
 /** @import { Quantity } from '../request.js' */
 /** @import { Drive, Place } from './common.js' */
 import { placeText } from './common.js';
-import { costText, degrees, fixed, grouped } from '../../../words/ko/numbers.js';
+import { costText, degrees, fixed, grouped, sixDigits } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 
@@ -83,7 +83,7 @@ export const ownStart = '원래 출발점';
 
 /** @param {Drive} drive */
 const outcome = ({ arrived, finalTime }) =>
-  arrived ? `${fixed(finalTime, 2)}초 뒤 도착` : `${fixed(finalTime, 0)}초 안에 도착하지 못함`;
+  arrived ? `${fixed(finalTime, 2)}초 뒤 도착` : `${sixDigits(finalTime)}초 안에 도착하지 못함`;
 
 /** @param {number} arrived @param {number} headings */
 const arrivals = (arrived, headings) =>

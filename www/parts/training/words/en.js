@@ -77,9 +77,11 @@ export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =
 
 export const driving = 'the robots are driving…';
 
+export const invitation = 'Evolve on one start and on many: which robot gets further?';
+
 /** @param {Result} ep */
 export const question = (ep) =>
-  `The paper’s EP gains arrive from ${percentOf(ep)} of ${whole(ep.unseen.starts.length)} starts around the goal. Evolve on one start and on many: which robot gets further?`;
+  `The paper’s EP gains arrive from ${percentOf(ep)} of ${whole(ep.unseen.starts.length)} starts around the goal. ${invitation}`;
 
 /** @param {Result} result */
 const percentOf = ({ unseen }) => percent(unseen.count, unseen.starts.length);

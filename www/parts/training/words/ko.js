@@ -71,9 +71,12 @@ export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =
 
 export const driving = '로봇이 주행하고 있습니다…';
 
+export const invitation =
+  '출발점 하나로, 그리고 여러 개로 진화시켜 보십시오. 어느 로봇이 더 많이 도착할까요?';
+
 /** @param {Result} ep */
 export const question = (ep) =>
-  `논문의 EP 이득은 목표 주변 출발점 ${grouped(ep.unseen.starts.length)}개 중 ${percentOf(ep)}에서 도착합니다. 출발점 하나로, 그리고 여러 개로 진화시켜 보십시오. 어느 로봇이 더 많이 도착할까요?`;
+  `논문의 EP 이득은 목표 주변 출발점 ${grouped(ep.unseen.starts.length)}개 중 ${percentOf(ep)}에서 도착합니다. ${invitation}`;
 
 /** @param {Result} result */
 const percentOf = ({ unseen }) => percent(unseen.count, unseen.starts.length);
