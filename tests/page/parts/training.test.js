@@ -100,10 +100,14 @@ test('gains are tested the same whatever method the lab evolves with', () => {
 
 test('gains from Training, even of an evolution of before, are not those by hand', () => {
   const byHand = /** @type {const} */ ([1, 2, 3]);
-  const slices = { [trainingSlice.name]: { ...trainingSlice.first, byHand } };
-  const state = /** @type {any} */ ({ handGains: [4, 5, 6], found: 'training', slices });
-  assert.equal(handOf(state), byHand);
-  assert.deepEqual(handOf({ ...state, found: 'hand' }), [4, 5, 6]);
+  const stateOf = (/** @type {string} */ found, /** @type {object | null} */ evolved) => {
+    const slices = { [trainingSlice.name]: { ...trainingSlice.first, byHand, evolved } };
+    return /** @type {any} */ ({ handGains: [4, 5, 6], found, slices });
+  };
+  assert.equal(handOf(stateOf('training', {})), byHand);
+  assert.deepEqual(handOf(stateOf('hand', {})), [4, 5, 6]);
+  // As a link brings them.
+  assert.deepEqual(handOf(stateOf('training', null)), [4, 5, 6]);
 });
 
 /** @param {Page} page @param {string} id */

@@ -23,8 +23,11 @@ import { evolveSeeds } from './spread.js';
 export const lengths = [50, 100, 200];
 
 /** The gains by hand that are not those of an evolved row, of now or of before. @param {Pick<State, 'handGains' | 'found' | 'slices'>} state */
-export const handOf = (state) =>
-  state.found === 'training' ? trainingSlice.of(state).byHand : state.handGains;
+export function handOf(state) {
+  const { evolved, byHand } = trainingSlice.of(state);
+  // A link may bring such gains, before anything is evolved here.
+  return evolved && state.found === 'training' ? byHand : state.handGains;
+}
 
 /**
  * How robots fare from their own starts, from those that no evolution sees, and from the experiment's own.
