@@ -1,5 +1,6 @@
 // What a link carries beside the experiment: one row a key, which says how it is written and how it is read.
 /** @import { Engine, Experiment } from '../core/engine.js' */
+/** @import { Places } from '../run/actions/basis.js' */
 /** @import { Opened } from '../run/actions/page.js' */
 /** @import { Pin } from '../run/pins.js' */
 /** @import { State } from '../run/state.js' */
@@ -49,8 +50,8 @@ export function partKey(key, slice, field, read, text = String) {
   };
 }
 
-/** Where links with a disturbance that is tried are written. @param {(page: string) => boolean} triesDisturbance @returns {readonly Key[]} */
-export const driveKeys = (triesDisturbance) => [
+/** What is tried stands in the links of the parts that try it. @param {Pick<Places, 'triesStarts' | 'triesDisturbance'>} places @returns {readonly Key[]} */
+export const driveKeys = ({ triesStarts, triesDisturbance }) => [
   {
     key: 'generation',
     text: ({ generation }) => (generation > 0 ? String(generation) : null),
@@ -78,7 +79,7 @@ export const driveKeys = (triesDisturbance) => [
   },
   {
     key: 'from',
-    text: ({ trial }) => (trial.start ? postureText(trial.start) : null),
+    text: ({ trial, page }) => (trial.start && triesStarts(page) ? postureText(trial.start) : null),
     read(opened, text, engine) {
       const start = posture(text);
       engine.experiment({ starts: [start] });
