@@ -5,6 +5,7 @@
 /** @import { Pin } from '../run/pins.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Slice } from '../run/store.js' */
+import { lastGeneration } from '../run/pace.js';
 import { styles } from '../run/pins.js';
 import { drivers, finds } from '../run/state.js';
 import { link as words } from '../words/index.js';
@@ -55,7 +56,7 @@ export const driveKeys = ({ triesStarts, triesDisturbance }) => [
   {
     key: 'generation',
     text: ({ generation }) => (generation > 0 ? String(generation) : null),
-    read: (opened, text) => ({ ...opened, generation: wholeNumber(text, 100_000) }),
+    read: (opened, text) => ({ ...opened, generation: wholeNumber(text, lastGeneration) }),
   },
   {
     key: 'drives',
