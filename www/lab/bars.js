@@ -5,7 +5,7 @@ import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { watch } from '../kit/memo.js';
 import { options, styled, valueIn } from '../kit/templates.js';
-import { paces } from '../run/pace.js';
+import { nextRest, paces } from '../run/pace.js';
 import { lab as strings, texts } from '../words/index.js';
 
 /** @typedef {{ time: number, finalTime: number, playing: boolean, speed: number }} RobotBarModel */
@@ -48,13 +48,14 @@ export function createEvolutionBar(root, actions) {
   const changed = watch();
   /** The kind that is asked for, which may have been refused. @type {Until['kind']} */
   let kind = 'every';
+  let shown = 0;
   const untilValue = () => /** @type {HTMLInputElement} */ (root.querySelector('#until-value'));
   const on = {
     /** @param {Event} event */
     onKind(event) {
       kind = /** @type {Until['kind']} */ (valueIn(event));
       // A start that fits the kind, to be changed.
-      if (kind === 'generation') untilValue().value = '100';
+      if (kind === 'generation') untilValue().value = String(nextRest(shown));
       if (kind === 'cost') untilValue().value = '8';
       on.onValue();
     },
@@ -65,6 +66,7 @@ export function createEvolutionBar(root, actions) {
     draw(model) {
       if (!changed(...Object.values(model))) return;
       if (!model.untilError) kind = model.until.kind;
+      shown = model.generation;
       render(evolutionBar({ ...model, kind }, actions, on), root);
     },
   };

@@ -50,7 +50,7 @@ export function createDraw(views, engine, paper) {
     drawPlane(state, scene, time);
     views.robotBar.draw({ time, finalTime: driving.finalTime, playing: robot.playing, speed: state.speed });
     views.cost.draw({
-      title: strings.costTitle(driver, state.found),
+      title: strings.costTitle(driver, state.found, scene.experiment.starts.length),
       run: driving,
       note: costNote(scene, state),
     });
@@ -62,7 +62,7 @@ export function createDraw(views, engine, paper) {
       gains: gainsOf(state, driver, paper),
       errors: state.gainErrors,
       range: sliderRange[preset],
-      note: strings.gainsNote(driver, best.cost),
+      note: strings.gainsNote(driver, isOneDrive(state) ? best.cost : null),
     });
     views.notes.draw({
       ...endsOf(state),
@@ -81,6 +81,9 @@ export function createDraw(views, engine, paper) {
   };
 }
 
+/** Whether evolution counts the drive that is seen, and not the mean over many. @param {State} state */
+const isOneDrive = ({ experiment }) => experiment.starts.length === 1;
+
 /** What evolution has done: J, or σ. @param {Views} views @param {State} state @param {Scene} scene */
 function drawCurve(views, state, scene) {
   const { history, generation, theme } = state;
@@ -90,7 +93,8 @@ function drawCurve(views, state, scene) {
   byId('sigmas').hidden = isCost;
   write(byId('curve-title'), isCost ? strings.texts.curveTitle : sigmaWords.sigmaTitle);
   views.curveChoice.draw(curve);
-  if (isCost) views.curve.draw({ history, generation, paper: scene.paperEp?.cost.total ?? null, theme });
+  const paper = isOneDrive(state) ? (scene.paperEp?.cost.total ?? null) : null;
+  if (isCost) views.curve.draw({ history, generation, paper, theme });
   else views.sigmas.draw({ history, generation, theme });
 }
 

@@ -22,9 +22,9 @@ export const chosenIn = (live) =>
     phase: isInitial(anatomyOf(live).record) ? 'parents' : 'survivors',
   });
 
-/** How a parent had its offspring; null in generation 0, which has none. @param {Anatomy} anatomy @param {number} pair @returns {Birth | null} */
+/** How a parent had its offspring; null in generation 0, which has none, and in other searches, which draw in other ways. @param {Anatomy} anatomy @param {number} pair @returns {Birth | null} */
 export const birthOf = ({ record }, pair) =>
-  isInitial(record)
+  record.mutations.length === 0
     ? null
     : { parent: record.parents[pair], child: record.offspring[pair], draws: record.mutations[pair] };
 

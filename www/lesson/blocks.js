@@ -7,6 +7,7 @@ import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { generationSlice } from '../parts/generation/state.js';
 import { landscapeSlice } from '../parts/landscape/state.js';
 import { lesson as first } from '../words/index.js';
+import { isAskedIn } from './asked-in.js';
 import { createFormula } from './formula.js';
 import { hrefOf, linkOfStep, pathLength, stepNames } from './path.js';
 import { inline, list, paragraphs } from './prose.js';
@@ -125,7 +126,9 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go, 
       if (quiz.sight) look(quiz.sight);
       quiz.begins?.(store);
       if (quiz.time !== undefined) actions.standAt(quiz.time);
-      keep({ choice, right: null, why: '' });
+      const answer = { choice, right: null, why: '' };
+      keep(answer);
+      if (!store.get().computing) isAskedIn(answer, store.get(), quiz);
     },
     onAgain: () => keep(undefined),
   });

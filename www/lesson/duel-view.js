@@ -127,7 +127,8 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
       const progress = progressSlice.of(live.state);
       const { sees } = progress;
       const predicted = progress.answers[prediction] !== undefined;
-      if (predicted && !evolving) rounds.begin(duelIn(live));
+      if (!predicted) rounds.forgive();
+      else if (!evolving) rounds.begin(duelIn(live));
       const { duel } = progress;
       const round = duel?.rounds.at(-1);
       if (!changed(duel, predicted, theme, sees)) return;
@@ -199,6 +200,7 @@ function tableOf(duel, verdict, words, { engine }) {
 function createRounds({ store, engine, actions }) {
   /** @type {Duel | null} */
   let asked = null;
+  let hasFailed = false;
   /** @param {Duel} duel */
   const ask = async (duel) => {
     if (asked === duel) return;
@@ -208,11 +210,17 @@ function createRounds({ store, engine, actions }) {
       if (progressSlice.of(store.get()).duel === duel)
         update(store, { duel: { ...duel, rounds: [...duel.rounds, round] } });
     } catch (error) {
-      asked = null;
+      hasFailed = true;
       actions.say(messageOf(error));
     }
   };
+  /** What has failed is tried again only when somebody asks for it. */
+  const forgive = () => {
+    if (hasFailed) asked = null;
+    hasFailed = false;
+  };
   return {
+    forgive,
     /** Locks in, and runs the first seed. @param {Duel} duel */
     begin(duel) {
       if (duel.rounds.length > 0) return;
@@ -220,6 +228,7 @@ function createRounds({ store, engine, actions }) {
       ask(duel);
     },
     run() {
+      forgive();
       const { duel } = progressSlice.of(store.get());
       if (duel) ask(duel);
     },

@@ -54,8 +54,8 @@ export function createFormula({ label, build, filled = build, numbers }) {
   return {
     element,
     draw(live) {
-      for (const [term, text] of Object.entries(numbers(live)))
-        for (const leaf of leaves.get(term) ?? []) write(leaf, text);
+      const known = numbers(live);
+      for (const [term, all] of leaves) for (const leaf of all) write(leaf, known[term] ?? '–');
     },
   };
 }

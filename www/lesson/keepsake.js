@@ -35,12 +35,13 @@ export function progressOf(text) {
     Number.isInteger(one.choice) && Number.isInteger(one.right) && typeof one.why === 'string';
   const isDriven = (/** @type {{ costs: unknown }} */ one) =>
     Array.isArray(one.costs) && one.costs.every((cost) => cost === null || typeof cost === 'number');
-  if (told !== language || !Object.values(answers).every(isAnswer)) return noProgress;
+  if (!Object.values(answers).every(isAnswer)) return noProgress;
   /** JSON knows no infinity. @template {{ costs: readonly number[] }} T @param {T} one @returns {T} */
   const whole = (one) => ({ ...one, costs: one.costs.map((cost) => cost ?? Number.POSITIVE_INFINITY) });
   return {
     ...noProgress,
-    answers,
+    // What was said of them is in the other language.
+    answers: told === language ? answers : {},
     tally:
       isDriven(tally) && typeof tally.experiment === 'string' ? whole({ ...noTally, ...tally }) : noTally,
     duel: duel && isDriven(duel) && duel.experiment ? whole({ ...duel, rounds: [] }) : null,

@@ -3,7 +3,7 @@ import { html, render } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { remember, watch } from '../kit/memo.js';
 import { generationSlice } from '../parts/generation/state.js';
-import { isInitial } from '../parts/generation/record.js';
+import { isInitial, partnerOf } from '../parts/generation/record.js';
 import { fixed, powerText } from '../words/numbers.js';
 import { anatomyOf, chosenIn } from './anatomy.js';
 import { createSmallDrive } from './small-drives.js';
@@ -45,7 +45,8 @@ export function createNewborn({ engine, store }, { newborn: words }) {
       const runs = drivesOf(state.experiment, anatomy, isBorn);
       const chosen = chosenIn(live) % anatomy.count;
       const all = isBorn ? record.offspring : record.parents;
-      const isBetter = (/** @type {number} */ i) => isBorn && all[i].cost < record.parents[i].cost;
+      const isBetter = (/** @type {number} */ i) =>
+        isBorn && all[i].cost < anatomy.all[partnerOf(anatomy, anatomy.count + i)].cost;
       if (changed(runs, chosen))
         render(
           html`<p class="newborn-title">${isBorn ? words.title(all.filter((_, i) => isBetter(i)).length, all.length) : words.parents(all.length)}</p>

@@ -105,7 +105,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       if (step.overlay) errorPosture.draw(live);
       stage.draw(live);
       for (const block of blocks) block.draw(live);
-      settle(live, step, store);
+      settle(live, step, tools);
       keepsake.follow(progressSlice.of(store.get()));
     },
   };

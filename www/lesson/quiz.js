@@ -23,6 +23,7 @@ import { inline } from './prose.js';
  * @property {true} [watch] The answer waits until the drive has been seen to its end.
  * @property {readonly number[]} [order] In which the choices stand; else in that of the words.
  * @property {(live: Live) => boolean} [ready] Whether what it is answered from is there; without it, at once.
+ * @property {(state: Live['state']) => readonly unknown[]} [of] What beside the run it is answered from: once that is another, it is to be asked again.
  * @property {(live: Live) => Outcome | Promise<Outcome>} answer From what runs then.
  */
 /** @typedef {{ question: string, choices: readonly string[], why: (outcome: any) => string }} QuizWords */

@@ -1,11 +1,12 @@
 // Answers what was predicted, once what shows it has been seen.
+import { isLost, messageOf } from '../words/errors.js';
+import { isAskedIn } from './asked-in.js';
 import { keyOf } from './blocks.js';
 import { progressSlice } from './state.js';
 import words from './words/index.js';
 
 /** @import { Run } from '../core/engine.js' */
-/** @import { Store } from '../run/store.js' */
-/** @import { Live } from './page.js' */
+/** @import { Live, Tools } from './page.js' */
 /** @import { Answer } from './state.js' */
 /** @import { Step } from './steps.js' */
 
@@ -32,26 +33,37 @@ const isSeen = ({ state: { robot }, scene: { driving } }) => !robot.playing || r
 /** @type {WeakSet<Answer>} */
 const pending = new WeakSet();
 
-/** @param {Live} live @param {Step} step @param {Store} store */
-export function settle(live, step, store) {
-  if (live.state.evolving) return;
+/** @param {Live} live @param {Step} step @param {Pick<Tools, 'store' | 'actions'>} tools */
+export function settle(live, step, { store, actions }) {
+  if (live.state.evolving || live.state.computing) return;
   for (const block of step.blocks) {
     if (block.kind !== 'quiz') continue;
     const { name, quiz } = block;
     const key = keyOf(step, name);
+    /** @param {Answer} answer @param {Answer} [told] Without it the question is free again. */
+    const replace = (answer, told) => {
+      const { [key]: now, ...others } = progressSlice.of(store.get()).answers;
+      if (now === answer)
+        progressSlice.update(store, { answers: told ? { ...others, [key]: told } : others });
+    };
     const answer = progressSlice.of(live.state).answers[key];
     if (!answer || answer.right !== null || pending.has(answer)) continue;
+    if (!isAskedIn(answer, live.state, quiz)) {
+      replace(answer);
+      continue;
+    }
     if (quiz.ready && !quiz.ready(live)) continue;
     if (quiz.watch && !isSeen(live)) continue;
     // What it needs may still be under way: then it is asked again.
     const found = quiz.answer(live);
     pending.add(answer);
     const { why } = /** @type {any} */ (words.steps[step.name]).quizzes[name];
-    Promise.resolve(found).then((outcome) => {
-      const { answers } = progressSlice.of(store.get());
-      if (answers[key] !== answer) return;
-      const told = { ...answer, right: outcome.right, why: why(outcome) };
-      progressSlice.update(store, { answers: { ...answers, [key]: told } });
-    });
+    Promise.resolve(found)
+      .then((outcome) => replace(answer, { ...answer, right: outcome.right, why: why(outcome) }))
+      .catch((error) => {
+        replace(answer);
+        if (isLost(error)) throw error;
+        actions.say(messageOf(error));
+      });
   }
 }

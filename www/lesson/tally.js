@@ -1,5 +1,5 @@
 // How often somebody has driven by hand, and the best that came of it. A drag is one drive, however far it goes.
-import { remember } from '../kit/memo.js';
+import { remember, watch } from '../kit/memo.js';
 import { noTally, progressSlice } from './state.js';
 
 /** @import { Experiment } from '../core/engine.js' */
@@ -27,15 +27,25 @@ const driveOnPlane = ({ state, scene: { experiment, driving, chosen } }) =>
 export function createTally(store) {
   /** @type {string | null} */
   let last = null;
+  /** The gains with which the experiment began, until others are driven. @type {string | null} */
+  let given = null;
+  const changed = watch();
   const hand = watchHand(store);
   return {
     /** Counts what drives by hand, while the experiment stays the same. What a link sets up was not driven by hand. @param {Live} live @param {Step} step */
     count(live, step) {
-      const { driver, handGains, page } = live.state;
+      const { driver, handGains, page, experiment, gainErrors } = live.state;
+      if (changed(experiment)) {
+        given = String(handGains);
+        hand.rest();
+      }
+      // What was refused is no drive.
+      if (String(handGains) === given || gainErrors.some((error) => error !== '')) hand.rest();
       if (driver !== 'hand' || !handGains || page !== 'lab' || !hand.hasMoved()) return;
       const drive = (step.price ?? driveOnPlane)(live);
       if (!drive) return;
       hand.rest();
+      given = null;
       const name = `${drive.gains} ${drive.experiment}`;
       if (name !== last || progressSlice.of(live.state).tally.drives === 0) record(store, drive);
       last = name;

@@ -1,9 +1,11 @@
 // What a link carries beside the experiment: one row a key, which says how it is written and how it is read.
 /** @import { Engine, Experiment } from '../core/engine.js' */
+/** @import { Places } from '../run/actions/basis.js' */
 /** @import { Opened } from '../run/actions/page.js' */
 /** @import { Pin } from '../run/pins.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Slice } from '../run/store.js' */
+import { lastGeneration } from '../run/pace.js';
 import { styles } from '../run/pins.js';
 import { drivers, finds } from '../run/state.js';
 import { link as words } from '../words/index.js';
@@ -49,12 +51,12 @@ export function partKey(key, slice, field, read, text = String) {
   };
 }
 
-/** Where links with a disturbance that is tried are written. @param {(page: string) => boolean} triesDisturbance @returns {readonly Key[]} */
-export const driveKeys = (triesDisturbance) => [
+/** What is tried stands in the links of the parts that try it. @param {Pick<Places, 'triesStarts' | 'triesDisturbance'>} places @returns {readonly Key[]} */
+export const driveKeys = ({ triesStarts, triesDisturbance }) => [
   {
     key: 'generation',
     text: ({ generation }) => (generation > 0 ? String(generation) : null),
-    read: (opened, text) => ({ ...opened, generation: wholeNumber(text, 100_000) }),
+    read: (opened, text) => ({ ...opened, generation: wholeNumber(text, lastGeneration) }),
   },
   {
     key: 'drives',
@@ -78,7 +80,7 @@ export const driveKeys = (triesDisturbance) => [
   },
   {
     key: 'from',
-    text: ({ trial }) => (trial.start ? postureText(trial.start) : null),
+    text: ({ trial, page }) => (trial.start && triesStarts(page) ? postureText(trial.start) : null),
     read(opened, text, engine) {
       const start = posture(text);
       engine.experiment({ starts: [start] });

@@ -3,6 +3,7 @@
 // #part&key=value&…: only what differs from the preset. Keys are the core's own names of the experiment's fields, and those
 // of the tables that are handed in.
 /** @import { Engine, Experiment, Preset } from '../core/engine.js' */
+/** @import { Places } from '../run/actions/basis.js' */
 /** @import { Opened } from '../run/actions/page.js' */
 /** @import { Exercise } from '../run/exercise.js' */
 /** @import { Language } from '../words/language.js' */
@@ -26,7 +27,7 @@ import { decoded, encoded, oneOf, pairOf } from './values.js';
  * What the parts of the page and the lesson put into links.
  * @typedef {object} Tables
  * @property {readonly string[]} pages The names of the parts.
- * @property {(page: string) => boolean} triesDisturbance
+ * @property {Pick<Places, 'triesStarts' | 'triesDisturbance'>} places
  * @property {readonly PartKey[]} keys Of the parts.
  * @property {(opened: Opened, refuse: (key: string, why: string) => void) => Opened} mend What goes wrong only together.
  * @property {Steps} lesson
@@ -81,8 +82,8 @@ const signs = [
 ];
 
 /** @param {Tables} tables */
-export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, lesson }) {
-  const keys = [...driveKeys(triesDisturbance), ...partKeys, ...pinKeys, lessonKey(lesson), ...exerciseKeys];
+export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
+  const keys = [...driveKeys(places), ...partKeys, ...pinKeys, lessonKey(lesson), ...exerciseKeys];
   /** What the parts show when a link says nothing of it. @type {Record<string, Record<string, unknown>>} */
   const usualParts = {};
   for (const { slice, field } of partKeys)
@@ -112,12 +113,12 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
    */
   function openLink(written, engine, who = '') {
     const link = asWritten(written);
-    const [name, ...rest] = stepLink(link.slice(0, mostCharacters)).split('&');
+    const [name, ...rest] = whole(link.slice(0, mostCharacters)).split('&');
     const page = pages.find((one) => one === (name || 'lab'));
     const problems = page ? [] : [words.unknownPart(short(decoded(name)), pages)];
     if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
     const given = new Map(rest.filter((text) => text !== '').map(pairOf));
-    const step = stepIn(link) ?? given.get('lesson');
+    const step = aloneIn(link)?.step ?? given.get('lesson');
     if (step !== undefined && !lesson.named(step).isThere) problems.push(words.noStep(short(step)));
     const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
     const empty = { ...emptyRun(page ?? 'lab', preset, engine), student: { ...nobody, who } };
@@ -142,14 +143,15 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
     const refuse = (/** @type {string} */ key, /** @type {string} */ why) => {
       problems.push(words.ignored(key, why));
     };
-    const whole = withVariant(withGains(opened, refuse), refuse, engine.experiment);
-    return { opened: mend(whole, refuse), problems };
+    const varied = withVariant(withGains(opened, refuse), refuse, engine.experiment);
+    return { opened: mend(varied, refuse), problems };
   }
 
-  /** A step of the lesson may be asked for alone, as lesson&step=3. @param {string} link */
-  function stepLink(link) {
-    const step = stepIn(link);
-    return step === undefined ? link : lesson.linkOf(Math.max(lesson.named(step).number, 1));
+  /** A step of the lesson may be asked for alone, as lesson&step=3; what else stands there is kept. @param {string} link */
+  function whole(link) {
+    const alone = aloneIn(link);
+    if (!alone) return link;
+    return [lesson.linkOf(Math.max(lesson.named(alone.step).number, 1)), ...alone.pairs].join('&');
   }
 
   return {
@@ -170,10 +172,13 @@ export function createLinks({ pages, triesDisturbance, keys: partKeys, mend, les
   };
 }
 
-/** The step that is asked for alone. @param {string} link */
-function stepIn(link) {
-  const step = /^lesson(?:&(?:v|lang)=\w+)*(?:&step=(\w+))?(?:&(?:v|lang)=\w+)*$/.exec(link);
-  return step ? (step[1] ?? '1') : undefined;
+/** The step that is asked for alone, and the other pairs. @param {string} link */
+function aloneIn(link) {
+  const [name, ...pairs] = link.split('&');
+  if (name !== 'lesson') return undefined;
+  const isStep = (/** @type {string} */ pair) => pairOf(pair)[0] === 'step';
+  const [, step] = pairOf(pairs.find(isStep) ?? 'step=1');
+  return { step, pairs: pairs.filter((pair) => !isStep(pair)) };
 }
 
 /** @param {readonly [string, string]} pair */

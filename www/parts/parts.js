@@ -31,7 +31,7 @@ export const places = {
 /** What links know of them. @type {Omit<import('../link/link.js').Tables, 'lesson'>} */
 export const linked = {
   pages: pageNames,
-  triesDisturbance: places.triesDisturbance,
+  places,
   keys: parts.flatMap(({ keys = [] }) => keys),
   mend: (opened, refuse) =>
     parts.reduce((mended, { mend }) => (mend ? mend(mended, refuse) : mended), opened),

@@ -6,6 +6,8 @@
 
 /** @type {Until} */
 export const usualUntil = { kind: 'every', value: 100 };
+/** The last generation that a link can say. */
+export const lastGeneration = 100_000;
 /** The pace at which each phase of a generation is shown. */
 const phaseByPhase = 0;
 export const paces = [phaseByPhase, 1, 8, 60, Number.POSITIVE_INFINITY];
@@ -13,6 +15,9 @@ export const paces = [phaseByPhase, 1, 8, 60, Number.POSITIVE_INFINITY];
 /** Whether evolution runs as a play of phases. @param {State} state */
 export const playsPhases = ({ evolving, catchingUp, pace }) =>
   evolving && !catchingUp && pace === phaseByPhase;
+
+/** The next generation at which it usually pauses. @param {number} generation */
+export const nextRest = (generation) => usualUntil.value * (Math.floor(generation / usualUntil.value) + 1);
 
 /** Whether evolution is to pause at this generation. @param {Until} until @param {Statistics} statistics */
 export const pausesAt = ({ kind, value }, { generation, best }) =>

@@ -2,12 +2,13 @@ import assert from 'node:assert/strict';
 import { generationSlice } from '../../../www/parts/generation/state.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { placeByCost } from '../../../www/lesson/anatomy.js';
+import { gainFormula, sigmaFormula } from '../../../www/lesson/formulas.js';
 import { generation as step, question } from '../../../www/lesson/steps/generation.js';
 import { generation as words } from '../../../www/lesson/words/en/generation.js';
 import { Key, pageTest } from '../harness/browsers.js';
-import { Evolution, experiment, simulate } from '../harness/core.js';
+import { Evolution, experiment, simulate, wordFields } from '../harness/core.js';
 import { evolved, opened, shownIn } from './links.js';
-import { answered, tryOf } from './live.js';
+import { answered, liveOf, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../../../www/core/engine.js').Individual} Individual */
@@ -112,6 +113,28 @@ test('the best J never rises, for the best wins all its bouts', async () => {
     assert.equal(record.wins[best], 10);
     assert.equal(record.survivors[0], best);
   }
+});
+
+test('whatever searches and selects, the step says what is known of it, and a formula has its numbers or none', () => {
+  const wordsOf = (/** @type {string} */ name) =>
+    wordFields().find(({ path }) => path === `evolution.${name}`)?.words ?? [];
+  const settings = [
+    ...wordsOf('method').map((word) => ['method', word]),
+    ...wordsOf('selection').map((word) => ['selection', word]),
+  ];
+  assert.ok(settings.length > 8);
+  for (const [name, word] of settings)
+    for (const generation of [0, 1, 5]) {
+      const where = `${word}, generation ${generation}`;
+      const live = liveOf(`lab&evolution.${name}=${word}&generation=${generation}`);
+      const isPapers = generation > 0 && (name === 'selection' || word === 'ep');
+      for (const { numbers } of [gainFormula, sigmaFormula])
+        assert.equal(Object.keys(numbers?.(live) ?? {}).length > 0, isPapers, where);
+      const known = step.values?.(live) ?? {};
+      assert.equal('child' in known, isPapers, where);
+      assert.equal('bouts' in known, isPapers && ['ep', 'tournament'].includes(word), where);
+      assert.doesNotMatch(JSON.stringify(known), /undefined|NaN/, where);
+    }
 });
 
 test('what its tries are said to show', () => {

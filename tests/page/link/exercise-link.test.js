@@ -133,6 +133,25 @@ test('a link out of HTML, and one to whose end a learning platform adds its vari
   assert.equal(open('lab&task=Why%3Fwho=1').exercise.task, 'Why?who=1');
 });
 
+test('a step of the lesson alone keeps what a learning platform adds to it', () => {
+  const step = links.linkOfStep(3);
+  for (const [link, same] of [
+    ['lesson', links.linkOfStep(1)],
+    ['lesson&step=3', step],
+    ['lesson&v=1&step=3&lang=ko', step],
+    ['lesson&lang=en&step=law', step],
+    ['lesson&step=3&who=77', `${step}&who=77`],
+    ['lesson&who=77&step=3', `${step}&who=77`],
+    ['lesson?who=77', `${links.linkOfStep(1)}&who=77`],
+    ['lesson&step=3?who=77', `${step}&who=77`],
+    ['lesson&amp;step=3&amp;seed=7', `${step}&seed=7`],
+  ])
+    assert.deepEqual(open(link), open(same), link);
+  const { opened, problems } = links.openLink('lesson&step=3?forceview=1', engine);
+  assert.deepEqual(opened, open(step));
+  assert.match(problems.join(' '), /forceview.*left out/);
+});
+
 test('digits hold for the link alone, however it was written on its way', () => {
   const link = 'lab&v=1&seed=7&drives=hand&gains=3.5,0,4&task=Park%2C%20please.';
   const sealed = `1~8.5~${sealOf(link, '1~8.5')}`;

@@ -148,6 +148,12 @@ test('every key of a link is read as it is written', () => {
   assert.equal(linkOf(linked(opened), experiment), written);
 });
 
+test('a start that is tried stands in the links of the parts that try one', () => {
+  const state = linked(open('robustness&from=2,0,0').opened);
+  assert.equal(linkOf(state, experiment), 'robustness&v=1&from=2,0,0deg');
+  assert.equal(linkOf({ ...state, page: 'curves' }, experiment), 'curves');
+});
+
 test('every experiment comes back from its link to the bit', () => {
   for (let seed = 1; seed <= 200; seed += 1) {
     const next = numbers(seed);

@@ -42,6 +42,10 @@ const contestQuiz = (shows, answer, order) => ({
   shows,
   order,
   begins,
+  of: (state) => {
+    const { others, seeds, budget } = luckSlice.of(state);
+    return [others, seeds, budget];
+  },
   ready: ({ state }) => !luckSlice.of(state).wanted && !luckSlice.of(state).contestRuns,
   answer,
 });

@@ -89,9 +89,12 @@ export const generation = {
       parentCost: cost(birth.parent.cost),
       better: String(record.offspring.filter((one, i) => one.cost < record.parents[i].cost).length),
       all: String(all.length),
-      bouts: String(record.opponents[chosen].length),
       chosen: name(chosen),
-      wins: String(record.wins[chosen]),
+      // Without a tournament there are none.
+      ...(record.opponents.length > 0 && {
+        bouts: String(record.opponents[chosen].length),
+        wins: String(record.wins[chosen]),
+      }),
       fate: lesson.steps.generation.fate(words.nameOf(anatomy, chosen), words.fateText(anatomy, chosen)),
     };
   },

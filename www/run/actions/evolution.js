@@ -5,7 +5,7 @@
 import { lab as words } from '../../words/index.js';
 import { atEnd, fromStart } from '../clock.js';
 import { isFree } from '../guard.js';
-import { paces, pausesAt, playsPhases, usualUntil } from '../pace.js';
+import { lastGeneration, paces, pausesAt, playsPhases, usualUntil } from '../pace.js';
 
 /** Milliseconds of a frame in which a run catches up. */
 const atOnce = 30;
@@ -107,7 +107,7 @@ export function createEvolution(
     setUntil(kind, text) {
       if (kind === 'every') return store.update({ until: usualUntil, untilError: '' });
       const value = words.numberOf(text);
-      const wrong = words.untilRefused(kind, value, text);
+      const wrong = words.untilRefused(kind, value, text, store.get().generation + 1, lastGeneration);
       store.update(wrong ? { untilError: wrong } : { until: { kind, value }, untilError: '' });
     },
 

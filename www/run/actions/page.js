@@ -1,10 +1,11 @@
 // Which part of the page is open, what stands beside it, and what a link opens.
 /** @import { MakerState } from '../exercise.js' */
-/** @import { State } from '../state.js' */
+/** @import { Disturbance, State } from '../state.js' */
 /** @import { Basis } from './basis.js' */
 import { whenThere } from '../../core/pending.js';
 import { boxAround } from '../../kit/transform.js';
 import { isHiddenWithPaper, noExercise, shownExercise, wayOf } from '../exercise.js';
+import { noErrors } from '../first.js';
 import { playsPhases } from '../pace.js';
 import { isFull, pinOf, renamed, withoutPin, withPin } from '../pins.js';
 import { newWork, noTrial } from '../state.js';
@@ -32,6 +33,11 @@ export const createOpenPage =
 export function createPage(basis, openPage, catchUp) {
   const { engine, store, places, attempt, tryToBegin, shown, inSight } = basis;
   const nearEnd = createNearEnd(basis);
+  /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
+  const trialOf = ({ page, trial }, tried) => {
+    if (places.triesDisturbance(page)) return { ...trial, disturbance: tried };
+    return places.triesStarts(page) ? trial : noTrial;
+  };
 
   return {
     /** @param {string} page */
@@ -51,8 +57,9 @@ export function createPage(basis, openPage, catchUp) {
         tryToBegin(experiment, 'begin', {
           ...run,
           lastStep: run.lesson || before.lastStep,
+          gainErrors: noErrors,
           work: newWork(String(run.handGains), generation),
-          trial: places.triesDisturbance(run.page) ? { ...run.trial, disturbance: tried } : run.trial,
+          trial: trialOf(run, tried),
           tried,
           slices: {
             ...before.slices,

@@ -110,14 +110,14 @@ export const driverName = (driver, generation, found) =>
     'paper-arbitrary': 'paper’s arbitrary gains',
   })[driver];
 
-/** @param {Driver} driver @param {import('../common/kinds.js').Found} found */
-export const costTitle = (driver, found) =>
+/** @param {Driver} driver @param {import('../common/kinds.js').Found} found @param {number} starts */
+export const costTitle = (driver, found, starts) =>
   ({
     evolved: 'Cost of the best robot',
     hand: `Cost of ${foundName[found]}`,
     'paper-ep': 'Cost of the paper’s EP gains',
     'paper-arbitrary': 'Cost of the paper’s arbitrary gains',
-  })[driver];
+  })[driver] + (starts > 1 ? `, from the first of ${starts} starts` : '');
 
 /** @param {Run} run */
 export const outcomeText = (run) =>
@@ -194,12 +194,12 @@ export const untils = [
   ['cost', 'until J is below'],
 ];
 
-/** What is wrong with it, if anything. @param {Until['kind']} kind @param {number} value @param {string} text */
-export const untilRefused = (kind, value, text) =>
+/** What is wrong with it, if anything. @param {Until['kind']} kind @param {number} value @param {string} text @param {number} next The first generation that is yet to come. @param {number} last */
+export const untilRefused = (kind, value, text, next, last) =>
   kind === 'generation'
-    ? Number.isInteger(value) && value >= 1
+    ? Number.isInteger(value) && value >= next && value <= last
       ? ''
-      : `The generation to stop at must be a whole number from 1; it was “${text}”.`
+      : `The generation to stop at must be a whole number from ${next} to ${last}; it was “${text}”.`
     : value > 0 && value < Number.POSITIVE_INFINITY
       ? ''
       : `The J to stop at must be a number over 0; it was “${text}”.`;
@@ -259,11 +259,11 @@ export const curveLabel = (first, newest) =>
   `Fitness curve over ${newest.generation} generations: best J from ${costText(first.best.cost)} to ${costText(newest.best.cost)}, median from ${costText(first.median)} to ${costText(newest.median)}.`;
 
 export const generationAxis = 'generation';
-/** @param {Driver} driver @param {number} evolved The best cost of the newest generation. */
+/** @param {Driver} driver @param {number | null} evolved The best cost of the newest generation, if it is of the same drive. */
 export const gainsNote = (driver, evolved) =>
   ({
     evolved: 'move one to drive by hand',
-    hand: `can you beat evolution’s ${costText(evolved)}?`,
+    hand: evolved === null ? 'can you beat evolution?' : `can you beat evolution’s ${costText(evolved)}?`,
     'paper-ep': 'found by evolution in the paper',
     'paper-arbitrary': 'chosen without evolution',
   })[driver];

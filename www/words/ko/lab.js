@@ -105,14 +105,14 @@ export const driverName = (driver, generation, found) =>
     'paper-arbitrary': '논문의 임의 이득',
   })[driver];
 
-/** @param {Driver} driver @param {import('../common/kinds.js').Found} found */
-export const costTitle = (driver, found) =>
+/** @param {Driver} driver @param {import('../common/kinds.js').Found} found @param {number} starts */
+export const costTitle = (driver, found, starts) =>
   ({
     evolved: '최우수 로봇의 비용',
     hand: `${foundName[found]}의 비용`,
     'paper-ep': '논문 EP 이득의 비용',
     'paper-arbitrary': '논문 임의 이득의 비용',
-  })[driver];
+  })[driver] + (starts > 1 ? `(출발점 ${starts}개 중 첫 번째)` : '');
 
 /** @param {Run} run */
 export const outcomeText = (run) =>
@@ -190,12 +190,12 @@ export const untils = [
   ['cost', 'J가 이보다 낮으면'],
 ];
 
-/** What is wrong with it, if anything. @param {Until['kind']} kind @param {number} value @param {string} text */
-export const untilRefused = (kind, value, text) =>
+/** What is wrong with it, if anything. @param {Until['kind']} kind @param {number} value @param {string} text @param {number} next The first generation that is yet to come. @param {number} last */
+export const untilRefused = (kind, value, text, next, last) =>
   kind === 'generation'
-    ? Number.isInteger(value) && value >= 1
+    ? Number.isInteger(value) && value >= next && value <= last
       ? ''
-      : `멈출 세대는 1 이상의 정수여야 합니다. 입력값: “${text}”.`
+      : `멈출 세대는 ${next} 이상 ${last} 이하의 정수여야 합니다. 입력값: “${text}”.`
     : value > 0 && value < Number.POSITIVE_INFINITY
       ? ''
       : `멈출 J는 0보다 큰 수여야 합니다. 입력값: “${text}”.`;
@@ -255,11 +255,11 @@ export const curveLabel = (first, newest) =>
 
 export const generationAxis = '세대';
 
-/** @param {Driver} driver @param {number} evolved The best cost of the newest generation. */
+/** @param {Driver} driver @param {number | null} evolved The best cost of the newest generation, if it is of the same drive. */
 export const gainsNote = (driver, evolved) =>
   ({
     evolved: '움직이면 직접 조정으로 바뀝니다',
-    hand: `도전: 진화의 최소 J ${costText(evolved)}보다 낮게`,
+    hand: evolved === null ? '도전: 진화보다 낮은 J' : `도전: 진화의 최소 J ${costText(evolved)}보다 낮게`,
     'paper-ep': '논문에서 진화로 찾은 이득',
     'paper-arbitrary': '진화 없이 정한 이득',
   })[driver];

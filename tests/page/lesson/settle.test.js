@@ -1,0 +1,82 @@
+// When a prediction is answered, and when it is free again.
+import assert from 'node:assert/strict';
+import { isAskedIn } from '../../../www/lesson/asked-in.js';
+import { settle } from '../../../www/lesson/settle.js';
+import { progressSlice } from '../../../www/lesson/state.js';
+import { test } from '../harness/once.js';
+import { liveOf } from './live.js';
+
+/** @typedef {import('../../../www/lesson/page.js').Live} Live */
+/** @typedef {import('../../../www/lesson/quiz.js').Quiz} Quiz */
+
+const asked = { choice: 1, right: null, why: '' };
+const key = 'drive.bolder';
+
+/** A page with one question, which is asked. @param {Live} live @param {Quiz['answer']} answer @param {Partial<Quiz>} [more] */
+function pageOf(live, answer, more) {
+  const { slices } = live.state;
+  const own = { ...asked };
+  const first = { ...progressSlice.first, answers: { [key]: own } };
+  let state = { ...live.state, slices: { ...slices, [progressSlice.name]: first } };
+  /** @type {string[]} */
+  const said = [];
+  const quiz = { ...more, answer };
+  isAskedIn(own, state, quiz);
+  const tools = /** @type {any} */ ({
+    store: {
+      get: () => state,
+      keep: (/** @type {string} */ name, /** @type {unknown} */ slice) => {
+        state = { ...state, slices: { ...state.slices, [name]: slice } };
+      },
+    },
+    actions: { say: (/** @type {string} */ text) => said.push(text) },
+  });
+  const step = /** @type {any} */ ({ name: 'drive', blocks: [{ kind: 'quiz', name: 'bolder', quiz }] });
+  return {
+    said,
+    /** Draws a frame. @param {Partial<Live['state']>} [patch] */
+    frame: async (patch) => {
+      state = { ...state, ...patch };
+      settle({ ...live, state }, step, tools);
+      await new Promise((resolve) => setImmediate(resolve));
+      return progressSlice.of(state).answers[key];
+    },
+  };
+}
+
+const live = liveOf('lab&drives=hand&gains=3,1,5');
+
+test('a prediction is answered from the run that it was made about, and free once that is another', async () => {
+  const answer = async () => {
+    throw new Error('nothing is to be computed');
+  };
+  const ready = () => false;
+  const waits = () => pageOf(live, answer, { ready, of: ({ page }) => [page] });
+  const { experiment } = live.state;
+  const same = structuredClone(experiment);
+  for (const patch of [{}, { experiment: same }, { generation: 1 }])
+    assert.notEqual(await waits().frame(patch), undefined);
+  for (const patch of [
+    { experiment: { ...experiment, goal: { x: 1, y: 1, theta: 0 } } },
+    { driver: /** @type {const} */ ('paper-ep') },
+    { handGains: /** @type {[number, number, number]} */ ([3, 1, 4]) },
+    { work: { ...live.state.work, opened: 60 } },
+    { page: 'curves' },
+  ]) {
+    const page = waits();
+    assert.equal(await page.frame(patch), undefined, Object.keys(patch).join());
+    assert.deepEqual(page.said, []);
+  }
+});
+
+test('nothing is answered from a run that is still being computed', async () => {
+  const page = pageOf(live, () => assert.fail('too early'));
+  const computing = { what: /** @type {const} */ ('begin'), since: 0, share: () => null };
+  assert.equal((await page.frame({ computing }))?.right, null);
+});
+
+test('a question whose computation fails says so, and can be asked again', async () => {
+  const page = pageOf(live, () => Promise.reject(new Error('no worker')));
+  assert.equal(await page.frame(), undefined);
+  assert.deepEqual(page.said, ['no worker']);
+});
