@@ -6,10 +6,11 @@
 /** @type {WeakMap<Answer, string>} */
 const runs = new WeakMap();
 
-/** @param {State} state @param {Quiz} quiz */
-const runOf = (state, { of }) =>
+/** Where a prediction sets something going, that is what answers, whoever drives then. @param {State} state @param {Quiz} quiz */
+const runOf = (state, { begins, of }) =>
   JSON.stringify([
-    ...[state.experiment, state.driver, state.handGains, state.trial, state.work.opened],
+    ...[state.experiment, state.work.opened],
+    ...(begins ? [] : [state.driver, state.handGains, state.trial]),
     ...(of?.(state) ?? []),
   ]);
 

@@ -38,7 +38,7 @@ test('a part is asked for once, by its address and when it is opened', async (t)
       name: 'one',
       load: async () => {
         count += 1;
-        return () => ({ draw() {} });
+        return () => ({ element: globalThis.document.createElement('section'), draw() {} });
       },
     })
   );
