@@ -3,9 +3,9 @@
 import { html, render } from 'lit-html';
 import { ref } from 'lit-html/directives/ref.js';
 import { watch } from '../kit/memo.js';
-import { lab as strings, texts } from '../words/index.js';
+import { lab as strings } from '../words/index.js';
 
-/** @typedef {{ title: string, run: Run, note: string }} CostModel */
+/** @typedef {{ title: string, starts: number, run: Run, note: string }} CostModel */
 
 /** @param {HTMLElement} root */
 export function createCost(root) {
@@ -13,13 +13,13 @@ export function createCost(root) {
   return {
     /** @param {CostModel} model */
     draw(model) {
-      if (changed(model.title, model.run, model.note)) render(costOf(model), root);
+      if (changed(...Object.values(model))) render(costOf(model), root);
     },
   };
 }
 
 /** @param {CostModel} model */
-function costOf({ title, run, note }) {
+function costOf({ title, starts, run, note }) {
   const { cost } = run;
   const share = (/** @type {typeof strings.costParts[number][0]} */ part) =>
     Number.isFinite(cost.total) ? cost[part] / cost.total : 0;
@@ -30,7 +30,7 @@ function costOf({ title, run, note }) {
       <h2 id="cost-title">${title}</h2>
       <p id="outcome" class="muted">${strings.outcomeText(run)}</p>
     </div>
-    <p class="cost-line"><span id="cost-total" class="cost-total">${strings.costText(cost.total)}</span> <span class="muted"><span>${texts.costMeaning}</span><br><span id="cost-note">${note}</span></span></p>
+    <p class="cost-line"><span id="cost-total" class="cost-total">${strings.costText(cost.total)}</span> <span class="muted"><span>${strings.costMeaning(starts)}</span><br><span id="cost-note">${note}</span></span></p>
     <div id="cost-bar" class="cost-bar" aria-hidden="true">${strings.costParts.map(
       ([part]) =>
         html`<span class="cost-segment part-${part}" data-term=${part} .hidden=${!(share(part) >= 0.004)} ${grown(share(part))}></span>`,

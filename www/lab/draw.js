@@ -50,7 +50,8 @@ export function createDraw(views, engine, paper) {
     drawPlane(state, scene, time);
     views.robotBar.draw({ time, finalTime: driving.finalTime, playing: robot.playing, speed: state.speed });
     views.cost.draw({
-      title: strings.costTitle(driver, state.found, scene.experiment.starts.length),
+      title: strings.costTitle(driver, state.found),
+      starts: scene.experiment.starts.length,
       run: driving,
       note: costNote(scene, state),
     });

@@ -108,8 +108,8 @@ test('the link says the language; without a link the browser does', () => {
 
 test('with many starts the cost is that of the first, and evolution’s mean is not what to beat', () => {
   for (const { lab } of [en, ko]) {
-    assert.doesNotMatch(lab.costTitle('evolved', 'hand', 1), /\d/);
-    assert.match(lab.costTitle('evolved', 'hand', 32), /32/);
+    assert.doesNotMatch(lab.costMeaning(1), /\d/);
+    assert.match(lab.costMeaning(32), /32/);
     assert.match(lab.gainsNote('hand', 8.5), /8\.5/);
     assert.doesNotMatch(lab.gainsNote('hand', null), /\d|null/);
   }

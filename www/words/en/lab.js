@@ -2,7 +2,7 @@
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
-import { costText, degrees, fixed, postureText, sixDigits } from './numbers.js';
+import { costText, degrees, fixed, grouped, postureText, sixDigits } from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './numbers.js';
@@ -31,7 +31,6 @@ export const texts = {
   newSeed: 'New seed',
   seedWord: 'seed',
   gainsTitle: 'Gains',
-  costMeaning: 'J, lower is better',
 };
 
 export const presetLegend = 'Limits of the robot';
@@ -110,14 +109,18 @@ export const driverName = (driver, generation, found) =>
     'paper-arbitrary': 'paper’s arbitrary gains',
   })[driver];
 
-/** @param {Driver} driver @param {import('../common/kinds.js').Found} found @param {number} starts */
-export const costTitle = (driver, found, starts) =>
+/** @param {number} starts Of which the first is driven from. */
+export const costMeaning = (starts) =>
+  starts > 1 ? `J from the first of ${starts} starts, lower is better` : 'J, lower is better';
+
+/** @param {Driver} driver @param {import('../common/kinds.js').Found} found */
+export const costTitle = (driver, found) =>
   ({
     evolved: 'Cost of the best robot',
     hand: `Cost of ${foundName[found]}`,
     'paper-ep': 'Cost of the paper’s EP gains',
     'paper-arbitrary': 'Cost of the paper’s arbitrary gains',
-  })[driver] + (starts > 1 ? `, from the first of ${starts} starts` : '');
+  })[driver];
 
 /** @param {Run} run */
 export const outcomeText = (run) =>
@@ -228,7 +231,7 @@ export const restartText = (restart, population, isPapers) =>
 
 /** @param {Statistics} first @param {Statistics} newest */
 export function progressText(first, newest) {
-  const drives = `${newest.evaluations} drives so far`;
+  const drives = `${grouped(newest.evaluations)} drives so far`;
   const [from, to] = [costText(first.best.cost), costText(newest.best.cost)];
   return from === to
     ? `${drives}; the best J is still ${to}.`

@@ -31,7 +31,6 @@ export const texts = {
   newSeed: '새 시드',
   seedWord: '시드',
   gainsTitle: '이득',
-  costMeaning: 'J, 낮을수록 좋음',
 };
 
 export const presetLegend = '로봇의 제한';
@@ -105,14 +104,18 @@ export const driverName = (driver, generation, found) =>
     'paper-arbitrary': '논문의 임의 이득',
   })[driver];
 
-/** @param {Driver} driver @param {import('../common/kinds.js').Found} found @param {number} starts */
-export const costTitle = (driver, found, starts) =>
+/** @param {number} starts Of which the first is driven from. */
+export const costMeaning = (starts) =>
+  starts > 1 ? `출발점 ${starts}개 중 첫 번째의 J, 낮을수록 좋음` : 'J, 낮을수록 좋음';
+
+/** @param {Driver} driver @param {import('../common/kinds.js').Found} found */
+export const costTitle = (driver, found) =>
   ({
     evolved: '최우수 로봇의 비용',
     hand: `${foundName[found]}의 비용`,
     'paper-ep': '논문 EP 이득의 비용',
     'paper-arbitrary': '논문 임의 이득의 비용',
-  })[driver] + (starts > 1 ? `(출발점 ${starts}개 중 첫 번째)` : '');
+  })[driver];
 
 /** @param {Run} run */
 export const outcomeText = (run) =>
