@@ -81,9 +81,9 @@ export function messageIn({ ep, type, ...given }) {
   // A link has all of it.
   const looked = type === 'set' && typeof given.link === 'string' ? { link: given.link } : given;
   /** What is undefined is left out. @param {string} name */
-  const valueOf = (name) => (looked[name] === undefined ? usual[name] : looked[name]);
+  const saidOf = (name) => (looked[name] === undefined ? usual[name] : looked[name]);
   const said = Object.fromEntries(
-    Object.entries(fields).map(([name, check]) => [name, check(name, valueOf(name))]),
+    Object.entries(fields).map(([name, check]) => [name, check(name, saidOf(name))]),
   );
   if (type === 'set' && said.link === null && said.experiment === null)
     throw new Error(words.linkOrExperiment);

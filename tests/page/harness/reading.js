@@ -132,3 +132,19 @@ export const pixelsOf = (page, selector, token) =>
     selector,
     token,
   );
+
+/** What a student sees and hears of some controls. @param {Page} page @param {...string} selectors */
+export const waysOf = (page, ...selectors) =>
+  page.evaluate(async (wanted) => {
+    // What was pressed last may still have to be drawn.
+    for (let frame = 0; frame < 2; frame += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+    const reason = document.getElementById('exercise-locks')?.textContent ?? '';
+    return wanted.map((selector) => {
+      const element = document.querySelector(selector);
+      if (!element?.checkVisibility()) return 'hidden';
+      const isDisabled = element.matches(':disabled, [aria-disabled="true"]');
+      const holder = element.closest('[data-locked]');
+      const isTold = holder?.getAttribute('aria-describedby')?.split(' ').includes('exercise-locks');
+      return isDisabled && isTold && reason !== '' ? 'locked' : isDisabled ? 'disabled' : 'free';
+    });
+  }, selectors);
