@@ -179,6 +179,7 @@ export function createSight(sceneOf, first, onArrival, onFailure) {
     try {
       shown = { state, scene: sceneOf(state) };
       isComputing = false;
+      failed = null;
     } catch (error) {
       if (!(error instanceof Pending)) {
         isComputing = false;

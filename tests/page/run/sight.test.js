@@ -58,4 +58,11 @@ test('drives that cannot be had at once are told as well, and the last ones stay
   const next = stateOf({ experiment: { horizon: 1 } });
   for (let i = 0; i < 3; i += 1) assert.equal(sight.of(next).scene, scene);
   assert.deepEqual(told, ['Error: a worker was lost']);
+  // After something else has driven they are asked for again.
+  sight.of(first);
+  assert.equal(told.length, 1);
+  sight.renew();
+  sight.of(first);
+  sight.of(next);
+  assert.equal(told.length, 2);
 });
