@@ -74,7 +74,12 @@
 
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let soon;
-  const read = () => figure.contentWindow?.postMessage({ ep: 1, type: 'read' }, '*');
+  /** The number of the latest question; earlier ones no longer matter. */
+  let question = 0;
+  const read = () => {
+    question += 1;
+    figure.contentWindow?.postMessage({ ep: 1, type: 'read', id: String(question) }, '*');
+  };
 
   /** @type {Readonly<Record<string, (message: any) => void>>} */
   const heard = {
@@ -84,11 +89,15 @@
       clearTimeout(soon);
       soon = setTimeout(read, 1000);
     },
-    state(state) {
-      latest = `#${state.link}`;
+    state({ id, link: now }) {
+      if (id !== String(question)) return;
+      latest = `#${now}`;
       keep();
     },
     handin(result) {
+      // What is handed in comes back as that, as long as nothing is done after it.
+      clearTimeout(soon);
+      question += 1;
       receipt = `#${result.link.slice(result.link.indexOf('#') + 1)}`;
       latest = '';
       keep();
