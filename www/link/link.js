@@ -206,9 +206,11 @@ function asGiven(state) {
   return student.base ? { ...state, exercise: { ...exercise, vary: [] } } : state;
 }
 
-/** A link with an exercise, for who goes on within it. @param {string} link @param {Exercise} exercise */
+/** A link with an exercise, for who goes on within it. What is drawn for a student is the exercise's own experiment, and the link has another. @param {string} link @param {Exercise} exercise */
 export function withExercise(link, exercise, student = nobody) {
-  const state = /** @type {Linked} */ ({ exercise, student });
+  /** @type {Exercise} */
+  const forAll = { ...exercise, vary: [] };
+  const state = /** @type {Linked} */ ({ exercise: forAll, student });
   return [link, ...pairsOf(exerciseKeys, state, /** @type {Experiment} */ ({})).map(written)].join('&');
 }
 

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { links } from '../../../www/lesson/links.js';
 import { aimOf, aimText, scaleOf, scaleText } from '../../../www/link/exercise.js';
+import { withExercise } from '../../../www/link/link.js';
 import { isSealed, sealOf } from '../../../www/link/seal.js';
 import { judged } from '../../../www/run/aim.js';
 import { drawnFor } from '../../../www/run/variant.js';
@@ -123,6 +124,24 @@ test('a variant is the exercise as it was given, with who works on it; once it i
   assert.match(changed, /goal\.x=1&goal\.y=1&.*&who=s4711$/);
   assert.doesNotMatch(changed, /vary/);
   assert.deepEqual(open(changed).experiment, moved);
+});
+
+test('a step of the lesson that is opened within an exercise stands as it says, whatever is drawn for a student', () => {
+  const exercise = 'lab&v=1&lock=gains&task=Park&vary=goal,starts,seed&who=s4711';
+  const { exercise: own, student } = open(exercise);
+  for (const step of [links.linkOfStep(1), links.linkOfStep(2), links.linkOfStep(7)]) {
+    const within = open(withExercise(step, own, student));
+    assert.deepEqual(within.experiment, open(step).experiment, step);
+    assert.deepEqual(
+      [within.exercise.task, within.exercise.locked, within.student.who],
+      ['Park', ['gains'], 's4711'],
+    );
+    // And so it is when its own link is opened again.
+    assert.deepEqual(open(linkOf(linked(within), experiment)).experiment, within.experiment, step);
+    // An exercise that is a step itself is drawn.
+    const given = open(`${step}&task=Park&vary=goal,starts,seed&who=s4711`);
+    assert.deepEqual(given.experiment, drawnFor(open(step).experiment, own.vary, 's4711'), step);
+  }
 });
 
 test('a link out of HTML, and one to whose end a learning platform adds its variables', () => {
