@@ -1,7 +1,11 @@
 // The sheet on which hand-ins are checked, as a lecturer works it.
 import assert from 'node:assert/strict';
 import Papa from 'papaparse';
+import { links } from '../../../www/lesson/links.js';
+import { createReader, nameOfFile } from '../../../www/share/collect/entries.js';
+import { readAll } from '../../../www/share/collect/files.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
+import { test } from '../harness/once.js';
 import { saved } from '../harness/saved.js';
 import { exercise, handedIn } from './hand-ins.js';
 
@@ -39,6 +43,43 @@ const checked = (page, count) =>
       document.getElementById('collect-progress')?.hidden,
     count,
   );
+
+test('an anonymous submission keeps its number, and so do those who share a name', async () => {
+  const { text } = await handedIn('s1', [3.3, 0, 4.5]);
+  const files = [
+    ['Participant_12345_assignsubmission_file', 'mine.txt'],
+    ['Participant_12346_assignsubmission_file', 'mine.txt'],
+    ['Teilnehmer_8_assignsubmission_onlinetext', 'onlinetext.html'],
+    ['Teilnehmer_9_assignsubmission_onlinetext', 'onlinetext.html'],
+    ['Kim Lee_4711_assignsubmission_file', 'mine.txt'],
+    ['Kim Lee_4711_assignsubmission_onlinetext', 'onlinetext.html'],
+    ['Ann Bo_1_assignsubmission_file', 'mine.txt'],
+    ['Ann Bo_2_assignsubmission_file', 'large.txt'],
+  ].map(([folder, name]) =>
+    Object.defineProperty(
+      new File([name === 'large.txt' ? 'x'.repeat(2_500_000) : text], name),
+      'webkitRelativePath',
+      {
+        value: `all/${folder}/${name}`,
+      },
+    ),
+  );
+  assert.deepEqual(
+    (await readAll(files, createReader(links.pages))).map(({ name }) => name),
+    [
+      'Participant 12345',
+      'Participant 12346',
+      'Teilnehmer 8',
+      'Teilnehmer 9',
+      'Kim Lee',
+      'Kim Lee',
+      'Ann Bo 1',
+      'Ann Bo 2',
+    ],
+  );
+  // Also where there is one alone.
+  assert.equal(nameOfFile('all/Participant_12345_assignsubmission_file/mine.txt'), 'Participant 12345');
+});
 
 engineTest('a class is checked, sorted, opened, pinned and saved for the gradebook', async (page) => {
   const [a, b, c] = await Promise.all([

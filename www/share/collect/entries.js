@@ -128,9 +128,8 @@ export function createReader(pages) {
       return entries;
     },
 
-    /** A file is one hand-in, unless it is a table or holds several. @param {string} path @param {string} text @returns {Promise<Entry[]>} */
-    async readFile(path, text) {
-      const name = nameOfFile(path);
+    /** A file is one hand-in, unless it is a table or holds several. @param {string} path @param {string} text @param {string} [name] @returns {Promise<Entry[]>} */
+    async readFile(path, text, name = nameOfFile(path)) {
       if (/\.(?:csv|tsv)$/i.test(path))
         return (await this.read(text)).map((entry) => ({ ...entry, name: entry.name || name }));
       if (text.length > mostOfOne) return [entryOf(text, name)];
@@ -138,9 +137,9 @@ export function createReader(pages) {
       return marks > 1 ? fromLines(text, name) : [entryOf(text, name)];
     },
 
-    /** @param {string} path @returns {Entry} */
-    tooLong: (path) => ({
-      name: nameOfFile(path),
+    /** @param {string} name @returns {Entry} */
+    tooLong: (name) => ({
+      name,
       ident: {},
       text: '',
       link: null,
@@ -150,13 +149,32 @@ export function createReader(pages) {
   };
 }
 
-/** Moodle names folders and files of submissions `Name_12345_assignsubmission_…`, Canvas `name_12345_67890_file`, and what was typed there `name_12345_text`. @param {string} path */
-export function nameOfFile(path) {
+/** Whose it is in anonymous submissions of Moodle: nobody's name. */
+const anybody = /^(?:participant|참가자|참여자)$/i;
+
+/** Moodle names folders and files of submissions `Name_12345_assignsubmission_…`, Canvas `name_12345_67890_file`, and what was typed there `name_12345_text`: the first number is the student's. @param {string} path */
+function ownerOf(path) {
   const parts = path.split('/');
-  const moodle = parts.map((part) => /^(.+?)_\d+_assignsubmission_/.exec(part)?.[1]).find(Boolean);
+  const moodle = parts.map((part) => /^(.+?)_(\d+)_assignsubmission_/.exec(part)).find(Boolean);
   const file = parts[parts.length - 1].replace(/\.\w+$/, '');
-  return moodle ?? /^(\D+?)_(?:LATE_)?\d+_(?:\d+_|(?:text|link)$)/.exec(file)?.[1] ?? file;
+  const canvas = /^(\D+?)_(?:LATE_)?(\d+)_(?:\d+_|(?:text|link)$)/.exec(file);
+  const [, name, number] = moodle ?? canvas ?? ['', file, ''];
+  return { name, number };
 }
+
+/** Who handed in each of these files. What is no name, or that of several, has the number beside it. @param {readonly string[]} paths */
+export function namesOfFiles(paths) {
+  const owners = paths.map(ownerOf);
+  /** @type {Map<string, Set<string>>} */
+  const numbers = new Map();
+  for (const { name, number } of owners) numbers.set(name, (numbers.get(name) ?? new Set()).add(number));
+  return owners.map(({ name, number }) =>
+    anybody.test(name) || (numbers.get(name)?.size ?? 0) > 1 ? `${name} ${number}`.trim() : name,
+  );
+}
+
+/** @param {string} path */
+export const nameOfFile = (path) => namesOfFiles([path])[0];
 
 const names = {
   whole:

@@ -1,5 +1,6 @@
 // Files and folders as they are dropped or chosen, read as text.
 /** @import { Entry } from './entries.js' */
+import { namesOfFiles } from './entries.js';
 
 /** In bytes: a hand-in is a few hundred characters, the table of a whole course some megabytes. */
 const mostOfFile = 2_000_000;
@@ -41,11 +42,11 @@ export async function filesIn(dropped) {
 export async function readAll(files, reader) {
   /** @type {Entry[]} */
   const entries = [];
-  for (const file of files.slice(0, mostFiles)) {
-    const path = file.webkitRelativePath || file.name;
-    const most = /\.(?:csv|tsv)$/i.test(path) ? mostOfTable : mostOfFile;
-    if (file.size > most) entries.push(reader.tooLong(path));
-    else entries.push(...(await reader.readFile(path, await file.text())));
+  const paths = files.slice(0, mostFiles).map((file) => file.webkitRelativePath || file.name);
+  for (const [i, name] of namesOfFiles(paths).entries()) {
+    const most = /\.(?:csv|tsv)$/i.test(paths[i]) ? mostOfTable : mostOfFile;
+    if (files[i].size > most) entries.push(reader.tooLong(name));
+    else entries.push(...(await reader.readFile(paths[i], await files[i].text(), name)));
   }
   return entries;
 }
