@@ -159,6 +159,31 @@ test('what is cut, forged, of another exercise, of another version, too long, or
   );
 });
 
+test('what nobody has told of drives is nowhere a number, and a budget of drives is not judged then', async () => {
+  const budget = exercise.replace('J%3C7.9', 'J%3C7.9;drives%3C%3D100');
+  const { link } = await handedIn('s1', good, budget);
+  const bare = link.slice(0, link.indexOf('&handin='));
+  for (const [text, by, drives, isMet] of /** @type {const} */ ([
+    [link, budget, 0, true],
+    [bare, budget, null, undefined],
+    [bare, exercise, null, true],
+    // Evolution can be asked how many it took.
+    [`${budget}&generation=3`, budget, 80, false],
+  ])) {
+    const { rows } = await checkAll(text, by);
+    const [{ checked }] = rows;
+    assert.deepEqual([checked?.drives, checked?.judged?.isMet], [drives, isMet], text);
+    const isJudged = isMet !== undefined;
+    assert.equal(/nobody knows how many drives/.test(remarksOf(rows[0], rows).join()), !isJudged, text);
+    const [head, row] = Papa.parse(csvOf(rows, site)).data.map((cells) => /** @type {string[]} */ (cells));
+    assert.equal(row[head.indexOf('Drives')], drives === null ? '' : String(drives), text);
+    assert.deepEqual(
+      isJudged || [row[head.indexOf('Points')], row[head.indexOf('Aim')]],
+      isJudged || ['', ''],
+    );
+  }
+});
+
 test('a class is checked at once: twins are named, variants drawn, evolved gains found again', async () => {
   const texts = await Promise.all([
     handedIn('s1', [3.3, 0, 4.5]),

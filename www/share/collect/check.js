@@ -17,7 +17,7 @@ import { exerciseId, exerciseLink, holds, isWhole, toldIn } from '../handin/rece
 
 /** An exercise: the run with which it was given, its link and its digits. @typedef {{ run: Linked, base: Experiment, link: string, id: string }} Given */
 /** What a receipt is: whole and true; its result is another; it was cut or changed; made by another program; or there is none. @typedef {'holds' | 'otherResult' | 'broken' | 'otherProgram' | 'none'} Worth */
-/** What came of one hand-in: `cost` in the exercise as it was given, `own` in what was handed in. @typedef {{ who: string, run: Linked, gains: Triple, how: string, cost: number, own: number, value: number, drives: number, minutes: number | null, isTold: boolean, judged: Judged | null, worth: Worth, told: number | null, differs: readonly string[], answers: string }} Checked */
+/** What came of one hand-in: `cost` in the exercise as it was given, `own` in what was handed in; `drives` null: nobody has told; `lacksDrives`: so the budget of drives cannot be judged. @typedef {{ who: string, run: Linked, gains: Triple, how: string, cost: number, own: number, value: number, drives: number | null, minutes: number | null, isTold: boolean, lacksDrives: boolean, judged: Judged | null, worth: Worth, told: number | null, differs: readonly string[], answers: string }} Checked */
 /** `problem`: why it could not be read, in words or one of these. @typedef {{ entry: Entry, checked: Checked | null, problem: '' | 'none' | 'long' | 'heavy' | { said: string }, same: readonly number[] }} Row */
 
 /** Whoever asks for more would hold the others: samples of a drive, about half a minute of evolution. */
@@ -65,17 +65,20 @@ export function createChecker(engine, links) {
 
   /** @param {Linked} run @param {Entry} entry @param {Given} given @param {{ signal: AbortSignal, turn: () => Promise<void> }} options @returns {Promise<Checked>} */
   async function check(run, entry, given, { signal, turn }) {
-    const { exercise } = given.run;
+    const { aim, scale, vary } = given.run.exercise;
     const { who, handin } = run.student;
     const told = toldIn(handin);
     const { gains, drives } = await answerOf(run, signal);
     const own = await measure(engine, null, run.experiment, gains, { signal });
-    const asGiven = engine.experiment(drawnFor(given.base, who ? exercise.vary : [], who));
-    const there = await measure(engine, exercise.aim, asGiven, gains, { signal });
-    const made = drives ?? told?.drives ?? 0;
+    const asGiven = engine.experiment(drawnFor(given.base, who ? vary : [], who));
+    const there = await measure(engine, aim, asGiven, gains, { signal });
+    const made = drives ?? told?.drives ?? null;
     // Many come at once.
     await turn();
     const worth = worthOf(run, entry, told, own);
+    // Of what was cut or changed nobody knows what it was.
+    const isUsable = worth !== 'broken';
+    const lacksDrives = isUsable && made === null && aim !== null && aim.drives !== null;
     return {
       who,
       run,
@@ -87,10 +90,10 @@ export function createChecker(engine, links) {
       drives: made,
       minutes: told?.minutes ?? null,
       isTold: drives === null,
-      // Of what was cut or changed nobody knows what it was.
+      lacksDrives,
       judged:
-        exercise.aim && worth !== 'broken'
-          ? judged(exercise.aim, exercise.scale, { value: there.value, drives: made })
+        aim && isUsable && !lacksDrives
+          ? judged(aim, scale, { value: there.value, drives: made ?? 0 })
           : null,
       worth,
       told: told?.cost ?? null,

@@ -30,11 +30,12 @@ export const nameOf = ({ entry, checked }) => entry.name || checked?.who || '';
 /** What a lecturer has to look at. @param {Row} row @param {readonly Row[]} rows In the order in which they came. */
 export function remarksOf({ entry, checked, problem, same }, rows) {
   if (!checked) return [words.problemText(entry.text, problem)];
-  const { worth, told, differs, cost, own } = checked;
+  const { worth, told, lacksDrives, differs, cost, own } = checked;
   return [
     ...(worth === 'holds'
       ? []
       : [worth === 'otherResult' ? words.otherResult(told ?? Number.NaN) : words.worths[worth]]),
+    ...(lacksDrives ? [words.lacksDrives] : []),
     ...(differs.length > 0 ? [words.differs(differs)] : []),
     ...(own === cost || Number.isNaN(own) ? [] : [words.ownCost(words.numberText(own))]),
     ...(same.length > 0
@@ -130,7 +131,7 @@ function cellsOf(row, index, rows, isPinned, { open, pin }) {
     words.numberText(cost),
     metText(checked),
     judged?.points == null ? '' : String(judged.points),
-    words.drivesText(drives, isTold),
+    drives === null ? '' : words.drivesText(drives, isTold),
     remarks,
     button,
   ];

@@ -63,6 +63,8 @@ export const worths = {
   none: 'a link without a receipt',
 };
 
+export const lacksDrives = 'not judged: nobody knows how many drives it took';
+
 /** @param {number} told */
 export const otherResult = (told) => `says J = ${told}, which its drive does not have`;
 

@@ -63,6 +63,8 @@ export const worths = {
   none: '제출물이 아닌 링크',
 };
 
+export const lacksDrives = '주행 횟수를 알 수 없어 판정하지 않음';
+
 /** @param {number} told */
 export const otherResult = (told) => `적힌 값은 J = ${told}, 실제 주행의 값과 다름`;
 
