@@ -1,5 +1,6 @@
 // What an exercise locks cannot be done by a way round.
 import assert from 'node:assert/strict';
+import { linkOfStep, stepNamed } from '../../../www/lesson/path.js';
 import { pageTest } from '../harness/browsers.js';
 import { read, waysOf } from '../harness/reading.js';
 
@@ -89,3 +90,85 @@ pageTest('the table of Training holds to what is locked', async (page) => {
     rows.map(() => 'locked'),
   );
 });
+
+/** A step of the lesson with more keys. @param {string} name @param {string} more */
+const stepWith = (name, more) => `#${linkOfStep(stepNamed(name).number)}&${more}&task=Stay`;
+
+pageTest('what drives from the lesson’s own views is locked with what it does', async (page) => {
+  const entrants = ['ep', 'arbitrary', 'gentle', 'hand'];
+  const names = entrants.map((name) => `.standing-name[data-entrant="${name}"]`);
+  const driving = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll('.standing-name')].map((name) => name.getAttribute('aria-pressed')),
+    );
+  const [free, locked] = ['free', 'locked'];
+  for (const [more, expected] of /** @type {const} */ ([
+    ['lock=clock', [free, free, free, free]],
+    ['lock=gains', [free, free, locked, locked]],
+    ['hide=gains', [free, free, locked, locked]],
+    ['lock=paper', [locked, locked, free, free]],
+    ['lock=drives', [locked, locked, locked, locked]],
+    ['hide=drives', [locked, locked, locked, locked]],
+  ])) {
+    await page.open(stepWith('cost', more));
+    await page.until('the drives stand there', () => document.querySelector('.standing-name'));
+    assert.deepEqual(await waysOf(page, ...names), expected, more);
+    // A press does what it looks like.
+    const before = await driving();
+    await page.click(names[0]);
+    if (expected[0] === free)
+      await page.until(
+        'it drives',
+        (name) => document.querySelector(`${name}[aria-pressed="true"]`),
+        names[0],
+      );
+    else assert.deepEqual(await driving(), before, more);
+    assert.deepEqual(await waysOf(page, ...names), expected, `${more}, once it is drawn anew`);
+  }
+  const again = '#near-goal button';
+  for (const [more, expected] of [
+    ['lock=seed', free],
+    ['lock=clock', locked],
+    ['hide=clock', 'hidden'],
+  ]) {
+    await page.open(stepWith('disturbance', more));
+    await page.until('the goal is there', () => document.querySelector('#near-goal svg'));
+    assert.deepEqual(await waysOf(page, again), [expected], more);
+  }
+});
+
+pageTest('what stays of a hidden group is locked', async (page) => {
+  await page.open('#landscape&v=1&hide=gains&task=Stay');
+  await page.until('the map is there', () => document.getElementById('landscape-map'));
+  assert.deepEqual(await waysOf(page, '#gains', '#landscape-map'), ['hidden', 'locked']);
+});
+
+pageTest(
+  'a lock holds where a view frees its control as the locks change, and ends as the view has it',
+  async (page) => {
+    const follow = (/** @type {string} */ link) =>
+      page.evaluate((hash) => {
+        location.hash = hash;
+      }, link);
+    await page.open('#park&v=1&lock=run&task=Stay');
+    assert.deepEqual(await waysOf(page, '#park-evolve'), ['locked']);
+    // Whose sliders are locked may press it at once.
+    await follow('park&v=1&lock=gains,run&task=Stay');
+    await page.until('the sliders are locked', () => document.querySelector('#park-gains[data-locked]'));
+    assert.deepEqual(await waysOf(page, '#park-evolve'), ['locked']);
+    await follow('park&v=1&lock=gains&task=Stay');
+    await page.until('it is free', () => !document.querySelector('#park-evolve[data-locked]'));
+    assert.deepEqual(await waysOf(page, '#park-evolve'), ['free']);
+
+    await page.open('#lab&v=1&lock=share&task=Stay');
+    assert.deepEqual(await waysOf(page, '#keep-button'), ['locked']);
+    await page.evaluate(() => {
+      const button = /** @type {HTMLButtonElement} */ (document.getElementById('keep-button'));
+      for (const isDisabled of [false, true, false]) button.disabled = isDisabled;
+    });
+    assert.deepEqual(await waysOf(page, '#keep-button'), ['locked']);
+    await follow('lab&v=1&task=Stay');
+    await page.until('it is free', () => !document.querySelector('#keep-button[data-locked]'));
+    assert.deepEqual(await waysOf(page, '#keep-button'), ['free']);
+  },
+);

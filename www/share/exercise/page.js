@@ -30,13 +30,17 @@ const settingsOf = (...ids) => `.setting:has(${ids.map((id) => `[id^="setting-${
 const ends = settingsOf('starts-0', 'goal');
 const seed = settingsOf('evolution-seed');
 const fields = ':is(input, select, button)';
+/** In the lesson's table of drives, the names that drive. @param {...string} entrants */
+const standing = (...entrants) =>
+  `.standing-name:is(${entrants.map((name) => `[data-entrant="${name}"]`).join(', ')})`;
+const again = '#near-goal button';
 
 /** Those of the lab, the lesson, the settings and Share. @type {Places} */
 const own = {
-  gains: { lock: '#gains', hide: '#gains, #gains-note' },
+  gains: { lock: `#gains, ${standing('gentle', 'hand')}`, hide: '#gains, #gains-note' },
   drives: { lock: '#drives, .standing-name', hide: '#drives' },
   paper: {
-    lock: '#drives-paper-ep, #drives-paper-arbitrary',
+    lock: `#drives-paper-ep, #drives-paper-arbitrary, ${standing('ep', 'arbitrary')}`,
     // The page's own checks tell them.
     hide: 'label:has(> #drives-paper-ep), label:has(> #drives-paper-arbitrary), #keys-checks, #keep-checks',
   },
@@ -49,7 +53,7 @@ const own = {
     lock: `#new-seed, ${seed} ${fields}, #settings-preset`,
     hide: `#new-seed, ${seed}, #settings-preset`,
   },
-  clock: { lock: '#robot-clock', hide: '#robot-clock' },
+  clock: { lock: `#robot-clock, ${again}`, hide: `#robot-clock, ${again}` },
   settings: {
     lock: '#preset, #settings-button, #weights',
     hide: '#preset, #settings-button, #settings, #weights',
@@ -148,9 +152,13 @@ function createKeeper(places, store) {
     for (const element of found(locked)) lock(element, true);
     observer.takeRecords();
   };
+  /** Each once: what it was at last is what counts. @param {readonly MutationRecord[]} records */
+  const heed = (records) => {
+    const freed = records.flatMap(({ type, target }) => (type === 'attributes' ? [target] : []));
+    for (const element of new Set(freed)) lockAgain(/** @type {Element} */ (element));
+  };
   const observer = new MutationObserver((records) => {
-    for (const { type, target } of records)
-      if (type === 'attributes') lockAgain(/** @type {Element} */ (target));
+    heed(records);
     keep();
   });
 
@@ -160,11 +168,14 @@ function createKeeper(places, store) {
       const exercise = shownExercise(state);
       // Each step of the lesson has controls of its own, and so has each part.
       if (!changed(exercise, state.page, state.lesson, made)) return;
-      const of = (/** @type {import('../../run/exercise.js').Way} */ way) =>
-        groupNames.filter((group) => wayOf(exercise, group) === way);
+      const of = (/** @type {import('../../run/exercise.js').Way[]} */ ...ways) =>
+        groupNames.filter((group) => ways.includes(wayOf(exercise, group)));
+      // What has just been drawn may have freed some.
+      heed(observer.takeRecords());
       observer.disconnect();
       const isBack = away.bringBack();
-      [locked, hidden] = [selectorOf('lock', of('locked')), selectorOf('hide', of('hidden'))];
+      // What belongs to a hidden group and has to stay is locked.
+      [locked, hidden] = [selectorOf('lock', of('locked', 'hidden')), selectorOf('hide', of('hidden'))];
       for (const element of found('[data-locked]'))
         if (!locked || !element.matches(locked)) lock(element, false);
       keep();
