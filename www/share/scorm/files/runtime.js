@@ -9,11 +9,13 @@
   const begun = Date.now();
   /** Of cmi.suspend_data, in characters. */
   const most = 4096;
+  /** Of who works on it, as links take it. */
+  const mostOfWho = 80;
   const lms = platform();
 
-  /** The platform stands in a window around this one, or in that which opened it. @returns {any} */
+  /** The platform stands in a window around this one, or in that which opened this or the outermost. @returns {any} */
   function platform() {
-    for (const first of [window, window.opener])
+    for (const first of [window, window.opener, window.top?.opener])
       for (let one = first, i = 0; one && i < 20; i += 1) {
         try {
           if (one.API) return one.API;
@@ -54,11 +56,11 @@
   let receipt = '';
   let latest = '';
 
-  /** The receipt in its own line, then how far the work has come. */
+  /** The receipt in its own line, then how far the work has come; where there is no room for both, the receipt. */
   function keep() {
-    const lines = [receipt, latest].filter(Boolean);
-    while (lines.join('\n').length > most) lines.pop();
-    if (lines.length === 0 && receipt) tell(texts.tooLong);
+    const lines = [receipt, latest].filter((line) => line && line.length <= most);
+    if (lines.join('\n').length > most) lines.pop();
+    if (receipt.length > most) tell(texts.tooLong);
     if (lines.length > 0) ask('LMSSetValue', 'cmi.suspend_data', lines.join('\n'));
   }
 
@@ -74,8 +76,9 @@
 
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let soon;
-  /** The number of the latest question; earlier ones no longer matter. */
+  /** The number of the latest question, and of that up to which the answers are older than the receipt. */
   let question = 0;
+  let outdated = 0;
   const read = () => {
     question += 1;
     figure.contentWindow?.postMessage({ ep: 1, type: 'read', id: String(question) }, '*');
@@ -84,20 +87,26 @@
   /** @type {Readonly<Record<string, (message: any) => void>>} */
   const heard = {
     drive: read,
-    // Many come, one after the other.
+    // Many come, one after the other, and the window may be closed before they end.
     generation() {
-      clearTimeout(soon);
-      soon = setTimeout(read, 1000);
+      if (soon !== undefined) return;
+      read();
+      soon = setTimeout(() => {
+        soon = undefined;
+        read();
+      }, 1000);
     },
     state({ id, link: now }) {
-      if (id !== String(question)) return;
-      latest = `#${now}`;
+      if (!(Number(id) > outdated)) return;
+      // Nothing is done after what is handed in as long as that is on screen.
+      latest = now.includes('&handin=') ? '' : `#${now}`;
       keep();
     },
     handin(result) {
       // What is handed in comes back as that, as long as nothing is done after it.
       clearTimeout(soon);
-      question += 1;
+      soon = undefined;
+      outdated = question;
       receipt = `#${result.link.slice(result.link.indexOf('#') + 1)}`;
       latest = '';
       keep();
@@ -130,11 +139,13 @@
   if (!lms) tell(texts.nobody);
   ask('LMSInitialize', '');
   const lines = ask('LMSGetValue', 'cmi.suspend_data')
-    .split('\n')
+    .split(/\s+/)
     .filter((line) => /^#\w+&/.test(line));
-  [receipt = '', latest = ''] = lines[0]?.includes('&handin=') ? lines : ['', lines[0]];
-  const who = ask('LMSGetValue', 'cmi.core.student_id');
-  if (!receipt && lms) set('lesson_status', 'incomplete');
+  [receipt = '', latest = ''] = lines[0]?.includes('handin=') ? lines : ['', lines[0]];
+  const who = [...ask('LMSGetValue', 'cmi.core.student_id')].slice(0, mostOfWho).join('');
+  // What was handed in stays judged, also where the platform had no room for its receipt.
+  const isJudged = /^(?:passed|failed|completed)$/.test(ask('LMSGetValue', 'cmi.core.lesson_status'));
+  if (lms && !receipt && !isJudged) set('lesson_status', 'incomplete');
   const own = `${link}${who ? `&who=${encodeURIComponent(who)}` : ''}`;
   figure.src = `ep-locomotion.html?embed${latest || receipt || `#${own}`}`;
 })();
