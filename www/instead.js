@@ -24,18 +24,20 @@ const taken = document.createDocumentFragment();
 /** The robots drive. */
 export const takeInstead = () => taken.append(byId('instead'));
 
-/** Says why they do not, and keeps what there is to read. @param {unknown} error */
+/** Says why they do not, and keeps what there is to read. @param {unknown} error @returns {string} what it says */
 export function showInstead(error) {
   byId('instrument').hidden = true;
   // A figure would have its title in its foot.
   document.body.removeAttribute('data-embed');
   byId('instrument').before(taken);
   const instead = byId('instead');
-  sayBefore(instead, words.cannot(reasonOf(error)));
+  const why = words.cannot(reasonOf(error));
+  sayBefore(instead, why);
   instead.className = 'instead';
   for (const element of instead.querySelectorAll('.instead-why, [lang]'))
     if (element.getAttribute('lang') !== language) element.remove();
   for (const details of instead.querySelectorAll('details')) details.open = true;
+  return why;
 }
 
 /** In a place of its own, for the page may still draw. @param {HTMLElement} place @param {string} text */
@@ -45,8 +47,8 @@ function sayBefore(place, text) {
   place.before(message);
 }
 
-/** After a panic or a trap the core must not be used again: whatever is pressed then might be answered wrongly. */
-export function watchCore() {
+/** After a panic or a trap the core must not be used again: whatever is pressed then might be answered wrongly. @param {(why: string) => void} onFailure */
+export function watchCore(onFailure) {
   /** @param {unknown} error */
   const stop = (error) => {
     const instrument = byId('instrument');
@@ -55,6 +57,7 @@ export function watchCore() {
     const all = document.querySelectorAll('#instrument, .masthead');
     for (const part of all) part.inert = true;
     sayBefore(instrument, words.stopped);
+    onFailure(words.stopped);
   };
   addEventListener('error', (event) => stop(event.error));
   addEventListener('unhandledrejection', (event) => stop(event.reason));

@@ -3,7 +3,7 @@
 /** @import { State } from './run/state.js' */
 import { createEngine } from './core/engine.js';
 import { tryNow } from './core/pending.js';
-import { createEmbed } from './embed/page.js';
+import { createEmbed, sayFailed } from './embed/page.js';
 import { takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
 import { isEmbedded, isStill } from './kit/host.js';
@@ -36,6 +36,9 @@ import { showTable } from './lab/table-sheet.js';
 
 /** To the questions of the lesson. @param {State} state */
 const answersOf = (state) => progressSlice.of(state).answers;
+
+/** What speaks to the page around a figure. @type {ReturnType<typeof createEmbed> | null} */
+let embed = null;
 
 /** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
 async function start(engine) {
@@ -74,7 +77,7 @@ async function start(engine) {
   const share = createShare({ ...tools, sceneOf: seenScene, open: actions.openLinked });
   const computingLine = createComputing(controls);
   const pinButton = createPinButton(tools, seenScene);
-  const embed = isEmbedded
+  embed = isEmbedded
     ? createEmbed({
         ...tools,
         actions,
@@ -158,7 +161,7 @@ async function start(engine) {
 
 document.body.toggleAttribute('data-embed', isEmbedded);
 sayTexts();
-watchCore();
+watchCore((why) => embed?.fail(why));
 /** Not awaited where it is called: what is loaded on demand needs this file, and would wait for it in turn. */
 async function begin() {
   try {
@@ -167,7 +170,9 @@ async function begin() {
     askForLesson(location.hash);
     await start(await createEngine());
   } catch (error) {
-    showInstead(error);
+    const why = showInstead(error);
+    if (embed) embed.fail(why);
+    else if (isEmbedded) sayFailed(why);
     console.error(error);
   }
 }

@@ -14,7 +14,8 @@
 // generation, with the statistics of one; drive, answer and handin, with what its user did; error, with a message.
 // messages.js says what is in them.
 //
-// A figure loads when it comes near the window, or when it is asked something.
+// A figure loads when it comes near the window, or when it is asked something. src that is set, even to the same, begins another:
+// what the one before was asked is refused, and nothing that it still says is heard.
 /** @import { Experiment } from '../core/engine.js' */
 /** @import { Report } from './messages.js' */
 import * as en from '../words/en/element.js';
@@ -22,9 +23,9 @@ import * as ko from '../words/ko/element.js';
 import { frameName } from '../kit/host.js';
 import { sheet } from './element-style.js';
 import { isHeight, leastHeight, mostHeight, version } from './frame.js';
+import { createQuestions } from './questions.js';
 
 /** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting */
-/** @typedef {{ message: object, resolve: (report: Report) => void, reject: (reason: Error) => void }} Question */
 
 /** Vite would take the address for a file to bundle if it were written in one. */
 const here = String(import.meta.url);
@@ -45,11 +46,10 @@ const languages = { en, ko };
 class EpLocomotion extends HTMLElement {
   static observedAttributes = ['link', 'src', 'height', 'label'];
 
+  #root = this.attachShadow({ mode: 'open' });
   #frame = document.createElement('iframe');
   #problem = document.createElement('p');
-  /** What is asked and not yet answered, by its id. @type {Map<number, Question>} */
-  #questions = new Map();
-  #asked = 0;
+  #questions = createQuestions();
   #isPlaced = false;
   /** How long what is in the frame may be silent: longer, once it has said that it is a figure. */
   #patience = longestSilence;
@@ -68,13 +68,12 @@ class EpLocomotion extends HTMLElement {
 
   constructor() {
     super();
-    const root = this.attachShadow({ mode: 'open' });
-    root.adoptedStyleSheets = [sheet];
+    this.#root.adoptedStyleSheets = [sheet];
     this.#problem.setAttribute('role', 'alert');
     this.#frame.name = frameName;
     this.#frame.allow = 'fullscreen';
     this.#frame.addEventListener('load', () => this.#listen(this.#patience));
-    root.append(this.#problem, this.#frame);
+    this.#root.append(this.#problem);
   }
 
   /** What the figure told last as a whole; read() asks for it anew. */
@@ -85,7 +84,6 @@ class EpLocomotion extends HTMLElement {
   connectedCallback() {
     addEventListener('message', this);
     this.#isPlaced = true;
-    this.#frame.loading = this.#questions.size > 0 ? 'eager' : 'lazy';
     this.#open();
   }
 
@@ -93,16 +91,17 @@ class EpLocomotion extends HTMLElement {
     removeEventListener('message', this);
     this.#isPlaced = false;
     this.#close();
-    this.#frame.removeAttribute('src');
-    this.#giveUp(this.#words.gone);
+    this.#questions.giveUp(this.#words.gone);
   }
 
   /** @param {string} name */
   attributeChangedCallback(name) {
     // Before it is in the page all of them are still to come.
     if (!this.#isPlaced) return;
-    if (name === 'src') this.#open();
-    else if (name === 'link') this.#follow();
+    if (name === 'src') {
+      this.#questions.giveUp(this.#words.replaced);
+      this.#open();
+    } else if (name === 'link') this.#follow();
     else {
       this.#complain('');
       this.#dress();
@@ -135,19 +134,21 @@ class EpLocomotion extends HTMLElement {
     if (source !== this.#frame.contentWindow || typeof data?.ep !== 'number') return;
     if (this.#origin !== null && origin !== this.#origin) return;
     if (data.type === 'loading') {
-      this.#patience = longestLoading;
+      // Also what is loaded anew in the same frame.
+      this.#await(longestLoading);
       return this.#listen(longestLoading);
     }
     this.#isHeard = true;
     clearTimeout(this.#silence);
     if (data.ep !== version) return this.#refuse(this.#words.otherVersion(data.ep, version));
     const { ep, type, id, ...told } = data;
-    const question = this.#questions.get(id);
-    this.#questions.delete(id);
+    const question = this.#questions.take(id);
     if (type === 'height') {
       this.#wantedHeight = isHeight(told.height) ? told.height : 0;
       return this.#dress();
     }
+    // Nobody has asked for it.
+    if (type === 'error' && id === undefined && !this.#isReady) return this.#refuse(String(told.message));
     if (type === 'ready') this.#begin(origin);
     if (type === 'ready' || type === 'state') this.#state = told;
     if (type === 'error') question?.reject(new Error(told.message));
@@ -172,22 +173,33 @@ class EpLocomotion extends HTMLElement {
     const src = this.getAttribute('src') ?? 'index.html';
     const base = this.hasAttribute('src') ? document.baseURI : here;
     const address = URL.canParse(src, base) ? new URL(src, base) : null;
-    if (!address || !protocols.includes(address.protocol)) {
-      this.#frame.removeAttribute('src');
-      return this.#refuse(this.#words.noAddress(src.slice(0, 200)));
+    const isAddress = address !== null && protocols.includes(address.protocol);
+    if (isAddress) {
+      address.hash = this.#link;
+      this.#frame.src = address.href;
     }
-    address.hash = this.#link;
-    this.#frame.src = address.href;
+    this.#frame.loading = this.#questions.open().length > 0 ? 'eager' : 'lazy';
+    this.#root.append(this.#frame);
+    if (!isAddress) this.#refuse(this.#words.noAddress(src.slice(0, 200)));
+    else if (this.#questions.open().length > 0) this.#listen(longestLoading);
   }
 
+  /** A frame that is taken out and put in again has another window: nobody speaks for the one before. */
   #close() {
+    this.#frame.remove();
+    this.#frame.removeAttribute('src');
     clearTimeout(this.#silence);
     this.#silence = undefined;
-    this.#patience = longestSilence;
-    this.#isHeard = false;
-    this.#isReady = false;
+    this.#await(longestSilence);
     this.#origin = null;
     this.#state = null;
+  }
+
+  /** What is in the frame is still to be ready. @param {number} longest how long it may be silent */
+  #await(longest) {
+    this.#patience = longest;
+    this.#isHeard = false;
+    this.#isReady = false;
     this.#refusal = '';
   }
 
@@ -201,7 +213,7 @@ class EpLocomotion extends HTMLElement {
       const { silent } = this.#words;
       const [address] = this.#frame.src.split('#');
       this.#complain(silent(address));
-      this.#giveUp(silent(address));
+      this.#questions.giveUp(silent(address));
     }, longest);
   }
 
@@ -209,13 +221,7 @@ class EpLocomotion extends HTMLElement {
   #refuse(why) {
     this.#refusal = why;
     this.#complain(why);
-    this.#giveUp(why);
-  }
-
-  /** Nobody is to wait for an answer that will not come. @param {string} why */
-  #giveUp(why) {
-    for (const { reject } of this.#questions.values()) reject(new Error(why));
-    this.#questions.clear();
+    this.#questions.giveUp(why);
   }
 
   /** The figure can hear: now, or again when it was loaded anew. @param {string} origin */
@@ -224,43 +230,36 @@ class EpLocomotion extends HTMLElement {
     this.#dress();
     this.#isReady = true;
     this.#origin = origin;
-    for (const [id, { message }] of this.#questions) this.#post(id, message);
+    for (const message of this.#questions.open()) this.#post(message);
   }
 
   /** Goes where the attribute leads. */
   async #follow() {
-    try {
-      const { problems } = await this.set({ link: this.#link });
-      this.#complain(problems.join(' '));
-    } catch (error) {
-      this.#complain(String(error));
-    }
+    const figure = this.#frame.contentWindow;
+    const said = await this.set({ link: this.#link }).then(({ problems }) => problems.join(' '), String);
+    // Another opens it by itself.
+    if (figure === this.#frame.contentWindow) this.#complain(said);
   }
 
   /** @param {object} question @returns {Promise<Report>} */
   #ask(question) {
     if (this.#refusal) return Promise.reject(new Error(this.#refusal));
-    this.#asked += 1;
-    const id = this.#asked;
-    const message = { ep: version, id, ...question };
-    return new Promise((resolve, reject) => {
-      this.#questions.set(id, { message, resolve, reject });
-      this.#frame.loading = 'eager';
-      if (this.#isReady) this.#post(id, message);
-      else if (this.#silence === undefined) this.#listen(longestLoading);
-    });
+    const { message, answer } = this.#questions.ask(question);
+    this.#frame.loading = 'eager';
+    if (this.#isReady) this.#post(message);
+    else if (this.#silence === undefined) this.#listen(longestLoading);
+    return answer;
   }
 
-  /** @param {number} id @param {object} message */
-  #post(id, message) {
+  /** @param {{ id: number }} message */
+  #post(message) {
     try {
       // A file and a Blob have no origin that could be named.
       const target = this.#origin === null || this.#origin === 'null' ? '*' : this.#origin;
       this.#frame.contentWindow?.postMessage(message, target);
     } catch (error) {
       // What cannot be sent, as a function.
-      this.#questions.get(id)?.reject(/** @type {Error} */ (error));
-      this.#questions.delete(id);
+      this.#questions.take(message.id)?.reject(error);
     }
   }
 

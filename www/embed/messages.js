@@ -9,10 +9,11 @@
 //   { ep: 1, type: 'read' }
 //
 // and each is answered in its turn with a state, or with { ep: 1, type: 'error', message }; an id that was sent comes back in
-// the answer.
+// the answer. What is told of a drive belongs to the rest of the state: where the robot cannot be driven, the answer is an error.
 // To <ep-locomotion> the figure first says { type: 'loading' }, from loading.js, while the rest of it is still on its way.
 // By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
-// statistics of each generation once it is there, and { type: 'height' } when it would like another height.
+// statistics of each generation once it is there, and { type: 'height' } when it would like another height. A figure that
+// cannot be ready says { type: 'error', message } in its place; where the core has failed, each question is answered by that.
 // What its user does it tells as { type: 'drive', driver, gains, cost, arrived, finalTime, drives } when other gains drive,
 // { type: 'answer', question, choice, right } when a question of the lesson is answered, and, when an exercise is handed in,
 // { type: 'handin', who, exercise, link, text, gains, cost, parked, starts, drives, minutes, met, points, most }.
@@ -59,12 +60,19 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
 
   let isReady = false;
 
+  /** Why nothing can be answered any more. */
+  let failure = '';
+  /** Those who wait for an answer then wait in vain. @type {Set<(reason: Error) => void>} */
+  const waiting = new Set();
+
   const drivesOther = watch();
   /** @type {ReturnType<AnswersOf>} */
   let answered = {};
 
   const driven = () => {
-    const { driving, gains } = seen().scene;
+    const { scene, failure: refused } = seen();
+    if (refused) throw refused;
+    const { driving, gains } = scene;
     const { cost, arrived, finalTime } = driving;
     const [kx, ky, ktheta] = gains;
     return { gains: /** @type {Triple} */ ([kx, ky, ktheta]), cost, arrived, finalTime };
@@ -74,8 +82,10 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
   const announceWork = (isTold) => {
     const state = store.get();
     const { driver, work } = state;
+    const { isComputing, failure: refused } = seen();
     // What is still computed is told once it is there.
-    if (!seen().isComputing && drivesOther(driver, work.tries) && isTold)
+    const isThere = !isComputing && refused === null;
+    if ((isThere || !isTold) && drivesOther(driver, work.tries) && isTold)
       send({ type: 'drive', driver, ...driven(), drives: drivesOf(state) });
     const answers = answersOf(state);
     if (answers === answered) return;
@@ -87,7 +97,7 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
 
   /** Tells the generations that are new. */
   const announce = () => {
-    if (!isReady) return;
+    if (!isReady || failure) return;
     announceWork(true);
     const { history } = store.get();
     const known = history[0] === announced[0] ? announced.length : 0;
@@ -179,8 +189,8 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
         if (performance.now() < end) continue;
         announce();
         await pause();
-        // Someone has begun anew, or goes on by hand.
-        if (store.get().history[0] !== history[0] || store.get().evolving) break;
+        // Someone has begun anew, or goes on by hand, or nothing goes on.
+        if (failure || store.get().history[0] !== history[0] || store.get().evolving) break;
         end = performance.now() + sliceMilliseconds;
       }
       announce();
@@ -197,19 +207,36 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
     return [];
   };
 
+  /** What an act comes to, once all of it is seen. @param {() => readonly string[] | Promise<readonly string[]>} act @returns {Promise<Report>} */
+  const reportOf = (act) =>
+    new Promise((resolve, reject) => {
+      if (failure) throw new Error(failure);
+      waiting.add(reject);
+      const done = async () => {
+        const problems = await act();
+        await whenSeen();
+        return report(problems);
+      };
+      done()
+        .then(resolve, reject)
+        .finally(() => waiting.delete(reject));
+    });
+
+  /** @param {unknown} error @param {object} named */
+  const refuse = (error, named) => send({ type: 'error', ...named, message: shortError(messageOf(error)) });
+
   /** @param {unknown} message */
   async function answer(message) {
     if (!isForFigure(message)) return;
     const named = idIn(message);
     try {
       const { type, said } = messageIn(message);
-      const problems = await /** @type {(said: object) => readonly string[] | Promise<readonly string[]>} */ (
+      const act = /** @type {(said: object) => readonly string[] | Promise<readonly string[]>} */ (
         answers[type]
-      )(said);
-      await whenSeen();
-      send({ type: 'state', ...named, ...report(problems) });
+      );
+      send({ type: 'state', ...named, ...(await reportOf(() => act(said))) });
     } catch (error) {
-      send({ type: 'error', ...named, message: shortError(messageOf(error)) });
+      refuse(error, named);
       // The page has to know of it.
       if (isLost(error)) reportError(error);
     }
@@ -232,9 +259,14 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
 
     /** Once the run is there. */
     async ready() {
-      await arrive();
-      await whenSeen();
-      send({ type: 'ready', ...report([]) });
+      try {
+        send({ type: 'ready', ...(await reportOf(() => arrive().then(() => []))) });
+      } catch (error) {
+        if (isLost(error)) reportError(error);
+        // That it has failed is said.
+        if (failure) return;
+        refuse(error, {});
+      }
       announceWork(false);
       isReady = true;
       announce();
@@ -243,6 +275,14 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
     /** In the order in which they came: many generations take a while. @param {unknown} message Whatever came. */
     hear(message) {
       heard = heard.then(() => take(message));
+    },
+
+    /** Nothing can be answered any more. @param {string} why */
+    fail(why) {
+      if (failure) return;
+      failure = why;
+      if (!isReady) refuse(new Error(why), {});
+      for (const reject of waiting) reject(new Error(why));
     },
   };
 }

@@ -144,7 +144,7 @@ export function createScene(drive, paper, chosenDrives) {
   };
 }
 
-/** @typedef {{ state: State, scene: Scene, isComputing: boolean }} Seen */
+/** `failure`: why what is asked for cannot be seen, or null; then the scene is of what drove before. @typedef {{ state: State, scene: Scene, isComputing: boolean, failure: unknown }} Seen */
 
 /** Whether the same drives in both. @param {State} a @param {State} b */
 const drivesAs = (a, b) =>
@@ -166,14 +166,15 @@ export function createSight(sceneOf, first, onArrival, onFailure) {
   let isComputing = false;
   let isStale = false;
   let arriving = Promise.resolve();
-  /** Of which no drives could be had. @type {State | null} */
+  /** Of which no drives could be had, and why. @type {{ state: State, error: unknown } | null} */
   let failed = null;
   const fail = (/** @type {State} */ state, /** @type {unknown} */ error) => {
     if (isLost(error)) throw error;
-    failed = state;
+    failed = { state, error };
     onFailure(error);
   };
-  const ask = (/** @type {State} */ state) => {
+  /** @param {State} state @returns {Promise<void> | void} */
+  const ask = (state) => {
     isComputing = true;
     isStale = false;
     try {
@@ -186,20 +187,24 @@ export function createSight(sceneOf, first, onArrival, onFailure) {
         return fail(state, error);
       }
       arriving = error.arrival
+        // What it lacks then is waited for too.
         .then(() => ask(state))
         .catch((reason) => fail(state, reason))
         .finally(onArrival);
+      return arriving;
     }
   };
-  /** @param {State} state */
+  /** @param {State} state @returns {unknown} */
+  const failureOf = (state) => (failed && drivesAs(failed.state, state) ? failed.error : null);
+  /** @param {State} state @returns {Seen} */
   const of = (state) => {
-    const isAsked = isStale || (state !== shown.state && !(failed && drivesAs(failed, state)));
+    const isAsked = isStale || (state !== shown.state && failureOf(state) === null);
     if (!isComputing && isAsked) ask(state);
-    return { ...shown, isComputing };
+    return { ...shown, isComputing, failure: failureOf(state) };
   };
   return {
     of,
-    /** Resolves once the state, or a later one, is seen. @param {() => State} stateNow */
+    /** Resolves once the state, or a later one, is seen or cannot be. @param {() => State} stateNow */
     async whenSeen(stateNow) {
       // What was asked for before, and then this.
       for (let i = 0; i < 2 && of(stateNow()).isComputing; i += 1) await arriving;

@@ -1,9 +1,11 @@
-// An element that is removed, misused, or answered by nobody.
+// An element that is removed, misused, or answered by nobody, or by a figure that cannot go on.
 import assert from 'node:assert/strict';
 import * as en from '../../../www/words/en/element.js';
 import { engineTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
-import { serveHost } from '../harness/host.js';
+import { ask, heardFrom, serveHost, within } from '../harness/host.js';
+import { serve } from '../harness/server.js';
+import { withTrap } from '../harness/trap.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -116,3 +118,155 @@ engineTest('where nothing answers, it is said, and no question stays open', asyn
     assert.equal(await asked(), silent, 'asked once more, when it is known');
   });
 });
+
+engineTest('src set anew, even to the same page, is a figure of its own', async (page) => {
+  // It says both before its page has heard the first.
+  const other = `data:text/html,<script>for (const said of [{ mark: 1 }, { ep: 1, type: 'ready', link: 'other' }, { ep: 1, type: 'generation', generation: 99 }]) parent.postMessage(said, '*')</script>`;
+  const html = `
+    <script>
+      addEventListener('message', ({ data }) => {
+        if (data.mark) own.setAttribute('src', '/dist/index.html');
+      });
+    </script>
+    <ep-locomotion id="own" src="${other}" link="lab&amp;v=1&amp;seed=7"></ep-locomotion>
+    <script>
+      told = [];
+      for (const type of ['ready', 'generation', 'error'])
+        own.addEventListener(type, ({ detail }) => told.push([type, detail.link ?? detail.generation ?? detail.message]));
+    </script>`;
+  await inPage(page, html, async () => {
+    await page.until('the next figure is ready', () => Reflect.get(window, 'told').length >= 2);
+    const first = [
+      ['ready', 'lab&v=1&seed=7'],
+      ['generation', 0],
+    ];
+    assert.deepEqual(await page.evaluate(() => Reflect.get(window, 'told')), first);
+
+    const results = await page.evaluate(async () => {
+      const own = /** @type {any} */ (document.getElementById('own'));
+      const results = [];
+      for (const [src, link] of [
+        ['/dist/index.html', 'lab&v=1&seed=7'],
+        ['/dist/index.html', 'curves&v=1&seed=9'],
+        ['/dist/index.html#landscape', 'curves&v=1&seed=9'],
+        ['/dist/index.html?', 'lab&v=1&seed=5'],
+      ]) {
+        const before = [own.step(10_000), own.read()];
+        own.link = link;
+        own.src = src;
+        const after = own.step(2);
+        const refused = await Promise.allSettled(before);
+        const { link: opened, generations } = await after;
+        results.push({
+          refused: refused.map((one) => Reflect.get(one, 'reason')?.message),
+          opened,
+          generations,
+          complaint: own.shadowRoot.querySelector('p').textContent,
+        });
+      }
+      return results;
+    });
+    assert.deepEqual(
+      results,
+      ['lab&v=1&seed=7', 'curves&v=1&seed=9', 'curves&v=1&seed=9', 'lab&v=1&seed=5'].map((link) => ({
+        refused: [en.replaced, en.replaced],
+        opened: `${link}&generation=2`,
+        generations: 2,
+        complaint: '',
+      })),
+    );
+    // Neither an old figure nor its end is told.
+    const errors = await page.evaluate(() =>
+      Reflect.get(window, 'told').filter((/** @type {unknown[]} */ [type]) => type === 'error'),
+    );
+    assert.deepEqual(errors, []);
+  });
+});
+
+/** @param {(content: Buffer) => Buffer | null} change */
+const coreThatIs = (change) => ({
+  send: (/** @type {string} */ file, /** @type {Buffer} */ content) =>
+    file.endsWith('.wasm') ? change(content) : content,
+});
+
+engineTest('a figure that cannot begin says why, and whoever asks is told', async (page) => {
+  for (const [changes, link] of /** @type {const} */ ([
+    [coreThatIs(() => null), 'lab'],
+    [coreThatIs(() => Buffer.from('no module')), 'landscape&v=1'],
+    [coreThatIs((content) => withTrap(content, 'evolution_step')), 'lab&v=1&seed=7&generation=3'],
+  ])) {
+    const site = await serve(undefined, changes);
+    const html = `
+      <iframe src="${site.address}?embed#${link.replaceAll('&', '&amp;')}" width="640" height="300"></iframe>
+      <ep-locomotion id="own" src="${site.address}" link="${link.replaceAll('&', '&amp;')}"></ep-locomotion>`;
+    try {
+      await inPage(page, html, async () => {
+        await page.until('the page around the frame is told', () =>
+          Reflect.get(window, 'heard').some((/** @type {{ frame: number }} */ { frame }) => frame === 0),
+        );
+        const [{ message, ...told }, ...more] = await heardFrom(page, 0);
+        assert.match(message, /^The robots cannot drive here: /);
+        assert.deepEqual([told, more], [{ ep: 1, type: 'error' }, []]);
+        const { id, ...answer } = await ask(page, 0, { type: 'read' });
+        assert.deepEqual(answer, { ep: 1, type: 'error', message });
+
+        const refused = () =>
+          page.evaluate(async () => {
+            const own = /** @type {any} */ (document.getElementById('own'));
+            const said = await own.read().catch((/** @type {Error} */ error) => error.message);
+            return [said, own.shadowRoot.querySelector('p').textContent];
+          });
+        assert.deepEqual(await refused(), [message, `<ep-locomotion>: ${message}`]);
+        assert.deepEqual(await refused(), [message, `<ep-locomotion>: ${message}`], 'asked once more');
+      });
+    } finally {
+      await site.close();
+    }
+  }
+});
+
+engineTest(
+  'where the core has failed each question is answered by an error, and nothing more is thrown',
+  async (page) => {
+    // It takes gains by hand.
+    const site = await serve(
+      undefined,
+      coreThatIs((content) => withTrap(content, 'simulation_new')),
+    );
+    const html = `
+    <iframe src="${site.address}?embed#lab&amp;v=1&amp;seed=7" width="640" height="420"></iframe>
+    <ep-locomotion id="own" src="${site.address}" link="lab&amp;v=1&amp;seed=7"></ep-locomotion>`;
+    try {
+      await inPage(page, html, async () => {
+        await isReady(page, 'own');
+        await page.until('the frame is ready', () =>
+          Reflect.get(window, 'heard').some(
+            (/** @type {{ frame: number, data: any }} */ { frame, data }) =>
+              frame === 0 && data.type === 'ready',
+          ),
+        );
+        const byHand = { type: 'set', experiment: {}, gains: [4, 1, 6] };
+        const link = { type: 'set', link: 'lab&v=1' };
+        for (const message of [byHand, { type: 'read' }, { type: 'step' }, link, { type: 'run' }, byHand]) {
+          const answer = await ask(page, 0, message);
+          assert.equal(answer.type, 'error', JSON.stringify(message));
+          assert.match(answer.message, /error within the program has stopped it/);
+        }
+        const thrown = await within(page, 0, () => page.problems());
+        assert.equal(thrown.length, 1, thrown.join());
+        assert.match(thrown[0], /^uncaught: .*(unreachable|RuntimeError)/);
+
+        const refused = await page.evaluate(async () => {
+          const own = /** @type {any} */ (document.getElementById('own'));
+          const asked = [own.set({ experiment: {}, gains: [4, 1, 6] }), own.read(), own.step(), own.pause()];
+          const results = await Promise.allSettled(asked);
+          return results.map((one) => String(Reflect.get(one, 'reason')?.message));
+        });
+        for (const said of refused) assert.match(said, /error within the program has stopped it/);
+        assert.equal(refused.length, 4);
+      });
+    } finally {
+      await site.close();
+    }
+  },
+);

@@ -225,18 +225,25 @@ pageTest('of a server that never answers it is said, and no question to it stays
     </script>`;
   try {
     await inPage(page, html, async () => {
-      // The page has loaded before the frame begins to.
-      const refused = await page.evaluate(async (src) => {
-        const figure = document.createElement('ep-locomotion');
-        Object.assign(figure, { id: 'silent' }).setAttribute('src', src);
-        document.body.append(figure);
-        await customElements.whenDefined('ep-locomotion');
-        return /** @type {any} */ (figure).read().catch((/** @type {Error} */ { message }) => message);
-      }, silent);
-      assert.equal(refused, en.silent(silent));
-      assert.equal(await complaint(page, 'silent'), `<ep-locomotion>: ${en.silent(silent)}`);
-      // So that the page can be left.
-      await page.evaluate(() => document.getElementById('silent')?.remove());
+      // The page has loaded before the frame begins to. One figure is asked before it is in the page.
+      for (const isEarly of [false, true]) {
+        const refused = await page.evaluate(
+          async (src, early) => {
+            await customElements.whenDefined('ep-locomotion');
+            const figure = /** @type {any} */ (document.createElement('ep-locomotion'));
+            Object.assign(figure, { id: 'silent' }).setAttribute('src', src);
+            const asked = early && figure.read();
+            document.body.append(figure);
+            return (asked || figure.read()).catch((/** @type {Error} */ { message }) => message);
+          },
+          silent,
+          isEarly,
+        );
+        assert.equal(refused, en.silent(silent));
+        assert.equal(await complaint(page, 'silent'), `<ep-locomotion>: ${en.silent(silent)}`);
+        // So that the page can be left.
+        await page.evaluate(() => document.getElementById('silent')?.remove());
+      }
     });
   } finally {
     for (const socket of held) socket.destroy();

@@ -1,6 +1,7 @@
 // What is seen while drives that take long are computed elsewhere.
 import assert from 'node:assert/strict';
 import { Pending } from '../../../www/core/pending.js';
+import { breathe } from '../../../www/kit/loop.js';
 import { createSight } from '../../../www/run/scene.js';
 import { test } from '../harness/once.js';
 
@@ -58,6 +59,8 @@ test('drives that cannot be had at once are told as well, and the last ones stay
   const next = stateOf({ experiment: { horizon: 1 } });
   for (let i = 0; i < 3; i += 1) assert.equal(sight.of(next).scene, scene);
   assert.deepEqual(told, ['Error: a worker was lost']);
+  assert.match(String(sight.of(next).failure), /lost/);
+  assert.equal(sight.of(first).failure, null);
   // After something else has driven they are asked for again.
   sight.of(first);
   assert.equal(told.length, 1);
@@ -65,4 +68,31 @@ test('drives that cannot be had at once are told as well, and the last ones stay
   sight.of(first);
   sight.of(next);
   assert.equal(told.length, 2);
+});
+
+test('what lacks something more once the first is there is seen when all of it is', async () => {
+  const first = stateOf({ experiment: {} });
+  const next = stateOf({ experiment: { horizon: 1 } });
+  const scene = /** @type {Scene} */ ({});
+  // As the individuals of a generation, and then their drives.
+  const lacking = new Map([
+    [next, 3],
+    [stateOf({ experiment: { horizon: 2 } }), 3],
+  ]);
+  const sight = createSight(
+    (state) => {
+      const count = lacking.get(state) ?? 0;
+      lacking.set(state, count - 1);
+      if (count > 0) throw new Pending(breathe());
+      return scene;
+    },
+    first,
+    () => {},
+    () => {},
+  );
+  const [, before] = lacking.keys();
+  assert.ok(sight.of(before).isComputing);
+  await sight.whenSeen(() => next);
+  const { isComputing, state } = sight.of(next);
+  assert.deepEqual([isComputing, state === next], [false, true]);
 });

@@ -1,11 +1,11 @@
 // Where the page cannot run it says so in one sentence, shows a picture, and its lesson can be read.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import binaryen from 'binaryen';
 import { writeInstead } from '../../../.tasks/instead.mjs';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
+import { withTrap } from '../harness/trap.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/server.js').Changes} Changes */
@@ -180,18 +180,6 @@ pageTest('when the core fails the page says so and how to go on, and answers not
     assert.match(await page.evaluate(() => location.hash), /seed=7/);
   });
 });
-
-/** The core with one function that traps. @param {Buffer} bytes @param {string} name */
-function withTrap(bytes, name) {
-  const module = binaryen.readBinary(bytes);
-  const { value } = binaryen.getExportInfo(module.getExport(name));
-  /** @type {{ Function: { setBody(of: number, body: number): void } }} */ (
-    /** @type {unknown} */ (binaryen)
-  ).Function.setBody(module.getFunction(value), module.unreachable());
-  const broken = Buffer.from(module.emitBinary());
-  module.dispose();
-  return broken;
-}
 
 /** @param {string} name */
 const built = (name) => readFile(new URL(`../../../dist/${name}`, import.meta.url), 'utf8');

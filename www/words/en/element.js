@@ -17,3 +17,4 @@ export const noHeight = (least, most, found) =>
   `height must be a whole number of pixels from ${least} to ${most}, not “${found}”`;
 
 export const gone = 'the figure was taken from the page';
+export const replaced = 'src was set: the figure that was asked has given way to another';

@@ -1,0 +1,173 @@
+// How a figure answers its host where drives cannot be had, or the core has failed.
+import assert from 'node:assert/strict';
+import { Pending } from '../../../www/core/pending.js';
+import { createMessages } from '../../../www/embed/messages.js';
+import { breathe } from '../../../www/kit/loop.js';
+import { links } from '../../../www/lesson/links.js';
+import { places } from '../../../www/parts/parts.js';
+import { createActions } from '../../../www/run/actions/actions.js';
+import { atEnd } from '../../../www/run/clock.js';
+import { firstState } from '../../../www/run/first.js';
+import { createScene, createSight } from '../../../www/run/scene.js';
+import { createStore } from '../../../www/run/store.js';
+import { createEngine, experiment, simulate } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+/** A figure without a document, in which what drives on screen may be held up. */
+function figureOf() {
+  const engine = createEngine();
+  const paper = engine.paper();
+  const first = firstState(engine, 'velocity-limits', atEnd);
+  const store = createStore(first, () => {});
+  /** What the drives on screen come to in the place of runs. @type {{ error: Error | null }} */
+  const held = { error: null };
+  /** @type {typeof engine.drive} */
+  const drive = (from, gains) => {
+    if (held.error) throw held.error;
+    return engine.drive(from, gains);
+  };
+  const sight = createSight(
+    createScene(drive, paper, () => null),
+    first,
+    () => {},
+    () => {},
+  );
+  const seen = () => sight.of(store.get());
+  const means = { engine, store, paper, finalTime: () => 1, isStill: () => true, places };
+  const actions = createActions(means);
+  /** @type {any[]} */
+  const said = [];
+  /** @type {Map<unknown, (message: any) => void>} */
+  const waiting = new Map();
+  const messages = createMessages(
+    {
+      engine,
+      store,
+      actions,
+      links,
+      seen,
+      answersOf: () => ({}),
+      whenSeen: () => sight.whenSeen(store.get),
+    },
+    (message) => {
+      said.push(message);
+      waiting.get(/** @type {{ id?: unknown }} */ (message).id)?.(message);
+    },
+  );
+  /** @param {object} message @returns {Promise<any>} */
+  const asked = (message) =>
+    new Promise((resolve) => {
+      const id = waiting.size + 1;
+      waiting.set(id, resolve);
+      messages.hear({ ep: 1, id, ...message });
+    });
+  return { messages, actions, said, held, seen, asked };
+}
+
+test('what could not be driven is answered by why, and no drive is told that belongs to something else', async () => {
+  const { messages, actions, said, held, asked } = figureOf();
+  await messages.ready();
+  assert.equal(said[0].type, 'ready');
+  const set = await asked({ type: 'set', experiment: {}, gains: [4, 1, 6] });
+  assert.deepEqual([set.type, set.drive.gains], ['state', [4, 1, 6]]);
+
+  held.error = new Error('A worker was lost');
+  said.length = 0;
+  actions.slideGain(0, 5);
+  messages.announce();
+  for (const message of [
+    { type: 'read' },
+    { type: 'set', experiment: {}, gains: [3, 1, 6] },
+    { type: 'step' },
+    { type: 'read' },
+  ]) {
+    const answer = await asked(message);
+    assert.deepEqual([answer.type, answer.message], ['error', 'A worker was lost'], JSON.stringify(message));
+  }
+  assert.deepEqual(
+    said.filter(({ type }) => type === 'drive'),
+    [],
+  );
+
+  // What drives again is told again.
+  held.error = null;
+  const again = await asked({ type: 'set', experiment: {}, gains: [4, 1, 6] });
+  assert.equal(again.drive.cost.total, simulate(experiment({}), [4, 1, 6]).cost.total);
+  assert.deepEqual(again.drive.gains, [4, 1, 6]);
+});
+
+test('a figure of which the first drive cannot be had says why, and goes on', async () => {
+  const { messages, said, held, asked } = figureOf();
+  held.error = new Error('A worker was lost');
+  messages.hear({ ep: 1, type: 'set', experiment: { horizon: 9 } });
+  await asked({ type: 'read' });
+  said.length = 0;
+  await messages.ready();
+  assert.deepEqual(said[0], { type: 'error', message: 'A worker was lost' });
+  held.error = null;
+  assert.equal((await asked({ type: 'set', experiment: {} })).type, 'state');
+});
+
+test('what the host sets is no drive of the user, however long it takes', async () => {
+  const { messages, said, held, seen, asked } = figureOf();
+  await messages.ready();
+  let arrive = () => {};
+  held.error = new Pending(new Promise((resolve) => (arrive = () => resolve(null))));
+  const answer = asked({ type: 'set', experiment: {}, gains: [4, 1, 6] });
+  while (!seen().isComputing) await breathe();
+  held.error = null;
+  arrive();
+  assert.deepEqual((await answer).drive.gains, [4, 1, 6]);
+  messages.announce();
+  assert.deepEqual(
+    said.filter(({ type }) => type === 'drive'),
+    [],
+  );
+});
+
+test('where the core has failed each question is answered by that, also what is being computed', async () => {
+  const { messages, said, held, asked: ask } = figureOf();
+  await messages.ready();
+  held.error = new Pending(new Promise(() => {}));
+  const open = [{ type: 'set', experiment: { horizon: 9 } }, { type: 'read' }, { type: 'step' }].map(ask);
+  // The first is under way.
+  await breathe();
+  said.length = 0;
+  messages.fail('it has stopped');
+  messages.fail('it has stopped');
+  for (const { type, message } of await Promise.all([...open, ask({ type: 'run' })]))
+    assert.deepEqual([type, message], ['error', 'it has stopped']);
+  messages.announce();
+  assert.equal(said.length, 4);
+  assert.match((await ask({ type: 'reed' })).message, /not “reed”/);
+
+  // Who was to be ready says so by itself, once.
+  const late = figureOf();
+  late.held.error = new Pending(new Promise(() => {}));
+  const asked = late.asked({ type: 'set', experiment: { horizon: 9 } });
+  const ready = late.messages.ready();
+  late.messages.fail('it has stopped');
+  await ready;
+  assert.equal((await asked).type, 'error');
+  assert.deepEqual(
+    late.said.filter(({ id }) => id === undefined),
+    [{ type: 'error', message: 'it has stopped' }],
+  );
+});
+
+test('of a core that fails under a question the page is told once', async (t) => {
+  const { messages, held, asked } = figureOf();
+  await messages.ready();
+  /** @type {unknown[]} */
+  const reported = [];
+  const report = (/** @type {unknown} */ error) => {
+    reported.push(error);
+    messages.fail('it has stopped');
+  };
+  Object.assign(globalThis, { reportError: report });
+  t.after(() => Reflect.deleteProperty(globalThis, 'reportError'));
+  held.error = new WebAssembly.RuntimeError('unreachable');
+  const questions = [{ type: 'set', experiment: { horizon: 9 } }, { type: 'read' }, { type: 'step' }];
+  for (const { type } of await Promise.all(questions.map(asked))) assert.equal(type, 'error');
+  assert.deepEqual(reported, [held.error]);
+});
