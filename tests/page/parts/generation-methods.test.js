@@ -26,11 +26,10 @@ const rivals = /** @type {const} */ ([
 
 /** @param {Method} method @param {number} generations @param {Partial<typeof base.evolution>} [change] @returns {Anatomy[]} */
 function anatomiesOf(method, generations, change = {}) {
-  const evolution = new Evolution({ ...base, evolution: { ...base.evolution, ...change, method } });
+  const settings = { ...base.evolution, ...change, method };
+  const evolution = new Evolution({ ...base, evolution: settings });
   for (let i = 0; i < generations; i += 1) evolution.step();
-  return Array.from({ length: generations + 1 }, (_, g) =>
-    dissect(evolution.record(g), method, base.evolution.initialRange),
-  );
+  return Array.from({ length: generations + 1 }, (_, g) => dissect(evolution.record(g), settings));
 }
 
 /** @param {readonly number[]} a @param {readonly number[]} b */

@@ -40,9 +40,10 @@ export function sentence(anatomy, phase) {
       : `${count} robots with random gains, in the order of their draws. No one has competed yet.`;
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
+  const crossed = record.donors.filter(({ length }) => length > 0).length;
   return {
     parents: `The ${count} survivors of generation ${generation - 1}, best ranked first. Lower J is better.`,
-    mutation: 'Each parent has one offspring: its gains move by the old σ times a random draw.',
+    mutation: `Each parent has one offspring: its gains move by the old σ times a random draw.${crossed > 0 ? ` ${crossed} of ${count} parents are crossed with another first.` : ''}`,
     drive: `The offspring drive and get their J: ${better} of ${count} drive better than their parent.`,
     tournament: `Each of the ${all.length} meets ${record.opponents[0]?.length} others drawn at random, and wins if its J is not higher.`,
     ranking:
@@ -127,6 +128,20 @@ export const lostText = 'lost to';
 export const ranked = (rank, generation) => `ranked ${rank} in generation ${generation}`;
 
 export const commonText = ': one draw for all three σ';
+export const crossedWith = 'crossed with ';
+/** @param {readonly string[]} gains */
+export const givenText = (gains) =>
+  gains.length > 0
+    ? `, which gave ${gains.join(gains.length > 2 ? ', ' : ' and ')} with ${gains.length > 1 ? 'their' : 'its'} σ`
+    : ', which gave nothing';
+/** What becomes of gains that are drawn there. */
+export const belowZeroText = {
+  mirror: 'Gains below 0 are mirrored at 0 before they are tried.',
+  clamp: 'Gains below 0 are held at 0 before they are tried.',
+};
+/** @param {string} sigma */
+export const floorText = (sigma) => `No σ falls below ${sigma}.`;
+export const cauchyText = 'C is drawn from Cauchy’s distribution, N from the normal one.';
 
 /** What stands before the name of the other. @param {number} own @param {number} other */
 export const comparedText = (own, other) =>

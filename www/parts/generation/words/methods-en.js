@@ -242,6 +242,9 @@ export const takenText = (gain) => `is taken: ${gain}`;
 export const staysText = (gain) => `stays ${gain}`;
 /** @param {string} times @param {string} sigma */
 export const apartText = (times, sigma) => `${times} times σ, which is ${sigma}`;
+/** Where it cannot be told what was drawn. */
+export const heldText = 'drawn below 0, held at 0';
+export const mirroredText = 'as drawn, or mirrored at 0';
 /** @param {string} step */
 export const nextStep = (step) => `next step: ${step}`;
 /** @param {number} weight */

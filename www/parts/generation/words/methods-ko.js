@@ -239,6 +239,9 @@ export const takenText = (gain) => `채택: ${gain}`;
 export const staysText = (gain) => `${gain} 그대로`;
 /** @param {string} times @param {string} sigma */
 export const apartText = (times, sigma) => `σ의 ${times}배, σ는 ${sigma}`;
+/** Where it cannot be told what was drawn. */
+export const heldText = '0보다 작게 뽑혀 0에서 멈춤';
+export const mirroredText = '뽑은 값 그대로, 또는 0을 기준으로 뒤집은 값';
 /** @param {string} step */
 export const nextStep = (step) => `다음 걸음: ${step}`;
 /** @param {number} weight */
