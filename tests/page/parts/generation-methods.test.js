@@ -63,6 +63,44 @@ test('every phase of every method has its sentence and its name, in both languag
     );
 });
 
+test('why a slope cannot be told, and why a simplex begins anew, is said as it is', () => {
+  const [probed] = anatomiesOf('finite-differences', 1).slice(-1);
+  const untold = { ...probed.record, next: { ...probed.record.next, slope: null, steps: null } };
+  for (const [words, arrives] of /** @type {const} */ ([
+    [en, /arriv/],
+    [ko, /도착/],
+  ]))
+    assert.doesNotMatch(words.sentence({ ...probed, record: untold }, 'survivors'), arrives);
+
+  const begun = anatomiesOf('nelder-mead', 400).find(
+    ({ record }) => record.generation > 0 && record.plan.motion === 'begin',
+  );
+  assert.ok(begun);
+  const parents = begun.record.parents.map((one) => ({ ...one, cost: Number.POSITIVE_INFINITY }));
+  const nowhere = { ...begun, record: { ...begun.record, parents } };
+  for (const [words, shrunk] of /** @type {const} */ ([
+    [en, /shrunk/],
+    [ko, /줄어/],
+  ])) {
+    assert.match(words.sentence(begun, 'parents'), shrunk);
+    assert.doesNotMatch(words.sentence(nowhere, 'parents'), shrunk);
+  }
+});
+
+test('only luck is of this time: by J alone it is always the lowest that stay', () => {
+  for (const [words, thisTime] of /** @type {const} */ ([
+    [en, /^This time/],
+    [ko, /^이번에는/],
+  ])) {
+    const [lowest] = anatomiesOf('ep', 1, { selection: 'truncation' }).slice(-1);
+    assert.doesNotMatch(words.upsetText(lowest), thisTime);
+    const lucky = anatomiesOf('ep', 40, { population: 3 }).find(
+      ({ record, upset }) => record.generation > 0 && !upset,
+    );
+    assert.match(words.upsetText(/** @type {Anatomy} */ (lucky)), thisTime);
+  }
+});
+
 test('all that a phase draws lies among the points for which the picture has room', () => {
   for (const method of rivals)
     for (const anatomy of anatomiesOf(method, 60)) {

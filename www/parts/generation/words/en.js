@@ -63,7 +63,8 @@ export const winsText = (count) => parts(count, 'win', 'wins');
 /** One that survives though a better one fell. @param {Anatomy} anatomy */
 export function upsetText(anatomy) {
   const { upset, all, record } = anatomy;
-  if (!upset) return `This time those that stay are exactly the ${anatomy.staying} with the lowest J.`;
+  if (!upset)
+    return `${record.wins.length > 0 ? 'This time those' : 'Those'} that stay are exactly the ${anatomy.staying} with the lowest J.`;
   const { survivor, fallen } = upset;
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));

@@ -60,7 +60,8 @@ export const winsText = (count) => `${count}승`;
 /** One that survives though a better one fell. @param {Anatomy} anatomy */
 export function upsetText(anatomy) {
   const { upset, all, record } = anatomy;
-  if (!upset) return `이번에는 J가 가장 낮은 로봇 ${anatomy.staying}대가 그대로 남습니다.`;
+  if (!upset)
+    return `${record.wins.length > 0 ? '이번에는 ' : ''}J가 가장 낮은 로봇 ${anatomy.staying}대가 그대로 남습니다.`;
   const { survivor, fallen } = upset;
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
