@@ -1,9 +1,10 @@
 // The formulas of the paper that more than one step shows.
 import { lawTerms } from '../core/rules.js';
+import { birthOf, grownSigma, movedGain, ratesOf } from '../parts/generation/birth.js';
 import words from '../parts/generation/words/index.js';
 import { lab } from '../words/index.js';
 import { degreesText, signed } from '../words/numbers.js';
-import { anatomyOf, birthOf, chosenIn } from './anatomy.js';
+import { anatomyOf, chosenIn } from './anatomy.js';
 import {
   cos,
   dot,
@@ -200,13 +201,16 @@ export const gainFormula = {
     const anatomy = anatomyOf(live);
     const birth = birthOf(anatomy, chosenIn(live) % anatomy.count);
     if (!birth) return {};
-    const { parent, child, draws } = birth;
-    return named((i) => ({
-      k: words.gainText(parent.gains[i], parent.sigmas[i]),
-      s: words.sigmaText(parent.sigmas[i]),
-      N: words.bracketed(words.drawText(draws.gains[i])),
-      newk: words.gainText(child.gains[i], parent.sigmas[i]),
-    }));
+    const { base, child, draws } = birth;
+    return named((i) => {
+      const write = (/** @type {number} */ gain) => words.gainText(gain, base.sigmas[i]);
+      return {
+        k: write(base.gains[i]),
+        s: words.sigmaText(base.sigmas[i]),
+        N: words.bracketed(words.drawText(draws.gains[i])),
+        newk: words.cameFrom(write(child.gains[i]), write(movedGain(birth, i))),
+      };
+    });
   },
 };
 
@@ -225,17 +229,17 @@ export const sigmaFormula = {
   numbers(live) {
     const birth = birthOf(anatomyOf(live), 0);
     if (!birth) return {};
-    const { parent, child, draws } = birth;
-    const rates = live.engine.learningRates();
+    const { base, child, draws } = birth;
+    const rates = ratesOf(live.engine.learningRates(), live.state.experiment.evolution.adaptation);
     const draw = (/** @type {number} */ value) => words.bracketed(words.drawText(value));
     return {
       tau: words.drawText(rates.own),
       tau2: words.drawText(rates.common),
       N: draw(draws.common),
       ...named((i) => ({
-        s: words.sigmaText(parent.sigmas[i]),
+        s: words.sigmaText(base.sigmas[i]),
         N: draw(draws.sigmas[i]),
-        news: words.sigmaText(child.sigmas[i]),
+        news: words.cameFrom(words.sigmaText(child.sigmas[i]), words.sigmaText(grownSigma(birth, i, rates))),
       })),
     };
   },

@@ -1,4 +1,5 @@
 // Answers what was predicted, once what shows it has been seen.
+import { Pending } from '../core/pending.js';
 import { isLost, messageOf } from '../words/errors.js';
 import { isAskedIn } from './asked-in.js';
 import { keyOf } from './blocks.js';
@@ -30,6 +31,16 @@ export function restOf({ time, x, y, theta }) {
 /** Whether the drive has been seen to its end. @param {Live} live */
 const isSeen = ({ state: { robot }, scene: { driving } }) => !robot.playing || robot.time >= restOf(driving);
 
+/** What goes wrong at once goes the way of what goes wrong later; what is still under way is asked for again. @param {() => unknown} answer @returns {Promise<any>} */
+function begun(answer) {
+  try {
+    return Promise.resolve(answer());
+  } catch (error) {
+    if (error instanceof Pending) throw error;
+    return Promise.reject(error);
+  }
+}
+
 /** @type {WeakSet<Answer>} */
 const pending = new WeakSet();
 
@@ -54,11 +65,10 @@ export function settle(live, step, { store, actions }) {
     }
     if (quiz.ready && !quiz.ready(live)) continue;
     if (quiz.watch && !isSeen(live)) continue;
-    // What it needs may still be under way: then it is asked again.
-    const found = quiz.answer(live);
+    const found = begun(() => quiz.answer(live));
     pending.add(answer);
     const { why } = /** @type {any} */ (words.steps[step.name]).quizzes[name];
-    Promise.resolve(found)
+    found
       .then((outcome) => replace(answer, { ...answer, right: outcome.right, why: why(outcome) }))
       .catch((error) => {
         replace(answer);

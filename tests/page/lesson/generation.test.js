@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { generationSlice } from '../../../www/parts/generation/state.js';
 import { dissect } from '../../../www/parts/generation/record.js';
-import { placeByCost } from '../../../www/lesson/anatomy.js';
+import { anatomyOf as anatomyIn, placeByCost } from '../../../www/lesson/anatomy.js';
 import { gainFormula, sigmaFormula } from '../../../www/lesson/formulas.js';
 import { generation as step, question } from '../../../www/lesson/steps/generation.js';
 import { generation as words } from '../../../www/lesson/words/en/generation.js';
@@ -135,6 +135,39 @@ test('whatever searches and selects, the step says what is known of it, and a fo
       assert.equal('bouts' in known, isPapers && ['ep', 'tournament'].includes(word), where);
       assert.doesNotMatch(JSON.stringify(known), /undefined|NaN/, where);
     }
+});
+
+test('whatever a birth is made of, the formulas with its numbers come to what they say', () => {
+  const read = (/** @type {string} */ text) => Number(text.replaceAll('−', '-').replace(/^\((.*)\)$/, '$1'));
+  const about = (/** @type {number} */ value, /** @type {number} */ other, /** @type {string} */ what) =>
+    assert.ok(Math.abs(value - other) < 0.005 * (1 + Math.abs(other)), `${what}: ${value}, ${other}`);
+  for (const [setting, hasArrows] of /** @type {const} */ ([
+    ['evolution.adaptation=0.5', false],
+    ['evolution.crossover=1', false],
+    ['evolution.belowZero=mirror', true],
+    ['evolution.belowZero=clamp&evolution.sigmaFloor=1', true],
+  ])) {
+    let arrows = 0;
+    for (let individual = 0; individual < 20; individual += 1) {
+      const live = liveOf(`generation&generation=1&individual=${individual}&${setting}`);
+      const { record } = anatomyIn(live);
+      const [gain, sigma] = [gainFormula, sigmaFormula].map(({ numbers }) => numbers?.(live) ?? {});
+      for (const [j, index] of ['x', 'y', 't'].entries()) {
+        const what = `${setting}, ${individual + 1}, ${index}`;
+        const [child, sum = child] = gain[`newk${index}`].split(' ← ').map(read);
+        const [k, s, n] = ['k', 's', 'N'].map((letter) => read(gain[letter + index]));
+        about(k + s * n, sum, what);
+        about(child, record.offspring[individual].gains[j], what);
+        const [own, grown = own] = sigma[`news${index}`].split(' ← ').map(read);
+        const [tau, common, shared] = ['tau', 'tau2', 'N'].map((letter) => read(sigma[letter]));
+        const [before, draw] = ['s', 'N'].map((letter) => read(sigma[letter + index]));
+        about(before * Math.exp(common * shared + tau * draw), grown, what);
+        about(own, record.offspring[0].sigmas[j], what);
+        arrows += Number(child !== sum) + Number(own !== grown);
+      }
+    }
+    assert.equal(arrows > 0, hasArrows, setting);
+  }
 });
 
 test('what its tries are said to show', () => {

@@ -1,5 +1,6 @@
 // When a prediction is answered, and when it is free again.
 import assert from 'node:assert/strict';
+import { Pending } from '../../../www/core/pending.js';
 import { isAskedIn } from '../../../www/lesson/asked-in.js';
 import { settle } from '../../../www/lesson/settle.js';
 import { progressSlice } from '../../../www/lesson/state.js';
@@ -75,8 +76,26 @@ test('nothing is answered from a run that is still being computed', async () => 
   assert.equal((await page.frame({ computing }))?.right, null);
 });
 
-test('a question whose computation fails says so, and can be asked again', async () => {
-  const page = pageOf(live, () => Promise.reject(new Error('no worker')));
-  assert.equal(await page.frame(), undefined);
-  assert.deepEqual(page.said, ['no worker']);
+test('a question whose computation fails says so, at once or later, and can be asked again', async () => {
+  const later = pageOf(live, () => Promise.reject(new Error('no worker')));
+  assert.equal(await later.frame(), undefined);
+  assert.deepEqual(later.said, ['no worker']);
+  const atOnce = pageOf(live, () => {
+    throw new Error('no such run');
+  });
+  assert.equal(await atOnce.frame(), undefined);
+  assert.deepEqual(atOnce.said, ['no such run']);
+});
+
+test('what an answer needs and is still being computed is asked for again', async () => {
+  let there = false;
+  const answer = () => {
+    if (!there) throw new Pending(Promise.resolve());
+    return { right: 0, gentle: live.scene.driving, bold: live.scene.driving };
+  };
+  const page = pageOf(live, answer);
+  await assert.rejects(page.frame(), Pending);
+  assert.deepEqual(page.said, []);
+  there = true;
+  assert.equal((await page.frame())?.right, 0);
 });

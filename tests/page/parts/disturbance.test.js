@@ -1,6 +1,10 @@
 import assert from 'node:assert/strict';
+import { summarize } from '../../../www/parts/disturbance/summary.js';
+import * as en from '../../../www/parts/disturbance/words/en.js';
+import * as ko from '../../../www/parts/disturbance/words/ko.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, paperGains, remainingErrors, startsOnCircle } from '../harness/core.js';
+import { test } from '../harness/once.js';
 import { middleOf, readEvolution } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -46,6 +50,26 @@ function median(sizes) {
   const sorted = sizes.slice(1).sort();
   return (sorted[15] + sorted[16]) / 2;
 }
+
+test('the theorem is called upon only where it speaks of the law and the gains that drive', () => {
+  const starts = [...preset.starts, ...startsOnCircle({ ...circle, x: 2, y: 2, count: 1 })];
+  /** @param {typeof en} words @param {Experiment['law']} law @param {[number, number, number]} gains */
+  const said = (words, law, gains) => {
+    const own = experiment({ ...preset, starts, law });
+    const calm = remainingErrors(own, gains, 2);
+    const spec = { experiment: own, gains, seconds: 2 };
+    return words.summaryText(summarize({ spec, runs: [], disturbed: calm, calm }));
+  };
+  for (const [words, promise, others] of /** @type {const} */ ([
+    [en, /lets the error go to 0/, /1 other start,/],
+    [/** @type {typeof en} */ (/** @type {unknown} */ (ko)), /0에 수렴/, /다른 출발점 1개/],
+  ])) {
+    assert.match(said(words, 'shim-kim', [3, 1, 5]), promise);
+    assert.match(said(words, 'shim-kim', [3, 1, 5]), others);
+    for (const told of [said(words, 'kanayama', [3, 1, 5]), said(words, 'shim-kim', [3, -0.01, 5])])
+      assert.doesNotMatch(told, promise);
+  }
+});
 
 /** What a person reads of the part, once it is measured. @param {Page} page */
 async function readPart(page) {

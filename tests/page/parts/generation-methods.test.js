@@ -26,11 +26,10 @@ const rivals = /** @type {const} */ ([
 
 /** @param {Method} method @param {number} generations @param {Partial<typeof base.evolution>} [change] @returns {Anatomy[]} */
 function anatomiesOf(method, generations, change = {}) {
-  const evolution = new Evolution({ ...base, evolution: { ...base.evolution, ...change, method } });
+  const settings = { ...base.evolution, ...change, method };
+  const evolution = new Evolution({ ...base, evolution: settings });
   for (let i = 0; i < generations; i += 1) evolution.step();
-  return Array.from({ length: generations + 1 }, (_, g) =>
-    dissect(evolution.record(g), method, base.evolution.initialRange),
-  );
+  return Array.from({ length: generations + 1 }, (_, g) => dissect(evolution.record(g), settings));
 }
 
 /** @param {readonly number[]} a @param {readonly number[]} b */
@@ -62,6 +61,44 @@ test('every phase of every method has its sentence and its name, in both languag
       [...said.keys()].some((text) => text.includes(part)),
       part,
     );
+});
+
+test('why a slope cannot be told, and why a simplex begins anew, is said as it is', () => {
+  const [probed] = anatomiesOf('finite-differences', 1).slice(-1);
+  const untold = { ...probed.record, next: { ...probed.record.next, slope: null, steps: null } };
+  for (const [words, arrives] of /** @type {const} */ ([
+    [en, /arriv/],
+    [ko, /도착/],
+  ]))
+    assert.doesNotMatch(words.sentence({ ...probed, record: untold }, 'survivors'), arrives);
+
+  const begun = anatomiesOf('nelder-mead', 400).find(
+    ({ record }) => record.generation > 0 && record.plan.motion === 'begin',
+  );
+  assert.ok(begun);
+  const parents = begun.record.parents.map((one) => ({ ...one, cost: Number.POSITIVE_INFINITY }));
+  const nowhere = { ...begun, record: { ...begun.record, parents } };
+  for (const [words, shrunk] of /** @type {const} */ ([
+    [en, /shrunk/],
+    [ko, /줄어/],
+  ])) {
+    assert.match(words.sentence(begun, 'parents'), shrunk);
+    assert.doesNotMatch(words.sentence(nowhere, 'parents'), shrunk);
+  }
+});
+
+test('only luck is of this time: by J alone it is always the lowest that stay', () => {
+  for (const [words, thisTime] of /** @type {const} */ ([
+    [en, /^This time/],
+    [ko, /^이번에는/],
+  ])) {
+    const [lowest] = anatomiesOf('ep', 1, { selection: 'truncation' }).slice(-1);
+    assert.doesNotMatch(words.upsetText(lowest), thisTime);
+    const lucky = anatomiesOf('ep', 40, { population: 3 }).find(
+      ({ record, upset }) => record.generation > 0 && !upset,
+    );
+    assert.match(words.upsetText(/** @type {Anatomy} */ (lucky)), thisTime);
+  }
 });
 
 test('all that a phase draws lies among the points for which the picture has room', () => {

@@ -1,36 +1,222 @@
 // The equations of a mutation, as they are written, against the record of the core.
 import assert from 'node:assert/strict';
-import { detailsOf, ratesOf } from '../../../www/parts/generation/details.js';
+import { bell } from '../../../www/parts/generation/bell.js';
+import { ratesOf } from '../../../www/parts/generation/birth.js';
+import { detailsOf } from '../../../www/parts/generation/details.js';
 import { dissect } from '../../../www/parts/generation/record.js';
+import { generationTable } from '../../../www/parts/generation/table.js';
+import * as en from '../../../www/parts/generation/words/en.js';
+import * as ko from '../../../www/parts/generation/words/ko.js';
+import { pageTest } from '../harness/browsers.js';
 import { createEngine, Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { written } from '../harness/templates.js';
-import { numbersIn } from './generation-page.js';
+import { numbersIn, same } from './generation-page.js';
+
+/** @typedef {typeof usual.evolution} Settings */
+/** @typedef {ReturnType<typeof dissect>} Anatomy */
 
 const usual = experiment('velocity-limits');
 
-/** The numbers of each equation of an offspring. @param {number} adaptation @param {number} chosen */
-function equationsOf(adaptation, chosen) {
-  const evolution = new Evolution({ ...usual, evolution: { ...usual.evolution, adaptation } });
-  evolution.step();
-  const model = /** @type {any} */ ({ anatomy: dissect(evolution.record(1)), phase: 'mutation', chosen });
-  const rates = ratesOf(createEngine().learningRates(), adaptation);
-  const text = written(detailsOf(model, { rates, choose() {} }));
-  return [...text.matchAll(/<p class="equation">(.*?)<\/p>/gs)].map(([, equation]) =>
-    numbersIn(equation.replaceAll(/<[^>]*>/g, ' ')).map(Number),
-  );
+/** The newest of some generations. @param {Partial<Settings>} change @param {number} [generation] */
+function anatomyOf(change, generation = 1) {
+  const settings = { ...usual.evolution, ...change };
+  const evolution = new Evolution({ ...usual, evolution: settings });
+  for (let g = 0; g < generation; g += 1) evolution.step();
+  return dissect(evolution.record(generation), settings);
 }
 
-test('what is written of a mutation is true, however fast σ adapts', () => {
-  for (const adaptation of [0, 0.5, 1])
-    for (const chosen of [0, 3, 11]) {
-      const equations = equationsOf(adaptation, chosen);
-      assert.equal(equations.length, 6);
-      for (const [i, numbers] of equations.entries()) {
-        const [before, a, b, c, after] = numbers;
-        const result = i % 2 === 0 ? before + a * b : before * Math.exp(a + b * c);
-        const printed = i % 2 === 0 ? c : after;
-        assert.ok(Math.abs(result - printed) < 0.005 * (1 + Math.abs(printed)), `${adaptation}: ${numbers}`);
+/** What is written of how one came to be, and the equations in it. @param {Anatomy} anatomy @param {number} chosen @param {number} [adaptation] */
+function toldOf(anatomy, chosen, adaptation = 1) {
+  const model = /** @type {any} */ ({ anatomy, phase: 'mutation', chosen });
+  const rates = ratesOf(createEngine().learningRates(), adaptation);
+  const html = written(detailsOf(model, { rates, choose() {} }));
+  const plain = (/** @type {string} */ text) => text.replaceAll(/<[^>]*>/g, ' ').replaceAll(/\s+/g, ' ');
+  const equations = [...html.matchAll(/<p class="equation">(.*?)<\/p>/gs)].map(([, one]) => plain(one));
+  return { text: plain(html), equations };
+}
+
+/** @type {readonly Partial<Settings>[]} */
+const ingredients = [
+  {},
+  { adaptation: 0 },
+  { adaptation: 0.5 },
+  { belowZero: 'clamp' },
+  { belowZero: 'mirror' },
+  { sigmaFloor: 0.5 },
+  { crossover: 1 },
+  { crossover: 0.5, belowZero: 'mirror', sigmaFloor: 1 },
+  { step: 'cauchy' },
+];
+
+test('what is written of a mutation is true, whatever it is made of: each equation comes to what follows it', () => {
+  for (const change of ingredients) {
+    const { adaptation = 1 } = change;
+    let arrows = 0;
+    for (const generation of [1, 3]) {
+      const anatomy = anatomyOf(change, generation);
+      const { record, count } = anatomy;
+      for (let chosen = 0; chosen < 2 * count; chosen += 1) {
+        const { equations } = toldOf(anatomy, chosen, adaptation);
+        assert.equal(equations.length, 6);
+        const child = record.offspring[chosen % count];
+        for (const [i, equation] of equations.entries()) {
+          const what = `${JSON.stringify(change)}: ${equation}`;
+          const [sum, result] = equation.split(' = ');
+          const [before, a, b, c] = numbersIn(sum).map(Number);
+          const isGain = i % 2 === 0;
+          const value = isGain ? before + a * b : before * Math.exp(a + b * c);
+          const [came, ...rest] = numbersIn(result);
+          const size = 1 + Math.abs(value) + (isGain ? Math.abs(a * b) : 0);
+          assert.ok(Math.abs(value - Number(came)) < 0.005 * size, what);
+          same(rest[0] ?? came, isGain ? child.gains[i / 2] : child.sigmas[(i - 1) / 2], what);
+          arrows += rest.length;
+        }
       }
     }
+    assert.equal(arrows > 0, change.belowZero !== undefined || change.sigmaFloor !== undefined, `${arrows}`);
+  }
+});
+
+test('where an arrow may stand its rule is written, and where the draws are Cauchy’s the formula says so', () => {
+  for (const words of [en, ko]) assert.notEqual(words.belowZeroText.mirror, words.belowZeroText.clamp);
+  const rules = [en.belowZeroText.clamp, en.belowZeroText.mirror, en.floorText('0.500'), en.cauchyText];
+  const written = (/** @type {Partial<Settings>} */ change) => {
+    const { text } = toldOf(anatomyOf(change), 3);
+    return rules.filter((rule) => text.includes(rule));
+  };
+  assert.deepEqual(written({}), []);
+  assert.deepEqual(written({ belowZero: 'clamp' }), rules.slice(0, 1));
+  assert.deepEqual(written({ method: 'de', belowZero: 'mirror', sigmaFloor: 0.5 }), rules.slice(1, 2));
+  assert.deepEqual(written({ sigmaFloor: 0.5, step: 'cauchy' }), rules.slice(2));
+  const { gaussian, cauchy } = en.formula.gain;
+  for (const [step, own] of /** @type {const} */ ([
+    ['gaussian', gaussian],
+    ['cauchy', cauchy],
+  ])) {
+    const { text } = toldOf(anatomyOf({ step }), 3);
+    for (const formula of [gaussian, cauchy]) assert.equal(text.includes(formula), formula === own, text);
+  }
+});
+
+test('the picture of a draw is that of its distribution, and what lies beyond it is no point of it', () => {
+  const heights = (/** @type {'gaussian' | 'cauchy'} */ step) =>
+    [...(/class="density" d="M([^"]*)"/.exec(written(bell(null, step)))?.[1] ?? '').split('L')].map((point) =>
+      Number(point.split(' ')[1]),
+    );
+  const [top, foot] = [4, 34];
+  for (const [step, reach, density] of /** @type {const} */ ([
+    ['gaussian', 3.3, (/** @type {number} */ x) => Math.exp((-x * x) / 2)],
+    ['cauchy', 10, (/** @type {number} */ x) => 1 / (1 + x * x)],
+  ]))
+    for (const [i, height] of heights(step).entries())
+      assert.ok(Math.abs(height - (foot - (foot - top) * density(reach * (i / 22 - 1)))) <= 0.051, step);
+  const marks = (/** @type {number} */ draw) =>
+    written(bell(draw, 'cauchy')).match(/<(circle|path) class="drawn"/)?.[1];
+  assert.deepEqual([0, 9, -9, 11, -1e9].map(marks), ['circle', 'circle', 'circle', 'path', 'path']);
+});
+
+test('a parent that was crossed names the other, and the gains that it got from there', () => {
+  const anatomy = anatomyOf({ crossover: 0.6 });
+  const { record, count } = anatomy;
+  let alone = 0;
+  for (let pair = 0; pair < count; pair += 1) {
+    const [donor] = record.donors[pair];
+    const { text } = toldOf(anatomy, pair);
+    const row = generationTable(anatomy).rowOf(anatomy.ranks[pair + count]);
+    assert.equal(row[3], [`parent ${pair + 1}`, ...record.donors[pair].map((one) => one + 1)].join(', '));
+    if (donor === undefined) {
+      alone += 1;
+      assert.ok(!text.includes(en.crossedWith), text);
+      continue;
+    }
+    const given = ['kx', 'ky', 'kθ'].filter(
+      (_, j) => record.bases[pair].gains[j] === record.parents[donor].gains[j],
+    );
+    assert.ok(text.includes(`${en.crossedWith}parent ${donor + 1} ${en.givenText(given)}`), text);
+  }
+  assert.ok(alone > 0 && alone < count);
+  for (const words of [en, ko]) {
+    assert.match(words.sentence(anatomy, 'mutation'), new RegExp(`${count - alone}\\D`));
+    assert.doesNotMatch(words.sentence(anatomyOf({}), 'mutation'), /\d/);
+  }
+});
+
+test('of a draw that was held at 0 or may have been mirrored there it is not told how far it went', () => {
+  for (const belowZero of /** @type {const} */ (['clamp', 'mirror'])) {
+    const seen = { told: 0, untold: 0 };
+    for (let seed = 1; seed <= 60; seed += 1) {
+      const change = { method: /** @type {const} */ ('one-plus-one-es'), seed };
+      const anatomy = anatomyOf({ ...change, belowZero });
+      // The first step is drawn alike; with the penalty it is tried as it is.
+      const { record } = anatomyOf(change);
+      const { equations } = toldOf(anatomy, 1);
+      for (const i of [0, 1, 2]) {
+        const [from, drawn] = [record.parents[0].gains[i], record.offspring[0].gains[i]];
+        const [told] = /times σ/.test(equations[2 * i + 1]) ? numbersIn(equations[2 * i + 1]) : [];
+        const tried = anatomy.record.offspring[0].gains[i];
+        same(numbersIn(equations[2 * i]).at(-1), tried, equations[2 * i]);
+        if (told === undefined) seen.untold += 1;
+        else {
+          seen.told += 1;
+          same(told, drawn - from, equations[2 * i + 1]);
+        }
+        if (tried !== drawn) assert.equal(told, undefined, equations[2 * i + 1]);
+      }
+    }
+    assert.ok(seen.told > 0 && seen.untold > 0, JSON.stringify(seen));
+  }
+});
+
+test('a step that ends below 0 is written as it was taken', () => {
+  let arrows = 0;
+  for (const method of /** @type {const} */ (['one-at-a-time', 'finite-differences']))
+    for (let generation = 1; generation <= 30; generation += 1) {
+      const anatomy = anatomyOf({ method, belowZero: 'clamp' }, generation);
+      const { parents, offspring, plan } = anatomy.record;
+      if (!plan.steps) continue;
+      for (const [i, equation] of toldOf(anatomy, anatomy.count).equations.entries()) {
+        const [result, after = result] = numbersIn(equation.split(' = ').at(-1) ?? '').slice(-2);
+        if (!equation.includes('=')) assert.equal(offspring[0].gains[i], parents[0].gains[i], equation);
+        else {
+          same(result, parents[0].gains[i] + plan.steps[i], equation);
+          same(after, offspring[0].gains[i], equation);
+          if (equation.includes('→')) arrows += 1;
+        }
+      }
+    }
+  assert.ok(arrows > 0);
+});
+
+pageTest('a crossed parent’s partner can be opened, and an arrow leads to what was tried', async (page) => {
+  const change = { crossover: 1, belowZero: /** @type {const} */ ('mirror') };
+  /** The first pair whose offspring would lie below 0. @param {Anatomy} anatomy */
+  const mirroredIn = ({ record: { bases, mutations } }) =>
+    bases.findIndex(({ gains, sigmas }, i) =>
+      gains.some((gain, j) => gain + sigmas[j] * mutations[i].gains[j] < -0.01),
+    );
+  const generations = Array.from({ length: 20 }, (_, g) => anatomyOf(change, g + 1));
+  const { record, count } = /** @type {Anatomy} */ (generations.find((one) => mirroredIn(one) >= 0));
+  const pair = mirroredIn(/** @type {any} */ ({ record }));
+  await page.open(
+    `#generation&v=1&generation=${record.generation}&phase=mutation&individual=${pair + count}&evolution.crossover=1&evolution.belowZero=mirror`,
+  );
+  const { told, arrows } = await page.until('how it came to be', () => {
+    const details = document.getElementById('generation-details');
+    const equations = [...(details?.querySelectorAll('.equation') ?? [])];
+    return (
+      details?.querySelector('.donors') && {
+        told: details.innerText,
+        arrows: equations.filter((one) => one.textContent?.includes('→')).length,
+      }
+    );
+  });
+  const other = `parent ${record.donors[pair][0] + 1}`;
+  assert.ok(arrows > 0 && told.includes(other) && told.includes(en.belowZeroText.mirror), told);
+  await page.click('#generation-details .donors button');
+  const isChosen = (/** @type {string} */ name) =>
+    document.getElementById('generation-picture')?.getAttribute('aria-valuetext')?.startsWith(`${name},`);
+  await page.until('the other parent is chosen', isChosen, other);
+  assert.deepEqual(await page.obstacles(), []);
+  assert.deepEqual(await page.problems(), []);
 });

@@ -3,6 +3,8 @@ import fc from 'fast-check';
 import { lowestOf } from '../../../www/parts/landscape/lowest.js';
 import { placeNames } from '../../../www/parts/landscape/names.js';
 import { linearRange } from '../../../www/parts/landscape/request.js';
+import { landscapeSlice } from '../../../www/parts/landscape/state.js';
+import { noteText } from '../../../www/parts/landscape/told.js';
 import { engineTest } from '../harness/browsers.js';
 import { evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -45,6 +47,16 @@ test('whoever drives with the gains of the lowest point pays what the map says, 
 test('where every J is infinite nothing is lowest', () => {
   const map = mapOf(velocityLimits, paperKy);
   assert.equal(lowestOf({ ...map, costs: map.costs.map(() => Number.POSITIVE_INFINITY) }), null);
+});
+
+test('the drives of a landscape are counted from every start', () => {
+  const { starts } = velocityLimits;
+  for (const from of [starts, [...starts, ...starts, ...starts]]) {
+    const result = { ...mapOf({ ...velocityLimits, starts }, paperKy), milliseconds: 5 };
+    const spec = { ...result.spec, experiment: { ...velocityLimits, starts: from } };
+    const note = noteText({ ...landscapeSlice.first, result: { ...result, spec } }, spec);
+    assert.equal(Number(note.replace(/ drives.*/, '').replace(/\D/g, '')), count * count * from.length, note);
+  }
 });
 
 const frame = { left: 44, right: 500, top: 10, bottom: 300 };

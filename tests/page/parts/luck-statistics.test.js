@@ -1,10 +1,12 @@
 // What is counted of many seeds.
 import assert from 'node:assert/strict';
 import { csvOf, quartilesOf } from '../../../www/parts/luck/statistics.js';
-import { surveyOf } from '../../../www/parts/luck/request.js';
+import { drivesOf, surveyOf } from '../../../www/parts/luck/request.js';
 import { luckSlice } from '../../../www/parts/luck/state.js';
 import * as en from '../../../www/parts/luck/words/en.js';
+import * as ko from '../../../www/parts/luck/words/ko.js';
 import { firstMaker, noExercise } from '../../../www/run/exercise.js';
+import { Evolution, experiment, startsOnCircle, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -30,6 +32,54 @@ test('the CSV of one seed is what it was', () => {
       'J evolution generation 0,J evolution generation 1,J random search generation 0,J random search generation 1\r\n' +
       '4,40,7,3,-0.5,5,7.75,8,7,8,7.75\r\n',
   );
+});
+
+test('as many drives are told of a search as the core counts, or none where each seed has its own number', () => {
+  const { words } = /** @type {{ words: string[] }} */ (
+    wordFields().find(({ path }) => path === 'evolution.method')
+  );
+  assert.ok(words.length > 7);
+  const usual = experiment('velocity-limits');
+  const generations = 12;
+  for (const starts of [usual.starts, startsOnCircle({ x: 2, y: 2, radius: 2, count: 3, seed: 1 })])
+    for (const method of /** @type {(typeof usual.evolution.method)[]} */ (words)) {
+      const evolution = { ...usual.evolution, method };
+      const counted = Array.from({ length: 8 }, (_, seed) => {
+        const search = new Evolution({ ...usual, starts, evolution: { ...evolution, seed } });
+        for (let g = 0; g < generations; g += 1) search.step();
+        return search.statistics().evaluations;
+      });
+      const told = drivesOf({ ...usual, starts, evolution }, generations);
+      if (told === null) assert.ok(new Set(counted).size > 1, `${method}: ${counted}`);
+      else
+        assert.deepEqual(
+          counted,
+          counted.map(() => told),
+          method,
+        );
+    }
+});
+
+test('where seeds have numbers of drives of their own, none is written in their place', () => {
+  const survey = /** @type {any} */ ({ runs: Array(20), milliseconds: 300 });
+  for (const words of [en, ko]) {
+    assert.match(words.invitation(20, 50, 1020), /1.?020/);
+    assert.doesNotMatch(words.invitation(20, 50, null), /null|NaN|1.?020/);
+    assert.match(words.surveyNote({ ...survey, drives: 1020 }), /40.?800/);
+    assert.match(words.surveyNote({ ...survey, drives: null }), /^\D*20\D+0\.3/);
+  }
+  const champion = /** @type {any} */ ({ gains: [3, 1, 5], cost: 7 });
+  const run = { best: Float64Array.of(7), champion, random: Float64Array.of(8) };
+  assert.match(csvOf({ first: 4, drives: null, runs: [run] }), /\r\n4,,7,3,1,5,8,7,8\r\n$/);
+});
+
+test('a contest says that a drive from many starts counts as one', () => {
+  const asked = { seeds: 15, budget: 1000 };
+  for (const words of [en, ko]) {
+    assert.equal(words.asOne(1), '');
+    assert.doesNotMatch(words.contestInvitation(asked, 1), /32/);
+    assert.match(words.contestInvitation(asked, 32), /32/);
+  }
 });
 
 test('a result from before does not tell what the paper’s gains cost where they are hidden', () => {

@@ -3,6 +3,8 @@ import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, fares, paperGains, startsOnCircle } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { read } from '../harness/reading.js';
+import * as en from '../../../www/parts/training/words/en.js';
+import * as ko from '../../../www/parts/training/words/ko.js';
 import { handOf } from '../../../www/parts/training/request.js';
 import { createSets, testOn } from '../../../www/parts/training/sets.js';
 import { trainingSlice } from '../../../www/parts/training/state.js';
@@ -141,6 +143,28 @@ pageTest("the paper's rows are there without pressing, those to evolve are empty
     );
   assert.equal(await page.text('#training-circle strong'), '–');
   assert.ok((await text(page, 'training-finding')).includes('arrive from 25 % of 1000 starts'));
+});
+
+test('of an experiment with many starts nothing says that it has one', () => {
+  const faring = (/** @type {number} */ count) => ({ starts: Array(count), count, cost: 9 });
+  const result = (/** @type {number} */ count) =>
+    /** @type {any} */ ({ training: faring(count), unseen: faring(1000 + count), own: count });
+  const many = result(99);
+  const spread = { one: [10, 20], circle: [500, 600], grid: [700, 800] };
+  for (const [words, ofOne] of /** @type {const} */ ([
+    [en, /\b(one )?start\b/],
+    [ko, /출발점 하나|출발점 1개|^출발점 J$/m],
+  ])) {
+    const said = [1, 5].map((count) => [
+      words.columnsOf(1000, count).at(-1),
+      words.invitation(count),
+      words.question(result(count)),
+      words.spreadText(spread, 1000, count),
+      words.lesson(/** @type {any} */ ({ results: { one: result(count), circle: many, grid: many } })),
+    ]);
+    for (const text of said[0]) assert.match(String(text), ofOne);
+    for (const text of said[1]) assert.doesNotMatch(String(text), ofOne);
+  }
 });
 
 pageTest('where the paper is hidden, the page says what to press', async (page) => {

@@ -1,7 +1,8 @@
 // One generation by hand.
+import { birthOf } from '../../parts/generation/birth.js';
 import words from '../../parts/generation/words/index.js';
 import lesson from '../words/index.js';
-import { anatomyOf, birthOf, chosenIn, placeByCost } from '../anatomy.js';
+import { anatomyOf, chosenIn, placeByCost } from '../anatomy.js';
 import { gainFormula } from '../formulas.js';
 import { createNewborn } from '../newborn.js';
 import { path } from '../path.js';

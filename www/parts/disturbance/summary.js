@@ -17,6 +17,7 @@ import { typed } from '../../words/numbers.js';
  * @property {number} seconds
  * @property {number} horizon
  * @property {string} law
+ * @property {boolean} isPositive Whether the theorem speaks of these gains.
  * @property {number} ky
  */
 
@@ -54,6 +55,7 @@ export function summarize({ spec, disturbed, calm }) {
     seconds: spec.seconds,
     horizon: spec.experiment.horizon,
     law: spec.experiment.law,
+    isPositive: spec.gains.every((gain) => gain > 0),
     ky: spec.gains[1],
   };
 }

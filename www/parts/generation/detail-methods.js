@@ -7,7 +7,7 @@ import { deviationOf } from '../../kit/ellipse.js';
 import words from './words/index.js';
 import { bar } from './bar.js';
 import { bell } from './bell.js';
-import { gainRows, headline, link, symbol } from './detail.js';
+import { gainRows, headline, link, rulesOf, symbol } from './detail.js';
 import { trialOf } from './record.js';
 import { centreOf, simplexOf } from './sketch.js';
 
@@ -37,13 +37,29 @@ const partOf = (steps, i) => steps[i] / Math.max(...steps.map(Math.abs));
 /** What is added, with its sign. @param {number} value */
 const added = (value) => (value < 0 ? ` − ${words.sigmaText(-value)}` : ` + ${words.sigmaText(value)}`);
 
-/** What comes of gains below 0 before they are tried. @param {number} sum @param {number} tried */
-const becomes = (sum, tried) =>
-  sum === tried ? words.gainText(sum) : `${words.gainText(sum)} → ${words.gainText(tried)}`;
+/** k + d = k′, with as many digits as d needs, and what came of k′ before it was tried. @param {number} i @param {number} from @param {number} to @param {number} tried */
+function moved(i, from, to, tried) {
+  const write = (/** @type {number} */ value) => words.gainText(value, to - from);
+  return html`${symbol('k', i)} ${write(from)}${added(to - from)} = ${words.becomes(write(to), write(tried))}`;
+}
 
-/** k + d = k′, with as many digits as d needs. @param {number} i @param {number} from @param {number} to */
-const moved = (i, from, to) =>
-  html`${symbol('k', i)} ${words.gainText(from, to - from)}${added(to - from)} = ${words.gainText(to, to - from)}`;
+/** Nobody draws so many σ. */
+const unheard = 8;
+
+/** A gain that was drawn around another; where that cannot be told, for it was held at 0 or may have been mirrored there, what is. @param {Anatomy} anatomy @param {number} i @param {number} from @param {number} to @param {number} sigma @returns {Row} */
+function drawnAround({ belowZero }, i, from, to, sigma) {
+  const isHeld = belowZero === 'clamp' && to === 0;
+  if (isHeld || (belowZero === 'mirror' && from + to < unheard * sigma))
+    return {
+      beside: bell(null),
+      lines: [equals('k', i, words.gainText(to)), isHeld ? words.heldText : words.mirroredText],
+    };
+  const times = sigma > 0 ? (to - from) / sigma : 0;
+  return {
+    beside: bell(times),
+    lines: [moved(i, from, to, to), words.apartText(words.drawText(times), words.sigmaText(sigma))],
+  };
+}
 
 /** @param {Anatomy} anatomy @returns {RowOf} */
 function distribution({ record: { ellipse } }) {
@@ -91,42 +107,27 @@ const difference = ({ record }, own) => {
     return {
       lines: [
         html`${symbol('k', i)} ${write(a[i])} + ${half} = ${write(mutant[i])}`,
-        isOwn ? words.keptText(write(trial[i])) : words.takenText(becomes(mutant[i], trial[i])),
+        isOwn
+          ? words.keptText(write(trial[i]))
+          : words.takenText(words.becomes(words.gainText(mutant[i]), words.gainText(trial[i]))),
       ],
     };
   };
 };
 
 /** @type {Making} */
-const sample = ({ record: { ellipse, offspring } }, own) => {
+const sample = (anatomy, own) => {
+  const { ellipse, offspring } = anatomy.record;
   const { gains } = offspring[own];
-  return (i) => {
-    if (!ellipse) return { lines: [] };
-    const apart = gains[i] - ellipse.mean[i];
-    const sigma = deviationOf(ellipse, i);
-    return {
-      beside: bell(sigma > 0 ? apart / sigma : 0),
-      lines: [
-        moved(i, ellipse.mean[i], gains[i]),
-        words.apartText(words.drawText(apart / sigma), words.sigmaText(sigma)),
-      ],
-    };
-  };
+  return (i) =>
+    ellipse ? drawnAround(anatomy, i, ellipse.mean[i], gains[i], deviationOf(ellipse, i)) : { lines: [] };
 };
 
 /** @type {Making} */
-const normalStep = ({ record: { parents, offspring, plan } }, own) => {
+const normalStep = (anatomy, own) => {
+  const { parents, offspring, plan } = anatomy.record;
   const [from, to] = [parents[0].gains, offspring[own].gains];
-  return (i) => {
-    const [apart, sigma] = [to[i] - from[i], plan.steps?.[i] ?? 0];
-    return {
-      beside: bell(sigma > 0 ? apart / sigma : 0),
-      lines: [
-        moved(i, from[i], to[i]),
-        words.apartText(words.drawText(apart / sigma), words.sigmaText(sigma)),
-      ],
-    };
-  };
+  return (i) => drawnAround(anatomy, i, from[i], to[i], plan.steps?.[i] ?? 0);
 };
 
 /** How far a move goes from the centre, in the way from the worst corner to there. */
@@ -160,23 +161,30 @@ const move = (anatomy, own) => {
     const apart = centre[i] - worst[i];
     const write = (/** @type {number} */ value) => words.gainText(value, apart);
     const sum = centre[i] + factor * apart;
-    const tried = Math.abs(sum - trial[i]) < 1e-9 ? '' : ` → ${write(trial[i])}`;
+    const tried = Math.abs(sum - trial[i]) < 1e-9 ? sum : trial[i];
     const way = `(${write(centre[i])} − ${words.bracketed(write(worst[i]))})`;
-    return { lines: [html`${symbol('k', i)} ${write(centre[i])} ${sign}${way} = ${write(sum)}${tried}`] };
+    return {
+      lines: [
+        html`${symbol('k', i)} ${write(centre[i])} ${sign}${way} = ${words.becomes(write(sum), write(tried))}`,
+      ],
+    };
   };
 };
 
 /** @type {Making} */
-const step = ({ record: { parents, offspring } }, own) => {
+const step = ({ method, record: { parents, offspring, plan, next } }, own) => {
   const [from, to] = [parents[0].gains, offspring[own].gains];
-  const steps = to.map((gain, i) => gain - from[i]);
+  // One gain at a time, the step of the one whose turn it was is another one then.
+  const isItsTurn = (/** @type {number} */ i) =>
+    method === 'finite-differences' || plan.steps?.[i] !== next.steps?.[i];
+  const steps = to.map((gain, i) => (plan.steps ? (isItsTurn(i) ? plan.steps[i] : 0) : gain - from[i]));
   const isMoved = steps.some((one) => one !== 0);
   return (i) => ({
     beside: bar(isMoved ? partOf(steps, i) : 0),
     lines: [
       steps[i] === 0
         ? html`${symbol('k', i)} ${words.staysText(words.gainText(from[i]))}`
-        : moved(i, from[i], to[i]),
+        : moved(i, from[i], from[i] + steps[i], to[i]),
     ],
   });
 };
@@ -211,7 +219,8 @@ export function madeBy(anatomy, chosen, choose) {
   return html`
     ${headline(anatomy, own + count, words.madeText(anatomy, own))}
     ${donors ? html`<p class="donors">${donors}</p>` : nothing}
-    ${rows(makings[method](anatomy, own))}`;
+    ${rows(makings[method](anatomy, own))}
+    ${rulesOf(anatomy)}`;
 }
 
 /** Of CMA-ES: what a rank counts. @param {Anatomy} anatomy @param {number} chosen */

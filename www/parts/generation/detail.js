@@ -1,7 +1,7 @@
 // What the numbers of a phase are told with.
 /** @import { TemplateResult } from 'lit-html' */
 /** @import { Anatomy } from './record.js' */
-import { html } from 'lit-html';
+import { html, nothing } from 'lit-html';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 
@@ -20,3 +20,13 @@ export const gainRows = (className, row) =>
 /** @param {string} letter @param {number} i */
 export const symbol = (letter, i) =>
   html`<span class="symbol ${lab.gains[i].id}">${letter}<sub>${lab.gains[i].index}</sub></span>`;
+
+/** What becomes of numbers that follow an arrow, and what is drawn, where that is not the paper's. @param {Anatomy} anatomy */
+export function rulesOf({ method, step, belowZero, sigmaFloor }) {
+  const rules = [
+    belowZero === 'penalty' ? '' : words.belowZeroText[belowZero],
+    method === 'ep' && sigmaFloor > 0 ? words.floorText(words.sigmaText(sigmaFloor)) : '',
+    method === 'ep' && step === 'cauchy' ? words.cauchyText : '',
+  ].filter(Boolean);
+  return rules.length > 0 ? html`<p class="common muted">${rules.join(' ')}</p>` : nothing;
+}

@@ -1,28 +1,22 @@
 // What the chosen individual went through in a phase, in the numbers of the record.
 /** @import { TemplateResult } from 'lit-html' */
 /** @import { Individual, Run } from '../../core/engine.js' */
+/** @import { Birth, Rates } from './birth.js' */
 /** @import { Successes } from './detail-methods.js' */
-/** @import { Anatomy, GenerationRecord, Phase } from './record.js' */
+/** @import { Anatomy, Phase } from './record.js' */
 import { html, nothing } from 'lit-html';
 import { winsBout } from '../../core/rules.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { bell } from './bell.js';
+import { birthOf, grownSigma, movedGain } from './birth.js';
 import { forgets } from './phases.js';
-import { gainRows, headline, link, symbol } from './detail.js';
+import { gainRows, headline, link, rulesOf, symbol } from './detail.js';
 import { learntBy, madeBy, standsBy, weighedBy } from './detail-methods.js';
 import { isInitial, partnerOf } from './record.js';
 
-/** @typedef {GenerationRecord['mutations'][number]} Mutation */
-/** @typedef {{ own: number, common: number }} Rates */
 /** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, run: Run, starts: number, successes: Successes | null }} DetailsModel */
 /** @typedef {{ rates: Rates, choose: (number: number) => void }} Context */
-
-/** τ and τ′ as an experiment has them: the paper's, times its factor. @param {Rates} rates @param {number} adaptation @returns {Rates} */
-export const ratesOf = ({ own, common }, adaptation) => ({
-  own: adaptation * own,
-  common: adaptation * common,
-});
 
 /** More bouts than that are told as a number. */
 const mostBouts = 20;
@@ -45,7 +39,7 @@ const contents = {
     const told = headline(anatomy, chosen, `J ${words.costWriter(anatomy)(cost)}`, from);
     if (anatomy.method !== 'ep') return html`${told}${standsBy(anatomy, chosen)}`;
     const row = (/** @type {number} */ i) => html`
-      ${bell(null)}
+      ${bell(null, anatomy.step)}
       <p class="equation">${symbol('k', i)} = ${words.gainText(gains[i])}</p>
       <p class="equation">${symbol('σ', i)} = ${words.sigmaText(sigmas[i])}</p>`;
     return html`
@@ -54,22 +48,22 @@ const contents = {
   },
 
   mutation({ anatomy, chosen }, { rates, choose }) {
-    const { record, count } = anatomy;
-    if (anatomy.method !== 'ep') return madeBy(anatomy, chosen, choose);
+    const { count, step } = anatomy;
     const pair = chosen % count;
-    // Where parents are crossed, it begins with what came of that.
-    const parent = record.bases[pair] ?? record.parents[pair];
-    const [child, draws] = [record.offspring[pair], record.mutations[pair]];
+    const birth = birthOf(anatomy, pair);
+    if (!birth) return madeBy(anatomy, chosen, choose);
     const row = (/** @type {number} */ i) => html`
-      ${bell(draws.gains[i])}
-      ${gainEquation(parent, child, draws, i)}
-      ${sigmaEquation(parent, child, draws, i, rates)}`;
+      ${bell(birth.draws.gains[i], step)}
+      ${gainEquation(birth, i)}
+      ${sigmaEquation(birth, i, rates)}`;
     const { gain, sigma, exponent } = words.formula;
     return html`
       <p class="headline"><span>${link(anatomy, pair, choose)} → ${link(anatomy, pair + count, choose)}</span><span
-        class="rule muted">${gain}<span class="gap"></span>${sigma}<sup>${exponent}</sup></span></p>
-      ${gainRows(Math.min(...parent.sigmas) < longBelow ? 'gain-rows long' : 'gain-rows', row)}
-      ${commonEquation(draws, rates)}`;
+        class="rule muted">${gain[step]}<span class="gap"></span>${sigma}<sup>${exponent}</sup></span></p>
+      ${birth.other === null ? nothing : crossing(anatomy, birth, birth.other, choose)}
+      ${gainRows(Math.min(...birth.base.sigmas) < longBelow ? 'gain-rows long' : 'gain-rows', row)}
+      ${commonEquation(birth, rates)}
+      ${rulesOf(anatomy)}`;
   },
 
   drive({ anatomy, chosen, run, starts }, { choose }) {
@@ -138,24 +132,38 @@ const contents = {
 /** @param {Anatomy} anatomy */
 const upset = (anatomy) => html`<p class="upset">${words.upsetText(anatomy)}</p>`;
 
-/** k + σ N = k′ @param {Individual} parent @param {Individual} child @param {Mutation} draws @param {number} i */
-function gainEquation(parent, child, draws, i) {
-  const sigma = parent.sigmas[i];
-  const step = `${words.sigmaText(sigma)} × ${words.bracketed(words.drawText(draws.gains[i]))}`;
-  const gain = (/** @type {Individual} */ { gains }) => words.gainText(gains[i], sigma);
-  return html`<p class="equation">${symbol('k', i)} ${gain(parent)} + ${step} = ${gain(child)}</p>`;
+/** With whom the parent was crossed, and what it got. @param {Anatomy} anatomy @param {Birth} birth @param {number} other @param {(number: number) => void} choose */
+function crossing(anatomy, { parent, base }, other, choose) {
+  const isOwn = (/** @type {number} */ i) =>
+    base.gains[i] === parent.gains[i] && base.sigmas[i] === parent.sigmas[i];
+  const given = lab.gains.flatMap(({ name }, i) => (isOwn(i) ? [] : [name]));
+  return html`<p class="donors"><span>${words.crossedWith}${link(anatomy, other, choose)}${words.givenText(given)}</span></p>`;
 }
 
-/** σ e^(τ′N + τNᵢ) = σ′, where τ′N is the same for all three. @param {Individual} parent @param {Individual} child @param {Mutation} draws @param {number} i @param {Rates} rates */
-function sigmaEquation(parent, child, draws, i, rates) {
+/** k + σ N = k′ @param {Birth} birth @param {number} i */
+function gainEquation(birth, i) {
+  const { base, child, draws } = birth;
+  const sigma = base.sigmas[i];
+  const step = `${words.sigmaText(sigma)} × ${words.bracketed(words.drawText(draws.gains[i]))}`;
+  const gain = (/** @type {number} */ value) => words.gainText(value, sigma);
+  const sum = words.becomes(gain(movedGain(birth, i)), gain(child.gains[i]));
+  return html`<p class="equation">${symbol('k', i)} ${gain(base.gains[i])} + ${step} = ${sum}</p>`;
+}
+
+/** σ e^(τ′N + τNᵢ) = σ′, where τ′N is the same for all three. @param {Birth} birth @param {number} i @param {Rates} rates */
+function sigmaEquation(birth, i, rates) {
+  const { base, child, draws } = birth;
   const own = `${words.drawText(rates.own)} × ${words.bracketed(words.drawText(draws.sigmas[i]))}`;
   const exponent = `${words.drawText(rates.common * draws.common)} + ${own}`;
-  const sigma = (/** @type {Individual} */ { sigmas }) => words.sigmaText(sigmas[i]);
-  return html`<p class="equation">${symbol('σ', i)} ${sigma(parent)} × e<sup>${exponent}</sup> = ${sigma(child)}</p>`;
+  const product = words.becomes(
+    words.sigmaText(grownSigma(birth, i, rates)),
+    words.sigmaText(child.sigmas[i]),
+  );
+  return html`<p class="equation">${symbol('σ', i)} ${words.sigmaText(base.sigmas[i])} × e<sup>${exponent}</sup> = ${product}</p>`;
 }
 
-/** @param {Mutation} draws @param {Rates} rates */
-function commonEquation({ common }, rates) {
+/** @param {Birth} birth @param {Rates} rates */
+function commonEquation({ draws: { common } }, rates) {
   const product = `${words.drawText(rates.common)} × ${words.bracketed(words.drawText(common))}`;
   return html`<p class="common muted">${words.drawText(rates.common * common)} = ${product}${words.commonText}</p>`;
 }

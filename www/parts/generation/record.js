@@ -8,7 +8,7 @@ import { forgets, phasesOf } from './phases.js';
 import { generationSlice, phases } from './state.js';
 
 /** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */
-/** @typedef {Experiment['evolution']['initialRange']} Range */
+/** What must be known of a search besides its record. @typedef {Pick<Experiment['evolution'], 'method' | 'initialRange' | 'step' | 'belowZero' | 'sigmaFloor'>} Settings */
 /** @typedef {import('./phases.js').Method} Method */
 /** @typedef {import('./state.js').Phase} Phase */
 /** @typedef {import('./state.js').GenerationState} GenerationState */
@@ -17,7 +17,10 @@ import { generationSlice, phases } from './state.js';
 /**
  * @typedef {object} Anatomy
  * @property {Method} method
- * @property {Readonly<Range>} range From which the first gains were drawn.
+ * @property {Readonly<Settings['initialRange']>} range From which the first gains were drawn.
+ * @property {Settings['step']} step
+ * @property {Settings['belowZero']} belowZero
+ * @property {number} sigmaFloor
  * @property {GenerationRecord} record
  * @property {number} count N, as many as there are parents.
  * @property {number} columns As many as there are parents or offspring, whichever are more.
@@ -30,8 +33,11 @@ import { generationSlice, phases } from './state.js';
  * @property {Upset | null} upset
  */
 
-/** @param {GenerationRecord} record @param {Method} [method] @param {Readonly<Range>} [range] @returns {Anatomy} */
-export function dissect(record, method = 'ep', range = [0, 1]) {
+/** @type {Settings} */
+const papers = { method: 'ep', initialRange: [0, 1], step: 'gaussian', belowZero: 'penalty', sigmaFloor: 0 };
+
+/** @param {GenerationRecord} record @param {Settings} [settings] @returns {Anatomy} */
+export function dissect(record, { method, initialRange, step, belowZero, sigmaFloor } = papers) {
   const all = [...record.parents, ...record.offspring];
   const { ranking, plan } = record;
   const ranks = new Array(all.length);
@@ -41,7 +47,10 @@ export function dissect(record, method = 'ep', range = [0, 1]) {
   const staying = record.survivors.length;
   return {
     method,
-    range,
+    range: initialRange,
+    step,
+    belowZero,
+    sigmaFloor,
     record,
     count,
     columns,
@@ -71,12 +80,10 @@ function upsetOf({ survivors }, all) {
 
 /** The shown generation, taken apart once. @param {(generation: number) => GenerationRecord} recordOf @returns {(state: State) => Anatomy} */
 export function createAnatomy(recordOf) {
-  const of = remember(
-    (/** @type {Statistics} */ { generation }, /** @type {Method} */ method, /** @type {Range} */ range) =>
-      dissect(recordOf(generation), method, range),
+  const of = remember((/** @type {Statistics} */ { generation }, /** @type {Settings} */ settings) =>
+    dissect(recordOf(generation), settings),
   );
-  return ({ history, generation, experiment: { evolution } }) =>
-    of(history[generation], evolution.method, evolution.initialRange);
+  return ({ history, generation, experiment }) => of(history[generation], experiment.evolution);
 }
 
 /** The next phase that the generation has. @param {Anatomy} anatomy @param {Phase} phase @returns {Phase} */

@@ -37,6 +37,6 @@ export function generationTable(anatomy) {
 function madeOf(anatomy, number) {
   const { count, method, record } = anatomy;
   if (isInitial(record) || number < count || !hasPairs(method)) return '';
-  const others = method === 'de' ? record.donors[number - count] : [];
+  const others = record.donors[number - count] ?? [];
   return [words.nameOf(anatomy, number - count), ...others.map((other) => other + 1)].join(', ');
 }

@@ -12,7 +12,8 @@ import { countOutside } from './view.js';
 /** @param {LandscapeState} landscape @param {Spec} spec */
 export function noteText({ result, message }, spec) {
   if (message) return words.failed(message);
-  return result?.spec === spec ? words.drivesText(result.costs.length, result.milliseconds) : words.computing;
+  if (result?.spec !== spec) return words.computing;
+  return words.drivesText(result.costs.length * spec.experiment.starts.length, result.milliseconds);
 }
 
 /** @param {Triple} gains */

@@ -42,7 +42,7 @@ export function contestSight(state, standings, stale, isTyping, on) {
     ${bar(luck, on)}
     ${entrants(luck, on)}
     <p id="contest-status" class="luck-status" role="status">${statusText(luck, stale)}</p>
-    ${contest ? nothing : html`<p id="contest-finding" class="luck-finding">${words.contestInvitation(luck)}</p>`}
+    ${contest ? nothing : html`<p id="contest-finding" class="luck-finding">${words.contestInvitation(luck, state.experiment.starts.length)}</p>`}
     <fieldset id="contest-reading" class="segmented small" .hidden=${!standings?.lowest}>
       ${choicesOf('contest-reading', texts.reading, words.readings, luck.reading, (reading) => on.update({ reading }))}
     </fieldset>
@@ -168,7 +168,8 @@ const intervalOf = ({ count, ert, interval: [low, high] }) =>
 function noteText({ contest, contestRuns }) {
   if (!contest) return '';
   const { done, all } = runsOf(contest);
-  return contestRuns ? words.contestProgress(done, all) : words.drivesChoice(done * contest.budget);
+  if (contestRuns) return words.contestProgress(done, all);
+  return words.drivesChoice(done * contest.budget) + words.asOne(contest.experiment.starts.length);
 }
 
 /** @param {LuckState} luck @param {string} stale */

@@ -14,7 +14,7 @@ import { summaryOf } from './statistics.js';
  * @property {Experiment} experiment Its own seed does not matter.
  * @property {number} first The first seed; the others follow it.
  * @property {number} generations
- * @property {number} drives Of one seed's evolution, and of its random search.
+ * @property {number | null} drives Of one seed's search, and of random search beside it; null where each seed has a number of its own.
  * @property {SeedRun[]} runs
  * @property {import('./statistics.js').Summary} summary
  * @property {{ gains: import('../../core/engine.js').Triple, cost: number }} paper The gains that evolution found in the paper.
@@ -23,9 +23,17 @@ import { summaryOf } from './statistics.js';
 
 const firstSeed = 1;
 
-/** @param {Experiment} experiment @param {number} generations */
-export const drivesOf = ({ evolution, starts }, generations) =>
-  evolution.population * (generations + 1) * starts.length;
+/** How many robots a search tries in each generation; null: that depends on how they fare. @param {Experiment['evolution']} evolution */
+function trialsOf({ method, population }) {
+  if (method === 'nelder-mead' || method === 'finite-differences') return null;
+  return method === 'one-plus-one-es' || method === 'one-at-a-time' ? 1 : population;
+}
+
+/** Of a search with one seed; null where it is another number with each. @param {Experiment} experiment @param {number} generations */
+export function drivesOf({ evolution, starts }, generations) {
+  const trials = trialsOf(evolution);
+  return trials && trials * (generations + 1) * starts.length;
+}
 
 const withoutPaper = rememberEach((/** @type {SeedSurvey} */ survey) => ({
   ...survey,

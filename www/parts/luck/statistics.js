@@ -62,7 +62,7 @@ export function summaryOf(runs) {
 
 /**
  * A line for each seed. Headers carry the units; J has none, because it adds seconds to what is not seconds.
- * @param {{ first: number, drives: number, runs: readonly SeedRun[] }} survey
+ * @param {{ first: number, drives: number | null, runs: readonly SeedRun[] }} survey
  */
 export function csvOf({ first, drives, runs }) {
   const generations = [...runs[0].best.keys()];
@@ -79,7 +79,7 @@ export function csvOf({ first, drives, runs }) {
   ];
   const lines = runs.map(({ best, champion, random }, i) => [
     first + i,
-    drives,
+    drives ?? '',
     champion.cost,
     ...champion.gains,
     random[random.length - 1],

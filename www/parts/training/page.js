@@ -212,15 +212,15 @@ function sight(state, rows, titles, { choose, evolve, spread: onSpread, update }
     <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'}>${
       evolved
         ? spread
-          ? words.spreadText(spread, unseenCount)
+          ? words.spreadText(spread, unseenCount, evolved.results.one.training.starts.length)
           : words.lesson(evolved)
         : !ep
-          ? words.invitation
+          ? words.invitation(experiment.starts.length)
           : ep.result
             ? words.question(ep.result)
             : words.driving
     }</p>
-    ${tableOf(rows, spread, chosenOf(state), unseenCount, choose)}
+    ${tableOf(rows, spread, chosenOf(state), { unseen: unseenCount, own: experiment.starts.length }, choose)}
     <div class="training-pictures" data-picture="training" data-name=${words.texts.trainingPicture}>
       <p id="training-seen-title">${titles[0]}</p>
       <p id="training-unseen-title">${titles[1]}</p>

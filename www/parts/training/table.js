@@ -8,9 +8,9 @@ import words from './words/index.js';
 
 /** What a row shows; `result` is null before there is one. @typedef {{ name: RowName, text: string, result: Result | null, old: boolean }} Row */
 
-/** @param {readonly Row[]} rows @param {Spread | null} spread @param {RowName} chosen @param {number} unseen How many starts are never seen. @param {(name: RowName) => void} onChoose */
-export function tableOf(rows, spread, chosen, unseen, onChoose) {
-  const heads = words.columns.map((text, i) => (i === 2 ? words.unseenColumn(unseen) : text));
+/** @param {readonly Row[]} rows @param {Spread | null} spread @param {RowName} chosen @param {{ unseen: number, own: number }} counts How many starts are never seen, and how many are the experiment's own. @param {(name: RowName) => void} onChoose */
+export function tableOf(rows, spread, chosen, { unseen, own }, onChoose) {
+  const heads = words.columnsOf(unseen, own);
   return html`
     <table id="training-table" class="training-table" aria-label=${words.texts.trainingTable}>
       <thead><tr>${heads.map((text) => html`<th scope="col">${text}</th>`)}</tr></thead>

@@ -1,5 +1,5 @@
 // Of the disturbance part, what is the same in every language.
-/** @import { PartName } from '../summary.js' */
+/** @import { PartName, Summary } from '../summary.js' */
 import { fixed, powerText } from '../../../words/numbers.js';
 
 export const parts = /** @type {const} */ (['x', 'y', 'theta']);
@@ -46,3 +46,6 @@ export const crestSeconds = 0.2;
 
 /** The equations of the sets. */
 export const equations = /** @type {const} */ ({ x: '(6)', y: '(7)', theta: '(8)' });
+
+/** Whether Theorem 2 is about this drive. @param {Summary} summary */
+export const isPromised = ({ law, isPositive }) => law === 'shim-kim' && isPositive;

@@ -1,7 +1,7 @@
 // Every word of the disturbance part.
 /** @import { Experiment } from '../../../core/engine.js' */
 /** @import { PartName, Summary } from '../summary.js' */
-import { amount, crestSeconds, formulaText, parts, unitOf } from './common.js';
+import { amount, crestSeconds, formulaText, isPromised, parts, unitOf } from './common.js';
 import { sixDigits, threeDigits } from '../../../words/en/numbers.js';
 
 export * from './common.js';
@@ -42,7 +42,7 @@ export const failed = (message) => `These are the last that could be measured: $
 export const axisUnit = (part) => (unitOf[part] ? ` in ${unitOf[part]}` : '');
 
 /** @param {number} starts */
-export const startsText = (starts) => `${starts} other starts`;
+export const startsText = (starts) => `${starts} other ${starts === 1 ? 'start' : 'starts'}`;
 /** @param {number} seconds */
 export const lastText = (seconds) => `last ${sixDigits(seconds)} s`;
 /** @param {number} seconds */
@@ -71,11 +71,13 @@ export function summaryText(summary) {
 }
 
 /** @param {Summary} summary */
-function driveText({ rows, seconds, disturbed }) {
+function driveText(summary) {
+  const { rows, seconds, disturbed } = summary;
   const last = `In the last ${sixDigits(seconds)} s`;
   if (!disturbed) {
     const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
-    return `Without a disturbance, Theorem 2 lets the error go to 0. ${last} this drive still has up to ${left}.`;
+    const promise = isPromised(summary) ? 'Without a disturbance, Theorem 2 lets the error go to 0. ' : '';
+    return `${promise}${last} this drive still has up to ${left}.`;
   }
   const outside = parts.filter((part) => !rows[part].isInside);
   if (outside.length === 0) return `${last} this drive stays inside all three sets.`;
@@ -90,13 +92,14 @@ function driveText({ rows, seconds, disturbed }) {
 function othersText({ calm, starts, allInside, worst, disturbed }) {
   const most = `up to ${amount(worst, calm[worst].largest)} of ${formulaText(worst)}`;
   if (!disturbed)
-    return `From ${starts} other starts, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
-  return `Of ${starts} other starts, ${allInside} stay inside all three; even undisturbed, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
+    return `From ${startsText(starts)}, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
+  return `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} inside all three; even undisturbed, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
 }
 
-/** A set so wide that it says nothing. @param {Summary} summary */
-function theoremText({ law, rows, ky, disturbed }) {
+/** Why the theorem is not about this drive, or a set so wide that it says nothing. @param {Summary} summary */
+function theoremText({ law, isPositive, rows, ky, disturbed }) {
   if (law !== 'shim-kim') return 'The theorem is about law (5), not about the rule that drives here.';
+  if (!isPositive) return 'The theorem is about gains above 0: for any other there is no set.';
   if (!disturbed || rows.y.set < 1) return '';
   return `With ky ${threeDigits(ky)} the set of ${formulaText('y')} reaches to ${amount('y', rows.y.set)}, which promises little.`;
 }

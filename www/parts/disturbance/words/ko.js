@@ -1,7 +1,7 @@
 // Every word of the disturbance part, in Korean.
 /** @import { Experiment } from '../../../core/engine.js' */
 /** @import { PartName, Summary } from '../summary.js' */
-import { amount, crestSeconds, formulaText, parts, unitOf } from './common.js';
+import { amount, crestSeconds, formulaText, isPromised, parts, unitOf } from './common.js';
 import { sixDigits, threeDigits } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
@@ -71,11 +71,13 @@ export function summaryText(summary) {
 }
 
 /** @param {Summary} summary */
-function driveText({ rows, seconds, disturbed }) {
+function driveText(summary) {
+  const { rows, seconds, disturbed } = summary;
   const last = `마지막 ${sixDigits(seconds)}초 동안`;
   if (!disturbed) {
     const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
-    return `외란이 없으면 정리 2에 따라 오차는 0에 수렴합니다. ${last} 이 주행에 남은 최대 오차: ${left}.`;
+    const promise = isPromised(summary) ? '외란이 없으면 정리 2에 따라 오차는 0에 수렴합니다. ' : '';
+    return `${promise}${last} 이 주행에 남은 최대 오차: ${left}.`;
   }
   const outside = parts.filter((part) => !rows[part].isInside);
   if (outside.length === 0) return `${last} 이 주행은 세 집합 안에 모두 머뭅니다.`;
@@ -94,9 +96,10 @@ function othersText({ calm, starts, allInside, worst, disturbed }) {
   return `다른 출발점 ${starts}개 중 ${allInside}개가 세 집합 안에 머뭅니다. 외란이 없어도 남는 ${most}`;
 }
 
-/** A set so wide that it says nothing. @param {Summary} summary */
-function theoremText({ law, rows, ky, disturbed }) {
+/** Why the theorem is not about this drive, or a set so wide that it says nothing. @param {Summary} summary */
+function theoremText({ law, isPositive, rows, ky, disturbed }) {
   if (law !== 'shim-kim') return '정리는 법칙 (5)에 대한 것이며, 지금 주행하는 법칙에는 해당하지 않습니다.';
+  if (!isPositive) return '정리는 0보다 큰 이득에 대한 것입니다. 그렇지 않은 이득에는 집합이 없습니다.';
   if (!disturbed || rows.y.set < 1) return '';
   return `ky ${threeDigits(ky)}에서 ${formulaText('y')}의 집합은 ${amount('y', rows.y.set)}까지 이르므로, 보장하는 것이 거의 없습니다.`;
 }

@@ -27,6 +27,12 @@ export const sigmaText = (value) =>
 /** A draw from N(0, 1), or a rate. @param {number} value */
 export const drawText = (value) => fixed(value, 3);
 
+/** What is made of a number that may not be taken as it is. @param {string} from @param {string} to */
+export const becomes = (from, to) => (from === to ? from : `${from} → ${to}`);
+
+/** The same where what was made of it stands first. @param {string} to @param {string} from */
+export const cameFrom = (to, from) => (to === from ? to : `${to} ← ${from}`);
+
 /** In brackets, if it follows a × and begins with a minus. @param {string} text */
 export const bracketed = (text) => (text.startsWith('−') ? `(${text})` : text);
 
@@ -35,7 +41,11 @@ export const costAxis = 'J';
 export const aboveText = (cost, digits) => `${fixed(cost, digits)} ↑`;
 export const won = '✓';
 export const lost = '✗';
-export const formula = { gain: 'k′ = k + σ N', sigma: 'σ′ = σ e', exponent: 'τ′N + τNᵢ' };
+export const formula = {
+  gain: { gaussian: 'k′ = k + σ N', cauchy: 'k′ = k + σ C' },
+  sigma: 'σ′ = σ e',
+  exponent: 'τ′N + τNᵢ',
+};
 
 /** The three others in a trial of differential evolution. */
 export const donorNames = ['a', 'b', 'c'];

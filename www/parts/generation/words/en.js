@@ -40,9 +40,10 @@ export function sentence(anatomy, phase) {
       : `${count} robots with random gains, in the order of their draws. No one has competed yet.`;
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
+  const crossed = record.donors.filter(({ length }) => length > 0).length;
   return {
     parents: `The ${count} survivors of generation ${generation - 1}, best ranked first. Lower J is better.`,
-    mutation: 'Each parent has one offspring: its gains move by the old σ times a random draw.',
+    mutation: `Each parent has one offspring: its gains move by the old σ times a random draw.${crossed > 0 ? ` ${crossed} of ${count} parents are crossed with another first.` : ''}`,
     drive: `The offspring drive and get their J: ${better} of ${count} drive better than their parent.`,
     tournament: `Each of the ${all.length} meets ${record.opponents[0]?.length} others drawn at random, and wins if its J is not higher.`,
     ranking:
@@ -62,7 +63,8 @@ export const winsText = (count) => parts(count, 'win', 'wins');
 /** One that survives though a better one fell. @param {Anatomy} anatomy */
 export function upsetText(anatomy) {
   const { upset, all, record } = anatomy;
-  if (!upset) return `This time those that stay are exactly the ${anatomy.staying} with the lowest J.`;
+  if (!upset)
+    return `${record.wins.length > 0 ? 'This time those' : 'Those'} that stay are exactly the ${anatomy.staying} with the lowest J.`;
   const { survivor, fallen } = upset;
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
@@ -127,6 +129,20 @@ export const lostText = 'lost to';
 export const ranked = (rank, generation) => `ranked ${rank} in generation ${generation}`;
 
 export const commonText = ': one draw for all three σ';
+export const crossedWith = 'crossed with ';
+/** @param {readonly string[]} gains */
+export const givenText = (gains) =>
+  gains.length > 0
+    ? `, which gave ${gains.join(gains.length > 2 ? ', ' : ' and ')} with ${gains.length > 1 ? 'their' : 'its'} σ`
+    : ', which gave nothing';
+/** What becomes of gains that are drawn there. */
+export const belowZeroText = {
+  mirror: 'Gains below 0 are mirrored at 0 before they are tried.',
+  clamp: 'Gains below 0 are held at 0 before they are tried.',
+};
+/** @param {string} sigma */
+export const floorText = (sigma) => `No σ falls below ${sigma}.`;
+export const cauchyText = 'C is drawn from Cauchy’s distribution, N from the normal one.';
 
 /** What stands before the name of the other. @param {number} own @param {number} other */
 export const comparedText = (own, other) =>

@@ -40,9 +40,10 @@ export function sentence(anatomy, phase) {
       : `무작위 이득을 가진 로봇 ${count}대를 뽑은 순서대로 보여 줍니다. 아직 경쟁은 없었습니다.`;
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
+  const crossed = record.donors.filter(({ length }) => length > 0).length;
   return {
     parents: `${generation - 1}세대에서 살아남은 로봇 ${count}대를 순위가 높은 것부터 보여 줍니다. J는 낮을수록 좋습니다.`,
-    mutation: '부모마다 자손을 하나씩 만듭니다. 이득은 이전 σ에 난수를 곱한 만큼 움직입니다.',
+    mutation: `부모마다 자손을 하나씩 만듭니다. 이득은 이전 σ에 난수를 곱한 만큼 움직입니다.${crossed > 0 ? ` 부모 로봇 ${count}대 중 ${crossed}대는 그에 앞서 다른 부모와 교차합니다.` : ''}`,
     drive: `자손이 주행하여 J를 얻습니다. 자손 로봇 ${count}대 중 ${better}대가 부모보다 잘 주행합니다.`,
     tournament: `로봇 ${all.length}대가 각각 무작위로 뽑은 로봇 ${record.opponents[0]?.length}대와 겨룹니다. J가 상대보다 높지 않으면 이깁니다.`,
     ranking:
@@ -59,7 +60,8 @@ export const winsText = (count) => `${count}승`;
 /** One that survives though a better one fell. @param {Anatomy} anatomy */
 export function upsetText(anatomy) {
   const { upset, all, record } = anatomy;
-  if (!upset) return `이번에는 J가 가장 낮은 로봇 ${anatomy.staying}대가 그대로 남습니다.`;
+  if (!upset)
+    return `${record.wins.length > 0 ? '이번에는 ' : ''}J가 가장 낮은 로봇 ${anatomy.staying}대가 그대로 남습니다.`;
   const { survivor, fallen } = upset;
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
@@ -119,6 +121,18 @@ export const lostText = '패, 상대:';
 export const ranked = (rank, generation) => `${generation}세대 ${rank}위`;
 
 export const commonText = ': 세 σ에 공통인 난수';
+export const crossedWith = '교차 상대: ';
+/** @param {readonly string[]} gains */
+export const givenText = (gains) =>
+  gains.length > 0 ? `, σ와 함께 받은 이득: ${gains.join(', ')}` : ', 받은 이득 없음';
+/** What becomes of gains that are drawn there. */
+export const belowZeroText = {
+  mirror: '0보다 작은 이득은 시험하기 전에 0을 기준으로 뒤집습니다.',
+  clamp: '0보다 작은 이득은 시험하기 전에 0에서 멈춥니다.',
+};
+/** @param {string} sigma */
+export const floorText = (sigma) => `σ는 ${sigma} 아래로 내려가지 않습니다.`;
+export const cauchyText = 'C는 코시 분포에서, N은 정규 분포에서 뽑은 난수입니다.';
 
 /** What stands before the name of the other. @param {number} own @param {number} other */
 export const comparedText = (own, other) =>

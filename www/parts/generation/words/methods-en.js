@@ -125,7 +125,7 @@ const sentences = {
   'nelder-mead': {
     parents: ({ record: { plan, parents } }) =>
       plan.motion === 'begin'
-        ? 'The simplex has shrunk to a point: it begins anew.'
+        ? `${Number.isFinite(parents[0].cost) ? 'The simplex has shrunk to a point' : 'J is infinite at all corners of the simplex'}: it begins anew.`
         : parents.length > 4
           ? 'Four corners, and beside them the reflected one: another trial decides over it.'
           : 'A simplex of four corners. The worst one is to be replaced.',
@@ -179,7 +179,7 @@ const sentences = {
       if (!plan.steps)
         return next.steps
           ? `The slope is known. The next step goes down it, ${lengthOf(next.steps)} far.`
-          : 'No slope can be told: J is level here, or the robot does not arrive.';
+          : 'No slope can be told: J is level here, or infinite.';
       if (isBetter(anatomy))
         return 'J falls: it stays there. The slope is probed anew; then a step twice as long.';
       return next.steps
@@ -242,6 +242,9 @@ export const takenText = (gain) => `is taken: ${gain}`;
 export const staysText = (gain) => `stays ${gain}`;
 /** @param {string} times @param {string} sigma */
 export const apartText = (times, sigma) => `${times} times σ, which is ${sigma}`;
+/** Where it cannot be told what was drawn. */
+export const heldText = 'drawn below 0, held at 0';
+export const mirroredText = 'as drawn, or mirrored at 0';
 /** @param {string} step */
 export const nextStep = (step) => `next step: ${step}`;
 /** @param {number} weight */

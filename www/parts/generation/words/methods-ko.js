@@ -124,7 +124,7 @@ const sentences = {
   'nelder-mead': {
     parents: ({ record: { plan, parents } }) =>
       plan.motion === 'begin'
-        ? '심플렉스가 한 점으로 줄어들어 새로 시작합니다.'
+        ? `${Number.isFinite(parents[0].cost) ? '심플렉스가 한 점으로 줄어들어' : '심플렉스의 모든 꼭짓점에서 J가 무한대여서'} 새로 시작합니다.`
         : parents.length > 4
           ? '꼭짓점 넷과 반사한 점입니다. 다음 시험점이 반사한 점의 운명을 정합니다.'
           : '꼭짓점 넷의 심플렉스입니다. 가장 나쁜 꼭짓점을 바꾸려 합니다.',
@@ -180,7 +180,7 @@ const sentences = {
       if (!plan.steps)
         return next.steps
           ? `기울기를 알았습니다. 다음에는 기울기를 따라 ${lengthOf(next.steps)}만큼 내려갑니다.`
-          : '기울기를 알 수 없습니다. 이곳의 J가 평평하거나 로봇이 도착하지 못합니다.';
+          : '기울기를 알 수 없습니다. 이곳의 J가 평평하거나 무한대입니다.';
       if (isBetter(anatomy)) return 'J가 내려가 그 자리에 남습니다. 기울기를 다시 재고 두 배로 나아갑니다.';
       return next.steps
         ? 'J가 내려가지 않으므로 되돌아가서 절반만 가 봅니다.'
@@ -239,6 +239,9 @@ export const takenText = (gain) => `채택: ${gain}`;
 export const staysText = (gain) => `${gain} 그대로`;
 /** @param {string} times @param {string} sigma */
 export const apartText = (times, sigma) => `σ의 ${times}배, σ는 ${sigma}`;
+/** Where it cannot be told what was drawn. */
+export const heldText = '0보다 작게 뽑혀 0에서 멈춤';
+export const mirroredText = '뽑은 값 그대로, 또는 0을 기준으로 뒤집은 값';
 /** @param {string} step */
 export const nextStep = (step) => `다음 걸음: ${step}`;
 /** @param {number} weight */

@@ -102,6 +102,8 @@ export const contestantLabel = (place) => `Contestant ${place}`;
 export const contestRunText = (count, seeds) => `Run ${count} × ${seeds} seeds`;
 /** @param {number} drives */
 export const drivesChoice = (drives) => `${grouped(drives)} drives`;
+/** How the contest counts a drive from many starts. @param {number} starts */
+export const asOne = (starts) => (starts > 1 ? ` (all ${starts} starts count as one)` : '');
 export const wholeNumber = grouped;
 /** @param {number} low @param {number} high */
 export const intervalText = (low, high) => `${grouped(low)}–${Number.isFinite(high) ? grouped(high) : '∞'}`;
@@ -118,9 +120,9 @@ export const runTooLong = (budget, most) =>
 export const contestCancelled = (done, all) =>
   `Cancelled after ${done} of ${all} runs: what you see is what these say.`;
 export const otherContest = 'Out of date: this is the contest of before. Run the one that is set up now.';
-/** @param {{ seeds: number, budget: number }} asked */
-export const contestInvitation = ({ seeds, budget }) =>
-  `Which part does the work? Every contestant runs with the same ${seeds} seeds, ${grouped(budget)} drives each. Then count drives, not generations.`;
+/** @param {{ seeds: number, budget: number }} asked @param {number} starts */
+export const contestInvitation = ({ seeds, budget }, starts) =>
+  `Which part does the work? Every contestant runs with the same ${seeds} seeds, ${grouped(budget)} drives each${asOne(starts)}. Then count drives, not generations.`;
 
 /** @param {Lowest} lowest */
 export const usualTargetText = ({ cost, name, seed }) =>

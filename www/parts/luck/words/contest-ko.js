@@ -91,6 +91,8 @@ export const contestantLabel = (place) => `참가자 ${place}`;
 export const contestRunText = (count, seeds) => `${count} × 시드 ${seeds}개 실행`;
 /** @param {number} drives */
 export const drivesChoice = (drives) => `주행 ${grouped(drives)}회`;
+/** How the contest counts a drive from many starts. @param {number} starts */
+export const asOne = (starts) => (starts > 1 ? `(출발점 ${starts}개를 한 번으로 셈)` : '');
 export const wholeNumber = grouped;
 /** @param {number} low @param {number} high */
 export const intervalText = (low, high) => `${grouped(low)}–${Number.isFinite(high) ? grouped(high) : '∞'}`;
@@ -107,9 +109,9 @@ export const runTooLong = (budget, most) =>
 export const contestCancelled = (done, all) =>
   `실행 ${all}회 중 ${done}회를 마치고 취소했습니다. 그때까지의 결과를 보여 줍니다.`;
 export const otherContest = '지금 고른 것이 아니라 이전 겨루기의 결과입니다. 고른 대로 다시 실행해 주십시오.';
-/** @param {{ seeds: number, budget: number }} asked */
-export const contestInvitation = ({ seeds, budget }) =>
-  `어느 부분이 효과를 낼까요? 참가자마다 같은 시드 ${seeds}개로 ${grouped(budget)}회씩 주행합니다. 세대가 아니라 주행 횟수로 비교해 보십시오.`;
+/** @param {{ seeds: number, budget: number }} asked @param {number} starts */
+export const contestInvitation = ({ seeds, budget }, starts) =>
+  `어느 부분이 효과를 낼까요? 참가자마다 같은 시드 ${seeds}개로 ${grouped(budget)}회씩${asOne(starts)} 주행합니다. 세대가 아니라 주행 횟수로 비교해 보십시오.`;
 
 /** @param {Lowest} lowest */
 export const usualTargetText = ({ cost, name, seed }) =>

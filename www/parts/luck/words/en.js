@@ -35,14 +35,14 @@ export const generationsChoice = (generations) => `${generations} generations`;
 
 /** @param {SeedSurvey} survey */
 export const surveyNote = ({ runs, drives, milliseconds }) =>
-  `${grouped(2 * runs.length * drives)} drives in ${fixed(milliseconds / 1000, 1)} s`;
+  `${drives === null ? countChoice(runs.length) : `${grouped(2 * runs.length * drives)} drives`} in ${fixed(milliseconds / 1000, 1)} s`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `the lab: seed ${seed}, generation ${generation}`;
 
-/** What a press will do. @param {number} count @param {number} generations @param {number} drives */
+/** What a press will do. @param {number} count @param {number} generations @param {number | null} drives */
 export const invitation = (count, generations, drives) =>
-  `One run is one throw of the dice. Run ${count} seeds: each evolves from other random robots for ${generations} generations, and beside it random search tries as many gains, ${grouped(drives)} drives each.`;
+  `One run is one throw of the dice. Run ${count} seeds: each evolves from other random robots for ${generations} generations, and beside it random search tries as many gains${drives === null ? '' : `, ${grouped(drives)} drives each`}.`;
 
 /** @param {number} progress @param {number} count */
 export const progressText = (progress, count) => `${Math.floor(progress * count)} of ${count} seeds`;

@@ -36,14 +36,14 @@ export const generationsChoice = (generations) => `${generations}세대`;
 
 /** @param {SeedSurvey} survey */
 export const surveyNote = ({ runs, drives, milliseconds }) =>
-  `주행 ${grouped(2 * runs.length * drives)}회, ${fixed(milliseconds / 1000, 1)}초`;
+  `${drives === null ? countChoice(runs.length) : `주행 ${grouped(2 * runs.length * drives)}회`}, ${fixed(milliseconds / 1000, 1)}초`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `실험실: 시드 ${seed}, ${generation}세대`;
 
-/** What a press will do. @param {number} count @param {number} generations @param {number} drives */
+/** What a press will do. @param {number} count @param {number} generations @param {number | null} drives */
 export const invitation = (count, generations, drives) =>
-  `한 번의 실행은 주사위를 한 번 던진 것과 같습니다. 시드 ${count}개를 실행해 보십시오. 시드마다 다른 무작위 로봇이 ${generations}세대 동안 진화하고, 무작위 탐색도 같은 수의 이득을 시험합니다(각각 주행 ${grouped(drives)}회).`;
+  `한 번의 실행은 주사위를 한 번 던진 것과 같습니다. 시드 ${count}개를 실행해 보십시오. 시드마다 다른 무작위 로봇이 ${generations}세대 동안 진화하고, 무작위 탐색도 같은 수의 이득을 시험합니다${drives === null ? '' : `(각각 주행 ${grouped(drives)}회)`}.`;
 
 /** @param {number} progress @param {number} count */
 export const progressText = (progress, count) => `시드 ${count}개 중 ${Math.floor(progress * count)}개`;

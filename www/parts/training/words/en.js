@@ -45,18 +45,23 @@ export const rowName = (name, count) =>
     hand: 'By hand',
   })[name];
 
-export const columns = ['gains evolved on …', 'trained on', 'never seen', 'mean J', 'J from start'];
-
-/** @param {number} count */
-export const unseenColumn = (count) => `arrives, of ${whole(count)} never seen`;
+/** @param {number} unseen @param {number} own The starts of the experiment. */
+export const columnsOf = (unseen, own) => [
+  'gains evolved on …',
+  'trained on',
+  `arrives, of ${whole(unseen)} never seen`,
+  'mean J',
+  own === 1 ? 'J from start' : `J from ${own} starts`,
+];
 
 /** @param {number} part @param {number} count */
 export const of = (part, count) => `${whole(part)} of ${whole(count)}`;
 /** @param {RowName} name @param {Result | null} result @param {number} count */
 export function trainingTitle(name, result, count) {
   if (!result) return `${count === 1 ? 'The start' : `The ${count} starts`} to train on`;
-  const arrives = of(result.training.count, result.training.starts.length);
-  return isEvolved(name) ? `Trained on: ${arrives}` : `From the start: ${arrives}`;
+  const all = result.training.starts.length;
+  const arrives = of(result.training.count, all);
+  return `${isEvolved(name) ? 'Trained on' : all === 1 ? 'From the start' : 'From the starts'}: ${arrives}`;
 }
 
 /** @param {Result | null} result @param {number} count */
@@ -77,11 +82,13 @@ export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =
 
 export const driving = 'the robots are driving…';
 
-export const invitation = 'Evolve on one start and on many: which robot gets further?';
+/** @param {number} count The starts of the experiment. */
+export const invitation = (count) =>
+  `Evolve on ${count === 1 ? 'one start and on many' : 'three sets of starts'}: which robot gets further?`;
 
 /** @param {Result} ep */
 export const question = (ep) =>
-  `The paper’s EP gains arrive from ${percentOf(ep)} of ${whole(ep.unseen.starts.length)} starts around the goal. ${invitation}`;
+  `The paper’s EP gains arrive from ${percentOf(ep)} of ${whole(ep.unseen.starts.length)} starts around the goal. ${invitation(ep.training.starts.length)}`;
 
 /** @param {Result} result */
 const percentOf = ({ unseen }) => percent(unseen.count, unseen.starts.length);
@@ -96,18 +103,18 @@ export function lesson({ results: { one, circle, grid } }) {
   return `${found.join(' ')} ${moral(one, best)}`.trim();
 }
 
-/** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen */
-export function spreadText({ one, circle, grid }, unseen) {
+/** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
+export function spreadText({ one, circle, grid }, unseen, own) {
   const range = (/** @type {readonly number[]} */ counts) =>
     `${fixed((100 * Math.min(...counts)) / unseen, 0)} to ${percent(Math.max(...counts), unseen)}`;
-  return `One seed is a matter of luck. With ${one.length} seeds the robots evolved on one start arrive from ${range(one)} of the starts they never saw, those of the circle from ${range(circle)}, those of the grid from ${range(grid)}.`;
+  return `One seed is a matter of luck. With ${one.length} seeds the robots evolved on ${starts(own)} arrive from ${range(one)} of the starts they never saw, those of the circle from ${range(circle)}, those of the grid from ${range(grid)}.`;
 }
 
 /** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many */
 function moral(one, many) {
   const arrivesMore = many.unseen.count > one.unseen.count;
   if (arrivesMore && many.own > one.own)
-    return `The price: J from the experiment’s start is ${cost(many.own)}, not ${cost(one.own)}.`;
+    return `The price: J from the experiment’s ${one.training.starts.length === 1 ? 'start' : 'starts'} is ${cost(many.own)}, not ${cost(one.own)}.`;
   if (!arrivesMore && many.unseen.cost < one.unseen.cost)
     return `Yet the mean J falls to ${cost(many.unseen.cost)} from ${cost(one.unseen.cost)}: J asks for a cheap drive, not for an arrival.`;
   return '';

@@ -38,10 +38,14 @@ export const rowName = (name, count) =>
     hand: '직접 조정',
   })[name];
 
-export const columns = ['진화에 쓴 출발점', '학습한 곳', '처음 보는 곳', '평균 J', '출발점 J'];
-
-/** @param {number} count */
-export const unseenColumn = (count) => `처음 보는 ${grouped(count)}개 중 도착`;
+/** @param {number} unseen @param {number} own The starts of the experiment. */
+export const columnsOf = (unseen, own) => [
+  '진화에 쓴 출발점',
+  '학습한 곳',
+  `처음 보는 ${grouped(unseen)}개 중 도착`,
+  '평균 J',
+  own === 1 ? '출발점 J' : `출발점 ${own}개 J`,
+];
 
 /** @param {number} part @param {number} count */
 export const of = (part, count) => `${grouped(part)} / ${grouped(count)}`;
@@ -71,12 +75,13 @@ export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =
 
 export const driving = '로봇이 주행하고 있습니다…';
 
-export const invitation =
-  '출발점 하나로, 그리고 여러 개로 진화시켜 보십시오. 어느 로봇이 더 많이 도착할까요?';
+/** @param {number} count The starts of the experiment. */
+export const invitation = (count) =>
+  `${count === 1 ? '출발점 하나로, 그리고 여러 개로' : '세 가지 출발점 집합으로'} 진화시켜 보십시오. 어느 로봇이 더 많이 도착할까요?`;
 
 /** @param {Result} ep */
 export const question = (ep) =>
-  `논문의 EP 이득은 목표 주변 출발점 ${grouped(ep.unseen.starts.length)}개 중 ${percentOf(ep)}에서 도착합니다. ${invitation}`;
+  `논문의 EP 이득은 목표 주변 출발점 ${grouped(ep.unseen.starts.length)}개 중 ${percentOf(ep)}에서 도착합니다. ${invitation(ep.training.starts.length)}`;
 
 /** @param {Result} result */
 const percentOf = ({ unseen }) => percent(unseen.count, unseen.starts.length);
@@ -88,11 +93,11 @@ export function lesson({ results: { one, circle, grid } }) {
   return `${found} ${moral(one, best)}`.trim();
 }
 
-/** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen */
-export function spreadText({ one, circle, grid }, unseen) {
+/** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
+export function spreadText({ one, circle, grid }, unseen, own) {
   const range = (/** @type {readonly number[]} */ counts) =>
     `${fixed((100 * Math.min(...counts)) / unseen, 0)}~${percent(Math.max(...counts), unseen)}`;
-  return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.length}개로 진화시키면 처음 보는 출발점에서 도착하는 비율은 출발점 하나로 진화한 로봇이 ${range(one)}, 원으로 진화한 로봇이 ${range(circle)}, 격자로 진화한 로봇이 ${range(grid)}입니다.`;
+  return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.length}개로 진화시키면 처음 보는 출발점에서 도착하는 비율은 출발점 ${own === 1 ? '하나' : `${own}개`}로 진화한 로봇이 ${range(one)}, 원으로 진화한 로봇이 ${range(circle)}, 격자로 진화한 로봇이 ${range(grid)}입니다.`;
 }
 
 /** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many */
