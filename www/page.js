@@ -104,7 +104,8 @@ async function start(engine) {
     tryNow(() => made.of(state.page)?.draw(state, scene), loop.request);
     exercise.draw(state, made.size, scene);
     if (!isComputing) address?.follow(state);
-    settings.draw(state);
+    // What is being set, while its drives are still on their way.
+    settings.draw(now);
     embed?.draw(state);
     share.draw(state);
     pinButton.draw(state, scene);

@@ -8,7 +8,7 @@ import { remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
 import { gainsOf } from '../run/drivers.js';
 import { pausesAt } from '../run/pace.js';
-import { endsOf } from '../run/state.js';
+import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
@@ -45,7 +45,7 @@ export function createDraw(views, engine, paper) {
 
     showMessage(state.message);
     views.pages.draw(state.page, state.lesson, experiment.evolution.population);
-    views.preset.draw(preset);
+    views.preset.draw(asked(state).preset);
     views.drivers.draw(driver);
     drawPlane(state, scene, time);
     views.robotBar.draw({ time, finalTime: driving.finalTime, playing: robot.playing, speed: state.speed });
@@ -101,9 +101,10 @@ function drawCurve(views, state, scene) {
 
 /** @param {State} state */
 function evolutionOf(state) {
-  const { page: open, evolving, generation, history, pace, until, untilError } = state;
+  const { page: open, evolving, generation, history, pace, until, untilError, computing } = state;
   const note = evolutionNote(state);
-  return { open, evolving, generation, newest: history.length - 1, pace, until, untilError, note };
+  const timeline = computing?.generation ?? generation;
+  return { open, evolving, generation, timeline, newest: history.length - 1, pace, until, untilError, note };
 }
 
 /** @param {Scene} scene @param {State} state */

@@ -34,7 +34,7 @@ const frames = sizes.map((size) => ({ value: size.join('x'), text: words.sizeTex
 
 /** @param {SheetTools} tools @param {Sheet} sheet */
 export function createKeep(tools, sheet) {
-  const { engine, store, links, sceneOf, openChecks, openCode, openCollect } = tools;
+  const { engine, store, actions, links, sceneOf, openChecks, openCode, openCollect } = tools;
   const maker = createMaker(tools);
   let status = '';
   let frame = frames[1];
@@ -68,6 +68,13 @@ export function createKeep(tools, sheet) {
     pictures = picturesOnScreen();
     say(text);
     sheet.open();
+  };
+
+  /** As it is, and once more when what was set has begun. */
+  const start = () => {
+    show();
+    const again = () => sheet.dialog.open && show();
+    if (store.get().computing) actions.whenIdle().then(again);
   };
 
   /** The newest that was chosen. @type {File | null} */
@@ -128,7 +135,7 @@ export function createKeep(tools, sheet) {
     sheet.draw(contentOf({ address: address(), frame, frameText, pictures, status }, on));
   };
 
-  return { show, open, drawMaker: maker.draw };
+  return { start, open, drawMaker: maker.draw };
 }
 
 /**

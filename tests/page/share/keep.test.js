@@ -5,6 +5,7 @@ import { driveCsv, driveOrigin, generationsCsv } from '../../../www/share/csv.js
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evolve, experiment, simulate, Simulation, stability } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { openGroup, openSettings } from '../harness/panel.js';
 import { readEvolution } from '../harness/reading.js';
 import { saved } from '../harness/saved.js';
 
@@ -204,4 +205,26 @@ pageTest('a file that is no run changes nothing and says why', async (page) => {
   await page.click('#keep-close');
   assert.deepEqual(await readEvolution(page), before);
   assert.deepEqual(await page.obstacles(), []);
+});
+
+pageTest('Share has the link of what was set, once that has been computed', async (page) => {
+  // Open for the second time, it is there at once.
+  await page.click('#keep-button');
+  await page.click('#keep-close');
+  await openSettings(page);
+  await openGroup(page, 'evolution');
+  await page.evaluate(() => {
+    const field = /** @type {HTMLInputElement} */ (document.getElementById('setting-evolution-population'));
+    field.value = '2000';
+    field.dispatchEvent(new Event('change'));
+    document.getElementById('keep-button')?.click();
+  });
+  await page.until('the link has it', () =>
+    /population=2000/.test(/** @type {HTMLInputElement} */ (document.getElementById('keep-link')).value),
+  );
+  const { hash } = evolve({
+    ...velocityLimits,
+    evolution: { ...velocityLimits.evolution, population: 2000 },
+  });
+  assert.match(await page.text('#keep-status'), new RegExp(hash));
 });
