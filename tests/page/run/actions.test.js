@@ -171,3 +171,21 @@ test('each press on back leads one generation back, also while one is being comp
   await actions.whenIdle();
   assert.equal(store.get().generation, 1);
 });
+
+test('past the generation that it was to stop at, evolution pauses as usual, and says so', () => {
+  const { store, actions } = pageOf('lab&generation=6');
+  actions.setUntil('generation', '8');
+  const run = () => {
+    actions.toggleEvolution();
+    let left = 200;
+    actions.evolve(() => left-- > 0);
+    return store.get().generation;
+  };
+  assert.equal(run(), 8);
+  assert.equal(store.get().until.value, 8);
+  // From before it, it is where evolution stops again.
+  actions.reset();
+  assert.equal(run(), 8);
+  assert.equal(run(), 100);
+  assert.deepEqual(store.get().until, { kind: 'every', value: 100 });
+});

@@ -72,6 +72,12 @@ export function createEvolution(
     return computing?.next ? 0 : generation;
   };
 
+  /** A generation that has passed is no end: from there on evolution pauses as it usually does. */
+  const untilAhead = () => {
+    const { kind, value } = store.get().until;
+    return kind === 'generation' && value <= generationNow() ? { until: usualUntil, untilError: '' } : {};
+  };
+
   /** Pauses where the run has to. */
   const arrive = () => {
     const { until, history, generation, catchingUp } = store.get();
@@ -115,7 +121,7 @@ export function createEvolution(
 
     /** @param {number} pace */
     setPace(pace) {
-      store.update({ pace, catchingUp: null });
+      store.update({ pace, catchingUp: null, ...(store.get().evolving && untilAhead()) });
       seePhases();
     },
 
@@ -130,7 +136,7 @@ export function createEvolution(
     toggleEvolution() {
       const evolving = !store.get().evolving;
       leaveOff();
-      store.update({ evolving, catchingUp: null });
+      store.update({ evolving, catchingUp: null, ...(evolving && untilAhead()) });
       seePhases();
       const { robot } = store.get();
       if (evolving && !isStill())
