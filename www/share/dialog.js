@@ -77,19 +77,22 @@ export function createKeep(tools, sheet) {
     if (store.get().computing) actions.whenIdle().then(again);
   };
 
-  /** The newest that was chosen. @type {File | null} */
-  let newest = null;
+  let reading = new AbortController();
+  sheet.dialog.addEventListener('close', () => reading.abort());
 
-  /** @param {File} file */
+  /** Only the newest that is chosen is opened, and only as long as somebody waits for it. @param {File} file */
   const open = async (file) => {
-    newest = file;
+    reading.abort();
+    reading = new AbortController();
+    const { signal } = reading;
+    say(words.reading);
     try {
-      const { opened, generations } = await openRunFile(await file.text(), engine, links);
-      if (newest !== file) return;
+      const { opened, generations } = await openRunFile(await file.text(), engine, links, signal);
+      if (signal.aborted) return;
       tools.open(opened, [], generations);
       show(words.opened(file.name, generations));
     } catch (error) {
-      show(words.notOpened(file.name, messageOf(error)));
+      if (!signal.aborted) show(words.notOpened(file.name, messageOf(error)));
     }
   };
 
