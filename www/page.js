@@ -7,7 +7,7 @@ import { createEmbed, sayFailed } from './embed/page.js';
 import { takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
 import { isEmbedded, isStill } from './kit/host.js';
-import { createAccumulator, createFrameLoop } from './kit/loop.js';
+import { createAccumulator, createApart, createFrameLoop } from './kit/loop.js';
 import { createComputing } from './lab/computing.js';
 import { createDraw } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
@@ -29,7 +29,7 @@ import { createSettingsPanel } from './settings/panel.js';
 import { createExercise } from './share/exercise/page.js';
 import { createKeys } from './share/keys.js';
 import { createShare } from './share/load.js';
-import { messageOf } from './words/errors.js';
+import { isLost, messageOf } from './words/errors.js';
 import { lab as words } from './words/index.js';
 import { fitnessTable } from './lab/fitness-table.js';
 import { showTable } from './lab/table-sheet.js';
@@ -39,6 +39,12 @@ const answersOf = (state) => progressSlice.of(state).answers;
 
 /** What speaks to the page around a figure. @type {ReturnType<typeof createEmbed> | null} */
 let embed = null;
+
+/** Of a core that is lost nothing more is drawn. @param {unknown} error */
+function tell(error) {
+  if (isLost(error)) throw error;
+  reportError(error);
+}
 
 /** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
 async function start(engine) {
@@ -63,7 +69,10 @@ async function start(engine) {
   const go = (/** @type {string} */ link) => address?.go(link);
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
-  const draw = createDraw(createViews(store, controls, order, onLesson), engine, paper);
+  const apart = createApart(tell);
+  /** What one of them asks for of its own may still be under way. @param {string} name @param {() => void} act */
+  const turn = (name, act) => apart(name, () => tryNow(act, loop.request));
+  const draw = createDraw(createViews(store, controls, order, onLesson), engine, paper, turn);
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
   pages = made;
@@ -100,24 +109,24 @@ async function start(engine) {
     const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
     made.open(now.page);
     lesson.open(now);
-    computingLine.draw(now);
-    draw(state, scene);
-    // What they ask for of their own may still be under way.
-    tryNow(() => lesson.draw(state, scene), loop.request);
-    tryNow(() => made.of(state.page)?.draw(state, scene), loop.request);
-    exercise.draw(state, made.size, scene);
-    if (!isComputing) address?.follow(state);
-    settings.draw(state);
-    embed?.draw(state);
-    share.draw(state);
-    pinButton.draw(state, scene);
+    turn('computing', () => computingLine.draw(now));
+    turn('lab', () => draw(state, scene));
+    turn('lesson', () => lesson.draw(state, scene));
+    turn(state.page, () => made.of(state.page)?.draw(state, scene));
+    turn('exercise', () => exercise.draw(state, made.size, scene));
+    if (!isComputing) turn('address', () => address?.follow(state));
+    // What is being set, while its drives are still on their way.
+    turn('settings', () => settings.draw(now));
+    turn('embed', () => embed?.draw(state));
+    turn('share', () => share.draw(state));
+    turn('pins', () => pinButton.draw(state, scene));
   };
 
   /** @param {number} seconds */
   function frame(seconds) {
     if (!isWhole) return false;
     const before = store.get();
-    tryNow(() => made.of(before.page)?.tick?.(before, seconds), loop.request);
+    turn(before.page, () => made.of(before.page)?.tick?.(before, seconds));
     // First of all there is a picture.
     if (seconds > 0 && before.evolving && !before.dragging)
       actions.evolve(moreOf(before.catchingUp ? Number.POSITIVE_INFINITY : before.pace, seconds));

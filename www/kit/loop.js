@@ -25,6 +25,24 @@ export function createFrameLoop(frame) {
   return { request };
 }
 
+/**
+ * Gives each its turn in a frame: what one throws keeps no other from its own, and is told once, however many frames it comes back in.
+ * @param {(error: unknown) => void} tell
+ */
+export function createApart(tell) {
+  /** @type {Set<string>} */
+  const told = new Set();
+  return (/** @type {string} */ name, /** @type {() => void} */ act) => {
+    try {
+      act();
+    } catch (error) {
+      const text = `${name}: ${error}`;
+      if (!told.has(text)) tell(error);
+      told.add(text);
+    }
+  };
+}
+
 /** Whole generations out of real time. */
 export function createAccumulator() {
   let owed = 0;

@@ -9,7 +9,7 @@ import { nextRest, paces } from '../run/pace.js';
 import { lab as strings, texts } from '../words/index.js';
 
 /** @typedef {{ time: number, finalTime: number, playing: boolean, speed: number }} RobotBarModel */
-/** @typedef {{ open: string, evolving: boolean, generation: number, newest: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
+/** `timeline`: the generation that is asked for, which may still be computed. @typedef {{ open: string, evolving: boolean, generation: number, timeline: number, newest: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
 
 /** How far a slider is filled. @param {number} part */
 const filled = (part) => styled('--to', `${100 * part}%`);
@@ -74,20 +74,20 @@ export function createEvolutionBar(root, actions) {
 
 /** @param {EvolutionBarModel & { kind: Until['kind'] }} model @param {Actions} actions @param {{ onKind: (event: Event) => void, onValue: () => void }} on */
 function evolutionBar(model, actions, { onKind, onValue }) {
-  const { open, evolving, generation, newest, pace, kind, untilError, note } = model;
+  const { open, evolving, timeline, newest, pace, kind, untilError, note } = model;
   const isElsewhere = open !== 'lab';
   const end = Math.max(1, newest);
   return html`
     <fieldset id="evolution-clock" class="bar" aria-label=${texts.evolutionClock}>
       <button id="run" type="button" class="primary" @click=${() => actions.toggleEvolution()}>${evolving ? strings.pauseEvolution : strings.run}</button>
-      <button id="one-back" type="button" class="icon" aria-label=${texts.oneBack} .disabled=${generation === 0}
+      <button id="one-back" type="button" class="icon" aria-label=${texts.oneBack} .disabled=${timeline === 0}
         @click=${() => actions.oneBack()}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>
       </button>
       <button id="one-generation" type="button" @click=${() => actions.oneGeneration()}>${texts.oneGeneration}</button>
       <input id="timeline" type="range" min="0" step="1" aria-label=${texts.timeline}
-        aria-valuetext=${strings.generationText(generation, newest)}
-        .max=${String(end)} .value=${live(String(generation))} ${filled(generation / end)}
+        aria-valuetext=${strings.generationText(timeline, newest)}
+        .max=${String(end)} .value=${live(String(timeline))} ${filled(timeline / end)}
         @input=${(/** @type {Event} */ event) => actions.showGeneration(Number(valueIn(event)))}>
     </fieldset>
     <fieldset id="evolution-pace" class="bar" aria-label=${texts.evolutionSection}>

@@ -8,7 +8,7 @@ import { remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
 import { gainsOf } from '../run/drivers.js';
 import { pausesAt } from '../run/pace.js';
-import { endsOf } from '../run/state.js';
+import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
@@ -18,8 +18,8 @@ const sliderRange = {
   'acceleration-limits': /** @type {const} */ ([-2, 32]),
 };
 
-/** @param {Views} views @param {Engine} engine @param {PaperResult[]} paper */
-export function createDraw(views, engine, paper) {
+/** @param {Views} views @param {Engine} engine @param {PaperResult[]} paper @param {(name: string, act: () => void) => void} turn Gives each view its turn. */
+export function createDraw(views, engine, paper, turn) {
   const viewOf = remember(createView);
   const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
     const { starts, goal } = engine.experiment(preset);
@@ -36,49 +36,57 @@ export function createDraw(views, engine, paper) {
     views.handles.draw({ view, ...ends });
   };
 
+  /** @param {State} state @param {Scene} scene @param {number} time @returns {Record<string, () => void>} */
+  const drawings = (state, scene, time) => {
+    const { driver, experiment, history, generation, preset, robot, speed } = state;
+    const { finalTime } = scene.driving;
+    return {
+      message: () => showMessage(state.message),
+      pages: () => views.pages.draw(state.page, state.lesson, experiment.evolution.population),
+      preset: () => views.preset.draw(asked(state).preset),
+      drivers: () => views.drivers.draw(driver),
+      plane: () => drawPlane(state, scene, time),
+      robotBar: () => views.robotBar.draw({ time, finalTime, playing: robot.playing, speed }),
+      cost: () =>
+        views.cost.draw({
+          title: strings.costTitle(driver, state.found),
+          starts: scene.experiment.starts.length,
+          run: scene.driving,
+          note: costNote(scene, state),
+        }),
+      generation: () => write(byId('generation'), String(generation)),
+      seed: () => write(byId('seed'), String(experiment.evolution.seed)),
+      curve: () => state.page === 'lab' && drawCurve(views, state, scene),
+      evolutionBar: () => views.evolutionBar.draw(evolutionOf(state)),
+      gains: () =>
+        views.gains.draw({
+          gains: gainsOf(state, driver, paper),
+          errors: state.gainErrors,
+          range: sliderRange[preset],
+          note: strings.gainsNote(driver, isOneDrive(state) ? history[generation].best.cost : null),
+        }),
+      notes: () =>
+        views.notes.draw({
+          ...endsOf(state),
+          driver,
+          found: state.found,
+          history,
+          generation,
+          population: state.population.length,
+          pins: state.pins,
+          atRest: !robot.playing && !state.evolving && !state.dragging,
+          tried: state.trial.start !== null,
+          scene,
+          time,
+          moved: isMoved(experiment, preset),
+        }),
+    };
+  };
+
   /** @param {State} state @param {Scene} scene */
   return (state, scene) => {
-    const { driver, experiment, history, generation, preset, robot } = state;
-    const { driving } = scene;
-    const { best } = history[generation];
-    const time = Math.min(robot.time, driving.finalTime);
-
-    showMessage(state.message);
-    views.pages.draw(state.page, state.lesson, experiment.evolution.population);
-    views.preset.draw(preset);
-    views.drivers.draw(driver);
-    drawPlane(state, scene, time);
-    views.robotBar.draw({ time, finalTime: driving.finalTime, playing: robot.playing, speed: state.speed });
-    views.cost.draw({
-      title: strings.costTitle(driver, state.found),
-      starts: scene.experiment.starts.length,
-      run: driving,
-      note: costNote(scene, state),
-    });
-    write(byId('generation'), String(generation));
-    write(byId('seed'), String(experiment.evolution.seed));
-    if (state.page === 'lab') drawCurve(views, state, scene);
-    views.evolutionBar.draw(evolutionOf(state));
-    views.gains.draw({
-      gains: gainsOf(state, driver, paper),
-      errors: state.gainErrors,
-      range: sliderRange[preset],
-      note: strings.gainsNote(driver, isOneDrive(state) ? best.cost : null),
-    });
-    views.notes.draw({
-      ...endsOf(state),
-      driver,
-      found: state.found,
-      history,
-      generation,
-      population: state.population.length,
-      pins: state.pins,
-      atRest: !state.robot.playing && !state.evolving && !state.dragging,
-      tried: state.trial.start !== null,
-      scene,
-      time,
-      moved: isMoved(experiment, preset),
-    });
+    const time = Math.min(state.robot.time, scene.driving.finalTime);
+    for (const [name, drawOne] of Object.entries(drawings(state, scene, time))) turn(name, drawOne);
   };
 }
 
@@ -101,9 +109,10 @@ function drawCurve(views, state, scene) {
 
 /** @param {State} state */
 function evolutionOf(state) {
-  const { page: open, evolving, generation, history, pace, until, untilError } = state;
+  const { page: open, evolving, generation, history, pace, until, untilError, computing } = state;
   const note = evolutionNote(state);
-  return { open, evolving, generation, newest: history.length - 1, pace, until, untilError, note };
+  const timeline = computing?.generation ?? generation;
+  return { open, evolving, generation, timeline, newest: history.length - 1, pace, until, untilError, note };
 }
 
 /** @param {Scene} scene @param {State} state */

@@ -2,6 +2,7 @@
 import { create } from '../kit/elements.js';
 import { remember, watch } from '../kit/memo.js';
 import { fieldPath, valueAt } from '../run/paths.js';
+import { asked } from '../run/state.js';
 import { createNumber } from '../settings/rows.js';
 import { table } from '../settings/table.js';
 import words from './words/index.js';
@@ -40,7 +41,8 @@ export function createWeights({ engine, actions }) {
   const changed = watch();
   return {
     element,
-    draw({ state: { experiment, preset, settings } }) {
+    draw({ state }) {
+      const { experiment, preset, settings } = asked(state);
       if (!changed(experiment, preset, settings.error)) return;
       for (const { path, draw } of rows)
         draw({

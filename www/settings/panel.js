@@ -11,6 +11,7 @@ import { byId, create } from '../kit/elements.js';
 import { once, remember, watch } from '../kit/memo.js';
 import { closeButton } from '../kit/templates.js';
 import { fieldPath, valueAt } from '../run/paths.js';
+import { asked } from '../run/state.js';
 import { settings as words } from '../words/index.js';
 import { createChoice, createNumber, typingMark } from './rows.js';
 import { rows, table } from './table.js';
@@ -53,7 +54,9 @@ export function createSettingsPanel({ engine, store, actions }) {
   const changed = watch();
   return {
     /** @param {State} state */
-    draw({ settings, maker, experiment, preset, versions }) {
+    draw(state) {
+      const { settings, maker } = state;
+      const { experiment, preset, versions } = asked(state);
       if (!changed(settings, maker.open, experiment, preset, versions)) return;
       panel.hidden = !settings.open;
       button.setAttribute('aria-expanded', String(settings.open));

@@ -34,7 +34,7 @@ const frames = sizes.map((size) => ({ value: size.join('x'), text: words.sizeTex
 
 /** @param {SheetTools} tools @param {Sheet} sheet */
 export function createKeep(tools, sheet) {
-  const { engine, store, links, sceneOf, openChecks, openCode, openCollect } = tools;
+  const { engine, store, actions, links, sceneOf, openChecks, openCode, openCollect } = tools;
   const maker = createMaker(tools);
   let status = '';
   let frame = frames[1];
@@ -70,19 +70,29 @@ export function createKeep(tools, sheet) {
     sheet.open();
   };
 
-  /** The newest that was chosen. @type {File | null} */
-  let newest = null;
+  /** As it is, and once more when what was set has begun. */
+  const start = () => {
+    show();
+    const again = () => sheet.dialog.open && show();
+    if (store.get().computing) actions.whenIdle().then(again);
+  };
 
-  /** @param {File} file */
+  let reading = new AbortController();
+  sheet.dialog.addEventListener('close', () => reading.abort());
+
+  /** Only the newest that is chosen is opened, and only as long as somebody waits for it. @param {File} file */
   const open = async (file) => {
-    newest = file;
+    reading.abort();
+    reading = new AbortController();
+    const { signal } = reading;
+    say(words.reading);
     try {
-      const { opened, generations } = await openRunFile(await file.text(), engine, links);
-      if (newest !== file) return;
+      const { opened, generations } = await openRunFile(await file.text(), engine, links, signal);
+      if (signal.aborted) return;
       tools.open(opened, [], generations);
       show(words.opened(file.name, generations));
     } catch (error) {
-      show(words.notOpened(file.name, messageOf(error)));
+      if (!signal.aborted) show(words.notOpened(file.name, messageOf(error)));
     }
   };
 
@@ -128,7 +138,7 @@ export function createKeep(tools, sheet) {
     sheet.draw(contentOf({ address: address(), frame, frameText, pictures, status }, on));
   };
 
-  return { show, open, drawMaker: maker.draw };
+  return { start, open, drawMaker: maker.draw };
 }
 
 /**

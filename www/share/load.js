@@ -90,7 +90,7 @@ function offer({ store, actions }, keep) {
   button.hidden = false;
   button.addEventListener('click', () => {
     actions.pauseEvolution();
-    keep(({ show }) => show());
+    keep(({ start }) => start());
   });
   addEventListener('dragover', (event) => {
     if (event.dataTransfer?.types.includes('Files')) event.preventDefault();

@@ -3,6 +3,7 @@
 /** @import { Linked } from '../link/keys.js' */
 /** @import { Links } from '../link/link.js' */
 /** @import { Opened } from '../run/actions/page.js' */
+import { lastGeneration } from '../run/pace.js';
 import words from './words/index.js';
 
 const format = 'ep-locomotion run';
@@ -28,10 +29,10 @@ export function runFile(state, engine, links) {
 
 /**
  * Reads a run, and makes it again to see that it comes to the same. Throws an Error that says what is wrong with the file.
- * @param {string} text @param {Engine} engine @param {Links} links
+ * @param {string} text @param {Engine} engine @param {Links} links @param {AbortSignal} [signal]
  * @returns {Promise<{ opened: Opened, generations: number }>}
  */
-export async function openRunFile(text, engine, links) {
+export async function openRunFile(text, engine, links, signal) {
   const content = parse(text);
   if (content.format !== format) throw new Error(words.foreignFile);
   if (typeof content.version !== 'number') throw new Error(words.damagedFile('version'));
@@ -40,12 +41,17 @@ export async function openRunFile(text, engine, links) {
   if (typeof link !== 'string' || typeof hash !== 'string') throw new Error(words.damagedFile('link, hash'));
   // To make a run again takes time: only as many generations as the file holds.
   const held = Array.isArray(statistics) ? statistics.length - 1 : -1;
-  if (!Number.isInteger(generations) || generations < 0 || generations > 100_000 || generations !== held)
+  if (
+    !Number.isInteger(generations) ||
+    generations < 0 ||
+    generations > lastGeneration ||
+    generations !== held
+  )
     throw new Error(words.damagedFile('generations'));
   const { opened, problems } = links.openLink(link, engine);
   if (problems.length > 0) throw new Error(words.damagedLink(problems));
   if (opened.generation > generations) throw new Error(words.damagedFile('generations'));
-  const again = await engine.surveys.evolve(opened.experiment, generations);
+  const again = await engine.surveys.evolve(opened.experiment, generations, { signal });
   if (again.hash !== hash) throw new Error(words.otherHash(hash, again.hash));
   return { opened, generations };
 }

@@ -5,8 +5,9 @@ import { places } from '../../../www/parts/parts.js';
 import { createActions } from '../../../www/run/actions/actions.js';
 import { atEnd } from '../../../www/run/clock.js';
 import { firstState, noErrors } from '../../../www/run/first.js';
+import { asked } from '../../../www/run/state.js';
 import { createStore } from '../../../www/run/store.js';
-import { createEngine } from '../harness/core.js';
+import { createEngine, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
 /** A page on which a link was opened. @param {string} link */
@@ -15,7 +16,11 @@ function pageOf(link) {
   const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});
   const means = { engine, store, paper: engine.paper(), finalTime: () => 1, isStill: () => true, places };
   const actions = createActions(means);
-  const open = (/** @type {string} */ text) => actions.openLinked(links.openLink(text, engine).opened, []);
+  const open = (/** @type {string} */ text) => {
+    actions.openLinked(links.openLink(text, engine).opened, []);
+    // On a slow machine a link comes only a part of its way at once.
+    actions.evolve(() => store.get().catchingUp !== null);
+  };
   open(link);
   return { store, actions, open };
 }
@@ -48,4 +53,139 @@ test('a start that a link tries is tried where one can be', () => {
   const start = { x: 2, y: 0, theta: 0 };
   assert.deepEqual(pageOf('robustness&from=2,0,0').store.get().trial.start, start);
   assert.equal(pageOf('curves&from=2,0,0').store.get().trial.start, null);
+});
+
+const usual = experiment('velocity-limits');
+/** So many that they are computed elsewhere. */
+const many = 2000;
+
+test('what is changed while an experiment is being computed is changed in that one, each a step of undo', async () => {
+  const { store, actions } = pageOf('lab');
+  const told = () => {
+    const { experiment: now, preset } = asked(store.get());
+    const { evolution, weights, goal, limits } = now;
+    return [evolution.population, weights.penalty, goal.x, goal.y, evolution.seed, preset, limits.speed];
+  };
+  const moments = [told()];
+  for (const change of [
+    () => actions.changeSetting('evolution.population', many, false),
+    () => actions.changeSetting('weights.penalty', 10, false),
+    () => actions.movePosture('goal', { ...actions.postureOf('goal'), x: 1 }, false),
+    () => actions.movePosture('goal', { ...actions.postureOf('goal'), y: 1 }, false),
+    () => actions.useSeed(7),
+    () => actions.choosePreset('acceleration-limits'),
+  ]) {
+    change();
+    moments.push(told());
+    assert.equal(store.get().computing?.what, 'begin');
+    assert.deepEqual(store.get().experiment, usual);
+  }
+  assert.deepEqual(moments.at(-1)?.slice(0, 6), [many, 10, 1, 1, 7, 'acceleration-limits']);
+  await actions.whenIdle();
+  assert.equal(store.get().computing, null);
+  assert.equal(store.get().population.length, many);
+  for (const moment of moments.toReversed()) {
+    assert.deepEqual(told(), moment);
+    actions.undo();
+    await actions.whenIdle();
+  }
+  assert.deepEqual(store.get().experiment, usual);
+});
+
+test('what is set back while it is being computed is back', async () => {
+  const { store, actions } = pageOf('lab');
+  actions.changeSetting('evolution.population', many, false);
+  actions.changeSetting('evolution.population', usual.evolution.population, false);
+  await actions.whenIdle();
+  assert.deepEqual([store.get().experiment, store.get().computing], [usual, null]);
+});
+
+test('a drag is one step of undo, however much of it is still being computed when it ends', async () => {
+  for (const waits of [[], [0], [1], [0, 1, 2]]) {
+    const { store, actions } = pageOf('lab');
+    for (const [i, population] of [many - 2, many - 1, many].entries()) {
+      actions.changeSetting('evolution.population', population, true);
+      if (waits.includes(i)) await actions.whenIdle();
+      assert.ok(asked(store.get()).dragging);
+    }
+    actions.releaseSetting();
+    assert.ok(!asked(store.get()).dragging);
+    await actions.whenIdle();
+    const { experiment: now, versions, dragging } = store.get();
+    assert.deepEqual([now.evolution.population, versions.past.length, dragging], [many, 1, false]);
+    actions.undo();
+    assert.deepEqual(store.get().experiment, usual);
+  }
+});
+
+test('Run, Pause and one generation are of the experiment that is being computed', async () => {
+  const { store, actions } = pageOf('lab');
+  const began = async () => {
+    await actions.whenIdle();
+    const { experiment: now, evolving } = store.get();
+    return [now.evolution.population, evolving];
+  };
+  actions.changeSetting('evolution.population', many - 1, false);
+  actions.toggleEvolution();
+  assert.deepEqual(await began(), [many - 1, true]);
+  actions.changeSetting('evolution.population', many, false);
+  actions.pauseEvolution();
+  assert.deepEqual(await began(), [many, false]);
+  // As it is chosen, a seed pauses; Run is pressed after that.
+  actions.toggleEvolution();
+  actions.useSeed(7);
+  assert.equal(store.get().evolving, false);
+  actions.toggleEvolution();
+  assert.deepEqual(await began(), [many, true]);
+  actions.changeSetting('weights.penalty', 10, false);
+  actions.oneGeneration();
+  assert.deepEqual(await began(), [many, false]);
+  await actions.whenIdle();
+  assert.deepEqual([store.get().generation, store.get().experiment.weights.penalty], [1, 10]);
+});
+
+test('what is stopped leaves nothing of what was asked for', async () => {
+  const { store, actions } = pageOf('lab&generation=3');
+  const { experiment: before, versions } = store.get();
+  actions.changeSetting('evolution.population', many, true);
+  actions.changeSetting('weights.penalty', 10, true);
+  actions.stopComputing();
+  actions.releaseSetting();
+  const now = asked(store.get());
+  assert.deepEqual([now.experiment, now.versions, now.generation], [before, versions, 3]);
+  assert.match(now.message, /^Stopped: what was here before stays/);
+  actions.oneGeneration();
+  assert.equal(store.get().generation, 4);
+});
+
+test('each press on back leads one generation back, also while one is being computed', async () => {
+  const { store, actions } = pageOf(`lab&population=${many}`);
+  await actions.whenIdle();
+  for (let i = 0; i < 3; i += 1) {
+    actions.forward();
+    await actions.whenIdle();
+  }
+  actions.oneBack();
+  actions.oneBack();
+  assert.deepEqual([store.get().generation, store.get().computing?.generation], [3, 1]);
+  await actions.whenIdle();
+  assert.equal(store.get().generation, 1);
+});
+
+test('past the generation that it was to stop at, evolution pauses as usual, and says so', () => {
+  const { store, actions } = pageOf('lab&generation=6');
+  actions.setUntil('generation', '8');
+  const run = () => {
+    actions.toggleEvolution();
+    let left = 200;
+    actions.evolve(() => left-- > 0);
+    return store.get().generation;
+  };
+  assert.equal(run(), 8);
+  assert.equal(store.get().until.value, 8);
+  // From before it, it is where evolution stops again.
+  actions.reset();
+  assert.equal(run(), 8);
+  assert.equal(run(), 100);
+  assert.deepEqual(store.get().until, { kind: 'every', value: 100 });
 });

@@ -1,8 +1,8 @@
 // The panel of settings: by keyboard, and in its place.
 import assert from 'node:assert/strict';
-import { Key, engineTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
-import { openGroup, openSettings, setting, summary } from '../harness/panel.js';
+import { openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
 import { read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -60,3 +60,37 @@ for (const [width, height] of /** @type {const} */ ([
     await summary(page);
     assert.equal(await tall(), closed);
   });
+
+pageTest(
+  'while an experiment is computed the panel shows what was set, and once it is stopped what is there',
+  async (page) => {
+    // From so many starts that two thousand robots take a worker seconds.
+    const starts = Array.from({ length: 1500 }, (_, i) => `${i % 9},${i % 8},0`).join(';');
+    await page.open(`#lab&v=1&population=2&start=${starts}`);
+    await openSettings(page);
+    await openGroup(page, 'evolution');
+    const before = await summary(page);
+    await type(page, 'evolution-population', '2000');
+    await type(page, 'weights-penalty', '10');
+    await page.click('#preset-acceleration-limits');
+    const set = await page.until('it says what it computes, and is stopped', () => {
+      const place = document.getElementById('computing');
+      if (!place || place.hidden) return null;
+      const held = (/** @type {string} */ id) =>
+        /** @type {HTMLInputElement} */ (document.getElementById(id)).value;
+      const { checked } = /** @type {HTMLInputElement} */ (
+        document.getElementById('preset-acceleration-limits')
+      );
+      place.querySelector('button')?.click();
+      return [held('setting-evolution-population'), held('setting-weights-penalty'), checked];
+    });
+    assert.deepEqual(set, ['2000', '10', true]);
+    await page.until('it has stopped, and says so', () =>
+      /^Stopped: what was here before stays/.test(document.getElementById('message')?.textContent ?? ''),
+    );
+    assert.equal((await setting(page, 'evolution-population')).value, '2');
+    assert.equal((await setting(page, 'weights-penalty')).value, String(velocityLimits.weights.penalty));
+    assert.deepEqual(await summary(page), before);
+    assert.equal((await read(page)).preset, 'velocity-limits');
+  },
+);

@@ -1,10 +1,12 @@
 import assert from 'node:assert/strict';
 import { openRunFile, runFile } from '../../../www/share/run-file.js';
 import { links } from '../../../www/lesson/links.js';
+import { lastGeneration } from '../../../www/run/pace.js';
 import { driveCsv, driveOrigin, generationsCsv } from '../../../www/share/csv.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evolve, experiment, simulate, Simulation, stability } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { openGroup, openSettings } from '../harness/panel.js';
 import { readEvolution } from '../harness/reading.js';
 import { saved } from '../harness/saved.js';
 
@@ -62,6 +64,14 @@ test('a file that is damaged or foreign is refused with the reason', async () =>
     [JSON.stringify({ ...good, generations: -1 }), /generations/],
     [JSON.stringify({ ...good, generations: 1e9 }), /generations/],
     [JSON.stringify({ ...good, generations: 2 }), /generations/],
+    [
+      JSON.stringify({
+        ...good,
+        generations: lastGeneration + 1,
+        statistics: Array(lastGeneration + 2).fill(0),
+      }),
+      /generations/,
+    ],
     [JSON.stringify({ ...good, link: good.link.replace('lab', 'lab&seed=2') }), /was changed/],
     [runFile(state, engine, links).slice(0, 300), /no run/],
   ]);
@@ -204,4 +214,79 @@ pageTest('a file that is no run changes nothing and says why', async (page) => {
   await page.click('#keep-close');
   assert.deepEqual(await readEvolution(page), before);
   assert.deepEqual(await page.obstacles(), []);
+});
+
+pageTest(
+  'a file that is read when the sheet is closed, or another is chosen, changes nothing',
+  async (page) => {
+    await page.click('#keep-button');
+    await page.evaluate(() => {
+      const read = Blob.prototype.text;
+      /** @type {(() => void)[]} */
+      const late = [];
+      Object.assign(window, { late });
+      /** @this {Blob} */
+      Blob.prototype.text = function () {
+        const isLate = this instanceof File && this.name.startsWith('late');
+        return isLate ? new Promise((resolve) => late.push(() => resolve('{"a": 1}'))) : read.call(this);
+      };
+    });
+    const give = (/** @type {string} */ name) =>
+      page.evaluate((fileName) => {
+        const input = /** @type {HTMLInputElement} */ (document.getElementById('keep-file'));
+        const transfer = new DataTransfer();
+        transfer.items.add(new File(['{}'], fileName));
+        input.files = transfer.files;
+        input.dispatchEvent(new Event('change'));
+      }, name);
+    /** Now all that is late can be read. What is seen then. */
+    const comes = () =>
+      page.evaluate(async () => {
+        const { late } = /** @type {{ late: (() => void)[] }} */ (/** @type {unknown} */ (window));
+        const count = late.length;
+        for (const arrive of late.splice(0)) arrive();
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+        const { open } = /** @type {HTMLDialogElement} */ (document.getElementById('keep'));
+        return { count, open, status: document.getElementById('keep-status')?.textContent ?? '' };
+      });
+
+    await give('late 1.json');
+    await page.until('it says that it reads', () =>
+      /^The file is read/.test(document.getElementById('keep-status')?.textContent ?? ''),
+    );
+    await choose(page, 'photo.json', '{"a": 1}');
+    const other = await comes();
+    assert.deepEqual([other.count, other.open], [1, true]);
+    assert.match(other.status, /^“photo.json” was not opened/);
+
+    await give('late 2.json');
+    await page.click('#keep-close');
+    await page.click('#one-generation');
+    const closed = await comes();
+    assert.deepEqual([closed.count, closed.open], [1, false]);
+    await page.click('#keep-button');
+    assert.match(await page.text('#keep-status'), /^Fingerprint of generations 0 to 1:/);
+  },
+);
+
+pageTest('Share has the link of what was set, once that has been computed', async (page) => {
+  // Open for the second time, it is there at once.
+  await page.click('#keep-button');
+  await page.click('#keep-close');
+  await openSettings(page);
+  await openGroup(page, 'evolution');
+  await page.evaluate(() => {
+    const field = /** @type {HTMLInputElement} */ (document.getElementById('setting-evolution-population'));
+    field.value = '2000';
+    field.dispatchEvent(new Event('change'));
+    document.getElementById('keep-button')?.click();
+  });
+  await page.until('the link has it', () =>
+    /population=2000/.test(/** @type {HTMLInputElement} */ (document.getElementById('keep-link')).value),
+  );
+  const { hash } = evolve({
+    ...velocityLimits,
+    evolution: { ...velocityLimits.evolution, population: 2000 },
+  });
+  assert.match(await page.text('#keep-status'), new RegExp(hash));
 });

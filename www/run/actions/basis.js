@@ -1,6 +1,6 @@
 // What the actions have in common: an experiment that begins, robots that drive again, and the box around all that must be seen.
 /** @import { Engine, Experiment, PaperResult } from '../../core/engine.js' */
-/** @import { Restart, State } from '../state.js' */
+/** @import { Next, Restart, State } from '../state.js' */
 /** @import { RunStore } from '../store.js' */
 import { Pending, whenThere } from '../../core/pending.js';
 import { isTracking, stationsOf } from '../../core/reference.js';
@@ -8,7 +8,7 @@ import { refit } from '../../kit/transform.js';
 import { isLost, messageOf } from '../../words/errors.js';
 import { atEnd, fromStart } from '../clock.js';
 import { gainsOf } from '../drivers.js';
-import { endsOf } from '../state.js';
+import { asked, endsOf } from '../state.js';
 import { afterChange } from '../undo.js';
 
 /**
@@ -36,8 +36,6 @@ import { afterChange } from '../undo.js';
 export function createBasis({ engine, store, paper, isStill }) {
   /** What is to be done once a worker has computed what it takes; only the newest is. @type {(() => void) | null} */
   let due = null;
-  /** Whether it is being done now. */
-  let isLate = false;
   /** @type {(() => void)[]} */
   const idlers = [];
 
@@ -55,9 +53,7 @@ export function createBasis({ engine, store, paper, isStill }) {
     store.update({ computing: { ...waiting, since, share: pending.share } });
     pending.arrival.then(() => {
       if (due !== act) return;
-      isLate = true;
       attempt(act, waiting);
-      isLate = false;
       if (due === null) refitBox();
     });
   };
@@ -86,13 +82,20 @@ export function createBasis({ engine, store, paper, isStill }) {
           idlers.push(() => resolve());
         });
 
-  /** Throws when the core refuses the experiment. @param {Experiment} experiment @param {Restart} restart @param {Partial<State>} patch */
-  const tryToBegin = (experiment, restart, patch) => {
-    const { statistics, population } = engine.begin(experiment);
+  /** Of an experiment that is to begin. @param {Experiment} experiment @param {Partial<State>} [patch] @returns {Next} */
+  const nextOf = (experiment, patch = {}) => {
+    const before = asked(store.get());
+    const { preset = before.preset, dragging = before.dragging } = patch;
+    const { versions = afterChange(before, { experiment, preset }) } = patch;
+    return { experiment, preset, versions, dragging };
+  };
+
+  /** Throws when the core refuses the experiment. @param {Next} next @param {Restart} restart @param {Partial<State>} [patch] */
+  const tryToBegin = (next, restart, patch) => {
+    const { statistics, population } = engine.begin(next.experiment);
     forget();
     const before = store.get();
     store.update({
-      experiment,
       history: [statistics],
       generation: 0,
       population,
@@ -100,16 +103,27 @@ export function createBasis({ engine, store, paper, isStill }) {
       catchingUp: null,
       message: '',
       settings: { ...before.settings, error: null },
-      versions: afterChange(before, { experiment, preset: patch.preset ?? before.preset }),
       work: afterWork(before),
       ...patch,
-      // Meanwhile it may have been let go.
-      ...(isLate && { dragging: before.dragging }),
+      ...next,
     });
   };
 
   /** @param {Experiment} experiment @param {Restart} restart @param {Partial<State>} [patch] */
-  const begin = (experiment, restart, patch = {}) => attempt(() => tryToBegin(experiment, restart, patch));
+  const begin = (experiment, restart, patch) => {
+    const next = nextOf(experiment, patch);
+    attempt(() => tryToBegin(next, restart, patch), { what: 'begin', next });
+  };
+
+  /** Now, or once the experiment that is asked for has begun, if it does. @param {() => void} act */
+  const onceBegun = (act) => {
+    const { computing } = store.get();
+    if (!computing?.next) return act();
+    const { experiment } = computing.next;
+    whenIdle().then(() => {
+      if (store.get().experiment === experiment) act();
+    });
+  };
 
   /** The robots drive from the start, or stand at the end. */
   const shown = () => (isStill() ? atEnd : fromStart);
@@ -154,8 +168,10 @@ export function createBasis({ engine, store, paper, isStill }) {
     attempt,
     forget,
     whenIdle,
+    nextOf,
     tryToBegin,
     begin,
+    onceBegun,
     shown,
     driveAgain,
     drivenRun,

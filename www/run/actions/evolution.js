@@ -5,6 +5,7 @@
 import { lab as words } from '../../words/index.js';
 import { atEnd, fromStart } from '../clock.js';
 import { isFree } from '../guard.js';
+import { asked } from '../state.js';
 import { lastGeneration, paces, pausesAt, playsPhases, usualUntil } from '../pace.js';
 
 /** Milliseconds of a frame in which a run catches up. */
@@ -12,7 +13,7 @@ const atOnce = 30;
 
 /** @param {Basis} basis @param {(page: string) => void} openPage */
 export function createEvolution(
-  { engine, store, places, isStill, attempt, forget, begin, shown, driveAgain },
+  { engine, store, places, isStill, attempt, forget, begin, onceBegun, shown, driveAgain },
   openPage,
 ) {
   /** One generation on: the next that is recorded, or a new one. @param {State['history']} [known] A copy of the history, which takes the new one: whoever goes on and on makes only one, for it may be long. */
@@ -35,6 +36,7 @@ export function createEvolution(
     store.update({ evolving: false, catchingUp: null });
     attempt(() => store.update({ generation, population: engine.population(generation), message: '' }), {
       what: 'recorded',
+      generation,
     });
   };
 
@@ -50,12 +52,31 @@ export function createEvolution(
   };
 
   /** @param {number} seed */
-  const useSeed = (seed) =>
+  const useSeed = (seed) => {
+    store.update({ evolving: false });
     attempt(() => {
-      const { experiment } = store.get();
+      const { experiment } = asked(store.get());
       const next = engine.experiment({ ...experiment, evolution: { ...experiment.evolution, seed } });
-      begin(next, 'seed', { evolving: false, robot: shown() });
+      begin(next, 'seed', { robot: shown() });
     });
+  };
+
+  /** No generation is waited for; what was set begins all the same, and evolution goes on or rests there. */
+  const leaveOff = () => {
+    if (!store.get().computing?.next) forget();
+  };
+
+  /** From where evolution goes on. */
+  const generationNow = () => {
+    const { computing, generation } = store.get();
+    return computing?.next ? 0 : generation;
+  };
+
+  /** A generation that has passed is no end: from there on evolution pauses as it usually does. */
+  const untilAhead = () => {
+    const { kind, value } = store.get().until;
+    return kind === 'generation' && value <= generationNow() ? { until: usualUntil, untilError: '' } : {};
+  };
 
   /** Pauses where the run has to. */
   const arrive = () => {
@@ -83,23 +104,24 @@ export function createEvolution(
       else showGeneration(generation);
     },
 
-    forward: () => forward(),
+    forward: () => onceBegun(() => forward()),
 
     showGeneration,
 
     oneBack() {
-      const { generation } = store.get();
-      if (generation > 0) showGeneration(generation - 1);
+      const { generation, computing } = store.get();
+      const from = computing?.generation ?? generation;
+      if (from > 0) showGeneration(from - 1);
     },
 
     pauseEvolution() {
-      forget();
+      leaveOff();
       store.update({ evolving: false, catchingUp: null });
     },
 
     /** @param {number} pace */
     setPace(pace) {
-      store.update({ pace, catchingUp: null });
+      store.update({ pace, catchingUp: null, ...(store.get().evolving && untilAhead()) });
       seePhases();
     },
 
@@ -107,14 +129,14 @@ export function createEvolution(
     setUntil(kind, text) {
       if (kind === 'every') return store.update({ until: usualUntil, untilError: '' });
       const value = words.numberOf(text);
-      const wrong = words.untilRefused(kind, value, text, store.get().generation + 1, lastGeneration);
+      const wrong = words.untilRefused(kind, value, text, generationNow() + 1, lastGeneration);
       store.update(wrong ? { untilError: wrong } : { until: { kind, value }, untilError: '' });
     },
 
     toggleEvolution() {
       const evolving = !store.get().evolving;
-      forget();
-      store.update({ evolving, catchingUp: null });
+      leaveOff();
+      store.update({ evolving, catchingUp: null, ...(evolving && untilAhead()) });
       seePhases();
       const { robot } = store.get();
       if (evolving && !isStill())
@@ -132,12 +154,15 @@ export function createEvolution(
 
     oneGeneration() {
       store.update({ evolving: false, catchingUp: null });
-      forward();
-      driveAgain();
+      onceBegun(() => {
+        forward();
+        driveAgain();
+      });
     },
 
     reset() {
-      begin(store.get().experiment, 'reset', { evolving: false, robot: shown() });
+      store.update({ evolving: false });
+      begin(asked(store.get()).experiment, 'reset', { robot: shown() });
     },
 
     newSeed: () => useSeed(engine.randomSeed()),

@@ -8,7 +8,7 @@ import { boxAround } from '../../kit/transform.js';
 import { isLost, messageOf } from '../../words/errors.js';
 import { settings as words } from '../../words/index.js';
 import { valueAt, withValue } from '../paths.js';
-import { endsOf, noTrial } from '../state.js';
+import { asked, endsOf, noTrial } from '../state.js';
 import { afterDrag, redone, undone } from '../undo.js';
 
 /** @typedef {'start' | 'goal'} End */
@@ -18,17 +18,29 @@ const isSame = (a, b) => a.x === b.x && a.y === b.y && a.theta === b.theta;
 
 /** @param {Basis} basis */
 export function createExperiments(basis) {
-  const { engine, store, attempt, tryToBegin, begin, shown, settle } = basis;
+  const { engine, store, attempt, nextOf, tryToBegin, begin, shown, settle } = basis;
 
-  /** A posture or a setting is let go. */
-  const release = () => {
-    store.update({ dragging: false, versions: afterDrag(store.get()) });
-    settle();
+  /** A posture or a setting is let go. @param {Restart} restart */
+  const release = (restart) => {
+    const before = store.get();
+    store.update({ dragging: false, versions: afterDrag(before) });
+    if (!before.computing?.next) return settle();
+    const versions = afterDrag(asked(before));
+    const next = { ...before.computing.next, dragging: false, versions };
+    attempt(
+      () => {
+        tryToBegin(next, restart);
+        settle();
+      },
+      { what: 'begin', next },
+    );
   };
 
-  /** @param {Restart} restart @param {ReturnType<typeof undone>} step */
-  const goTo = (restart, step) => {
-    if (!step || store.get().dragging) return;
+  /** @param {Restart} restart @param {typeof undone} stepOf */
+  const goTo = (restart, stepOf) => {
+    const now = asked(store.get());
+    const step = stepOf(now);
+    if (!step || now.dragging) return;
     const { preset, experiment } = step.version;
     begin(experiment, restart, { preset, versions: step.versions });
     settle();
@@ -41,52 +53,57 @@ export function createExperiments(basis) {
   return {
     ...createPostures(basis),
 
-    releasePosture: release,
+    releasePosture: () => release('moved'),
 
     /** Other limits; start, goal and seed stay, so that only the limits differ. @param {Preset} preset */
     choosePreset(preset) {
+      store.update({ evolving: false });
       attempt(() => {
         const { limits } = engine.experiment(preset);
-        const next = engine.experiment({ ...store.get().experiment, limits });
-        begin(next, 'limits', { preset, evolving: false, robot: shown() });
+        const next = engine.experiment({ ...asked(store.get()).experiment, limits });
+        begin(next, 'limits', { preset, robot: shown() });
       });
     },
 
     /** @param {string} path @param {Value} value @param {boolean} dragging */
     changeSetting(path, value, dragging) {
-      const { experiment, settings } = store.get();
+      const { experiment, settings } = asked(store.get());
       if (valueAt(experiment, path) === value) {
         if (settings.error) store.update({ settings: { ...settings, error: null } });
         return;
       }
-      attempt(() => {
-        try {
-          tryToBegin(withValue(experiment, path, value), 'setting', { dragging });
-        } catch (error) {
-          if (error instanceof Pending || isLost(error)) throw error;
-          return refuseSetting(path, words.named(messageOf(error)));
-        }
-        if (!dragging) settle();
-      });
+      const next = nextOf(withValue(experiment, path, value), { dragging });
+      attempt(
+        () => {
+          try {
+            tryToBegin(next, 'setting');
+          } catch (error) {
+            if (error instanceof Pending || isLost(error)) throw error;
+            return refuseSetting(path, words.named(messageOf(error)));
+          }
+          if (!dragging) settle();
+        },
+        { what: 'begin', next },
+      );
     },
 
-    releaseSetting: release,
+    releaseSetting: () => release('setting'),
 
     refuseSetting,
 
     backToPreset() {
-      begin(engine.experiment(store.get().preset), 'setting');
+      begin(engine.experiment(asked(store.get()).preset), 'setting');
       settle();
     },
 
-    undo: () => goTo('undone', undone(store.get())),
+    undo: () => goTo('undone', undone),
 
-    redo: () => goTo('redone', redone(store.get())),
+    redo: () => goTo('redone', redone),
   };
 }
 
 /** @param {Basis} basis */
-function createPostures({ engine, store, places, begin, shown, inSight, refitBox }) {
+function createPostures({ engine, store, places, begin, onceBegun, shown, inSight, refitBox }) {
   const ranges = new Map(engine.fields().map((field) => [field.path, field]));
   /** The nearest that may be, for a plane shows more. @param {string} path @param {Posture} posture @returns {Posture} */
   const allowed = (path, { x, y, theta }) => {
@@ -97,25 +114,26 @@ function createPostures({ engine, store, places, begin, shown, inSight, refitBox
     return { x: within('x', x), y: within('y', y), theta };
   };
 
-  /** Drives from a start that evolution does not see, or again from its own. @param {Posture | null} asked */
-  const tryStart = (asked) => {
+  /** Drives from a start that evolution does not see, or again from its own. @param {Posture | null} wanted */
+  const tryStart = (wanted) => {
     const { trial } = store.get();
-    const start = asked && allowed('starts[]', asked);
+    const start = wanted && allowed('starts[]', wanted);
     store.update({ trial: start || trial.disturbance ? { ...trial, start } : noTrial, robot: shown() });
     refitBox();
   };
 
   return {
     /** @param {End} end */
-    postureOf: (end) => endsOf(store.get())[end],
+    postureOf: (end) => endsOf(asked(store.get()))[end],
 
     tryStart,
 
-    /** @param {End} end @param {Posture} asked @param {boolean} dragging */
-    movePosture(end, asked, dragging) {
-      const { experiment, trial, page } = store.get();
-      const posture = allowed(end === 'start' ? 'starts[]' : 'goal', asked);
-      if (isSame(endsOf(store.get())[end], posture)) return;
+    /** @param {End} end @param {Posture} wanted @param {boolean} dragging */
+    movePosture(end, wanted, dragging) {
+      const now = asked(store.get());
+      const { experiment, trial, page } = now;
+      const posture = allowed(end === 'start' ? 'starts[]' : 'goal', wanted);
+      if (isSame(endsOf(now)[end], posture)) return;
       if (end === 'start' && places.triesStarts(page))
         store.update({ trial: { ...trial, start: posture }, dragging });
       else {
@@ -128,16 +146,18 @@ function createPostures({ engine, store, places, begin, shown, inSight, refitBox
 
     /** Start and goal of the paper. */
     restorePostures() {
-      const { experiment, preset, trial } = store.get();
+      const { experiment, preset, trial } = asked(store.get());
       if (trial.start) return tryStart(null);
       const { starts, goal } = engine.experiment(preset);
       begin({ ...experiment, starts, goal }, 'moved');
-      store.update({ robot: shown() });
-      const begun = store.get().experiment;
-      whenThere(
-        () => store.update({ box: boxAround(inSight()) }),
-        () => store.get().experiment === begun,
-      );
+      onceBegun(() => {
+        store.update({ robot: shown() });
+        const begun = store.get().experiment;
+        whenThere(
+          () => store.update({ box: boxAround(inSight()) }),
+          () => store.get().experiment === begun,
+        );
+      });
     },
   };
 }

@@ -31,7 +31,7 @@ export const createOpenPage =
 
 /** @param {Basis} basis @param {(page: string) => void} openPage @param {(newest: number, generation: number) => void} catchUp */
 export function createPage(basis, openPage, catchUp) {
-  const { engine, store, places, attempt, tryToBegin, shown, inSight } = basis;
+  const { engine, store, places, attempt, nextOf, tryToBegin, shown, inSight } = basis;
   const nearEnd = createNearEnd(basis);
   /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
   const trialOf = ({ page, trial }, tried) => {
@@ -54,7 +54,8 @@ export function createPage(basis, openPage, catchUp) {
       attempt(() => {
         const before = store.get();
         const tried = run.trial.disturbance ?? before.tried;
-        tryToBegin(experiment, 'begin', {
+        /** @type {Partial<State>} */
+        const patch = {
           ...run,
           lastStep: run.lesson || before.lastStep,
           gainErrors: noErrors,
@@ -75,7 +76,8 @@ export function createPage(basis, openPage, catchUp) {
             open: before.settings.open && wayOf(run.exercise, 'settings') === 'free',
             error: null,
           },
-        });
+        };
+        tryToBegin(nextOf(experiment, patch), 'begin', patch);
         whenThere(
           () => store.update({ box: boxAround([...inSight(), ...nearEnd()]) }),
           () => store.get().experiment === experiment,
@@ -94,12 +96,11 @@ export function createPage(basis, openPage, catchUp) {
       }
       attempt(() => {
         const drawn = engine.experiment(drawnFor(experiment, exercise.vary, who));
-        tryToBegin(drawn, 'begin', {
+        // What is drawn for a student is not taken back.
+        tryToBegin(nextOf(drawn, { versions: noVersions }), 'begin', {
           student: { ...student, who, base: experiment },
           work,
           robot: shown(),
-          // What is drawn for a student is not taken back.
-          versions: noVersions,
         });
         whenThere(
           () => store.update({ box: boxAround(inSight()) }),

@@ -104,6 +104,8 @@ export const otherHash = (said, found) =>
 
 export const largeFile = 'it is too large for a run.';
 
+export const reading = 'The file is read, and its run made again. Closing this gives it up.';
+
 /** @param {string} name @param {string} reason */
 export const notOpened = (name, reason) => `“${name}” was not opened: ${reason}`;
 

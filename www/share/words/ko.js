@@ -104,6 +104,8 @@ export const otherHash = (said, found) =>
 
 export const largeFile = '실행 파일이라고 하기에는 너무 큽니다.';
 
+export const reading = '파일을 읽고 그 실행을 다시 계산하는 중입니다. 이 창을 닫으면 그만둡니다.';
+
 /** @param {string} name @param {string} reason */
 export const notOpened = (name, reason) => `“${name}” 파일을 열지 못했습니다: ${reason}`;
 
