@@ -6,6 +6,7 @@
 import { parseArgs } from 'node:util';
 import { Builder } from 'selenium-webdriver';
 import { findEngines } from '../tests/page/harness/engines.js';
+import { pageNames } from '../www/parts/parts.js';
 import { Failure, task } from './run.mjs';
 import { serveCompressed } from './serve.mjs';
 
@@ -51,17 +52,7 @@ const cases = [
   ['200 starts, population 2000, 1000 samples a run', `lab&v=1&${starts(200)}&${population}&${never}`],
   ['the same, one generation', `lab&v=1&${starts(200)}&${population}&${never}`, '#one-generation'],
   ['the same at generation 3', `lab&v=1&generation=3&${starts(200)}&${population}&${never}`],
-  ...[
-    'lab',
-    'curves',
-    'curves&view=stability',
-    'landscape',
-    'robustness',
-    'disturbance',
-    'training',
-    'luck',
-    'generation',
-  ].map(
+  ...[...pageNames, 'curves&view=stability'].map(
     (part) =>
       /** @type {[string, string]} */ ([
         `100 000 samples a run: ${part}`,

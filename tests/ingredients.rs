@@ -2,9 +2,53 @@
 
 mod common;
 
-use common::{evolved, records, searched_by};
-use ep_locomotion::search::{EvolutionSettings, Individual, Selection, Step};
+use common::json::{Given, written};
+use common::{WORDS, evolved, records, searched_by, velocity_limits};
+use ep_locomotion::run::Experiment;
+use ep_locomotion::search::{EvolutionSettings, Individual, Method, Selection, Step};
+use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;
+
+/// A word that nothing obeys would be a choice that changes nothing.
+#[wasm_bindgen_test(unsupported = test)]
+fn no_two_words_of_a_field_make_the_same_evolution() {
+    // One in which every field matters.
+    let mut base = searched_by(|e| e.initial_sigma = 5.0);
+    (base.disturbance.linear, base.disturbance.angular) = (0.1, 0.1);
+    for (path, words) in WORDS {
+        let mut hashes: Vec<_> = words
+            .iter()
+            .map(|word| {
+                let (mut given, mut experiment) = (written(&base), velocity_limits());
+                let place = given.pointer_mut(&format!("/{}", path.replace('.', "/")));
+                *place.expect("a field") = json!(word);
+                experiment.read(&Given(Some(&given))).expect("a word");
+                evolved(experiment, 20).hash()
+            })
+            .collect();
+        hashes.sort();
+        hashes.dedup();
+        assert_eq!(hashes.len(), words.len(), "{path} is not obeyed where this test looks");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn each_method_and_each_ingredient_is_defined_in_words() {
+    let text = include_str!("../src/search/METHODS.md");
+    for word in Method::WORDS {
+        assert!(text.contains(&format!("| `{word}` |")), "METHODS.md has no row for {word}");
+    }
+    let fields = Experiment::fields();
+    let words = fields.words.iter().map(|field| &field.path);
+    for path in fields.numbers.iter().map(|field| &field.path).chain(words) {
+        let Some(name) = path.strip_prefix("evolution.") else { continue };
+        let name = name.trim_end_matches("[]");
+        // The table begins with the methods, and has the paper's q; a seed is no ingredient.
+        if !["method", "opponents", "seed"].contains(&name) {
+            assert!(text.contains(&format!("`{name}`")), "METHODS.md does not say what {name} is");
+        }
+    }
+}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn without_adaptation_every_sigma_stays_and_with_a_floor_none_is_under_it() {

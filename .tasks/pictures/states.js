@@ -1,4 +1,5 @@
 // What pictures are taken of: every part, step and dialog of the page, each by the link that opens it and what is pressed then.
+import { pageNames } from '../../www/parts/parts.js';
 
 /** @typedef {readonly [width: number, height: number]} Size */
 /**
@@ -13,21 +14,26 @@
 
 const pins = 'pin1=first~5,1,5&pin2=second~8.2,3.1,7~law:kanayama';
 
+/** Of those parts of which more is to be seen than one generation. @type {Readonly<Record<string, readonly State[]>>} */
+const more = {
+  lab: [
+    { name: 'lab', link: '#lab' },
+    { name: 'lab-evolved', link: `#lab&v=1&generation=40&${pins}` },
+  ],
+  generation: [{ name: 'generation', link: '#generation&v=1&generation=3' }],
+  curves: [
+    { name: 'curves', link: `#curves&v=1&generation=20&${pins}` },
+    { name: 'stability', link: '#curves&v=1&view=stability&generation=20' },
+    { name: 'compare', link: `#curves&v=1&view=compare&generation=20&${pins}` },
+  ],
+  luck: [
+    { name: 'luck', link: '#luck&v=1&generation=20' },
+    { name: 'contest', link: '#luck&v=1&luck=contest' },
+  ],
+};
+
 /** @type {readonly State[]} */
-const parts = [
-  { name: 'lab', link: '#lab' },
-  { name: 'lab-evolved', link: `#lab&v=1&generation=40&${pins}` },
-  { name: 'generation', link: '#generation&v=1&generation=3' },
-  { name: 'curves', link: `#curves&v=1&generation=20&${pins}` },
-  { name: 'stability', link: '#curves&v=1&view=stability&generation=20' },
-  { name: 'compare', link: `#curves&v=1&view=compare&generation=20&${pins}` },
-  { name: 'landscape', link: '#landscape&v=1&generation=20' },
-  { name: 'robustness', link: '#robustness&v=1&generation=20' },
-  { name: 'training', link: '#training&v=1&generation=20' },
-  { name: 'disturbance', link: '#disturbance&v=1&generation=20' },
-  { name: 'luck', link: '#luck&v=1&generation=20' },
-  { name: 'contest', link: '#luck&v=1&luck=contest' },
-];
+const parts = pageNames.flatMap((name) => more[name] ?? [{ name, link: `#${name}&v=1&generation=20` }]);
 
 /** @type {readonly State[]} */
 const choices = [
@@ -91,7 +97,7 @@ const embedded = [
 const still = [{ name: 'without-scripts', link: '', isWithoutScripts: true }];
 /** @type {readonly State[]} */
 const printed = parts
-  .slice(1, 5)
+  .filter(({ name }) => ['lab-evolved', 'generation', 'curves', 'stability'].includes(name))
   .map((state) => ({ ...state, name: `print-${state.name}`, isPrinted: true }));
 
 const laptop = /** @type {Size} */ ([1440, 900]);

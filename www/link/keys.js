@@ -107,7 +107,9 @@ export const pinKeys = styles.map((_, slot) => ({
   },
   read: (opened, text, engine) => ({
     ...opened,
-    pins: [...opened.pins, pinOf(text, slot, engine.experiment(opened.preset), engine)],
+    pins: [...opened.pins, pinOf(text, slot, engine.experiment(opened.preset), engine)].sort(
+      (a, b) => a.slot - b.slot,
+    ),
   }),
 }));
 

@@ -1,12 +1,14 @@
 // Figures in frames of another page: they fit, they leave the host alone, and they talk with it.
 import assert from 'node:assert/strict';
-import { mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { addressOf } from '../../../www/kit/host.js';
 import { frameText, wantedHeight } from '../../../www/embed/frame.js';
+import { links } from '../../../www/lesson/links.js';
 import { pageNames, parts } from '../../../www/parts/parts.js';
+import { lab } from '../../../www/words/index.js';
 import { engineTest, pageTest, patience } from '../harness/browsers.js';
 import { evolve, experiment, historyOf } from '../harness/core.js';
 import { ask, heardFrom, frameOf, inHost, within } from '../harness/host.js';
@@ -41,6 +43,22 @@ test('the height that is asked for depends on the width alone, and has bounds', 
       );
       assert.ok(heights[0] >= 300 && heights[5] <= 720, `${page}: ${heights}`);
     }
+});
+
+test('what a link says, and every part, stands in the documents', async () => {
+  const [readme, embedding, exercises] = await Promise.all(
+    ['README.md', 'docs/embedding.md', 'docs/exercises.md'].map((name) =>
+      readFile(new URL(`../../../${name}`, import.meta.url), 'utf8'),
+    ),
+  );
+  for (const name of pageNames) {
+    assert.ok(readme.includes(`- **${lab.pages[name]}**`), `README.md does not say what ${name} is`);
+    assert.ok(embedding.includes(`\`${name}\``), `docs/embedding.md does not name ${name}`);
+  }
+  const told = [...`${embedding}\n${exercises}`.matchAll(/^\|([^|]*)\|/gm)].map(([, keys]) => keys).join();
+  // Of four pins the table names the first and the last.
+  for (const { key } of links.keys.filter((one) => !/^pin[23]$/.test(one.key)))
+    assert.ok(told.includes(`\`${key}\``), `no table of docs/ says what ${key} is`);
 });
 
 pageTest('a step of the lesson stands beside its figure, without the way to other steps', async (page) => {

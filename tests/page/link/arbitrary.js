@@ -1,11 +1,14 @@
 // What links and experiments hold that nobody would write.
 import fc from 'fast-check';
 import { groupNames } from '../../../www/run/exercise.js';
+import { links } from '../../../www/lesson/links.js';
 import { finds } from '../../../www/run/state.js';
 import { pageNames } from '../../../www/parts/parts.js';
 import { experiment, fields, wordFields } from '../harness/core.js';
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
+/** @typedef {Experiment['evolution']} Evolution */
+/** The settings of evolution that are words. @typedef {{ [Name in keyof Evolution]: Evolution[Name] extends string ? Name : never }[keyof Evolution]} Word */
 
 const numbers = fc.oneof(
   fc.double().map(String),
@@ -69,27 +72,20 @@ const names = fc
 /** @param {string} path */
 const wordOf = (path) =>
   fc.constantFrom(...wordFields().flatMap((field) => (field.path === path ? field.words : [])));
+/** The fields of an object of the experiment that are words. @param {string} object */
+const wordsIn = (object) =>
+  Object.fromEntries(
+    wordFields()
+      .map(({ path }) => path)
+      .filter((path) => path.startsWith(`${object}.`))
+      .map((path) => [path.slice(object.length + 1), wordOf(path)]),
+  );
 /** The paths of an experiment's fields, as links have them. */
 const paths = [...new Set([...fields(), ...wordFields()].map(({ path }) => path.replace(/\[\].*/, '')))];
 const keys = fc.constantFrom(
   ...paths,
-  ...['start', 'seed', 'population', 'opponents', 'v', 'lang', 'lesson', 'step', 'preset'],
-  ...[
-    'generation',
-    'drives',
-    'gains',
-    'from',
-    'under',
-    'phase',
-    'individual',
-    'view',
-    'curve',
-    'scale',
-    'x',
-    'y',
-  ],
-  ...['third', 'colour', 'half', 'heading', 'pin1', 'pin2', 'pin4', 'pin5', 'limits', 'starts[0].x', ''],
-  ...['found', 'lock', 'hide', 'task'],
+  ...links.keys.map(({ key }) => key),
+  ...['start', 'seed', 'population', 'opponents', 'v', 'lang', 'step', 'pin5', 'limits', 'starts[0].x', ''],
   ...[
     '__proto__',
     'constructor.prototype',
@@ -218,27 +214,24 @@ export const anyExperiment = fc
         penalty: aWeight,
       }),
       disturbance: fc.record({
-        kind: fc.constantFrom('none', 'random', 'slip'),
+        kind: wordOf('disturbance.kind'),
         linear: from(-100, 100),
         angular: from(-100, 100),
         seed: aSeed,
       }),
-      evolution: fc.record(
-        /** @satisfies {Record<keyof Experiment['evolution'], unknown>} */ ({
+      evolution: fc.record({
+        ...wordsIn('evolution'),
+        .../** @satisfies {Record<Exclude<keyof Evolution, Word>, unknown>} */ ({
           population: fc.integer({ min: 1, max: 2000 }),
           opponents: fc.integer({ min: 1, max: 1000 }),
           seed: aSeed,
           initialRange: fc.tuple(from(-1e6, 0), from(1e-9, 1e6)),
           initialSigma: aWeight,
-          method: fc.constantFrom('ep', 'random', 'cma-es', 'nelder-mead', 'one-at-a-time'),
-          step: fc.constantFrom('gaussian', 'cauchy'),
           adaptation: from(0, 10),
           sigmaFloor: aWeight,
-          selection: fc.constantFrom('tournament', 'truncation', 'parent'),
           crossover: from(0, 1),
-          belowZero: fc.constantFrom('penalty', 'mirror', 'clamp'),
         }),
-      ),
+      }),
     }),
     { requiredKeys: [] },
   )

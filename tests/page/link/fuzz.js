@@ -12,6 +12,7 @@ import { openRunFile, runFile } from '../../../www/share/run-file.js';
 import { links as pageLinks } from '../../../www/lesson/links.js';
 import { mostCharacters } from '../../../www/link/link.js';
 import { places } from '../../../www/parts/parts.js';
+import { isEmpty } from '../../../www/run/exercise.js';
 import { experiment, simulateAll } from '../harness/core.js';
 import { anyExperiment, linkText, mutated } from './arbitrary.js';
 
@@ -79,10 +80,11 @@ export function checkLink(link) {
   const again = openLink(written, engine);
   assert.deepEqual(again.problems, [], written);
   assert.equal(linkAgain(again.opened), written);
-  // What is tried is in the links of the parts that try it only.
-  const { page, trial } = opened;
+  // What is tried is in the links of the parts that try it only, and who works on it in those of exercises.
+  const { page, trial, exercise, student } = opened;
   const kept = {
     ...opened,
+    student: { ...student, who: isEmpty(exercise) ? '' : student.who },
     trial: {
       start: places.triesStarts(page) ? trial.start : null,
       disturbance: places.triesDisturbance(page) ? trial.disturbance : null,

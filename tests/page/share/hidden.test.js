@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { parts } from '../../../www/parts/parts.js';
 import { groupNames } from '../../../www/run/exercise.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
+import { test } from '../harness/once.js';
 import { everything } from './everything.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -61,6 +62,15 @@ const controls = {
   ],
   share: [['lab', '#keep-button']],
 };
+
+test('every part that has controls to hide is tried', () => {
+  const tried = Object.values(controls).flatMap((rows) => rows.map(([link]) => link.split('&')[0]));
+  const hiding = parts.filter(({ places = {} }) => Object.values(places).some(({ hide }) => hide));
+  assert.deepEqual(
+    hiding.map(({ name }) => name).filter((name) => !tried.includes(name)),
+    [],
+  );
+});
 
 /** Names of controls, and what is said of them. @param {string} selector */
 function namesOf(selector) {

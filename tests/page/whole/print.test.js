@@ -1,4 +1,6 @@
 import assert from 'node:assert/strict';
+import { pageNames } from '../../../www/parts/parts.js';
+import { lab } from '../../../www/words/index.js';
 import { engineTest } from '../harness/browsers.js';
 import { read } from '../harness/reading.js';
 
@@ -20,21 +22,19 @@ const asOnPaper = (page) =>
     return found;
   });
 
-for (const part of [
-  'lab&v=1&generation=20',
-  'generation&v=1&generation=3&phase=mutation',
-  'curves',
-  'curves&v=1&view=compare',
-  'landscape',
-  'robustness',
-  'training',
-  'disturbance',
-  'luck',
-])
+/** Of those parts of which more is to be seen than their names open. @type {Readonly<Record<string, readonly string[]>>} */
+const more = {
+  lab: ['lab&v=1&generation=20'],
+  generation: ['generation&v=1&generation=3&phase=mutation'],
+  curves: ['curves', 'curves&v=1&view=compare'],
+};
+
+for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
   engineTest(
-    `on paper there is the plane and the open part, whole, and nothing to press: ${part}`,
+    `on paper there is the plane and the open part, whole, and nothing to press: ${link}`,
     async (page) => {
-      await page.open(`#${part}`);
+      const [part] = link.split('&');
+      await page.open(`#${link}`);
       await read(page);
       assert.ok((await asOnPaper(page)) > 0);
       await page.resize(paper, 900);
@@ -73,7 +73,9 @@ for (const part of [
       });
       assert.deepEqual(seen.controls, []);
       assert.ok(seen.excess <= 0, `${seen.excess} px too wide`);
-      assert.ok(seen.chosen.includes('Velocity limits'), String(seen.chosen));
+      // Park has limits of its own.
+      for (const chosen of [lab.pages[part], ...(part === 'park' ? [] : ['Velocity limits'])])
+        assert.ok(seen.chosen.includes(chosen), `${chosen}: ${seen.chosen}`);
       for (const { id, shown, drawn } of seen.shapes)
         assert.ok(Math.abs(shown / drawn - 1) < 0.05, `${id} is ${shown} wide for its height, not ${drawn}`);
       for (const apart of seen.together) assert.ok(apart < 1, `${apart} px apart`);

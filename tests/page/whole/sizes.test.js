@@ -1,18 +1,9 @@
 import assert from 'node:assert/strict';
+import { pageNames } from '../../../www/parts/parts.js';
 import { engineTest, Key, pageTest } from '../harness/browsers.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
-const parts = /** @type {const} */ ([
-  'lab',
-  'generation',
-  'curves',
-  'landscape',
-  'robustness',
-  'training',
-  'disturbance',
-  'luck',
-]);
 /** Laptops and projectors. */
 const sizes = /** @type {const} */ ([
   [1440, 900],
@@ -29,7 +20,7 @@ const excess = (page) =>
     return [scrollWidth - innerWidth, scrollHeight - innerHeight];
   });
 
-/** @param {Page} page @param {typeof parts[number]} part */
+/** @param {Page} page @param {string} part */
 async function openPart(page, part) {
   await page.click(`#page-${part}`);
   await page.until(`${part} is open`, (name) => document.body.dataset.open === name, part);
@@ -42,7 +33,7 @@ for (const link of ['lab', 'lab&v=1&lang=ko', 'lab&v=1&preset=acceleration-limit
       await page.open(`#${link}`);
       for (const [width, height] of sizes) {
         await page.resize(width, height);
-        for (const part of parts) {
+        for (const part of pageNames) {
           await openPart(page, part);
           assert.deepEqual(await excess(page), [0, 0], `${part} at ${width} × ${height}`);
         }

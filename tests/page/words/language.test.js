@@ -108,6 +108,13 @@ pageTest(
       for (const link of links) {
         await follow(page, link, 'ko');
         await isKorean(page, link);
+        const offered = await page.evaluate(() =>
+          [...document.querySelectorAll('button[id$="-table"]')]
+            .filter((button) => button.checkVisibility())
+            .map(({ id }) => id),
+        );
+        for (const id of offered)
+          assert.ok(Object.values(tableButtons).includes(id), `${id} is opened by no line of tableButtons`);
       }
       for (const [part, button] of Object.entries(tableButtons)) {
         await openTable(page, part, button, 'ko');

@@ -35,7 +35,15 @@ test('Korean has the words of English, and none of them is English', () => {
   }
 });
 
-test('every part of the page has its name and what it is for', () => {
+test('every part of the page has its folder, its name and what it is for', () => {
+  const folders = readdirSync(join(source, 'parts'), { withFileTypes: true })
+    .filter((one) => one.isDirectory())
+    .map(({ name }) => name);
+  assert.deepEqual(
+    ['lab', ...folders].sort(),
+    [...pageNames].sort(),
+    'www/parts/parts.js has a row for each',
+  );
   for (const { lab } of [en, ko])
     for (const name of pageNames) {
       assert.ok(lab.pages[name], `${name} has no name`);

@@ -57,7 +57,6 @@ export const drivers = [
   },
 ];
 
-/** @type {Record<PageName, string>} */
 /** @type {Record<string, string>} */
 export const pages = {
   lab: 'Lab',

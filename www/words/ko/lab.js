@@ -53,7 +53,6 @@ export const drivers = [
   },
 ];
 
-/** @type {Record<PageName, string>} */
 /** @type {Record<string, string>} */
 export const pages = {
   lab: '실험실',
