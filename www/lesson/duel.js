@@ -65,9 +65,13 @@ export async function roundOf(engine, duel, seed) {
   const { experiment, costs } = duel;
   const { population } = experiment.evolution;
   const generations = generationsIn(longestOf(duel), population);
-  const own = { ...experiment, evolution: { ...experiment.evolution, seed } };
+  // Whatever searches in the lab.
+  const own = {
+    ...experiment,
+    evolution: { ...experiment.evolution, method: /** @type {const} */ ('ep'), seed },
+  };
   const [[{ best, random }], { gains }] = await Promise.all([
-    engine.surveys.seedRuns(experiment, { first: seed, count: 1, generations }),
+    engine.surveys.seedRuns(own, { first: seed, count: 1, generations }),
     engine.surveys.evolve(own, generationsIn(costs.length, population)),
   ]);
   return { seed, evolution: best, random, champion: /** @type {Triple} */ ([...gains]) };

@@ -50,6 +50,13 @@ test('the duel compares with the core’s evolution and random search of that se
   assert.equal(verdict.costs.random, run.random[20]);
   assert.equal(verdict.later.evolution, evolvedBest(3, 60).cost);
   assert.equal(verdict.costs.you, 20 - 45 / 20);
+  /** @type {typeof contest} */
+  const elsewhere = { ...contest, evolution: { ...contest.evolution, method: 'nelder-mead' } };
+  assert.deepEqual(
+    await roundOf(engine, { ...duel, experiment: elsewhere }, 3),
+    round,
+    'whatever searches in the lab',
+  );
 });
 
 test('who has the lowest J wins', async () => {

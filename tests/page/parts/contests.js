@@ -1,4 +1,5 @@
 // A contest as Node has it, and how the page's is run and read.
+import assert from 'node:assert/strict';
 import { trials } from '../../../pkg/ep_locomotion.js';
 import { entered } from '../../../www/parts/luck/contestants.js';
 import { standingsOf } from '../../../www/parts/luck/contest-summary.js';
@@ -49,6 +50,8 @@ export async function runContest(page) {
       document.getElementById('contest-run')?.textContent === ready,
     text,
   );
+  // Nobody has pressed again.
+  assert.doesNotMatch(await page.text('#contest-status'), /Cancelled|취소/);
 }
 
 /** The cells of the table; thin spaces are none. @param {Page} page */

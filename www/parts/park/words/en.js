@@ -20,9 +20,10 @@ export function ending({ best, count, most }, { gains, parked, generation }) {
     beyond > 1.5
       ? ` Your slider for ky ends at ${most}; evolution, which has no slider, went to ${fixed(gains[1], 0)}.`
       : '';
+  const after = `After ${generation} ${generation === 1 ? 'generation' : 'generations'}`;
   return parked === count
-    ? `After ${generation} generations one robot parks from all ${count} starts. Nobody told evolution how: it was given one number for each robot, and kept what drove well.${where}`
-    : `After ${generation} generations evolution parks ${parked} of ${count}.${where}`;
+    ? `${after} one robot parks from all ${count} starts. Nobody told evolution how: it was given one number for each robot, and kept what drove well.${where}`
+    : `${after} evolution parks ${parked} of ${count}.${where}`;
 }
 
 /** @param {number} count */
