@@ -147,8 +147,11 @@ class EpLocomotion extends HTMLElement {
       this.#wantedHeight = isHeight(told.height) ? told.height : 0;
       return this.#dress();
     }
-    // Nobody has asked for it.
-    if (type === 'error' && id === undefined && !this.#isReady) return this.#refuse(String(told.message));
+    // Nobody has asked for it: so it begins badly, and says to whoever asks whether it goes on.
+    if (type === 'error' && id === undefined && !this.#isReady) {
+      this.#begin(origin);
+      return this.#complain(String(told.message));
+    }
     if (type === 'ready') this.#begin(origin);
     if (type === 'ready' || type === 'state') this.#state = told;
     if (type === 'error') question?.reject(new Error(told.message));

@@ -27,6 +27,7 @@
 /** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
 import { isLost, messageOf } from '../words/errors.js';
+import { embed as words } from '../words/index.js';
 import { drivesOf, noTrial } from '../run/state.js';
 import { watch } from '../kit/memo.js';
 import { idIn, isForFigure, messageIn, shortError } from './told.js';
@@ -122,9 +123,10 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
     };
   };
 
-  /** Lets a run come as far as its link says, without the frames of the page: where nobody sees it there are none. */
+  /** Lets a run begin, and come as far as its link says, without the frames of the page: where nobody sees it there are none. */
   const arrive = async () => {
-    while (store.get().catchingUp && store.get().evolving) {
+    await actions.whenIdle();
+    while (store.get().catchingUp && store.get().evolving && !failure) {
       const end = performance.now() + sliceMilliseconds;
       actions.evolve(() => performance.now() < end);
       await actions.whenIdle();
@@ -138,7 +140,7 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
     actions.say('');
     actions.openLinked(opened, []);
     await actions.whenIdle();
-    if (store.get().experiment !== opened.experiment) throw new Error(store.get().message);
+    if (store.get().experiment !== opened.experiment) throw new Error(store.get().message || words.givenUp);
     // It is the host's doing.
     announceWork(false);
     await arrive();
@@ -177,6 +179,8 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
     },
 
     async step({ generations }) {
+      // What was set before begins first.
+      await actions.whenIdle();
       const { history } = store.get();
       actions.showGeneration(history.length - 1);
       let end = performance.now() + sliceMilliseconds;

@@ -12,10 +12,10 @@ import { createScene, createSight } from '../../../www/run/scene.js';
 import { createStore } from '../../../www/run/store.js';
 import { createEngine, experiment, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { slowEngine } from '../harness/slow-engine.js';
 
-/** A figure without a document, in which what drives on screen may be held up. */
-function figureOf() {
-  const engine = createEngine();
+/** A figure without a document, in which what drives on screen may be held up. @param {{ link?: string, engine?: ReturnType<typeof createEngine> }} [options] */
+function figureOf({ link, engine = createEngine() } = {}) {
   const paper = engine.paper();
   const first = firstState(engine, 'velocity-limits', atEnd);
   const store = createStore(first, () => {});
@@ -35,6 +35,7 @@ function figureOf() {
   const seen = () => sight.of(store.get());
   const means = { engine, store, paper, finalTime: () => 1, isStill: () => true, places };
   const actions = createActions(means);
+  if (link) actions.openLinked(links.openLink(link, engine).opened, []);
   /** @type {any[]} */
   const said = [];
   /** @type {Map<unknown, (message: any) => void>} */
@@ -61,8 +62,35 @@ function figureOf() {
       waiting.set(id, resolve);
       messages.hear({ ep: 1, id, ...message });
     });
-  return { messages, actions, said, held, seen, asked };
+  return { messages, actions, said, held, seen, asked, store };
 }
+
+test('a link that is still being computed is what a figure is ready with, and goes on from', async () => {
+  const { engine, open } = slowEngine();
+  const { messages, said, asked } = figureOf({ link: 'lab&v=1&population=2000&seed=7', engine });
+  const ready = messages.ready();
+  const stepped = asked({ type: 'step' });
+  open();
+  await ready;
+  assert.deepEqual([said[0].type, said[0].link], ['ready', 'lab&v=1&population=2000&seed=7']);
+  assert.equal((await stepped).link, 'lab&v=1&population=2000&seed=7&generation=1');
+});
+
+test('a host’s set stays asked for, whatever its user presses meanwhile, and what was set before is not its past', async () => {
+  const { engine, open } = slowEngine();
+  const { messages, actions, asked, store } = figureOf({ engine });
+  await messages.ready();
+  actions.changeSetting('evolution.population', 1999, false);
+  const answer = asked({ type: 'set', link: 'lab&v=1&population=2000' });
+  while (store.get().computing?.next) await breathe();
+  actions.pauseEvolution();
+  open();
+  assert.equal((await answer).link, 'lab&v=1&population=2000');
+  assert.deepEqual(
+    store.get().versions.past.map(({ experiment: { evolution } }) => evolution.population),
+    [20],
+  );
+});
 
 test('what could not be driven is answered by why, and no drive is told that belongs to something else', async () => {
   const { messages, actions, said, held, asked } = figureOf();
@@ -126,12 +154,12 @@ test('what the host sets is no drive of the user, however long it takes', async 
 });
 
 test('where the core has failed each question is answered by that, also what is being computed', async () => {
-  const { messages, said, held, asked: ask } = figureOf();
+  const { messages, said, held, seen, asked: ask } = figureOf();
   await messages.ready();
   held.error = new Pending(new Promise(() => {}));
   const open = [{ type: 'set', experiment: { horizon: 9 } }, { type: 'read' }, { type: 'step' }].map(ask);
   // The first is under way.
-  await breathe();
+  while (!seen().isComputing) await breathe();
   said.length = 0;
   messages.fail('it has stopped');
   messages.fail('it has stopped');

@@ -1,5 +1,6 @@
 // What the controls do, without the controls.
 import assert from 'node:assert/strict';
+import { breathe } from '../../../www/kit/loop.js';
 import { links } from '../../../www/lesson/links.js';
 import { places } from '../../../www/parts/parts.js';
 import { createActions } from '../../../www/run/actions/actions.js';
@@ -142,6 +143,33 @@ test('Run, Pause and one generation are of the experiment that is being computed
   assert.deepEqual(await began(), [many, false]);
   await actions.whenIdle();
   assert.deepEqual([store.get().generation, store.get().experiment.weights.penalty], [1, 10]);
+});
+
+test('a press on a handle that moves nothing leaves what is being computed as it was asked for', async () => {
+  const { store, actions } = pageOf('lab');
+  actions.changeSetting('evolution.population', many, false);
+  actions.choosePreset('acceleration-limits');
+  actions.releasePosture();
+  await actions.whenIdle();
+  assert.deepEqual([store.get().restart, store.get().preset], ['limits', 'acceleration-limits']);
+});
+
+test('one generation that waited for what is stopped is given up with it', async () => {
+  const { store, actions } = pageOf(`lab&population=${many}`);
+  await actions.whenIdle();
+  // So far that generation 0 has to be computed again.
+  while (store.get().generation < 30) {
+    actions.forward();
+    await actions.whenIdle();
+  }
+  actions.reset();
+  assert.ok(store.get().computing);
+  actions.oneGeneration();
+  actions.stopComputing();
+  await actions.whenIdle();
+  await breathe();
+  assert.deepEqual([store.get().generation, store.get().computing], [30, null]);
+  assert.match(store.get().message, /^Stopped/);
 });
 
 test('what is stopped leaves nothing of what was asked for', async () => {

@@ -14,6 +14,7 @@ import {
 import { newWork } from '../../../www/run/state.js';
 import { createEngine, evaluate, evolve, experiment, paper, simulate } from '../harness/core.js';
 import { pageTest } from '../harness/browsers.js';
+import { frameOf, heardFrom, inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
 
@@ -180,3 +181,41 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest('what is still computed when the sheet is closed is not handed in', async (page) => {
+  await inHost(page, frameOf(page, `${exercise}${byHand}&who=s4711`, 640, 420), async () => {
+    const inFigure = (/** @type {() => Promise<void>} */ body) => within(page, 0, body);
+    await inFigure(async () => {
+      await page.until('its work is there', () => document.getElementById('hand-in'));
+      // No worker hears of it, so that it is under way until it is stopped.
+      await page.evaluate(() => {
+        const { postMessage } = Worker.prototype;
+        Worker.prototype.postMessage = () => {};
+        addEventListener('again', () => {
+          Worker.prototype.postMessage = postMessage;
+        });
+      });
+    });
+    await page.evaluate(() =>
+      document
+        .querySelector('iframe')
+        ?.contentWindow?.postMessage(
+          { ep: 1, type: 'set', link: 'lab&v=1&population=2000&who=s4711&task=x' },
+          '*',
+        ),
+    );
+    await inFigure(async () => {
+      await page.until('it computes', () => document.getElementById('computing')?.checkVisibility());
+      await page.click('#hand-in');
+      await page.until('the sheet waits', () => document.getElementById('handin-status'));
+      await page.click('#handin-close');
+      await page.click('#computing button');
+      await page.until('it has stopped', () => document.getElementById('computing')?.hidden);
+      await page.evaluate(() => dispatchEvent(new Event('again')));
+      await page.click('#hand-in');
+      await page.until('the receipt is there', () => document.getElementById('handin-text'));
+    });
+    const handed = (await heardFrom(page, 0)).filter(({ type }) => type === 'handin');
+    assert.equal(handed.length, 1);
+  });
+});

@@ -101,7 +101,8 @@ export function createSteps({ store, actions, anatomyOf }) {
 
     next() {
       pause();
-      whenThere(goOn, () => true);
+      // In what was set before, once that has begun.
+      afterwards(() => whenThere(goOn, () => true));
     },
 
     back: () => whenThere(goBack, () => true),

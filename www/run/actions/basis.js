@@ -117,11 +117,12 @@ export function createBasis({ engine, store, paper, isStill }) {
 
   /** Now, or once the experiment that is asked for has begun, if it does. @param {() => void} act */
   const onceBegun = (act) => {
-    const { computing } = store.get();
+    const { computing, history: before } = store.get();
     if (!computing?.next) return act();
     const { experiment } = computing.next;
     whenIdle().then(() => {
-      if (store.get().experiment === experiment) act();
+      const { experiment: begun, history } = store.get();
+      if (begun === experiment && history[0] !== before[0]) act();
     });
   };
 

@@ -61,9 +61,9 @@ export function createEvolution(
     });
   };
 
-  /** No generation is waited for; what was set begins all the same, and evolution goes on or rests there. */
+  /** No generation is waited for; what was set or opened begins all the same, and evolution goes on or rests there. */
   const leaveOff = () => {
-    if (!store.get().computing?.next) forget();
+    if (store.get().computing?.what !== 'begin') forget();
   };
 
   /** From where evolution goes on. */
@@ -153,6 +153,7 @@ export function createEvolution(
     },
 
     oneGeneration() {
+      leaveOff();
       store.update({ evolving: false, catchingUp: null });
       onceBegun(() => {
         forward();

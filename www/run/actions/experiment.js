@@ -1,7 +1,7 @@
 // What is asked of the robot: start and goal, limits, and every other setting, with the way back.
 /** @import { Posture, Preset } from '../../core/engine.js' */
 /** @import { Value } from '../paths.js' */
-/** @import { Restart } from '../state.js' */
+/** @import { Next, Restart } from '../state.js' */
 /** @import { Basis } from './basis.js' */
 import { Pending, whenThere } from '../../core/pending.js';
 import { boxAround } from '../../kit/transform.js';
@@ -20,13 +20,8 @@ const isSame = (a, b) => a.x === b.x && a.y === b.y && a.theta === b.theta;
 export function createExperiments(basis) {
   const { engine, store, attempt, nextOf, tryToBegin, begin, shown, settle } = basis;
 
-  /** A posture or a setting is let go. @param {Restart} restart */
-  const release = (restart) => {
-    const before = store.get();
-    store.update({ dragging: false, versions: afterDrag(before) });
-    if (!before.computing?.next) return settle();
-    const versions = afterDrag(asked(before));
-    const next = { ...before.computing.next, dragging: false, versions };
+  /** @param {Next} next @param {Restart} restart */
+  const beginSettled = (next, restart) =>
     attempt(
       () => {
         tryToBegin(next, restart);
@@ -34,6 +29,14 @@ export function createExperiments(basis) {
       },
       { what: 'begin', next },
     );
+
+  /** A posture or a setting is let go. @param {Restart} restart */
+  const release = (restart) => {
+    const before = store.get();
+    const { next } = before.computing ?? {};
+    store.update({ dragging: false, versions: afterDrag(before) });
+    if (!next?.dragging) return settle();
+    beginSettled({ ...next, dragging: false, versions: afterDrag(asked(before)) }, restart);
   };
 
   /** @param {Restart} restart @param {typeof undone} stepOf */
@@ -42,8 +45,7 @@ export function createExperiments(basis) {
     const step = stepOf(now);
     if (!step || now.dragging) return;
     const { preset, experiment } = step.version;
-    begin(experiment, restart, { preset, versions: step.versions });
-    settle();
+    beginSettled(nextOf(experiment, { preset, versions: step.versions }), restart);
   };
 
   /** @param {string} path @param {string} text */
@@ -91,10 +93,8 @@ export function createExperiments(basis) {
 
     refuseSetting,
 
-    backToPreset() {
-      begin(engine.experiment(asked(store.get()).preset), 'setting');
-      settle();
-    },
+    backToPreset: () =>
+      attempt(() => beginSettled(nextOf(engine.experiment(asked(store.get()).preset)), 'setting')),
 
     undo: () => goTo('undone', undone),
 

@@ -31,7 +31,7 @@ export const createOpenPage =
 
 /** @param {Basis} basis @param {(page: string) => void} openPage @param {(newest: number, generation: number) => void} catchUp */
 export function createPage(basis, openPage, catchUp) {
-  const { engine, store, places, attempt, nextOf, tryToBegin, shown, inSight } = basis;
+  const { engine, store, places, attempt, forget, nextOf, tryToBegin, shown, inSight } = basis;
   const nearEnd = createNearEnd(basis);
   /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
   const trialOf = ({ page, trial }, tried) => {
@@ -51,6 +51,7 @@ export function createPage(basis, openPage, catchUp) {
      * @param {Opened} opened @param {readonly string[]} problems @param {number} [newest]
      */
     openLinked({ parts, experiment, generation, ...run }, problems, newest = generation) {
+      forget();
       attempt(() => {
         const before = store.get();
         const tried = run.trial.disturbance ?? before.tried;
@@ -94,6 +95,7 @@ export function createPage(basis, openPage, catchUp) {
         store.update({ student: { ...student, who } });
         return;
       }
+      forget();
       attempt(() => {
         const drawn = engine.experiment(drawnFor(experiment, exercise.vary, who));
         // What is drawn for a student is not taken back.

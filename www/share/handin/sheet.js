@@ -37,19 +37,26 @@ export function createHandInSheet(tools) {
     draw();
   };
 
+  /** Of the one that is made; a sheet that is closed gives it up. */
+  let number = 0;
   const make = async () => {
+    number += 1;
+    const own = number;
+    const isWanted = () => own === number && sheet.dialog.open;
     handed = null;
     say(texts.computing);
     try {
       await actions.whenIdle();
+      if (!isWanted()) return;
       const state = store.get();
       const receipt = await receiptOf(tools, state, answersOf(state));
+      if (!isWanted()) return;
       const address = receiptAddress(receipt.link);
       handed = { receipt, address, text: words.receiptText(receipt, address) };
       say('');
       onHandIn(handed);
     } catch (error) {
-      say(words.failed(messageOf(error)));
+      if (isWanted()) say(words.failed(messageOf(error)));
     }
   };
 
@@ -71,6 +78,7 @@ export function createHandInSheet(tools) {
   return {
     open() {
       actions.pauseEvolution();
+      number += 1;
       handed = null;
       status = '';
       draw();

@@ -3,6 +3,8 @@ export const openFull = 'Open the full page';
 export const fullScreen = 'Full screen';
 export const leaveFullScreen = 'Leave full screen';
 
+export const givenUp = 'it was given up before it was there';
+
 /** @param {string} found @param {number} own */
 export const otherVersion = (found, own) => `this is version ${own} of the messages, not ${found}`;
 

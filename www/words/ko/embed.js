@@ -4,6 +4,8 @@ export const openFull = '전체 페이지 열기';
 export const fullScreen = '전체 화면';
 export const leaveFullScreen = '전체 화면 끝내기';
 
+export const givenUp = '준비되기 전에 취소되었습니다';
+
 /** @param {string} found @param {number} own */
 export const otherVersion = (found, own) => `메시지 형식의 버전은 ${own}이며, 받은 값은 ${found}입니다`;
 

@@ -74,7 +74,7 @@ export function summaryText(summary) {
 function driveText(summary) {
   const { rows, seconds, disturbed } = summary;
   const last = `In the last ${sixDigits(seconds)} s`;
-  if (!disturbed) {
+  if (!disturbed || !isPromised(summary)) {
     const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
     const promise = isPromised(summary) ? 'Without a disturbance, Theorem 2 lets the error go to 0. ' : '';
     return `${promise}${last} this drive still has up to ${left}.`;
@@ -89,11 +89,15 @@ function driveText(summary) {
 }
 
 /** @param {Summary} summary */
-function othersText({ calm, starts, allInside, worst, disturbed }) {
-  const most = `up to ${amount(worst, calm[worst].largest)} of ${formulaText(worst)}`;
-  if (!disturbed)
-    return `From ${startsText(starts)}, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
-  return `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} inside all three; even undisturbed, ${most} remain: the theorem does not say how soon, and knows no limits and no samples.`;
+function othersText(summary) {
+  const { calm, starts, allInside, worst, disturbed } = summary;
+  const most = `up to ${amount(worst, calm[worst].largest)} of ${formulaText(worst)} remain`;
+  if (!isPromised(summary))
+    return `From ${startsText(starts)}, ${disturbed ? 'even undisturbed, ' : ''}${most}.`;
+  const others = disturbed
+    ? `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} inside all three; even undisturbed, ${most}`
+    : `From ${startsText(starts)}, ${most}`;
+  return `${others}: the theorem does not say how soon, and knows no limits and no samples.`;
 }
 
 /** Why the theorem is not about this drive, or a set so wide that it says nothing. @param {Summary} summary */

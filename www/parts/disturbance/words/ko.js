@@ -74,7 +74,7 @@ export function summaryText(summary) {
 function driveText(summary) {
   const { rows, seconds, disturbed } = summary;
   const last = `마지막 ${sixDigits(seconds)}초 동안`;
-  if (!disturbed) {
+  if (!disturbed || !isPromised(summary)) {
     const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
     const promise = isPromised(summary) ? '외란이 없으면 정리 2에 따라 오차는 0에 수렴합니다. ' : '';
     return `${promise}${last} 이 주행에 남은 최대 오차: ${left}.`;
@@ -90,10 +90,14 @@ function driveText(summary) {
 }
 
 /** @param {Summary} summary */
-function othersText({ calm, starts, allInside, worst, disturbed }) {
-  const most = `최대 오차는 ${formulaText(worst)} ${amount(worst, calm[worst].largest)}입니다. 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 제한과 샘플링도 고려하지 않습니다.`;
-  if (!disturbed) return `다른 출발점 ${starts}개에서 남는 ${most}`;
-  return `다른 출발점 ${starts}개 중 ${allInside}개가 세 집합 안에 머뭅니다. 외란이 없어도 남는 ${most}`;
+function othersText(summary) {
+  const { calm, starts, allInside, worst, disturbed } = summary;
+  const most = `남는 최대 오차는 ${formulaText(worst)} ${amount(worst, calm[worst].largest)}입니다.`;
+  if (!isPromised(summary)) return `다른 출발점 ${starts}개에서 ${disturbed ? '외란이 없어도 ' : ''}${most}`;
+  const others = disturbed
+    ? `다른 출발점 ${starts}개 중 ${allInside}개가 세 집합 안에 머뭅니다. 외란이 없어도 ${most}`
+    : `다른 출발점 ${starts}개에서 ${most}`;
+  return `${others} 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 제한과 샘플링도 고려하지 않습니다.`;
 }
 
 /** Why the theorem is not about this drive, or a set so wide that it says nothing. @param {Summary} summary */
