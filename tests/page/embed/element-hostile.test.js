@@ -225,6 +225,28 @@ engineTest('a figure that cannot begin says why, and whoever asks is told', asyn
   }
 });
 
+engineTest('a figure that begins badly and goes on is asked all the same', async (page) => {
+  await inPage(page, '', async () => {
+    const told = await page.evaluate(async () => {
+      await customElements.whenDefined('ep-locomotion');
+      const figure = `<script>
+        addEventListener('message', ({ data: { id } }) => parent.postMessage({ ep: 1, type: 'state', id }, '*'));
+        parent.postMessage({ ep: 1, type: 'error', message: 'A worker was lost' }, '*');
+      </script>`;
+      const own = /** @type {any} */ (document.createElement('ep-locomotion'));
+      own.setAttribute('src', URL.createObjectURL(new Blob([figure], { type: 'text/html' })));
+      /** @type {string[]} */
+      const errors = [];
+      own.addEventListener('error', (/** @type {CustomEvent} */ { detail }) => errors.push(detail.message));
+      document.body.append(own);
+      await own.read();
+      await own.read();
+      return [errors, own.shadowRoot.querySelector('p').textContent];
+    });
+    assert.deepEqual(told, [['A worker was lost'], '<ep-locomotion>: A worker was lost']);
+  });
+});
+
 engineTest(
   'where the core has failed each question is answered by an error, and nothing more is thrown',
   async (page) => {
