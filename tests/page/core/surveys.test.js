@@ -53,9 +53,14 @@ async function openEngine(page, address) {
 
 /** Opens a copy of one file from the disk, with the collector of problems in it. @param {Page} page @param {string} file @param {(html: string) => string} [change] */
 async function openFile(page, file, change = (html) => html) {
-  const collector = await readFile(new URL('../harness/collector.js', import.meta.url), 'utf8');
+  // As the server adds them to what it sends.
+  const scripts = ['collector.js', 'frames.js'].map(async (name) => {
+    const script = await readFile(new URL(`../harness/${name}`, import.meta.url), 'utf8');
+    return `<script>${script}</script>`;
+  });
+  const added = (await Promise.all(scripts)).join('');
   const copy = join(folder, 'opened.html');
-  const html = (await readFile(file, 'utf8')).replace('<head>', () => `<head><script>${collector}</script>`);
+  const html = (await readFile(file, 'utf8')).replace('<head>', () => `<head>${added}`);
   await writeFile(copy, change(html));
   await page.visit(`${pathToFileURL(copy).href}#lab`);
 }
