@@ -29,6 +29,7 @@
 import { isLost, messageOf } from '../words/errors.js';
 import { embed as words } from '../words/index.js';
 import { drivesOf, noTrial } from '../run/state.js';
+import { pause } from '../kit/loop.js';
 import { watch } from '../kit/memo.js';
 import { idIn, isForFigure, messageIn, shortError } from './told.js';
 
@@ -290,14 +291,3 @@ export function createMessages({ engine, store, actions, links, seen, answersOf,
     },
   };
 }
-
-/** Lets what waits have its turn, also where no frame is drawn. */
-const pause = () =>
-  new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve(undefined);
-    };
-    port2.postMessage(null);
-  });

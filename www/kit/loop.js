@@ -60,6 +60,17 @@ export function createAccumulator() {
 /** Lets the browser do what is due meanwhile, so that nothing holds the page for long. */
 export const breathe = () => new Promise((resolve) => setTimeout(resolve));
 
+/** Lets what waits have its turn, also where no frame is drawn and timers are slow. */
+export const pause = () =>
+  new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve(undefined);
+    };
+    port2.postMessage(null);
+  });
+
 /** Lets the browser have its turn whenever so many milliseconds were taken. @param {number} milliseconds */
 export function createTurns(milliseconds) {
   let end = performance.now() + milliseconds;

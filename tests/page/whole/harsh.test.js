@@ -2,11 +2,8 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
-import { setFlagsFromString } from 'node:v8';
-import { runInNewContext } from 'node:vm';
 import { createAccumulator, createFrameLoop } from '../../../www/kit/loop.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
-import { Evolution, experiment, memory } from '../harness/core.js';
 import { inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 
@@ -131,13 +128,15 @@ function runIn(env) {
         lab.costText(12.5), lab.grouped(118098), lab.numberOf('1234,5'),
       ],
     }));`;
-  const node = [process.execPath, ['--input-type=module', '-e', script]];
+  return printedBy(script, env);
+}
+
+/** What a script prints, by a process of its own. @param {string} script @param {Record<string, string>} [env] */
+function printedBy(script, env = {}) {
   const cwd = fileURLToPath(new URL('.', import.meta.url));
+  const args = ['--expose-gc', '--input-type=module', '-e', script];
   return JSON.parse(
-    execFileSync(.../** @type {[string, string[]]} */ (node), {
-      cwd,
-      env: { ...process.env, ...env },
-    }).toString(),
+    execFileSync(process.execPath, args, { cwd, env: { ...process.env, ...env } }).toString(),
   );
 }
 
@@ -150,23 +149,24 @@ test('neither the language of the machine nor its time zone changes a number, a 
 });
 
 test('a long evolution keeps little of each generation, and of an evolution that is over nothing stays', () => {
-  setFlagsFromString('--expose-gc');
-  const collect = /** @type {() => void} */ (runInNewContext('gc'));
-  const sizes = () => {
-    collect();
-    return { core: memory.buffer.byteLength, heap: process.memoryUsage().heapUsed };
-  };
-  const long = () => {
-    const evolution = new Evolution(experiment('velocity-limits'));
-    for (let i = 0; i < 5000; i += 1) evolution.step();
-    evolution.free();
-    for (let reset = 0; reset < 200; reset += 1) new Evolution(experiment('velocity-limits')).free();
-  };
-  const before = sizes();
-  long();
-  const once = sizes();
-  long();
-  const twice = sizes();
+  // Nobody else has left anything there.
+  const { before, once, twice } = printedBy(`
+    const { Evolution, experiment, memory } = await import('../harness/core.js');
+    const sizes = () => {
+      gc();
+      return { core: memory.buffer.byteLength, heap: process.memoryUsage().heapUsed };
+    };
+    const long = () => {
+      const evolution = new Evolution(experiment('velocity-limits'));
+      for (let i = 0; i < 5000; i += 1) evolution.step();
+      evolution.free();
+      for (let reset = 0; reset < 200; reset += 1) new Evolution(experiment('velocity-limits')).free();
+    };
+    const before = sizes();
+    long();
+    const once = sizes();
+    long();
+    console.log(JSON.stringify({ before, once, twice: sizes() }));`);
   // A vector that grows may be there twice.
   assert.ok(once.core - before.core < 5000 * 2000, `${once.core - before.core} bytes in the core`);
   assert.equal(twice.core, once.core);
