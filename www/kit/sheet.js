@@ -2,7 +2,7 @@
 import { html, render } from 'lit-html';
 import { create } from './elements.js';
 
-/** It stands in the page from now on, closed. @param {string} id @param {string} className @param {string} title @param {string} close What the button says. */
+/** It stands in the page from now on, closed. @param {string} id @param {string} className @param {string} title Until another is drawn. @param {string} close What the button says. */
 export function createSheet(id, className, title, close) {
   const dialog = /** @type {HTMLDialogElement} */ (create('dialog', `sheet ${className}`.trim()));
   dialog.id = id;
@@ -11,11 +11,11 @@ export function createSheet(id, className, title, close) {
   return {
     dialog,
 
-    /** @param {unknown} content */
-    draw: (content) =>
+    /** @param {unknown} content @param {string} [heading] */
+    draw: (content, heading = title) =>
       render(
         html`<div class="bar sheet-head">
-            <h2 id="${id}-title">${title}</h2>
+            <h2 id="${id}-title">${heading}</h2>
             <button id="${id}-close" type="button" @click=${() => dialog.close()}>${close}</button>
           </div>
           ${content}`,

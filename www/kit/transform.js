@@ -13,7 +13,7 @@ function insets({ width, height }) {
   const side = width < 560 ? { left: 64, right: 56 } : { left: 96, right: 88 };
   if (height < 170) return { ...side, top: 22, bottom: 28 };
   if (height < 280) return { ...side, top: 44, bottom: 40 };
-  return height < 440 ? { ...side, top: 84, bottom: 64 } : { ...side, top: 96, bottom: 104 };
+  return height < 440 ? { ...side, top: 96, bottom: 64 } : { ...side, top: 96, bottom: 104 };
 }
 
 /** @param {readonly Point[]} points @returns {Box} */

@@ -1,45 +1,45 @@
 // The sheet that shows what a picture shows, as a table.
 /** @import { Table } from '../kit/table.js' */
-import { html, nothing, render } from 'lit-html';
+import { html, nothing } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { once } from '../kit/memo.js';
+import { createSheet } from '../kit/sheet.js';
 import { fillTable, mostRows } from '../kit/table.js';
 import { opening, tables as words } from '../words/index.js';
 
 const { texts } = words;
 
-const dialog = once(() => {
-  const made = /** @type {HTMLDialogElement} */ (create('dialog', 'sheet table-sheet'));
-  made.id = 'table';
-  made.setAttribute('aria-labelledby', 'table-rows');
-  document.querySelector('main')?.append(made);
-  return made;
-});
+const sheet = once(() => createSheet('table', 'table-sheet', '', opening.texts.close));
 
 /** @param {Table | null} table If there is one. */
 export function showTable(table) {
   if (!table) return;
-  const rows = create('table', '');
+  const rows = /** @type {HTMLTableElement} */ (create('table', ''));
   rows.id = 'table-rows';
   draw(table, rows, 0);
-  dialog().showModal();
+  sheet().open();
 }
 
-/** @param {Table} table @param {HTMLElement} rows @param {number} first The row that is shown first. */
+/** @param {Table} table @param {HTMLTableElement} rows @param {number} first The row that is shown first. */
 function draw(table, rows, first) {
   fillTable(rows, table, first);
-  render(
-    html`<div class="bar">
-        <button id="table-csv" type="button" class="primary" .hidden=${!table.save} @click=${() => table.save?.()}>${texts.tableCsv}</button>
-        <button id="table-close" type="button" @click=${() => dialog().close()}>${opening.texts.close}</button>
-        ${table.count > mostRows ? pager(table, rows, first) : nothing}
-      </div>
-      <div class="table-scroll" tabindex="0" role="group" aria-label=${texts.tableButton}>${rows}</div>`,
-    dialog(),
+  // What it is called heads the sheet.
+  rows.caption?.classList.add('visually-hidden');
+  sheet().draw(
+    html`<div class="table-scroll" tabindex="0" role="group" aria-label=${texts.tableButton}>${rows}</div>
+      ${
+        table.save || table.count > mostRows
+          ? html`<div class="bar">
+              <button id="table-csv" type="button" class="primary" .hidden=${!table.save} @click=${() => table.save?.()}>${texts.tableCsv}</button>
+              ${table.count > mostRows ? pager(table, rows, first) : nothing}
+            </div>`
+          : nothing
+      }`,
+    table.caption,
   );
 }
 
-/** The way to the other rows. @param {Table} table @param {HTMLElement} rows @param {number} first */
+/** The way to the other rows. @param {Table} table @param {HTMLTableElement} rows @param {number} first */
 function pager(table, rows, first) {
   const last = Math.min(first + mostRows, table.count);
   const show = (/** @type {number} */ next) => () => {

@@ -92,7 +92,7 @@ export function createHandInSheet(tools) {
 const contentOf = ({ who, base }, handed, status, on) => html`
   <div class="bar handin-name">
     <label for="handin-who">${texts.whoLabel}</label>
-    <input id="handin-who" type="text" maxlength=${mostOfWho} autocomplete="off" .value=${live(who)}
+    <input id="handin-who" type="text" maxlength=${mostOfWho} autocomplete="off" autofocus .value=${live(who)}
       .readOnly=${base !== null} title=${base ? texts.whoDrawn : ''} @keydown=${onEnter(on.name)}>
     <button id="handin-make" type="button" @click=${on.name} class=${handed ? '' : 'primary'}>${texts.make}</button>
   </div>

@@ -7,7 +7,7 @@ export const again = 'Try again';
 
 export const texts = {
   keepButton: 'Share',
-  keepTitle: 'Keep this run',
+  keepTitle: 'Share or keep this run',
   checksButton: 'Check its numbers',
   checksTitle: 'Are the numbers right?',
   codeTitle: 'The controller as code',
