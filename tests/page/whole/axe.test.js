@@ -2,14 +2,13 @@
 // in the dark on a small screen, and some of them in the reader's own colours on large ones and in a frame, in one language
 // or the other. Light and in English each is looked at in every engine where it is tested.
 import assert from 'node:assert/strict';
-import { Command } from 'selenium-webdriver/lib/command.js';
 import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
 import { pageNames } from '../../../www/parts/parts.js';
 import { languageNames } from '../../../www/words/language.js';
 import { pageTest } from '../harness/browsers.js';
+import { endSurrounding, follow, surround } from './surround.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {readonly [number, number]} Size */
+/** @typedef {import('./surround.js').Size} Size */
 
 const pin = 'pin1=a~5,1,5';
 const views = [
@@ -36,30 +35,6 @@ const surroundings = {
   ],
 };
 
-/** What can be told to Chromium alone. @param {Page} page @param {string} cmd @param {object} params */
-function tell(page, cmd, params) {
-  const executor = /** @type {any} */ (page.driver.getExecutor());
-  executor.defineCommand('tellChromium', 'POST', '/session/:sessionId/goog/cdp/execute');
-  return page.driver.execute(new Command('tellChromium').setParameters({ cmd, params }));
-}
-
-/** @param {Page} page @param {Size} size @param {Record<string, string>} media */
-async function surround(page, [width, height], media) {
-  const screen = { width, height, deviceScaleFactor: 1, mobile: false };
-  await tell(page, 'Emulation.setDeviceMetricsOverride', screen);
-  const features = Object.entries(media).map(([name, value]) => ({ name, value }));
-  await tell(page, 'Emulation.setEmulatedMedia', { features });
-}
-
-/** Follows a link without loading the page again. @param {Page} page @param {string} link */
-const follow = (page, link) =>
-  page.evaluate(async (hash) => {
-    const opened = new Promise((resolve) => addEventListener('popstate', resolve, { once: true }));
-    location.replace(hash);
-    await opened;
-    for (let i = 0; i < 2; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
-  }, `#${link}`);
-
 pageTest('nothing is in the way of assistive technology, wherever the page is', async (page) => {
   if (page.engine !== 'chromium') return;
   /** @type {Record<string, string[]>} */
@@ -77,8 +52,7 @@ pageTest('nothing is in the way of assistive technology, wherever the page is', 
         }
       }
   } finally {
-    await tell(page, 'Emulation.clearDeviceMetricsOverride', {});
-    await tell(page, 'Emulation.setEmulatedMedia', { features: [] });
+    await endSurrounding(page);
   }
   assert.deepEqual(found, {});
 });

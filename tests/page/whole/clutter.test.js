@@ -1,0 +1,57 @@
+// On every screen each text can be read and each picture has room: every part, every step of the lesson, as a page and as a figure.
+import assert from 'node:assert/strict';
+import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
+import { pageNames } from '../../../www/parts/parts.js';
+import { pageTest } from '../harness/browsers.js';
+import { cluttered } from './cluttered.js';
+import { endSurrounding, follow, surround } from './surround.js';
+
+/** @typedef {import('./surround.js').Size} Size */
+
+const views = [
+  ...pageNames.map((name) => `${name}&v=1&generation=2`),
+  ...['stability', 'compare', 'numbers'].map((view) => `curves&v=1&view=${view}&generation=2`),
+  ...['mutation', 'drive', 'tournament', 'ranking', 'survivors'].map(
+    (phase) => `generation&v=1&generation=2&phase=${phase}`,
+  ),
+  'luck&v=1&luck=contest',
+  ...stepNames.map((_, i) => linkOfStep(i + 1)),
+];
+
+/** @type {Record<string, readonly Size[]>} */
+const screens = {
+  '': [
+    [1440, 900],
+    [1366, 650],
+    [1024, 768],
+    [390, 844],
+  ],
+  '?embed': [
+    [640, 420],
+    [800, 600],
+  ],
+};
+
+for (const [search, sizes] of Object.entries(screens))
+  pageTest(
+    `no text lies on another, and no picture is without room, ${search ? 'as a figure' : 'on every screen'}`,
+    async (page) => {
+      if (page.engine !== 'chromium') return;
+      /** @type {string[]} */
+      const found = [];
+      try {
+        await page.open(`${search}#lab&v=1`);
+        for (const view of views) {
+          await follow(page, view);
+          for (const size of sizes) {
+            await surround(page, size);
+            for (const flaw of await page.evaluate(cluttered))
+              found.push(`${view}, ${size.join(' × ')}: ${flaw}`);
+          }
+        }
+      } finally {
+        await endSurrounding(page);
+      }
+      assert.equal(found.join('\n'), '');
+    },
+  );
