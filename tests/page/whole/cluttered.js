@@ -38,15 +38,26 @@ export async function cluttered() {
       const { overflowX, overflowY, textOverflow } = getComputedStyle(around);
       if (overflowX === 'visible' && overflowY === 'visible') continue;
       const room = around.getBoundingClientRect();
-      const hides = (/** @type {string} */ overflow) => overflow === 'hidden' || overflow === 'clip';
+      const cuts = (/** @type {string} */ overflow) => overflow === 'hidden' || overflow === 'clip';
       const isCutAcross =
-        hides(overflowX) && textOverflow !== 'ellipsis' && (left < room.left - 2 || right > room.right + 2);
-      const isCutDown = hides(overflowY) && (top < room.top - 5 || bottom > room.bottom + 5);
+        cuts(overflowX) && textOverflow !== 'ellipsis' && (left < room.left - 2 || right > room.right + 2);
+      const isCutDown = cuts(overflowY) && (top < room.top - 5 || bottom > room.bottom + 5);
       if (isCutAcross || isCutDown) cutter ??= around;
       [left, right] = [Math.max(left, room.left), Math.min(right, room.right)];
       [top, bottom] = [Math.max(top, room.top), Math.min(bottom, room.bottom)];
     }
     return { left, right, top, bottom, cutter };
+  }
+
+  /** What scrolls under a head or a foot that stays is out of sight. @param {Element | null} top @param {Element} element */
+  function hides(top, element) {
+    for (
+      let cover = top;
+      cover && !cover.contains(element) && !element.contains(cover);
+      cover = cover.parentElement
+    )
+      if (getComputedStyle(cover).backgroundColor !== 'rgba(0, 0, 0, 0)') return true;
+    return false;
   }
 
   /** @param {Element} element */
@@ -81,8 +92,7 @@ export async function cluttered() {
       const [x, y] = [(one.left + one.right) / 2, (one.top + one.bottom) / 2];
       if (x < 0 || y < 0 || x > innerWidth || y > innerHeight) continue;
       const covers = document.elementFromPoint(x, y);
-      // What scrolls under a head or a foot that stays is out of sight.
-      const isTop = !covers || covers.contains(one.element) || one.element.contains(covers);
+      const isHidden = hides(covers, one.element);
       const isOverlay = getComputedStyle(one.element).pointerEvents === 'none';
       if (
         !isOverlay &&
@@ -96,7 +106,7 @@ export async function cluttered() {
           Math.min(one.right, other.right) - Math.max(one.left, other.left),
           Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top),
         ];
-        if (across > 2 && down > 2 && isTop && one.element !== other.element)
+        if (across > 2 && down > 2 && !isHidden && one.element !== other.element)
           all.add(`“${one.text}” and “${other.text}” lie on each other`);
       }
     }
