@@ -19,10 +19,10 @@ export const playsPhases = ({ evolving, catchingUp, pace }) =>
 /** The next generation at which it usually pauses. @param {number} generation */
 export const nextRest = (generation) => usualUntil.value * (Math.floor(generation / usualUntil.value) + 1);
 
-/** Whether evolution is to pause at this generation. @param {Until} until @param {Statistics} statistics */
+/** Whether evolution is to pause at this generation; what has no end pauses where a link and a file can still say it. @param {Until} until @param {Statistics} statistics */
 export const pausesAt = ({ kind, value }, { generation, best }) =>
   kind === 'cost'
-    ? best.cost < value
+    ? best.cost < value || generation % lastGeneration === 0
     : kind === 'generation'
       ? generation === value
       : generation % value === 0;

@@ -65,7 +65,7 @@ test('where seeds have numbers of drives of their own, none is written in their 
   for (const words of [en, ko]) {
     assert.match(words.invitation(20, 50, 1020), /1.?020/);
     assert.doesNotMatch(words.invitation(20, 50, null), /null|NaN|1.?020/);
-    assert.match(words.surveyNote({ ...survey, drives: 1020 }), /40.?800/);
+    assert.match(words.surveyNote({ ...survey, drives: 1020 }), /20.*2 × 1.?020/);
     assert.match(words.surveyNote({ ...survey, drives: null }), /^\D*20\D+0\.3/);
   }
   const champion = /** @type {any} */ ({ gains: [3, 1, 5], cost: 7 });

@@ -6,6 +6,7 @@ import { places } from '../../../www/parts/parts.js';
 import { createActions } from '../../../www/run/actions/actions.js';
 import { atEnd } from '../../../www/run/clock.js';
 import { firstState, noErrors } from '../../../www/run/first.js';
+import { lastGeneration, pausesAt } from '../../../www/run/pace.js';
 import { asked } from '../../../www/run/state.js';
 import { createStore } from '../../../www/run/store.js';
 import { createEngine, experiment } from '../harness/core.js';
@@ -25,6 +26,18 @@ function pageOf(link) {
   open(link);
   return { store, actions, open };
 }
+
+test('whatever it waits for, evolution pauses at the last generation that a link and a file can say', () => {
+  const statistics = /** @type {any} */ ({ generation: lastGeneration, best: { cost: 8 } });
+  for (const until of /** @type {const} */ ([
+    { kind: 'every', value: 100 },
+    { kind: 'generation', value: lastGeneration },
+    { kind: 'cost', value: 7 },
+  ])) {
+    assert.ok(pausesAt(until, statistics), until.kind);
+    assert.ok(!pausesAt(until, { ...statistics, generation: lastGeneration - 1 }), until.kind);
+  }
+});
 
 test('a generation to stop at is refused once it has passed, and beyond what a link can say', () => {
   const { store, actions } = pageOf('lab&generation=6');

@@ -36,7 +36,7 @@ export const generationsChoice = (generations) => `${generations}세대`;
 
 /** @param {SeedSurvey} survey */
 export const surveyNote = ({ runs, drives, milliseconds }) =>
-  `${drives === null ? countChoice(runs.length) : `주행 ${grouped(2 * runs.length * drives)}회`}, ${fixed(milliseconds / 1000, 1)}초`;
+  `${countChoice(runs.length)}${drives === null ? '' : `, 각각 주행 2 × ${grouped(drives)}회`}, ${fixed(milliseconds / 1000, 1)}초`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `실험실: 시드 ${seed}, ${generation}세대`;
