@@ -4,12 +4,13 @@ import { html, render, svg } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { styled } from '../kit/templates.js';
+import { shapes } from '../parts/generation/bell.js';
 import { isInitial } from '../parts/generation/record.js';
 import { isOtherSearch } from '../parts/generation/state.js';
 import { fixed } from '../words/numbers.js';
 import { lab } from '../words/index.js';
 
-/** @import { GenerationRecord, Individual, Statistics } from '../core/engine.js' */
+/** @import { Experiment, GenerationRecord, Individual, Statistics } from '../core/engine.js' */
 /** @import { Block, Live, Tools } from './page.js' */
 /** @typedef {{ born: number, individual: Individual }} Ancestor */
 /** @typedef {{ lineage: { title: (generation: number, count: number) => string, axis: string, sigma: (first: number, last: number) => string, label: (gain: string, family: readonly Ancestor[], i: number) => string, other: string } }} LineageWords */
@@ -75,22 +76,22 @@ export function createLineage(tools, { lineage: words }) {
 
   return {
     element,
-    draw(/** @type {Live} */ { state: { history, generation } }) {
+    draw(/** @type {Live} */ { state: { experiment, history, generation } }) {
       const recordOf = recordsOf(history, generation);
       if (!recordOf || !changed(history[generation])) return;
       const newest = recordOf(generation);
       render(
         isOtherSearch(newest)
           ? html`<p class="muted">${words.other}</p>`
-          : picture(lineageOf(recordOf, generation), isInitial(newest) ? 0 : generation, words),
+          : picture(lineageOf(recordOf, generation), isInitial(newest) ? 0 : generation, experiment, words),
         element,
       );
     },
   };
 }
 
-/** @param {readonly Ancestor[]} family @param {number} generation @param {LineageWords['lineage']} words */
-function picture(family, generation, words) {
+/** @param {readonly Ancestor[]} family @param {number} generation @param {Experiment} experiment @param {LineageWords['lineage']} words */
+function picture(family, generation, { evolution }, words) {
   const first = family[0].born;
   const share = (/** @type {number} */ born) =>
     generation > first ? (born - first) / (generation - first) : 0;
@@ -100,15 +101,15 @@ function picture(family, generation, words) {
     <div class="lineage-columns">
       <span class="lineage-name" aria-hidden="true">${words.axis}</span>
       <div class="lineage-axis" aria-hidden="true">${marks.map((mark) => html`<span ${styled('--at', String(downAt(share(mark)) / height))}>${mark}</span>`)}</div>
-      ${lab.gains.map((gain, i) => column(gain, i, family, share, words))}
+      ${lab.gains.map((gain, i) => column(gain, i, family, { share, density: shapes[evolution.step].density }, words))}
     </div>`;
 }
 
 /** How far down the picture, with room for the first hill. @param {number} share */
 const downAt = (share) => hill + 4 + share * (height - hill - 10);
 
-/** @param {typeof lab.gains[number]} gain @param {number} i @param {readonly Ancestor[]} family @param {(born: number) => number} share @param {LineageWords['lineage']} words */
-function column({ id, name, letter, index }, i, family, share, words) {
+/** @param {typeof lab.gains[number]} gain @param {number} i @param {readonly Ancestor[]} family @param {{ share: (born: number) => number, density: (draw: number) => number }} drawn @param {LineageWords['lineage']} words */
+function column({ id, name, letter, index }, i, family, { share, density }, words) {
   const [low, high] = rangeOf(family, i);
   const x = (/** @type {number} */ gain) => (100 * (gain - low)) / (high - low);
   const spots = family.map(({ born, individual: { gains } }) => ({ x: x(gains[i]), y: downAt(share(born)) }));
@@ -117,7 +118,7 @@ function column({ id, name, letter, index }, i, family, share, words) {
     <figcaption><span class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
       <span class="muted">${words.sigma(sigmaOf(family[0]), sigmaOf(family.at(-1)))}</span></figcaption>
     <svg viewBox="0 0 100 ${height}" preserveAspectRatio="none" role="img" aria-label=${words.label(name, family, i)}>
-      ${family.map(({ individual: { gains, sigmas } }, n) => svg`<path class="hill" d=${hillOf(gains[i], sigmas[i], spots[n].y, x)}></path>`)}
+      ${family.map(({ individual: { gains, sigmas } }, n) => svg`<path class="hill" d=${hillOf(gains[i], sigmas[i], spots[n].y, x, density)}></path>`)}
       <polyline points=${spots.map((spot) => `${spot.x},${spot.y}`).join(' ')}></polyline>
     </svg>
     <div class="lineage-ticks" aria-hidden="true">${ticks(low, high, high - low < 2 ? 2 : 4).map((tick) => html`<span ${styled('--at', String(x(tick) / 100))}>${fixed(tick, high - low < 2 ? 2 : 0)}</span>`)}</div>
@@ -134,11 +135,11 @@ function rangeOf(family, i) {
   return high > low ? [low, high] : [low - 1, high + 1];
 }
 
-/** The density of k + σ N on a line. @param {number} gain @param {number} sigma @param {number} y @param {(gain: number) => number} x */
-function hillOf(gain, sigma, y, x) {
+/** The density of k + σ N, or of k + σ C, on a line. @param {number} gain @param {number} sigma @param {number} y @param {(gain: number) => number} x @param {(draw: number) => number} density */
+function hillOf(gain, sigma, y, x, density) {
   const points = Array.from({ length: 33 }, (_, n) => {
     const draw = reach * (n / 16 - 1);
-    return `${x(gain + sigma * draw).toFixed(2)} ${(y - hill * Math.exp(-0.5 * draw * draw)).toFixed(1)}`;
+    return `${x(gain + sigma * draw).toFixed(2)} ${(y - hill * density(draw)).toFixed(1)}`;
   });
   return `M${points.join('L')}`;
 }

@@ -109,6 +109,29 @@ pageTest(
   },
 );
 
+pageTest('the bells of a family are of the distribution from which it was drawn', async (page) => {
+  for (const [step, density] of /** @type {const} */ ([
+    ['gaussian', (/** @type {number} */ draw) => Math.exp(-0.5 * draw * draw)],
+    ['cauchy', (/** @type {number} */ draw) => 1 / (1 + draw * draw)],
+  ])) {
+    await page.open(`#lab&v=1&evolution.step=${step}&generation=12&lesson=8`);
+    const outline = await page.until('a hill', () =>
+      document.querySelector('#lineage .hill')?.getAttribute('d'),
+    );
+    const heights = outline
+      .slice(1)
+      .split('L')
+      .map((point) => -Number(point.split(' ')[1]));
+    const [middle, end] = [heights[(heights.length - 1) / 2], heights[0]];
+    for (const [i, height] of heights.entries()) {
+      const draw = 3 * ((2 * i) / (heights.length - 1) - 1);
+      const share = (height - end) / (middle - end);
+      const expected = (density(draw) - density(3)) / (1 - density(3));
+      assert.ok(Math.abs(share - expected) < 0.01, `${step}, ${draw}: ${share}, not ${expected}`);
+    }
+  }
+});
+
 test('too short a step gets nowhere, too long a step misses', () => {
   const median = (/** @type {number} */ initialSigma) =>
     seedRuns(withSeed(1, initialSigma), { seeds: [1, 22], generations: 60 })

@@ -127,7 +127,7 @@ pageTest('the numbers of many seeds are those of the core, with quartiles counte
     finding,
     new RegExp(`there at generation ${medians.findIndex((one) => one <= randoms[2])}\\.`),
   );
-  assert.match(note, new RegExp(`^${2 * count * drives} drives`.replace('40800', '40\u202f800')));
+  assert.match(note, new RegExp(`^${count} seeds, 2 × ${drives} drives each`.replace('1020', '1\u202f020')));
   assert.equal(status, '');
   assert.deepEqual(await readTable(page), expectedTable(runs));
 

@@ -10,7 +10,7 @@ const height = 40;
 const base = height - 6;
 
 /** @type {Readonly<Record<Step, Shape>>} */
-const shapes = {
+export const shapes = {
   gaussian: { reach: 3.3, density: (draw) => Math.exp(-0.5 * draw * draw) },
   cauchy: { reach: 10, density: (draw) => 1 / (1 + draw * draw) },
 };
