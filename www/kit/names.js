@@ -23,8 +23,8 @@ const roomForNames = 300;
 /** @param {Size} size */
 export const isNarrow = ({ width }) => width < roomForNames;
 
-/** The room for names beside the lines. @param {Size} size */
-export const gutterOf = (size) => (isNarrow(size) ? 10 : 100);
+/** The room for names beside the lines, or for the half of a number below their end. @param {Size} size */
+export const gutterOf = (size) => (isNarrow(size) ? 18 : 100);
 
 /** A name on a piece of paper. @param {CanvasRenderingContext2D} context @param {Name} name @param {number} [opacity] Of the paper. */
 export function drawName(context, { text, x, y, align = 'left', token = '--muted', isStrong }, opacity = 1) {

@@ -4,7 +4,7 @@
 import { winsBout } from '../../core/rules.js';
 import { svg } from '../../kit/elements.js';
 import words from './words/index.js';
-import { columnsOf, margin } from './places.js';
+import { columnsOf, margin, orderOf } from './places.js';
 
 /** More lines than that hide what they lead to. */
 const mostBouts = 60;
@@ -51,7 +51,10 @@ export function notesOf(model, places, size) {
     const [a, b] = named.map((number) => places[number]);
     notes.push(svg('line', { x1: a.x, y1: a.y, x2: b.x, y2: b.y, class: 'upset' }));
   }
-  const marks = phase === 'tournament' ? tournamentMarks(model, places) : [];
+  const marks =
+    phase === 'tournament'
+      ? tournamentMarks(model, places)
+      : orderOf(anatomy, phase).map((number) => places[number]);
   for (const number of new Set([...named, chosen])) {
     const isLow = places[number].y < 34 || (ranking && number === upset?.fallen);
     const below = isLow || isFreerBelow(places[number], marks, size);
