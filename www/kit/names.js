@@ -23,8 +23,8 @@ const roomForNames = 300;
 /** @param {Size} size */
 export const isNarrow = ({ width }) => width < roomForNames;
 
-/** The room for names beside the lines. @param {Size} size */
-export const gutterOf = (size) => (isNarrow(size) ? 10 : 100);
+/** The room for names beside the lines, or for the half of a number below their end. @param {Size} size */
+export const gutterOf = (size) => (isNarrow(size) ? 18 : 100);
 
 /** A name on a piece of paper. @param {CanvasRenderingContext2D} context @param {Name} name @param {number} [opacity] Of the paper. */
 export function drawName(context, { text, x, y, align = 'left', token = '--muted', isStrong }, opacity = 1) {
@@ -78,9 +78,9 @@ export function drawNames(context, size, frame, names) {
     } else drawName(context, name);
 }
 
-/** What the axes show: beside the lower one, and at the top of the other. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {{ x?: string, y?: string }} names */
+/** What the axes show: beside the lower one and the half of its last number, and at the top of the other. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {{ x?: string, y?: string }} names */
 export function drawAxisNames(context, frame, { x, y }) {
-  if (x) drawName(context, { text: x, x: frame.right + 12, y: frame.bottom + 6 + high / 2 });
+  if (x) drawName(context, { text: x, x: frame.right + 20, y: frame.bottom + 6 + high / 2 });
   if (y) drawName(context, { text: y, x: frame.left - 50, y: frame.top + high / 2 });
 }
 

@@ -100,7 +100,7 @@ function costRange({ columns, paper }) {
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {Axes} axes @param {CurveModel} model */
 function drawLineNames(context, size, { x, y, frame }, { history, paper }) {
   const newest = history[history.length - 1];
-  const [end, right] = [x(newest.generation) + 10, frame.right + 6];
+  const [end, right] = [x(newest.generation) + 10, frame.right + 10];
   const height = (/** @type {number} */ cost) =>
     Math.min(Math.max(finiteOr(y(cost), 0), frame.top), frame.bottom);
   // Beside its point while that is alone, then on the far side of its line.

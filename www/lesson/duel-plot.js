@@ -139,5 +139,5 @@ function drawLineNames(context, { y, frame }, columns, { names, drivesAxis, cost
   });
   if (places.length > 0) spread(places, frame.top, frame.bottom);
   for (const place of places) drawName(context, { ...place, x: frame.right + 6 });
-  drawAxisNames(context, { ...frame, right: frame.right + 2 }, { x: drivesAxis, y: costSymbol });
+  drawAxisNames(context, frame, { x: drivesAxis, y: costSymbol });
 }

@@ -23,7 +23,7 @@ export function heightOf({ all }, { height }) {
   const top = margin.top + (crowded ? aboveRow : 0);
   const scale = scaleLinear()
     .domain([low, limit > low ? limit : low + 1])
-    .range([height - margin.bottom - 10, top + 6]);
+    .range([height - margin.bottom - 14, top + 6]);
   return {
     low,
     scale,

@@ -40,6 +40,8 @@ import { drawSketch } from './sketch.js';
 
 /** Contours of fewer points are single cells: a speckle, where a robot arrives or not by a hair. */
 const smallestRing = 12;
+/** Between two numbers of the legend. */
+const apart = 6;
 const margin = { left: 44, right: 14, top: 10, bottom: 30 };
 
 /** @param {MapModel} model */
@@ -150,10 +152,15 @@ function drawLegend(context, scale, width) {
   context.textBaseline = 'top';
   context.textAlign = 'center';
   const digits = scale.levels.some((level) => level % 1 !== 0) ? 1 : 0;
+  let free = left;
   for (const level of scale.levels) {
     const px = left + scale.part(level) * (right - left);
     context.fillRect(px - 0.5, 12, 1, 4);
-    context.fillText(level < 100 ? fixed(level, digits) : fixed(level, 0), px, 18);
+    const text = level < 100 ? fixed(level, digits) : fixed(level, 0);
+    const half = context.measureText(text).width / 2;
+    if (px - half < free) continue;
+    context.fillText(text, px, 18);
+    free = px + half + apart;
   }
   context.textAlign = 'left';
   context.fillText(words.legendLow, 8, 18);

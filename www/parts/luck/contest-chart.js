@@ -8,7 +8,7 @@ import { scaleLinear, scaleLog } from 'd3-scale';
 import { createChart, drawCurve, drawGrid, drawNumbersBelow, frameIn, pointsOf } from '../../kit/chart.js';
 import { pointIn } from '../../kit/map.js';
 import { remember } from '../../kit/memo.js';
-import { drawName, gutterOf } from '../../kit/names.js';
+import { drawAxisNames, drawName, gutterOf } from '../../kit/names.js';
 import { styles } from '../../run/pins.js';
 import { drawCosts } from './contest-costs.js';
 import { drivesOn, manySharesOf, sharesOf } from './contest-courses.js';
@@ -63,7 +63,7 @@ function draw(context, size, { contest, standings, budget, reading }) {
   const x = scaleLog([1, drives[drives.length - 1]], [whole.left, whole.right]);
   const ticks = powersIn([1, drives[drives.length - 1]]);
   drawNumbersBelow(context, x, whole.bottom, ticks, ticks.map(words.wholeNumber));
-  drawName(context, { text: words.drivesAxis, x: whole.right + 8, y: whole.bottom + 13 });
+  drawAxisNames(context, whole, { x: words.drivesAxis });
   if (reading === 'targets') {
     const shares = there ? manyShares(there.standings, drives) : [];
     drawShares(context, whole, { x, ticks, drives, shares }, words.targetsAxis);

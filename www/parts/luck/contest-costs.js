@@ -33,7 +33,7 @@ export function drawCosts(context, frame, { x, ticks, drives }, there) {
   const distance = distanceFrom(lowest);
   const range = rangeIn(contest, lowest);
   const y = scaleLog(range, [frame.bottom, frame.top]);
-  const powers = powersIn(range);
+  const powers = powersIn(range, frame.bottom - frame.top);
   const names = powers.map((power) => words.powerOfTen(Math.round(Math.log10(power))));
   drawGrid(context, { x, y, frame }, { x: ticks, y: powers }, names);
   const points = (/** @type {number[]} */ costs) =>

@@ -12,9 +12,11 @@ import { costAt } from './contest-statistics.js';
 import { diameterOf, drawDots, stackDots } from './dots.js';
 import words from './words/index.js';
 
-/** @param {CanvasRenderingContext2D} context @param {Frame} frame @param {There} there @returns {Grip} */
-export function drawEnds(context, frame, { contest, standings, lowest }) {
+/** @param {CanvasRenderingContext2D} context @param {Frame} whole @param {There} there @returns {Grip} */
+export function drawEnds(context, whole, { contest, standings, lowest }) {
   const { drawn, lines, target, budget } = standings;
+  // The target and its grip stand between the name of the axis and the dots.
+  const frame = { ...whole, top: whole.top + 14 };
   const distance = distanceFrom(lowest);
   const [low, high] = rangeIn(contest, lowest);
   // The lowest of all stands within it.
@@ -57,10 +59,17 @@ export function drawEnds(context, frame, { contest, standings, lowest }) {
   );
   const at = x(distance(target));
   drawUpright(context, at, frame, { token: '--ink', width: 1, dash: [3, 3] });
-  drawName(context, { text: words.targetLine(target), x: at + 6, y: frame.top + 2, token: '--ink' });
+  const isFar = at > (frame.left + frame.right) / 2;
+  drawName(context, {
+    text: words.targetLine(target),
+    x: at + (isFar ? -10 : 10),
+    y: frame.top - 7,
+    align: isFar ? 'right' : 'left',
+    token: '--ink',
+  });
   return {
     x: at,
-    y: frame.top - 6,
+    y: frame.top - 7,
     along: 'x',
     from: frame.left,
     to: frame.right,

@@ -10,11 +10,17 @@ import words from './words/index.js';
 /** In pixels, beside the lines. */
 const roomForNames = 80;
 
-/** @param {readonly [number, number]} range */
-export function powersIn([from, to]) {
+/** The height of a number, and what stands between two. */
+const roomForNumber = 16;
+
+/** All powers of ten, or on an axis those whose numbers have room above each other. @param {readonly [number, number]} range @param {number} [height] In pixels. */
+export function powersIn([from, to], height = Infinity) {
   const first = Math.ceil(Math.log10(from) - 1e-9);
   const last = Math.floor(Math.log10(to) + 1e-9);
-  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => 10 ** (first + i));
+  const each = Math.max(1, Math.ceil((roomForNumber * Math.log10(to / from)) / Math.max(1, height)));
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => first + i)
+    .filter((power) => power % each === 0)
+    .map((power) => 10 ** power);
 }
 
 /** At the right edge; a line that is not there has no height. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {Standings} standings @param {readonly number[]} heights */

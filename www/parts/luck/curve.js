@@ -190,11 +190,7 @@ function drawLineNames(context, axes, model) {
   }
   for (const line of [lab, seed])
     if (line && survey) drawName(context, { text: line.name, ...placeWhereAlone(x, y, line, survey), token });
-  drawAxisNames(
-    context,
-    { ...frame, right: frame.right + 8, bottom: frame.bottom + 3 },
-    { x: words.generationAxis },
-  );
+  drawAxisNames(context, frame, { x: words.generationAxis });
   const text = log && survey ? words.distanceAxis(survey.summary.lowest) : words.costSymbol;
   drawName(context, { text, x: frame.left - 50, y: 8 });
 }

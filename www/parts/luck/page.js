@@ -7,6 +7,7 @@
 /** @import { SeedSurvey } from './request.js' */
 /** @import { Events } from './sight.js' */
 import './style.css';
+import './contest.css';
 import './places.css';
 import { html, render } from 'lit-html';
 import { luckSlice } from './state.js';

@@ -18,7 +18,7 @@ import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js
 
 const colours = /** @type {const} */ (['--x', '--y', '--theta']);
 const axisHeight = 18;
-const margin = { left: 26, right: 64, top: 2 };
+const margin = { left: 34, right: 64, top: 2 };
 const diamond = /** @type {const} */ ([
   [0, -6],
   [6, 0],

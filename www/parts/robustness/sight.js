@@ -116,9 +116,9 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
         )}</fieldset>
         <div id="robustness-rose" class="rose" data-picture="robustness" role="slider" tabindex="0"></div>
         <div id="robustness-legend" class="survey-legend" data-picture="robustness"></div>
-        <p class="survey-ring">${words.ring(headings)}</p>
       </div>
     </div>
+    <p class="survey-ring">${words.ring(headings)}</p>
     <p id="robustness-sides" class="visually-hidden">${shown.sides}</p>
     <p id="robustness-readout" class="readout" aria-live="polite">${shown.readout}</p>`;
 }

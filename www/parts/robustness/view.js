@@ -88,10 +88,10 @@ export function hatch(context) {
   tile.width = tile.height = Math.round(step * pixels);
   const on = /** @type {CanvasRenderingContext2D} */ (tile.getContext('2d'));
   const edge = tile.width;
-  on.fillStyle = colour('--paper');
+  on.fillStyle = colour('--unreached');
   on.fillRect(0, 0, edge, edge);
-  on.strokeStyle = colour('--muted');
-  on.globalAlpha = 0.55;
+  on.strokeStyle = dark;
+  on.globalAlpha = 0.45;
   on.lineWidth = pixels * 0.8;
   on.beginPath();
   for (const shift of [-edge, 0, edge]) {

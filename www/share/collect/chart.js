@@ -24,6 +24,8 @@ import words from './words/index.js';
 const bins = 24;
 /** What is farther out than this share of the class stands at the edge. */
 const inside = 0.9;
+/** Above and beside the lines, for the names of the axes. */
+const room = { top: 20, right: 44 };
 
 /** @param {readonly Row[]} rows @returns {Point[]} */
 export const pointsIn = (rows) =>
@@ -48,7 +50,7 @@ const ink = (isMet) => colour(isMet ? '--theta' : '--muted');
 /** @param {HTMLElement} root */
 export const createHistogram = (root) =>
   createChart(root, (context, size, /** @type {Model} */ { points, aim }) => {
-    const frame = frameIn(size, { right: 12 });
+    const frame = frameIn(size, room);
     const costs = points.map(({ cost }) => cost);
     const domain = reach(aim === null ? costs : [...costs, aim]);
     const x = scaleLinear(domain, [frame.left, frame.right]);
@@ -76,13 +78,13 @@ export const createHistogram = (root) =>
         }
       if (aim !== null) drawUpright(context, x(aim), frame, { token: '--ink', width: 1.5, dash: [4, 3] });
     });
-    drawAxisNames(context, frame, { x: words.texts.costAxis });
+    drawAxisNames(context, { ...frame, top: 2 }, { x: words.texts.costAxis, y: words.texts.countAxis });
   });
 
 /** @param {HTMLElement} root */
 export const createGainsPlane = (root) =>
   createChart(root, (context, size, /** @type {Model} */ { points }) => {
-    const frame = frameIn(size, { right: 12 });
+    const frame = frameIn(size, room);
     const [x, y] = [0, 2].map((gain, i) =>
       scaleLinear(
         reach(points.map(({ gains }) => gains[gain])),
@@ -102,5 +104,5 @@ export const createGainsPlane = (root) =>
       if (isMet) context.fill();
       context.stroke();
     }
-    drawAxisNames(context, frame, { x: lab.gains[0].name, y: lab.gains[2].name });
+    drawAxisNames(context, { ...frame, top: 2 }, { x: lab.gains[0].name, y: lab.gains[2].name });
   });

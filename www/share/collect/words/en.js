@@ -23,6 +23,7 @@ export const texts = {
   histogram: 'How many have which J',
   gains: 'Their gains',
   costAxis: 'J',
+  countAxis: 'hand-ins',
 };
 
 /** @type {Readonly<Record<Column, string>>} */

@@ -23,6 +23,7 @@ export const texts = {
   histogram: 'J의 분포',
   gains: '제출된 이득',
   costAxis: 'J',
+  countAxis: '제출 수',
 };
 
 /** @type {Readonly<Record<Column, string>>} */
