@@ -11,7 +11,7 @@ const smallestSpan = 0.8;
 /** The pixels that start and goal keep free at each edge, so that no handle lies under a note or outside. @param {{ width: number, height: number }} size */
 function insets({ width, height }) {
   const side = width < 560 ? { left: 64, right: 56 } : { left: 96, right: 88 };
-  if (height < 170) return { ...side, top: 22, bottom: 28 };
+  if (height < 170) return { ...side, top: 22, bottom: 36 };
   if (height < 280) return { ...side, top: 44, bottom: 40 };
   return height < 440 ? { ...side, top: 96, bottom: 64 } : { ...side, top: 96, bottom: 104 };
 }

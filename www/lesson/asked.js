@@ -22,6 +22,7 @@ import { fixed, powerOfTen } from '../words/numbers.js';
 /** @typedef {{ run: Run, time: number, theme: number }} Model */
 
 const gap = 34;
+const [left, right] = [52, 24];
 
 /** Of the axis: 0, ±1, ±10, …, not all where there are many. @param {number} most */
 const powers = (most) => {
@@ -44,11 +45,18 @@ export function createAsked(_tools, { asked: words }) {
   element.id = 'asked';
   element.setAttribute('role', 'img');
   const chart = createChart(element, (context, size, /** @type {Model} */ model) => {
-    const half = { ...size, height: (size.height - gap) / 2 };
+    context.font = strongFont;
+    const signs = `· · · ${words.asked}   ━ ${words.done}`;
+    const widthOf = (/** @type {string} */ text) => context.measureText(text).width;
+    // Where the first name leaves them no room they stand above it.
+    const head = widthOf(words.linear) + widthOf(signs) + left + right > size.width ? 20 : 0;
+    const half = { ...size, height: (size.height - gap - head) / 2 };
     const { run } = model;
-    drawHalf(context, half, 0, [run.commandLinear, run.linear], '--energy', words.linear, model);
-    drawHalf(context, half, half.height, [run.commandAngular, run.angular], '--omega', words.angular, model);
-    drawSigns(context, size, words);
+    drawHalf(context, half, head, [run.commandLinear, run.linear], '--energy', words.linear, model);
+    const second = head + half.height;
+    const angular = /** @type {const} */ ([run.commandAngular, run.angular]);
+    drawHalf(context, half, second, angular, '--omega', words.angular, model, true);
+    drawSigns(context, size, signs);
   });
   return {
     element,
@@ -69,10 +77,19 @@ export function createAsked(_tools, { asked: words }) {
 const tickText = (tick) =>
   tick === 0 ? '0' : `${tick < 0 ? '−' : ''}${powerOfTen(Math.round(Math.log10(Math.abs(tick))))}`;
 
-/** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {readonly [ArrayLike<number>, ArrayLike<number>]} values @param {string} token @param {string} name @param {Model} model */
-function drawHalf(context, { width, height }, top, [asked, done], token, name, { run, time }) {
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {readonly [ArrayLike<number>, ArrayLike<number>]} values @param {string} token @param {string} name @param {Model} model @param {boolean} [isLast] */
+function drawHalf(
+  context,
+  { width, height },
+  top,
+  [asked, done],
+  token,
+  name,
+  { run, time },
+  isLast = false,
+) {
   const most = 1.4 * Math.max(2, largest(asked), largest(done));
-  const frame = { left: 52, right: width - 24, top: top + 22, bottom: top + height - 4 };
+  const frame = { left, right: width - right, top: top + 22, bottom: top + height - 4 };
   /** @type {Axes} */
   const axes = {
     frame,
@@ -84,7 +101,7 @@ function drawHalf(context, { width, height }, top, [asked, done], token, name, {
     y: powers(most),
   };
   drawGrid(context, axes, ticks, ticks.y.map(tickText));
-  if (top > 0)
+  if (isLast)
     drawNumbersBelow(
       context,
       axes.x,
@@ -111,10 +128,10 @@ function drawHalf(context, { width, height }, top, [asked, done], token, name, {
   context.fillText(name, frame.left, top + 15);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Size} size @param {AskedWords['asked']} words */
-function drawSigns(context, { width }, words) {
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {string} signs */
+function drawSigns(context, { width }, signs) {
   context.font = strongFont;
   context.fillStyle = colour('--muted');
   context.textAlign = 'right';
-  context.fillText(`· · · ${words.asked}   ━ ${words.done}`, width - 12, 15);
+  context.fillText(signs, width - 12, 15);
 }

@@ -1,5 +1,4 @@
-// Where words and figure have no room side by side, the figure stays over the words and shows one sight: the robot, what the step is about, or the gains.
-import { isEmbedded } from '../kit/host.js';
+// Where there is no room for all of the figure beside the words, it shows one sight: the robot, what the step is about, or the gains. It stays over the words; in a frame it stands beside them sooner.
 import { createSegmented } from '../kit/segmented.js';
 import { lab } from '../words/index.js';
 import words from './words/index.js';
@@ -10,8 +9,7 @@ import words from './words/index.js';
 
 /** @param {HTMLFieldSetElement} fieldset */
 export function createSights(fieldset) {
-  // In a frame words and figure stand side by side sooner.
-  const narrow = matchMedia(`(max-width: ${isEmbedded ? 599 : 1023}px)`);
+  const narrow = matchMedia('(max-width: 1023px)');
   /** @type {Sight | null} */
   let chosen = null;
   /** What a question is about, when what it opens is there. @type {Sight | null} */

@@ -41,7 +41,7 @@ export function createPage(tools) {
           html`
             <div class="heading">
               <h2 id="disturbance-title">${words.texts.disturbanceTitle}</h2>
-              <p id="disturbance-note" class="muted">${message ? words.failed(message) : words.kindText(tried)}</p>
+              <p id="disturbance-note" class=${message ? 'field-error' : 'muted'}>${message ? words.failed(message) : words.kindText(tried)}</p>
             </div>
             ${controlsOf(tried, error)} ${tableOf(measured && summaryOf(measured))}`,
           element,

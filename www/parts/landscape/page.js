@@ -244,7 +244,7 @@ function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
   const follows = third === null;
   return html`
     <label><span id="landscape-third-name" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
-      <input id="landscape-third" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
+      <input id="landscape-third" type="text" size="5" inputmode="decimal" autocomplete="off" spellcheck="false"
         aria-label=${words.thirdLabel(name)} aria-describedby="landscape-third-error"
         aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}
         @focus=${(/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).select()}

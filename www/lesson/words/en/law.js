@@ -7,7 +7,7 @@ export const law = {
   texts: {
     one: `This robot starts below the goal, so all three errors are there. *Only {kx} is on*; the other two gains are 0. It drives until {xe} is gone and stays there: {=side} m to the side, and turned wrong by {=turned}.
 
-A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. They stand under the picture. Grey: beyond what the wheels can do.`,
+A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. They stand beside these words. Grey: beyond what the wheels can do.`,
     written: `Stop the clock where the bars are long, and move a slider. The formula says the same: point at a term, and its slider, its bars and its errors light up.`,
     each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. (Two more terms of {w} contain {ye}: the next step shows what they cancel.) Now two gains together.`,
     sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from this start the gains 3, 8, 5 ask for up to {=most} rad/s, and the limits leave {=leaves}.`,
