@@ -97,8 +97,9 @@ export async function cluttered() {
       if (
         !isOverlay &&
         covers?.matches('canvas, svg *, svg') &&
+        // A picture may have its name on it.
         !covers.contains(one.element) &&
-        !covers.closest('button')
+        !covers.closest('button, label, li, figure')?.contains(one.element)
       )
         all.add(`“${one.text}” lies under ${nameOf(covers)}`);
       for (const other of texts.slice(i + 1)) {
