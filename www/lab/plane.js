@@ -34,15 +34,17 @@ export function createPlane(pathsCanvas, robotsCanvas) {
         drawGrid(context, view);
         drawPinnedGoals(context, view, pins, goal);
         drawPaths(context, view, scene, pins);
-        // A small plane has no room for what is written along the path.
-        if (pays && view.height >= 280) drawPayments(context, view, driving);
+        // A small plane has no room for what is written along the path, nor beside the legend.
+        const isSmall = view.height < 280;
+        const isPaid = pays && !isSmall;
+        if (isPaid) drawPayments(context, view, driving);
         drawTarget(context, view, start, colour('--muted'));
         drawTarget(context, view, goal, colour('--ink'));
-        const side = pays ? -1 : 1;
-        if (view.height >= 170) {
-          drawPostureName(context, view, start, strings.startName, side);
-          drawPostureName(context, view, goal, strings.goalName, side);
-        }
+        if (view.height < 170) return;
+        const side = isPaid ? -1 : 1;
+        drawPostureName(context, view, start, strings.startName, side);
+        if (!isTaken(view, goal, side, driving)) drawPostureName(context, view, goal, strings.goalName, side);
+        else if (!isSmall) drawPostureName(context, view, goal, strings.goalName, -side);
       });
     }
     if (robotsChanged(view, driving, others, comparison, scene.pins, time, theme)) {
@@ -169,7 +171,15 @@ function drawPayments(context, view, run) {
   }
 }
 
-/** Beside it, where neither its knob is nor the way to it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} name @param {1 | -1} side Its right hand, or its left, where J is written on the right of the path. */
+/** Whether the robot ends where the name of its goal would stand. @param {View} view @param {Posture} goal @param {number} side @param {Run} run */
+function isTaken(view, goal, side, { x, y }) {
+  const end = x.length - 1;
+  const right = (x[end] - goal.x) * Math.sin(goal.theta) - (y[end] - goal.y) * Math.cos(goal.theta);
+  const away = Math.hypot(x[end] - goal.x, y[end] - goal.y) * view.scale;
+  return away > 16 && away < 80 && right * side * view.scale > 12;
+}
+
+/** Beside it, where neither its knob is nor the way to it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} name @param {number} side Its right hand, or its left, where J is written on the right of the path. */
 function drawPostureName(context, view, { x, y, theta }, name, side) {
   const [across, down] = [side * Math.sin(theta), side * Math.cos(theta)];
   context.font = textFont;

@@ -6,7 +6,8 @@ import { symbolInText } from './symbols.js';
 
 /** @import { Live } from './page.js' */
 
-const radius = 56;
+/** Of the angle at the robot, which stays within a low plane. @param {{ width: number, height: number }} size */
+const radiusIn = ({ width, height }) => Math.min(56, Math.max(28, Math.min(width, height) / 6));
 
 /** @param {HTMLElement} root The svg, and beside it the labels. */
 export function createErrorPosture(root) {
@@ -54,6 +55,7 @@ export function createErrorPosture(root) {
     draw({ state, sample }) {
       if (state.size.width === 0 || !changed(sample, state.box, state.size)) return;
       size = state.size;
+      const radius = radiusIn(size);
       const view = createView(state.box, state.size);
       const { posture, reference, error } = sample;
       const at = (/** @type {number} */ x, /** @type {number} */ y) => [view.screenX(x), view.screenY(y)];

@@ -1,6 +1,7 @@
 // Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
 import { create, write } from '../kit/elements.js';
 import words from './words/index.js';
+import { isFirst, withDots } from './notation.js';
 import { isSymbol, mathml, symbol } from './symbols.js';
 
 /** @import { Formula } from './notation.js' */
@@ -38,6 +39,7 @@ export function createFormula({ label, build, filled = build, numbers }) {
       return leaf;
     }),
   );
+  withDots(numbersIn);
   const filledMath = mathml('math', numbersIn);
   filledMath.setAttribute('display', 'block');
   const now = scroller('formula-lines formula-now', filledMath);
@@ -55,7 +57,10 @@ export function createFormula({ label, build, filled = build, numbers }) {
     element,
     draw(live) {
       const known = numbers(live);
-      for (const [term, all] of leaves) for (const leaf of all) write(leaf, known[term] ?? '–');
+      for (const [term, all] of leaves) {
+        const text = known[term] ?? '–';
+        for (const leaf of all) write(leaf, text.startsWith('−') && !isFirst(leaf) ? `(${text})` : text);
+      }
     },
   };
 }

@@ -19,6 +19,7 @@ import {
   sub,
   sup,
   term,
+  times,
 } from './notation.js';
 
 /** @import { Cost } from '../core/engine.js' */
@@ -47,16 +48,16 @@ export const errorFormula = {
   build: (leaf) => [
     line(
       leaf('xe'),
-      row(cos(leaf('tr')), '(', leaf('xr'), '−', leaf('xc'), ')'),
+      row(cos(leaf('tr')), times, '(', leaf('xr'), '−', leaf('xc'), ')'),
       '+',
-      row(sin(leaf('tr')), '(', leaf('yr'), '−', leaf('yc'), ')'),
+      row(sin(leaf('tr')), times, '(', leaf('yr'), '−', leaf('yc'), ')'),
     ),
     line(
       leaf('ye'),
       '−',
-      row(sin(leaf('tr')), '(', leaf('xr'), '−', leaf('xc'), ')'),
+      row(sin(leaf('tr')), times, '(', leaf('xr'), '−', leaf('xc'), ')'),
       '+',
-      row(cos(leaf('tr')), '(', leaf('yr'), '−', leaf('yc'), ')'),
+      row(cos(leaf('tr')), times, '(', leaf('yr'), '−', leaf('yc'), ')'),
     ),
     line(leaf('te'), leaf('tr'), '−', leaf('tc')),
   ],
@@ -84,7 +85,11 @@ export const partsOfLaw = (leaf) => ({
   },
   angular: {
     kt: [leaf('kt'), dot, sin(leaf('te'))],
-    ky: [leaf('ky'), dot, frac(row(leaf('xe'), sup(leaf('ye'), '3'), cos(leaf('te'))), sin(leaf('te'), '2'))],
+    ky: [
+      leaf('ky'),
+      dot,
+      frac(row(leaf('xe'), times, sup(leaf('ye'), '3'), times, cos(leaf('te'))), sin(leaf('te'), '2')),
+    ],
     kx: [leaf('kx'), dot, leaf('xe'), dot, leaf('ye'), dot, cos(leaf('te'))],
   },
 });
@@ -207,7 +212,7 @@ export const gainFormula = {
       return {
         k: write(base.gains[i]),
         s: words.sigmaText(base.sigmas[i]),
-        N: words.bracketed(words.drawText(draws.gains[i])),
+        N: words.drawText(draws.gains[i]),
         newk: words.cameFrom(write(child.gains[i]), write(movedGain(birth, i))),
       };
     });
@@ -231,14 +236,13 @@ export const sigmaFormula = {
     if (!birth) return {};
     const { base, child, draws } = birth;
     const rates = ratesOf(live.engine.learningRates(), live.state.experiment.evolution.adaptation);
-    const draw = (/** @type {number} */ value) => words.bracketed(words.drawText(value));
     return {
       tau: words.drawText(rates.own),
       tau2: words.drawText(rates.common),
-      N: draw(draws.common),
+      N: words.drawText(draws.common),
       ...named((i) => ({
         s: words.sigmaText(base.sigmas[i]),
-        N: draw(draws.sigmas[i]),
+        N: words.drawText(draws.sigmas[i]),
         news: words.cameFrom(words.sigmaText(child.sigmas[i]), words.sigmaText(grownSigma(birth, i, rates))),
       })),
     };
@@ -251,9 +255,9 @@ export const lyapunovFormula = {
   build: (leaf) => [
     line(
       leaf('V'),
-      term('xe', frac('1', '2'), sup(leaf('xe'), '2')),
+      term('xe', frac('1', '2'), times, sup(leaf('xe'), '2')),
       '+',
-      term('ye', frac('1', '2'), sup(leaf('ye'), '2')),
+      term('ye', frac('1', '2'), times, sup(leaf('ye'), '2')),
       '+',
       term('te', '(', '1', '−', cos(leaf('te')), ')'),
     ),

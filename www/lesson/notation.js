@@ -71,3 +71,17 @@ const ofAngle =
 export const sin = ofAngle('sin');
 export const cos = ofAngle('cos');
 export const dot = '·';
+/** Between symbols a product needs no sign; between numbers it does. */
+export const times = '\u2062';
+/** In the place of symbols there are numbers now: their products have a dot. @param {Element} lines */
+export function withDots(lines) {
+  for (const sign of lines.querySelectorAll('mo')) if (sign.textContent === times) sign.textContent = dot;
+}
+/** Whether a number there has no sign before it but that of an equation or what encloses it, and no power: below zero it needs no brackets. @param {Element} number @returns {boolean} */
+export function isFirst(number) {
+  const { parentElement: parent, previousElementSibling: before } = number;
+  if (parent?.localName === 'mfrac') return true;
+  if (parent?.localName === 'msup') return before !== null;
+  if (before) return before.localName === 'mo' && '=<>(|'.includes(before.textContent ?? '');
+  return parent?.localName !== 'mrow' || isFirst(parent);
+}
