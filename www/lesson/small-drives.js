@@ -37,7 +37,7 @@ export function createSmallDrive(store) {
 /** @param {CanvasRenderingContext2D} context @param {{ width: number, height: number }} size @param {{ experiment: Experiment, run: Run, time: number, car: number, token: string }} what */
 function drawRun(context, { width, height }, { experiment, run, time, car, token }) {
   const { left, right, top, bottom } = boxAround([experiment.starts[0], experiment.goal]);
-  const room = 2.2 * car;
+  const room = 2.6 * car;
   const scale = Math.min((width - 2 * room) / (right - left), (height - 2 * room) / (top - bottom));
   const [originX, originY] = [
     width / 2 - (scale * (left + right)) / 2,
