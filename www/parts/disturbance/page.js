@@ -3,6 +3,7 @@
 /** @import { State } from '../../run/state.js' */
 /** @import { Page, Tools } from '../part.js' */
 import './style.css';
+import './places.css';
 import { html, render } from 'lit-html';
 import { remember, watch } from '../../kit/memo.js';
 import words from './words/index.js';
