@@ -69,7 +69,10 @@ function moreOf(name, first) {
   return first === 'evolution.seed' ? ['seed'] : [];
 }
 
-/** The actions as the controls have them: what is locked or hidden does nothing. @param {Actions} actions @param {Store} store @returns {Actions} */
+/** What controls of other groups do by the way, and do without where it is locked. @type {readonly (keyof Actions)[]} */
+const byTheWay = ['pauseEvolution'];
+
+/** The actions as the controls have them: what is locked or hidden does nothing, and a control that does not look so is a defect. @param {Actions} actions @param {Store} store @returns {Actions} */
 export function guarded(actions, store) {
   /** @param {keyof Actions} name @param {unknown[]} given */
   const mayDo = (name, [first]) => {
@@ -79,10 +82,14 @@ export function guarded(actions, store) {
   };
   const entries = Object.entries(actions).map(([name, act]) => [
     name,
-    (/** @type {any[]} */ ...given) =>
-      mayDo(/** @type {keyof Actions} */ (name), given)
-        ? /** @type {(...given: any[]) => unknown} */ (act)(...given)
-        : undefined,
+    (/** @type {any[]} */ ...given) => {
+      if (mayDo(/** @type {keyof Actions} */ (name), given))
+        return /** @type {(...given: any[]) => unknown} */ (act)(...given);
+      if (!byTheWay.includes(/** @type {keyof Actions} */ (name)))
+        console.error(
+          `${name} is locked, and the control that asks for it is not: see the places of its part`,
+        );
+    },
   ]);
   return /** @type {Actions} */ (Object.fromEntries(entries));
 }

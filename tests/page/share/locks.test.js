@@ -1,8 +1,10 @@
 // What an exercise locks cannot be done by a way round.
 import assert from 'node:assert/strict';
 import { linkOfStep, stepNamed } from '../../../www/lesson/path.js';
+import { groupNames } from '../../../www/run/exercise.js';
 import { pageTest } from '../harness/browsers.js';
 import { read, waysOf } from '../harness/reading.js';
+import { views } from '../whole/views.js';
 
 pageTest('a locked clock stands still, also for who moves over the curves', async (page) => {
   for (const view of ['time', 'stability'])
@@ -172,3 +174,116 @@ pageTest(
     assert.deepEqual(await waysOf(page, '#keep-button'), ['free']);
   },
 );
+
+/** Of each part, the controls that change nothing that an exercise could lock. */
+const freeInPart = {
+  curves: [
+    'curves-numbers',
+    'curves-view-compare',
+    'curves-view-numbers',
+    'curves-view-stability',
+    'curves-view-time',
+    'stability-log',
+    'stability-table',
+  ],
+  disturbance: [],
+  generation: [
+    'generation-phases-drive',
+    'generation-phases-mutation',
+    'generation-phases-parents',
+    'generation-phases-ranking',
+    'generation-phases-survivors',
+    'generation-phases-tournament',
+    'generation-picture',
+    'generation-table',
+  ],
+  lab: [],
+  landscape: ['landscape-follows', 'landscape-table', 'landscape-third', 'landscape-x', 'landscape-y'],
+  luck: [
+    'contest-budget',
+    'contest-seeds',
+    'contestant-2',
+    'contestant-3',
+    'contestant-4',
+    'luck-view-contest',
+    'luck-view-seeds',
+  ],
+  park: ['park-again'],
+  robustness: [
+    'robustness-half',
+    'robustness-headings-all',
+    'robustness-headings-one',
+    'robustness-quantity-cost',
+    'robustness-quantity-share',
+    'robustness-quantity-time',
+    'robustness-rose',
+    'robustness-table',
+  ],
+  training: ['training-generations'],
+};
+
+/** Works every control that looks free, once, also those that come with it. Links are tried elsewhere. @param {string} part */
+async function workAll(part) {
+  const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+  const selector = 'button, input, select, summary, [tabindex="0"]';
+  /** @type {Set<Element>} */
+  const worked = new Set();
+  const next = () =>
+    [...document.querySelectorAll(selector)].find(
+      (element) =>
+        !worked.has(element) &&
+        element.checkVisibility() &&
+        !element.matches(':disabled, [aria-disabled="true"]') &&
+        !element.closest('[inert]'),
+    );
+  /** @param {Element} element */
+  const work = (element) => {
+    const tell = (/** @type {string} */ type) => element.dispatchEvent(new Event(type, { bubbles: true }));
+    if (element instanceof HTMLSelectElement) {
+      element.selectedIndex = (element.selectedIndex + 1) % element.options.length;
+      tell('change');
+    } else if (element instanceof HTMLInputElement && element.type === 'range') {
+      element.value = String((Number(element.min) + Number(element.max)) / 2);
+      tell('input');
+      tell('change');
+    } else if (element instanceof HTMLInputElement && /text|number/.test(element.type)) {
+      element.value = '3';
+      tell('input');
+      tell('change');
+    } else if (element instanceof HTMLElement) {
+      for (const key of ['ArrowRight', 'Enter'])
+        element.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+      element.click();
+    }
+    for (const dialog of document.querySelectorAll('dialog')) dialog.close();
+  };
+  const problems =
+    /** @type {{ collectedProblems?: string[] }} */ (/** @type {unknown} */ (window)).collectedProblems ?? [];
+  /** @type {string[]} */
+  const found = [];
+  for (let element = next(); element && worked.size < 300; element = next()) {
+    worked.add(element);
+    work(element);
+    await frame();
+    found.push(...problems.splice(0).map((problem) => `${element?.outerHTML.slice(0, 200)} ${problem}`));
+  }
+  const own = [...worked].filter((element) => element.closest(`section.${part}`));
+  return { found, own: own.map(({ id }) => id).filter((id) => id !== '') };
+}
+
+pageTest('where all is locked no control looks free that is not', async (page) => {
+  /** @type {string[]} */
+  const flaws = [];
+  /** @type {Record<string, Set<string>>} */
+  const free = {};
+  for (const view of views) {
+    await page.open(`#${view}&lock=${groupNames.join(',')}&task=Stay`);
+    const part = view.split('&')[0];
+    const { found, own } = await page.evaluate(workAll, part);
+    flaws.push(...found.map((flaw) => `${view}: ${flaw}`));
+    free[part] = new Set([...(free[part] ?? []), ...own]);
+  }
+  assert.deepEqual(flaws, []);
+  const sorted = Object.entries(free).map(([part, names]) => [part, [...names].sort()]);
+  assert.deepEqual(Object.fromEntries(sorted), freeInPart, 'else a part locks it in its places');
+});

@@ -1,22 +1,11 @@
 // On every screen each text can be read and each picture has room: every part, every step of the lesson, as a page and as a figure.
 import assert from 'node:assert/strict';
-import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
-import { pageNames } from '../../../www/parts/parts.js';
 import { pageTest } from '../harness/browsers.js';
 import { cluttered } from './cluttered.js';
 import { endSurrounding, follow, surround } from './surround.js';
+import { views } from './views.js';
 
 /** @typedef {import('./surround.js').Size} Size */
-
-const views = [
-  ...pageNames.map((name) => `${name}&v=1&generation=2`),
-  ...['stability', 'compare', 'numbers'].map((view) => `curves&v=1&view=${view}&generation=2`),
-  ...['mutation', 'drive', 'tournament', 'ranking', 'survivors'].map(
-    (phase) => `generation&v=1&generation=2&phase=${phase}`,
-  ),
-  'luck&v=1&luck=contest',
-  ...stepNames.map((_, i) => linkOfStep(i + 1)),
-];
 
 /** @type {Record<string, readonly Size[]>} */
 const screens = {

@@ -10,6 +10,7 @@ import { followPointer } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { sampleBefore } from '../../lab/track.js';
+import { isFree } from '../../run/guard.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { sampleTime } from './axes.js';
@@ -26,7 +27,7 @@ export function createOverTime(root, { engine, store, actions }) {
     const around = /** @type {HTMLElement} */ (lines.parentElement);
     const plots = createPlots({ lines, cursor });
     followPointer(around, (px) => {
-      if (driving) actions.scrub(sampleTime(driving, plots.timeAt(px)));
+      if (driving && isFree(store.get(), 'clock')) actions.scrub(sampleTime(driving, plots.timeAt(px)));
     });
     return { plots, size: followSize(around, store.redraw) };
   };

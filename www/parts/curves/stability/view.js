@@ -11,6 +11,7 @@ import { formula } from '../../../kit/formula.js';
 import { remember, watch } from '../../../kit/memo.js';
 import { showTable } from '../../../lab/table-sheet.js';
 import { sampleBefore } from '../../../lab/track.js';
+import { isFree } from '../../../run/guard.js';
 import words from './words/index.js';
 import { sampleTime } from '../axes.js';
 import { curvesSlice } from '../state.js';
@@ -51,7 +52,7 @@ export function createStability(root, { engine, store, actions }) {
     const around = /** @type {HTMLElement} */ (lines.parentElement);
     const plots = createPlots({ lines, cursor });
     followPointer(around, (px) => {
-      if (shown) actions.scrub(sampleTime(shown.driving, plots.timeAt(px)));
+      if (shown && isFree(store.get(), 'clock')) actions.scrub(sampleTime(shown.driving, plots.timeAt(px)));
     });
     return { plots, size: followSize(around, store.redraw) };
   };
