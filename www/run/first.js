@@ -41,6 +41,7 @@ export function firstState(engine, preset, robot) {
     unpinned: null,
     settings: { open: false, error: null },
     exercise: noExercise,
+    refusals: 0,
     student: nobody,
     work: newWork(''),
     maker: firstMaker,

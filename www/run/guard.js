@@ -2,7 +2,7 @@
 /** @import { Actions } from './actions/actions.js' */
 /** @import { Group } from './exercise.js' */
 /** @import { State } from './state.js' */
-/** @import { Store } from './store.js' */
+/** @import { RunStore } from './store.js' */
 import { shownExercise, wayOf } from './exercise.js';
 
 /** The group that an action belongs to, whichever control asks for it: a press on a map chooses gains as a slider does. A free one changes only what is seen, or is the program's own. @type {Readonly<Record<keyof Actions, Group | 'free'>>} */
@@ -72,7 +72,7 @@ function moreOf(name, first) {
 /** What controls of other groups do by the way, and do without where it is locked. @type {readonly (keyof Actions)[]} */
 const byTheWay = ['pauseEvolution'];
 
-/** The actions as the controls have them: what is locked or hidden does nothing, and a control that does not look so is a defect. @param {Actions} actions @param {Store} store @returns {Actions} */
+/** The actions as the controls have them: what is locked or hidden does nothing but say so. @param {Actions} actions @param {RunStore} store @returns {Actions} */
 export function guarded(actions, store) {
   /** @param {keyof Actions} name @param {unknown[]} given */
   const mayDo = (name, [first]) => {
@@ -86,9 +86,7 @@ export function guarded(actions, store) {
       if (mayDo(/** @type {keyof Actions} */ (name), given))
         return /** @type {(...given: any[]) => unknown} */ (act)(...given);
       if (!byTheWay.includes(/** @type {keyof Actions} */ (name)))
-        console.error(
-          `${name} is locked, and the control that asks for it is not: see the places of its part`,
-        );
+        store.update({ refusals: store.get().refusals + 1 });
     },
   ]);
   return /** @type {Actions} */ (Object.fromEntries(entries));

@@ -44,6 +44,7 @@
  * @property {Driven | null} unpinned The run for which there was no room among the pins.
  * @property {{ open: boolean, error: { path: string, text: string } | null }} settings
  * @property {Exercise} exercise What the link asks for, and what it locks and hides.
+ * @property {number} refusals Counts what was asked for though it is locked.
  * @property {Student} student
  * @property {Work} work
  * @property {MakerState} maker

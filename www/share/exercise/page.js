@@ -114,12 +114,16 @@ export function createExercise({ places, ...tools }) {
   const keeper = createKeeper(all, store);
 
   const changed = watch();
+  const refuses = watch();
   return {
     /** @param {State} state @param {number} made How many parts of the page have been opened. @param {Scene} scene */
     draw(state, made, scene) {
       const exercise = shownExercise(state);
       work(state, scene);
       keeper.follow(state, made);
+      // Why nothing happens.
+      if (refuses(state.refusals) && state.refusals > 0)
+        locks.animate([{ background: 'var(--ink)', color: 'var(--paper)' }, {}], 1500);
       if (!changed(exercise, state.student.handin)) return;
       document.body.toggleAttribute('data-exercise', asksSomething(exercise));
       section.hidden = isEmpty(exercise) && state.student.handin === '';

@@ -1,0 +1,94 @@
+// A setting is shown as idle just where it changes nothing.
+import assert from 'node:assert/strict';
+import { rows } from '../../../www/settings/table.js';
+import { experiment, fields, historyOf, wordFields } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../harness/core.js').Experiment} Experiment */
+
+const general = (/** @type {string} */ path) => path.replace(/\[\d\]/, '[]');
+const wordsOf = new Map(wordFields().map(({ path, words }) => [path, words]));
+const numbers = new Map(fields().map((field) => [field.path, field]));
+
+/** @param {Experiment} from @param {string} path */
+function placeOf(from, path) {
+  const changed = structuredClone(from);
+  const names = path.replace(/\[(\d)\]/, '.$1').split('.');
+  const last = /** @type {string} */ (names.pop());
+  const holder = names.reduce((/** @type {any} */ one, name) => one[name], changed);
+  return { changed, holder, last };
+}
+
+/** The experiment with this setting at other values. @param {Experiment} from @param {string} path @returns {Experiment[]} */
+function othersOf(from, path) {
+  const now = placeOf(from, path);
+  const value = now.holder[now.last];
+  const words = wordsOf.get(general(path));
+  const field = numbers.get(general(path));
+  const near = [value * 0.5, value * 1.5, value * 0.001, value + 1, value - 1, value + 4].map((one) =>
+    field?.integer ? Math.round(one) : one,
+  );
+  return (words ?? near).flatMap((other) => {
+    const { changed, holder, last } = placeOf(from, path);
+    holder[last] = other;
+    try {
+      return other === value ? [] : [experiment(changed)];
+    } catch {
+      return [];
+    }
+  });
+}
+
+/** Which gains, at what J; the hash tells too what a method never uses. @param {Experiment} from */
+const found = (from) =>
+  JSON.stringify(
+    historyOf(from, 12).map(({ best, median, worst }) => [best.gains, best.cost, median, worst]),
+  );
+
+/** One in which every setting can matter. @type {Experiment} */
+const lively = (() => {
+  const { disturbance, evolution, ...rest } = experiment('velocity-limits');
+  return {
+    ...rest,
+    tolerance: { ...rest.tolerance },
+    disturbance: { ...disturbance, linear: 0.1, angular: 0.1 },
+    evolution: { ...evolution, population: 8, opponents: 3, initialSigma: 5, initialRange: [-3, 5] },
+  };
+})();
+
+/** @param {string} field */
+const wordsIn = (field) => /** @type {readonly any[]} */ (wordsOf.get(field));
+const experiments = [
+  ...wordsIn('evolution.method').flatMap((method) =>
+    (method === 'ep' ? wordsIn('evolution.selection') : ['tournament']).map((selection) => ({
+      ...lively,
+      evolution: { ...lively.evolution, method, selection },
+    })),
+  ),
+  ...wordsIn('disturbance.kind').map((kind) => ({ ...lively, disturbance: { ...lively.disturbance, kind } })),
+];
+
+test('a setting is idle just where no other value of it changes what is found', () => {
+  for (const from of experiments) {
+    const now = found(from);
+    for (const { path, isIdle } of rows.filter(({ path }) => /^(disturbance|evolution)\./.test(path))) {
+      const changes = othersOf(from, path).some((other) => found(other) !== now);
+      const { method, selection } = from.evolution;
+      assert.equal(
+        isIdle?.(from) ?? false,
+        !changes,
+        `${path} in ${method}, ${selection}, ${from.disturbance.kind}`,
+      );
+    }
+  }
+});
+
+test('a setting that is never idle matters in the one run', () => {
+  const now = found(lively);
+  for (const { path, isIdle } of rows)
+    if (!isIdle)
+      assert.ok(
+        othersOf(lively, path).some((other) => found(other) !== now),
+        path,
+      );
+});
