@@ -46,36 +46,36 @@ function tell(error) {
   reportError(error);
 }
 
-/** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
-async function start(engine) {
+/** The state, the actions that change it, and what of it is seen. @param {Engine} engine @param {Parameters<typeof createScene>[2]} drivesOf @param {() => void} redraw */
+function createRun(engine, drivesOf, redraw) {
   const paper = engine.paper();
-  /** @type {ReturnType<typeof createParts> | null} */
-  let pages = null;
-  const sceneOf = createScene(engine.drive, paper, (state) => pages?.of(state.page)?.drives?.(state) ?? null);
-  const generations = createAccumulator();
-  const loop = createFrameLoop(frame);
   const first = firstState(engine, 'velocity-limits', isStill() ? atEnd : fromStart);
-  const store = createStore(first, loop.request);
-  const sight = createSight(sceneOf, first, loop.request, (error) =>
+  const store = createStore(first, redraw);
+  const sight = createSight(createScene(engine.drive, paper, drivesOf), first, redraw, (error) =>
     store.update({ message: messageOf(error) }),
   );
   /** Of the state that is seen. @param {State} state */
   const seenScene = (state) => sight.of(state).scene;
-  const whenSeen = () => sight.whenSeen(store.get);
   const finalTime = () => seenScene(store.get()).driving.finalTime;
   const actions = createActions({ engine, store, paper, finalTime, isStill, places });
-  const controls = guarded(actions, store);
-  const tools = { engine, store, actions: controls, paper, links };
-  const go = (/** @type {string} */ link) => address?.go(link);
-  const onLesson = () => go(links.linkOfStep(store.get().lastStep));
-  const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
+  const tools = { engine, store, actions: guarded(actions, store), paper, links };
+  return { actions, tools, sight, seenScene };
+}
+
+/** @typedef {ReturnType<typeof createRun>} Run */
+
+/** All that is seen, each thing drawn in its turn and apart from the others. @param {Run} run @param {() => void} redraw @param {() => ReturnType<typeof createAddress> | null} addressOf */
+function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
+  const { engine, store, paper } = tools;
   const apart = createApart(tell);
   /** What one of them asks for of its own may still be under way. @param {string} name @param {() => void} act */
-  const turn = (name, act) => apart(name, () => tryNow(act, loop.request));
-  const draw = createDraw(createViews(store, controls, order, onLesson), engine, paper, turn);
+  const turn = (name, act) => apart(name, () => tryNow(act, redraw));
+  const go = (/** @type {string} */ link) => addressOf()?.go(link);
+  const onLesson = () => go(links.linkOfStep(store.get().lastStep));
+  const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
+  const draw = createDraw(createViews(store, tools.actions, order, onLesson), engine, paper, turn);
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
-  pages = made;
   const settings = createSettingsPanel(tools);
   const exercise = createExercise({
     ...tools,
@@ -84,47 +84,53 @@ async function start(engine) {
     onHandIn: (handed) => embed?.handIn(handed),
   });
   const share = createShare({ ...tools, sceneOf: seenScene, open: actions.openLinked });
-  const computingLine = createComputing(controls);
+  const computingLine = createComputing(tools.actions);
   const pinButton = createPinButton(tools, seenScene);
-  embed = isEmbedded
-    ? createEmbed({
-        ...tools,
-        actions,
-        seen: () => sight.of(store.get()),
-        answersOf,
-        whenSeen,
-        shapes: parts,
-      })
-    : null;
-  /** @type {ReturnType<typeof createAddress> | null} */
-  let address = null;
-  /** Nothing of the first picture moves because the open part comes later. */
-  let isWhole = false;
 
-  /** Draws what the state says, and lets the open part ask the workers for what it still lacks. */
-  const show = () => {
-    const now = store.get();
-    const { state: driven, scene, isComputing } = sight.of(now);
-    const { robot, size, theme, message, evolving } = now;
-    const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
-    made.open(now.page);
-    lesson.open(now);
-    turn('computing', () => computingLine.draw(now));
-    turn('lab', () => draw(state, scene));
-    turn('lesson', () => lesson.draw(state, scene));
-    turn(state.page, () => made.of(state.page)?.draw(state, scene));
-    turn('exercise', () => exercise.draw(state, made.size, scene));
-    if (!isComputing) turn('address', () => address?.follow(state));
-    // What is being set, while its drives are still on their way.
-    turn('settings', () => settings.draw(now));
-    turn('embed', () => embed?.draw(state));
-    turn('share', () => share.draw(state));
-    turn('pins', () => pinButton.draw(state, scene));
+  return {
+    made,
+    turn,
+    openChecks: share.openChecks,
+    open: () => Promise.all([made.open(store.get().page), lesson.open(store.get())]),
+
+    /** Draws what the state says, and lets the open part ask the workers for what it still lacks. */
+    show() {
+      const now = store.get();
+      const { state: driven, scene, isComputing } = sight.of(now);
+      const { robot, size, theme, message, evolving } = now;
+      const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
+      made.open(now.page);
+      lesson.open(now);
+      turn('computing', () => computingLine.draw(now));
+      turn('lab', () => draw(state, scene));
+      turn('lesson', () => lesson.draw(state, scene));
+      turn(state.page, () => made.of(state.page)?.draw(state, scene));
+      turn('exercise', () => exercise.draw(state, made.size, scene));
+      if (!isComputing) turn('address', () => addressOf()?.follow(state));
+      // What is being set, while its drives are still on their way.
+      turn('settings', () => settings.draw(now));
+      turn('embed', () => embed?.draw(state));
+      turn('share', () => share.draw(state));
+      turn('pins', () => pinButton.draw(state, scene));
+    },
+  };
+}
+
+/** What time changes, and then what is seen of it; whether another frame is due. @param {Run} run @param {ReturnType<typeof createSeen>} seen */
+function createFrame({ actions, tools: { store } }, { made, turn, show }) {
+  const generations = createAccumulator();
+
+  /** As many generations as are due, or as fit into half a frame. @param {number} pace @param {number} seconds */
+  const moreOf = (pace, seconds) => {
+    if (Number.isFinite(pace)) {
+      let due = generations.take(seconds, pace);
+      return () => due-- > 0;
+    }
+    const end = performance.now() + 8;
+    return () => performance.now() < end;
   };
 
-  /** @param {number} seconds */
-  function frame(seconds) {
-    if (!isWhole) return false;
+  return (/** @type {number} */ seconds) => {
     const before = store.get();
     turn(before.page, () => made.of(before.page)?.tick?.(before, seconds));
     // First of all there is a picture.
@@ -134,24 +140,39 @@ async function start(engine) {
     show();
     const { evolving, computing, robot } = store.get();
     return evolving || computing !== null || robot.playing;
-  }
+  };
+}
 
-  /** As many generations as are due, or as fit into half a frame. @param {number} pace @param {number} seconds */
-  function moreOf(pace, seconds) {
-    if (Number.isFinite(pace)) {
-      let due = generations.take(seconds, pace);
-      return () => due-- > 0;
-    }
-    const end = performance.now() + 8;
-    return () => performance.now() < end;
-  }
+/** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
+async function start(engine) {
+  /** @type {ReturnType<typeof createSeen> | null} */
+  let seen = null;
+  /** @type {ReturnType<typeof createAddress> | null} */
+  let address = null;
+  /** Once it is there: nothing of the first picture moves because the open part comes later. @type {ReturnType<typeof createFrame> | null} */
+  let frame = null;
+  const loop = createFrameLoop((seconds) => frame?.(seconds) ?? false);
+  const run = createRun(engine, (state) => seen?.made.of(state.page)?.drives?.(state) ?? null, loop.request);
+  const { actions, tools, sight } = run;
+  const { store } = tools;
+  seen = createSeen(run, loop.request, () => address);
+  const { open, show, openChecks } = seen;
+  if (isEmbedded)
+    embed = createEmbed({
+      ...tools,
+      actions,
+      seen: () => sight.of(store.get()),
+      answersOf,
+      whenSeen: () => sight.whenSeen(store.get),
+      shapes: parts,
+    });
 
   byId('plane-robots').setAttribute('aria-label', words.planeLabel);
-  createKeys(share.openChecks);
+  createKeys(openChecks);
   byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get().history)));
   address = createAddress({ ...tools, actions, firstPage });
-  await Promise.all([made.open(store.get().page), lesson.open(store.get())]);
-  isWhole = true;
+  await open();
+  frame = createFrame(run, seen);
   takeInstead();
   byId('instrument').hidden = false;
   // At once, because the next frame may be late.
