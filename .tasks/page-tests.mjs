@@ -4,7 +4,7 @@ import { basename, join } from 'node:path';
 import { top } from './run.mjs';
 
 /** @typedef {import('../tests/page/harness/engines.js').EngineName} EngineName */
-/** One process and what it is told. @typedef {{ files: string[], env: Record<string, string> }} Lane */
+/** Processes one after the other, and what they are told; some lanes share their lists. @typedef {{ lists: string[][], env: Record<string, string> }} Lane */
 
 const folder = join('tests', 'page');
 
@@ -33,7 +33,8 @@ function shared(files, count) {
 
 /**
  * Who runs what, side by side, for each spends much of its time waiting: the first engine, which has the most to do, in
- * several processes; each other engine what engines can do differently; and once what needs no browser.
+ * several processes, each of which takes the next list of files when it has done one; each other engine what engines can do
+ * differently; and once what needs no browser.
  * @param {readonly EngineName[]} engines @param {string[]} files @param {number} late milliseconds by which every frame of the first engine comes late
  * @returns {Lane[]}
  */
@@ -45,13 +46,12 @@ export function lanesOf(engines, files, late) {
     FIRST_ENGINE: first,
     LATE_FRAMES: String(engine === first ? late : 0),
   });
+  // Who waits for late frames leaves the machine to others.
+  const atOnce = !first ? 0 : late > 0 ? 5 : 2;
+  const lists = shared(files, 3 * atOnce);
   return [
-    { files, env: { PAGE_TESTS: 'without browsers' } },
-    // Who waits for late frames leaves the machine to others.
-    ...(first ? shared(files, late > 0 ? 4 : 2) : []).map((some) => ({
-      files: some,
-      env: browser(first),
-    })),
-    ...others.map((engine) => ({ files, env: browser(engine) })),
+    { lists: [files], env: { PAGE_TESTS: 'without browsers' } },
+    ...Array.from({ length: atOnce }, () => ({ lists, env: browser(first) })),
+    ...others.map((engine) => ({ lists: [files], env: browser(engine) })),
   ];
 }

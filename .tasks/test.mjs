@@ -164,9 +164,10 @@ function testPage(...lanes) {
   const every = join('tests', 'page', 'harness', 'every.js');
   return step('tests of the built page in real browsers', () =>
     together(
-      lanesOf(...lanes).map(({ files, env }) =>
-        counted(process.execPath, ['--test-reporter=spec', every, ...files], { env }),
-      ),
+      lanesOf(...lanes).map(async ({ lists, env }) => {
+        for (let files = lists.shift(); files; files = lists.shift())
+          await counted(process.execPath, ['--test-reporter=spec', every, ...files], { env });
+      }),
     ),
   );
 }
