@@ -35,6 +35,17 @@ const standing = (...entrants) =>
   `.standing-name:is(${entrants.map((name) => `[data-entrant="${name}"]`).join(', ')})`;
 const again = '#near-goal button';
 
+/** A line that says why nothing happens. */
+const alight = [
+  {
+    background: 'var(--hairline)',
+    boxShadow: '0 0 0 5px var(--hairline)',
+    color: 'var(--ink)',
+    easing: 'ease-in',
+  },
+  {},
+];
+
 /** Those of the lab, the lesson, the settings and Share. @type {Places} */
 const own = {
   gains: { lock: `#gains, ${standing('gentle', 'hand')}`, hide: '#gains, #gains-note' },
@@ -121,9 +132,7 @@ export function createExercise({ places, ...tools }) {
       const exercise = shownExercise(state);
       work(state, scene);
       keeper.follow(state, made);
-      // Why nothing happens.
-      if (refuses(state.refusals) && state.refusals > 0)
-        locks.animate([{ background: 'var(--ink)', color: 'var(--paper)' }, {}], 1500);
+      if (refuses(state.refusals) && state.refusals > 0) locks.animate(alight, 2000);
       if (!changed(exercise, state.student.handin)) return;
       document.body.toggleAttribute('data-exercise', asksSomething(exercise));
       section.hidden = isEmpty(exercise) && state.student.handin === '';
