@@ -4,10 +4,11 @@ import { createView } from '../kit/transform.js';
 import { watch } from '../kit/memo.js';
 import { symbolInText } from './symbols.js';
 
+/** @import { Sample } from '../core/engine.js' */
 /** @import { Live } from './page.js' */
 
-/** Of the angle at the robot, which stays within a low plane. @param {{ width: number, height: number }} size */
-const radiusIn = ({ width, height }) => Math.min(56, Math.max(28, Math.min(width, height) / 6));
+/** In pixels. @typedef {readonly [x: number, y: number]} At */
+/** One of the three: its line, where its name stands, and whether it is long enough to be seen. @typedef {{ path: string, at: At, seen: boolean }} Mark */
 
 /** @param {HTMLElement} root The svg, and beside it the labels. */
 export function createErrorPosture(root) {
@@ -32,20 +33,6 @@ export function createErrorPosture(root) {
   root.replaceChildren(picture, ...parts.map(({ label }) => label));
   const changed = watch();
 
-  let size = { width: 0, height: 0 };
-  /** Within the plane. @param {number} at @param {number} end */
-  const clamp = (at, end) => Math.max(16, Math.min(end - 16, at));
-  /** @param {number} i @param {string} path @param {number} x @param {number} y @param {boolean} seen */
-  const place = (i, path, x, y, seen) => {
-    const { path: line, grip, label, group } = parts[i];
-    line.setAttribute('d', path);
-    grip.setAttribute('d', path);
-    group.classList.toggle('gone', !seen);
-    label.hidden = !seen;
-    const [left, top] = [clamp(x, size.width), clamp(y, size.height)];
-    label.style.transform = `translate(${left}px, ${top}px) translate(-50%, -50%)`;
-  };
-
   return {
     /** @param {boolean} hidden */
     hide(hidden) {
@@ -53,51 +40,74 @@ export function createErrorPosture(root) {
     },
     /** @param {Live} live */
     draw({ state, sample }) {
-      if (state.size.width === 0 || !changed(sample, state.box, state.size)) return;
-      size = state.size;
-      const radius = radiusIn(size);
-      const view = createView(state.box, state.size);
-      const { posture, reference, error } = sample;
-      const at = (/** @type {number} */ x, /** @type {number} */ y) => [view.screenX(x), view.screenY(y)];
-      const [cos, sin] = [Math.cos(reference.theta), Math.sin(reference.theta)];
-      // On the goal's own axis, beside the robot.
-      const corner = at(reference.x - error.x * cos, reference.y - error.x * sin);
-      const robot = at(posture.x, posture.y);
-      const goal = at(reference.x, reference.y);
-      const line = (/** @type {number[]} */ from, /** @type {number[]} */ to) => `M${from}L${to}`;
-      const apart = (/** @type {number[]} */ [ax, ay], /** @type {number[]} */ [bx, by]) =>
-        Math.hypot(bx - ax, by - ay);
-      // Beside the middle of its line, away from the third corner.
-      const beside = (
-        /** @type {number[]} */ [ax, ay],
-        /** @type {number[]} */ [bx, by],
-        /** @type {number[]} */ [ox, oy],
-      ) => {
-        const [nx, ny] = [by - ay, ax - bx];
-        const side = Math.sign(nx * (ax - ox) + ny * (ay - oy)) || 1;
-        const length = Math.hypot(nx, ny) || 1;
-        return [(ax + bx) / 2 + (18 * side * nx) / length, (ay + by) / 2 + (18 * side * ny) / length];
-      };
-      const [xx, xy] = beside(corner, goal, robot);
-      const [yx, yy] = beside(robot, corner, goal);
-      place(0, line(corner, goal), xx, xy, apart(corner, goal) > 4);
-      place(1, line(robot, corner), yx, yy, apart(robot, corner) > 4);
-      const from = posture.theta;
-      const to = posture.theta + error.theta;
-      const [fx, fy] = [robot[0] + radius * Math.cos(from), robot[1] - radius * Math.sin(from)];
-      const [tx, ty] = [robot[0] + radius * Math.cos(to), robot[1] - radius * Math.sin(to)];
-      const sweep = error.theta > 0 ? 0 : 1;
-      const middle = (from + to) / 2;
-      place(
-        2,
-        `M${fx},${fy}A${radius},${radius} 0 0 ${sweep} ${tx},${ty}`,
-        robot[0] + (radius + 18) * Math.cos(middle),
-        robot[1] - (radius + 18) * Math.sin(middle),
-        Math.abs(error.theta) > 0.03,
-      );
-      const beyond = (/** @type {number} */ angle) =>
-        `M${robot}l${(radius + 12) * Math.cos(angle)},${-(radius + 12) * Math.sin(angle)}`;
-      ahead.setAttribute('d', beyond(from) + beyond(to));
+      const { size, box } = state;
+      if (size.width === 0 || !changed(sample, box, size)) return;
+      const shown = errorOn(createView(box, size), sample);
+      for (const [i, { path, at, seen }] of shown.marks.entries()) {
+        const { path: line, grip, label, group } = parts[i];
+        line.setAttribute('d', path);
+        grip.setAttribute('d', path);
+        group.classList.toggle('gone', !seen);
+        label.hidden = !seen;
+        const [left, top] = [clamp(at[0], size.width), clamp(at[1], size.height)];
+        label.style.transform = `translate(${left}px, ${top}px) translate(-50%, -50%)`;
+      }
+      ahead.setAttribute('d', shown.ahead);
     },
+  };
+}
+
+/** Within the plane. @param {number} at @param {number} end */
+const clamp = (at, end) => Math.max(16, Math.min(end - 16, at));
+
+/** The marks of x_e, y_e and θ_e, and the two directions between which θ_e lies. @param {import('../kit/transform.js').View} view @param {Sample} sample */
+function errorOn(view, { posture, reference, error }) {
+  const at = (/** @type {number} */ x, /** @type {number} */ y) =>
+    /** @type {At} */ ([view.screenX(x), view.screenY(y)]);
+  const [cos, sin] = [Math.cos(reference.theta), Math.sin(reference.theta)];
+  // On the goal's own axis, beside the robot.
+  const corner = at(reference.x - error.x * cos, reference.y - error.x * sin);
+  const robot = at(posture.x, posture.y);
+  const goal = at(reference.x, reference.y);
+  const radius = radiusIn(view);
+  const beyond = (/** @type {number} */ angle) =>
+    `M${robot}l${(radius + 12) * Math.cos(angle)},${-(radius + 12) * Math.sin(angle)}`;
+  return {
+    marks: [
+      lineOf(corner, goal, robot),
+      lineOf(robot, corner, goal),
+      arcOf(robot, radius, posture.theta, error.theta),
+    ],
+    ahead: beyond(posture.theta) + beyond(posture.theta + error.theta),
+  };
+}
+
+/** Its name stands beside the middle of the line, away from the third corner. @param {At} from @param {At} to @param {At} third @returns {Mark} */
+function lineOf(from, to, third) {
+  const [[ax, ay], [bx, by], [ox, oy]] = [from, to, third];
+  const [nx, ny] = [by - ay, ax - bx];
+  const side = Math.sign(nx * (ax - ox) + ny * (ay - oy)) || 1;
+  const length = Math.hypot(nx, ny);
+  const away = (/** @type {number} */ n) => (18 * side * n) / (length || 1);
+  return {
+    path: `M${from}L${to}`,
+    at: [(ax + bx) / 2 + away(nx), (ay + by) / 2 + away(ny)],
+    seen: length > 4,
+  };
+}
+
+/** Of the angle at the robot, which stays within a low plane. @param {{ width: number, height: number }} size */
+const radiusIn = ({ width, height }) => Math.min(56, Math.max(28, Math.min(width, height) / 6));
+
+/** @param {At} centre @param {number} radius @param {number} from @param {number} turn @returns {Mark} */
+function arcOf([x, y], radius, from, turn) {
+  const to = from + turn;
+  /** @param {number} angle @param {number} far @returns {At} */
+  const on = (angle, far) => [x + far * Math.cos(angle), y - far * Math.sin(angle)];
+  const sweep = turn > 0 ? 0 : 1;
+  return {
+    path: `M${on(from, radius)}A${radius},${radius} 0 0 ${sweep} ${on(to, radius)}`,
+    at: on((from + to) / 2, radius + 18),
+    seen: Math.abs(turn) > 0.03,
   };
 }

@@ -55,23 +55,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
   /** @type {Part[]} */
   let blocks = [];
   followHead(/** @type {HTMLElement} */ (document.querySelector('.masthead')));
-
-  article.addEventListener('click', (event) => {
-    const link = event.target instanceof Element ? event.target.closest('a') : null;
-    if (!link || event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
-    const href = link.getAttribute('href') ?? '';
-    if (!href.startsWith('#')) return;
-    event.preventDefault();
-    go(href.slice(1));
-    // What a word of the text opens is seen there.
-    if (link.closest('.prose, .notice') && !/^#(lab|lesson)\b/.test(href)) sights.look('part');
-    for (const block of steps[store.get().lesson - 1]?.blocks ?? []) {
-      const pressed = block.kind === 'tries' && block.tries.find(([name]) => name === link.dataset.try);
-      if (!pressed) continue;
-      if (pressed[2]) sights.look(pressed[2]);
-      block.begins?.(store);
-    }
-  });
+  followLinks(article, tools);
 
   return {
     /** @param {State} state @param {Scene} scene */
@@ -109,6 +93,26 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       keepsake.follow(progressSlice.of(store.get()));
     },
   };
+}
+
+/** What is pressed in the text opens within the page, and what it is about comes into sight. @param {HTMLElement} article @param {Tools} tools */
+function followLinks(article, { go, look, store }) {
+  article.addEventListener('click', (event) => {
+    const link = event.target instanceof Element ? event.target.closest('a') : null;
+    if (!link || event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+    const href = link.getAttribute('href') ?? '';
+    if (!href.startsWith('#')) return;
+    event.preventDefault();
+    go(href.slice(1));
+    // What a word of the text opens is seen there.
+    if (link.closest('.prose, .notice') && !/^#(lab|lesson)\b/.test(href)) look('part');
+    for (const block of steps[store.get().lesson - 1]?.blocks ?? []) {
+      const pressed = block.kind === 'tries' && block.tries.find(([name]) => name === link.dataset.try);
+      if (!pressed) continue;
+      if (pressed[2]) look(pressed[2]);
+      block.begins?.(store);
+    }
+  });
 }
 
 /** Figure and words begin below the head. @param {HTMLElement} head */

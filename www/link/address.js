@@ -57,13 +57,7 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
     place = placeOf(state);
   };
 
-  /** To the parts and the lesson: an exercise may have taken them out of the document. @type {Map<string, HTMLElement | null>} */
-  const ways = new Map();
-  const lead = (/** @type {string} */ name, /** @type {string} */ link) => {
-    const way = ways.get(name) ?? document.getElementById(`page-${name}`);
-    ways.set(name, way);
-    way?.setAttribute('href', `#${link}`);
-  };
+  const lead = createWays();
   const other = createLanguageSwitch((name) => linkOf(store.get(), engine.experiment, name));
 
   addEventListener('popstate', () => {
@@ -91,6 +85,17 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
         setTimeout(write, pauseMilliseconds);
       }
     },
+  };
+}
+
+/** To the parts and the lesson: an exercise may have taken them out of the document. */
+function createWays() {
+  /** @type {Map<string, HTMLElement | null>} */
+  const ways = new Map();
+  return (/** @type {string} */ name, /** @type {string} */ link) => {
+    const way = ways.get(name) ?? document.getElementById(`page-${name}`);
+    ways.set(name, way);
+    way?.setAttribute('href', `#${link}`);
   };
 }
 

@@ -113,7 +113,7 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
    */
   function openLink(written, engine, who = '') {
     const link = asWritten(written);
-    const [name, ...rest] = whole(link.slice(0, mostCharacters)).split('&');
+    const [name, ...rest] = whole(link.slice(0, mostCharacters), lesson).split('&');
     const page = pages.find((one) => one === (name || 'lab'));
     const problems = page ? [] : [words.unknownPart(short(decoded(name)), pages)];
     if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
@@ -134,24 +134,12 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
       if (!fields.has(path)) throw stranger;
       return { ...before, experiment: engine.experiment(withField(before.experiment, path, text)) };
     });
-    problems.push(
-      ...refused
-        .slice(0, mostNamed)
-        .map(([key, error]) => words.ignored(short(key), short(messageOf(error), mostOfReason))),
-    );
-    if (refused.length > mostNamed) problems.push(words.moreIgnored(refused.length - mostNamed));
+    problems.push(...ignoredOf(refused));
     const refuse = (/** @type {string} */ key, /** @type {string} */ why) => {
       problems.push(words.ignored(key, why));
     };
     const varied = withVariant(withGains(opened, refuse), refuse, engine.experiment);
     return { opened: mend(varied, refuse), problems };
-  }
-
-  /** A step of the lesson may be asked for alone, as lesson&step=3; what else stands there is kept. @param {string} link */
-  function whole(link) {
-    const alone = aloneIn(link);
-    if (!alone) return link;
-    return [lesson.linkOf(Math.max(lesson.named(alone.step).number, 1)), ...alone.pairs].join('&');
   }
 
   return {
@@ -170,6 +158,21 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
       ...partKeys.map(({ slice, field }) => slice.of(state)[field]),
     ],
   };
+}
+
+/** What is said of the pairs that could not be read. @param {[key: string, error: unknown][]} refused */
+const ignoredOf = (refused) => [
+  ...refused
+    .slice(0, mostNamed)
+    .map(([key, error]) => words.ignored(short(key), short(messageOf(error), mostOfReason))),
+  ...(refused.length > mostNamed ? [words.moreIgnored(refused.length - mostNamed)] : []),
+];
+
+/** A step of the lesson may be asked for alone, as lesson&step=3; what else stands there is kept. @param {string} link @param {Steps} lesson */
+function whole(link, lesson) {
+  const alone = aloneIn(link);
+  if (!alone) return link;
+  return [lesson.linkOf(Math.max(lesson.named(alone.step).number, 1)), ...alone.pairs].join('&');
 }
 
 /** The step that is asked for alone, and the other pairs. @param {string} link */

@@ -107,23 +107,12 @@ export function createNumber(row, field, actions, fallback, place) {
   const frame = createFrame(row, id, text, change);
   frame.element.classList.toggle('wide', field.max > 1e8);
 
-  // What somebody is typing is not overwritten by what happens meanwhile, and its undo is the field's own.
-  let written = '';
-  /** @param {HTMLInputElement} input @param {boolean} now */
-  const setTyping = (input, now) => input.toggleAttribute(typingMark, now);
-  const targetOf = (/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target);
-  const on = {
-    input: (/** @type {Event} */ event) => setTyping(targetOf(event), valueIn(event) !== written),
-    blur: (/** @type {Event} */ event) => setTyping(targetOf(event), false),
-    change(/** @type {Event} */ event) {
-      setTyping(targetOf(event), false);
-      const typed = valueIn(event);
-      const value = meant(numberOf(typed));
-      if (typeof value === 'number' && quantity.allows(value)) change(value);
-      else actions.refuseSetting(path, words.refused(name, range, typed));
-    },
-    limit: (/** @type {Event} */ event) => change(targetOf(event).checked ? lastLimit : null),
-  };
+  const typing = createTyping(id, quantity.unit, (typed) => {
+    const value = meant(numberOf(typed));
+    if (typeof value === 'number' && quantity.allows(value)) change(value);
+    else actions.refuseSetting(path, words.refused(name, range, typed));
+  });
+  const onLimit = (/** @type {Event} */ event) => change(targetOf(event).checked ? lastLimit : null);
 
   return {
     element: frame.element,
@@ -135,23 +124,50 @@ export function createNumber(row, field, actions, fallback, place) {
       if (isLimited) lastLimit = value;
       const isOff = !isLimited || (row.isIdle?.(model.experiment) ?? false);
       const shown = isLimited ? quantity.shown(value) : Number.NaN;
-      written = isLimited ? String(shown) : '';
       frame.draw(
         model,
         shownText(model.original),
-        html`<input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
-            aria-describedby="${id}-error ${id}-help" aria-invalid=${String(error !== '')}
-            .disabled=${isOff} placeholder=${isLimited ? '' : words.noLimit}
-            @input=${on.input} @blur=${on.blur} @focus=${selectAll} @change=${on.change}><span class="unit">${quantity.unit}</span>`,
-        html`${field.nullable ? limitOf(id, name, isLimited, on.limit) : nothing}${slider?.(id, shown, shownText(value), isOff)}`,
+        typing.field(isLimited ? String(shown) : '', error, isOff),
+        html`${field.nullable ? limitOf(id, name, isLimited, onLimit) : nothing}${slider?.(id, shown, shownText(value), isOff)}`,
       );
-      const input = /** @type {HTMLInputElement} */ (frame.element.querySelector('[type="text"]'));
+      typing.write(/** @type {HTMLInputElement} */ (frame.element.querySelector('[type="text"]')), error);
+    },
+  };
+}
+
+/** The number as text: what somebody is typing is not overwritten by what happens meanwhile, and its undo is the field's own. @param {string} id @param {string} unit @param {(typed: string) => void} onTyped */
+function createTyping(id, unit, onTyped) {
+  let written = '';
+  /** @param {Event} event @param {boolean} now */
+  const setTyping = (event, now) => targetOf(event).toggleAttribute(typingMark, now);
+  const on = {
+    input: (/** @type {Event} */ event) => setTyping(event, valueIn(event) !== written),
+    blur: (/** @type {Event} */ event) => setTyping(event, false),
+    change(/** @type {Event} */ event) {
+      setTyping(event, false);
+      onTyped(valueIn(event));
+    },
+  };
+  return {
+    /** @param {string} text Empty when there is no limit. @param {string} error @param {boolean} isOff */
+    field(text, error, isOff) {
+      written = text;
+      return html`<input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
+            aria-describedby="${id}-error ${id}-help" aria-invalid=${String(error !== '')}
+            .disabled=${isOff} placeholder=${text ? '' : words.noLimit}
+            @input=${on.input} @blur=${on.blur} @focus=${selectAll} @change=${on.change}><span class="unit">${unit}</span>`;
+    },
+    /** Writes it into the field, once that is there. @param {HTMLInputElement} input @param {string} error */
+    write(input, error) {
       const isStale = !error && !input.hasAttribute(typingMark) && input.value !== written;
       if (isStale) input.value = written;
       if ((error || isStale) && document.activeElement === input) input.select();
     },
   };
 }
+
+/** @param {Event} event */
+const targetOf = ({ target }) => /** @type {HTMLInputElement} */ (target);
 
 /** Whether the limit is there. @param {string} id @param {string} name @param {boolean} isOn @param {(event: Event) => void} onSwitch */
 const limitOf = (id, name, isOn, onSwitch) =>

@@ -14,8 +14,6 @@ const secondsOfPhase = 2;
 
 /** @param {{ store: import('../../run/store.js').Store, actions: import('../../run/actions/actions.js').Actions, anatomyOf: (state: State) => Anatomy }} parts */
 export function createSteps({ store, actions, anatomyOf }) {
-  /** @param {Partial<GenerationState>} patch */
-  const update = (patch) => generationSlice.update(store, patch);
   const pause = () => actions.pauseEvolution();
   const shown = () => {
     const state = store.get();
@@ -29,47 +27,42 @@ export function createSteps({ store, actions, anatomyOf }) {
     else act();
   };
 
+  /** @param {Phase} phase @param {Partial<GenerationState>} [more] */
+  const turnTo = (phase, more) => {
+    generationSlice.update(store, { phase, ...more });
+    actions.driveAgain();
+  };
+
   /** The next phase, or the next generation with whoever is chosen, if it stays. */
   const goOn = () => {
     const { state, anatomy, phase } = shown();
     const following = phaseAfter(anatomy, phase, 1);
-    if (following) update({ phase: following });
-    else {
-      actions.forward();
-      afterwards(() => {
-        if (store.get().generation === state.generation) return;
-        const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, generationSlice.of(state)));
-        update({
-          phase: 'parents',
-          chosen: generationSlice.of(state).chosen === null || place < 0 ? null : place,
-        });
-        actions.driveAgain();
-      });
-      return;
-    }
-    actions.driveAgain();
+    if (following) return turnTo(following);
+    actions.forward();
+    afterwards(() => {
+      if (store.get().generation === state.generation) return;
+      const own = generationSlice.of(state);
+      const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, own));
+      turnTo('parents', { chosen: own.chosen === null || place < 0 ? null : place });
+    });
   };
 
   /** @param {Phase} phase */
   const show = (phase) => {
     pause();
-    update({ phase });
-    actions.driveAgain();
+    turnTo(phase);
   };
 
   const goBack = () => {
     const { state, anatomy, phase } = shown();
     const before = phaseAfter(anatomy, phase, -1);
     if (before) return show(before);
-    const chosen = chosenOf(anatomy, generationSlice.of(state));
+    const own = generationSlice.of(state);
+    const chosen = chosenOf(anatomy, own);
     const isBack = () => store.get().generation === state.generation - 1;
     const atLastPhase = () => {
       const { survivors } = shown().anatomy.record;
-      update({
-        phase: 'survivors',
-        chosen: generationSlice.of(state).chosen === null ? null : survivors[chosen],
-      });
-      actions.driveAgain();
+      turnTo('survivors', { chosen: own.chosen === null ? null : survivors[chosen] });
     };
     actions.oneBack();
     afterwards(() => {

@@ -1,42 +1,28 @@
-// The part of the page that shows J over two gains, and what its controls do.
-/** @import { Engine, PaperResult, Run, Statistics, Triple } from '../../core/engine.js' */
+// The part of the page that shows J over two gains.
+/** @import { Engine, PaperResult, Statistics, Triple } from '../../core/engine.js' */
 /** @import { Actions } from '../../run/actions/actions.js' */
 /** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
-/** @import { AxisChoice, Spec } from './request.js' */
-/** @import { LandscapeState } from './state.js' */
+/** @import { Spec } from './request.js' */
 /** @import { Lowest } from './lowest.js' */
 /** @import { Point } from './points.js' */
 /** @import { MapModel } from './view.js' */
 import './style.css';
-import { html, noChange, nothing, render } from 'lit-html';
-import { live } from 'lit-html/directives/live.js';
 import { gainNames, landscapeSlice } from './state.js';
-import { showTable } from '../../lab/table-sheet.js';
-import { landscapeTable } from './table.js';
 import { followHeld, followKeys, followPointing, pointIn } from '../../kit/map.js';
-import { remember, watch } from '../../kit/memo.js';
+import { remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { byIdIn, followSize } from '../../kit/elements.js';
-import { options, valueIn } from '../../kit/templates.js';
 import { tryNow } from '../../core/pending.js';
 import { createSection } from '../section.js';
-import { lab, tables } from '../../words/index.js';
 import words from './words/index.js';
-import { createLandscapeRequests, createSpec, gainsAt, thirdOf } from './request.js';
+import { createLandscapeRequests, createSpec, gainsAt } from './request.js';
 import { isOn, lowestOf } from './lowest.js';
 import { sketchOf } from './method.js';
-import { outlines } from './points.js';
-import { lowestText, noteText, readoutOf } from './told.js';
+import { createSight } from './sight.js';
 import { axesOf, createMap } from './view.js';
-
-const { texts } = words;
-/** What an axis can show. */
-const choices = [false, true].flatMap((log) =>
-  lab.gains.map(({ id, name }) => ({ gain: id, log, text: log ? words.onLogAxis(name) : name })),
-);
 
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createPage({ engine, store, actions, paper }) {
@@ -44,7 +30,6 @@ export function createPage({ engine, store, actions, paper }) {
   const specOf = createSpec(paper);
   const requests = createLandscapeRequests(engine, store);
   const { redraw } = store;
-  const on = createEvents(store);
   const pathOf = remember((/** @type {Statistics[]} */ history) => history.map(({ best }) => best.gains));
   const sketched = createSketches(engine, redraw);
   const read = remember(
@@ -57,29 +42,7 @@ export function createPage({ engine, store, actions, paper }) {
     const { result } = landscapeSlice.of(state);
     return result && isOn(result.spec, specOf(state)) ? lowestOfLast(result) : null;
   };
-  const changed = watch();
-
-  /** @param {State} state @param {Spec} spec @param {Run | null} run @param {Triple} gains */
-  const show = (state, spec, run, gains) => {
-    const own = landscapeSlice.of(state);
-    const isTyping = document.activeElement?.id === 'landscape-third';
-    const { driver, found, generation } = state;
-    if (changed(own, spec, run, state.population, driver, found, generation, isTyping))
-      render(
-        sight(
-          own,
-          {
-            spec,
-            isTyping,
-            method: words.methodSketch(state.experiment.evolution.method),
-            readout: run ? readoutOf(state, spec, run, gains) : '',
-            lowest: lowestIn(state),
-          },
-          on,
-        ),
-        element,
-      );
-  };
+  const show = createSight(element, store, lowestIn);
   const first = store.get();
   show(first, specOf(first), null, first.population[0].gains);
   const map = createMapIn(element, redraw);
@@ -165,93 +128,6 @@ function pointsOf(state, paper, lowest) {
     ...(handGains ? [/** @type {Point} */ ({ gains: handGains, name: words.hand, mark: 'ring' })] : []),
     ...pins.map(({ gains, name, slot }) => ({ gains, name, mark: slot })),
   ];
-}
-
-/** @typedef {ReturnType<typeof createEvents>} Events */
-
-/** @param {Store} store */
-function createEvents(store) {
-  const update = (/** @type {Partial<LandscapeState>} */ patch) => landscapeSlice.update(store, patch);
-  const own = () => landscapeSlice.of(store.get());
-  return {
-    onTable() {
-      const { result } = own();
-      showTable(result && landscapeTable(result));
-    },
-    /** @param {'x' | 'y'} axis @param {AxisChoice} choice */
-    onAxis(axis, { gain, log }) {
-      const { [axis]: before, [axis === 'x' ? 'y' : 'x']: other } = own();
-      const chosen = { gain, log };
-      // The gain of the other axis: the two change places.
-      const left = gain === other.gain ? { ...other, gain: before.gain } : other;
-      const axes = axis === 'x' ? { x: chosen, y: left } : { x: left, y: chosen };
-      update({ third: null, thirdError: '', cursor: null, ...axes });
-    },
-    /** @param {string} text */
-    onThird(text) {
-      const value = lab.numberOf(text);
-      const { name } = lab.gains[thirdOf(own())];
-      if (Number.isFinite(value)) update({ third: value, thirdError: '' });
-      else update({ thirdError: lab.notANumber(name, text) });
-    },
-    /** @param {boolean} follows @param {number} value */
-    onFollows: (follows, value) => update({ third: follows ? null : value, thirdError: '' }),
-  };
-}
-
-/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string, lowest: Lowest | null, method: string }} shown @param {Events} on */
-function sight(landscape, { spec, isTyping, readout, lowest, method }, on) {
-  return html`
-    <div class="heading">
-      <h2 id="landscape-title">${texts.landscapeTitle}</h2>
-      <p id="landscape-note" class="muted">${noteText(landscape, spec)}</p>
-      <button id="landscape-table" type="button" class="link" @click=${on.onTable}>${tables.texts.tableButton}</button>
-    </div>
-    <div class="bar axes">
-      <label>→ ${axisChoice('x', landscape, texts.landscapeAcross, on)}</label>
-      <label>↑ ${axisChoice('y', landscape, texts.landscapeUp, on)}</label>
-      ${thirdGain(landscape, spec.third, isTyping, on)}
-    </div>
-    ${method ? html`<p id="landscape-method" class="muted">${method}</p>` : nothing}
-    <div id="landscape-map" class="map layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
-      aria-label=${words.mapLabel} aria-describedby="landscape-readout">
-      <canvas id="landscape-picture" aria-hidden="true"></canvas>
-      <canvas id="landscape-marks" aria-hidden="true"></canvas>
-    </div>
-    <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
-    <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${lowestText(lowest)}` : nothing}</p>
-    <p id="landscape-readout" class="readout" aria-live="polite">${readout}</p>`;
-}
-
-/** The mark of the lowest point, as the map has it. */
-const signOf = () =>
-  html`<svg class="landscape-sign" viewBox="-12 -12 24 24" aria-hidden="true"><path d=${outlines.sight}></path></svg>`;
-
-/** @param {'x' | 'y'} axis @param {LandscapeState} landscape @param {string} label @param {Events} on */
-function axisChoice(axis, { [axis]: shown }, label, { onAxis }) {
-  const chosen = choices.findIndex(({ gain, log }) => shown.gain === gain && shown.log === log);
-  return html`<select id="landscape-${axis}" aria-label=${label}
-    @change=${(/** @type {Event} */ event) => onAxis(axis, choices[Number(valueIn(event))])}>${options(
-      choices.map(({ text }, i) => /** @type {const} */ ([i, text])),
-      chosen,
-    )}</select>`;
-}
-
-/** The gain that is on no axis. @param {LandscapeState} landscape @param {number} value @param {boolean} isTyping What is typed stays. @param {Events} on */
-function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
-  const { third, thirdError } = landscape;
-  const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
-  const follows = third === null;
-  return html`
-    <label><span id="landscape-third-name" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
-      <input id="landscape-third" type="text" size="5" inputmode="decimal" autocomplete="off" spellcheck="false"
-        aria-label=${words.thirdLabel(name)} aria-describedby="landscape-third-error"
-        aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}
-        @focus=${(/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).select()}
-        @change=${(/** @type {Event} */ event) => onThird(valueIn(event))}></label>
-    <label class="check"><input id="landscape-follows" type="checkbox" .checked=${live(follows)}
-      @change=${() => onFollows(!follows, value)}> <span>${texts.landscapeFollows}</span></label>
-    <p id="landscape-third-error" class="field-error" role="alert" .hidden=${!thirdError}>${thirdError}</p>`;
 }
 
 /** As many digits as are shown, so that the gains in the text are the gains that drive. @param {number} value */

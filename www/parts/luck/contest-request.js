@@ -34,20 +34,19 @@ const withLine = (contest, index, patch) => ({
   lines: contest.lines.map((line, i) => (i === index ? { ...line, ...patch } : line)),
 });
 
+/** Why it does not even begin; empty: it does. @param {Experiment} experiment @param {Pick<Contest, 'seeds' | 'budget'>} asked @param {number} count Of contestants. */
+function refusalOf(experiment, { seeds, budget }, count) {
+  const robots = count * seeds * budget;
+  if (isTooLongSurvey(experiment, robots)) return words.tooLong(robots);
+  const most = mostRobotsOfCall(experiment);
+  return budget > most ? words.runTooLong(budget, most) : '';
+}
+
 /** @param {Engine} engine @param {Store} store */
 export function createContestRequests(engine, store) {
   /** @type {AbortController | null} */
   let running = null;
   const luck = () => luckSlice.of(store.get());
-
-  /** Why it does not even begin; empty: it does. @param {Experiment} experiment @param {number} count Of contestants. */
-  const refusalOf = (experiment, count) => {
-    const { seeds, budget } = luck();
-    const robots = count * seeds * budget;
-    if (isTooLongSurvey(experiment, robots)) return words.tooLong(robots);
-    const most = mostRobotsOfCall(experiment);
-    return budget > most ? words.runTooLong(budget, most) : '';
-  };
 
   /** One part of one contestant. @param {Contest} asked @param {number} index @param {[number, number]} seeds @param {AbortController} own */
   async function runPart({ experiment, lines, budget }, index, seeds, own) {
@@ -75,7 +74,7 @@ export function createContestRequests(engine, store) {
       const { experiment } = store.get();
       const { others, seeds, budget } = luck();
       const names = [null, ...others];
-      const contestMessage = refusalOf(experiment, names.length);
+      const contestMessage = refusalOf(experiment, { seeds, budget }, names.length);
       if (contestMessage) return luckSlice.update(store, { contestMessage });
       const own = new AbortController();
       running = own;

@@ -1,39 +1,22 @@
-// The part of the page that runs evolution with many seeds: how much of a result is luck?
-/** @import { Experiment, Statistics } from '../../core/engine.js' */
-/** @import { Actions } from '../../run/actions/actions.js' */
-/** @import { State } from '../../run/state.js' */
-/** @import { Store } from '../../run/store.js' */
-/** @import { Page } from '../part.js' */
-/** @import { SeedSurvey } from './request.js' */
-/** @import { Events } from './sight.js' */
+// The part of the page that runs evolution with many seeds, in two views: how much of a result is luck?
+/** @import { Page, Tools } from '../part.js' */
+/** @import { LuckState } from './state.js' */
 import './style.css';
 import './contest.css';
 import './places.css';
 import { html, render } from 'lit-html';
 import { luckSlice } from './state.js';
-import { byIdIn } from '../../kit/elements.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { createSection } from '../section.js';
-import { remember, watch } from '../../kit/memo.js';
-import { gainsOf } from '../../run/drivers.js';
-import { hidesPaper } from '../../run/exercise.js';
 import words from './words/index.js';
 import { createContest } from './contest-page.js';
-import { createSeedCurve } from './curve.js';
-import { createSeedRequests, surveyOf } from './request.js';
-import { isSameButSeed } from './same.js';
-import { sight } from './sight.js';
-import { createStrips } from './strips.js';
-import { showTable } from '../../lab/table-sheet.js';
-import { seedTable } from './table.js';
+import { createSeeds } from './seeds-page.js';
 
-/** @typedef {import('../part.js').Tools} PageParts */
-/** @typedef {import('./state.js').LuckState['view']} View */
-
-/** @param {PageParts} parts @returns {Page} */
-export function createPage({ engine, store, actions, paper }) {
+/** @param {Tools} tools @returns {Page} */
+export function createPage(tools) {
+  const { store } = tools;
   const section = createSection('luck');
-  const showView = (/** @type {View} */ view) =>
+  const showView = (/** @type {LuckState['view']} */ view) =>
     render(
       html`<fieldset id="luck-view" class="segmented small">
           ${choicesOf('luck-view', words.viewLegend, words.views, view, (chosen) => luckSlice.update(store, { view: chosen }))}
@@ -43,108 +26,15 @@ export function createPage({ engine, store, actions, paper }) {
       section,
     );
   showView(luckSlice.of(store.get()).view);
-  const [element, contestElement] = /** @type {HTMLElement[]} */ ([...section.children].slice(1));
-  const contest = createContest(contestElement, { engine, store });
-  const requests = createSeedRequests(engine, store, paper);
-  const luck = () => luckSlice.of(store.get());
-
-  /** Drives with the gains that a seed ended with. @param {number} index */
-  const choose = (index) => {
-    const run = luck().result?.runs[index];
-    if (!run) return;
-    luckSlice.update(store, { chosen: index });
-    actions.driveGains(run.champion.gains, 'luck');
-    actions.driveAgain();
-  };
-  /** @param {number} index */
-  const point = (index) => {
-    const pointed = index < 0 ? null : index;
-    if (pointed !== luck().pointed) luckSlice.update(store, { pointed });
-  };
-  const on = createEvents(store, actions, requests, choose);
-  const isFresh = remember(
-    (/** @type {Experiment} */ experiment, /** @type {SeedSurvey | null} */ result) =>
-      !result || isSameButSeed(experiment, result.experiment),
-  );
-  const changed = watch();
-  /** @param {State} state @param {number} index @param {boolean} fresh */
-  const show = (state, index, fresh) => {
-    if (!changed(luckSlice.of(state), hidesPaper(state), state.experiment, state.history, index, fresh))
-      return;
-    element.classList.toggle('stale', !fresh);
-    render(sight(state, index, fresh, on), element);
-  };
-  show(store.get(), -1, true);
-  const events = { onPoint: point, onChoose: choose };
-  const curve = createSeedCurve(byIdIn(element, 'luck-curve'), events);
-  const strips = createStrips(byIdIn(element, 'luck-gains'), events);
-  const labLine = remember((/** @type {Statistics[]} */ history, /** @type {number} */ seed) => ({
-    name: words.labLine(seed),
-    costs: history.map(({ best }) => best.cost),
-  }));
-  const seedLine = remember((/** @type {SeedSurvey} */ { first, runs }, /** @type {number} */ index) => ({
-    name: words.seedLine(first + index),
-    costs: runs[index].best,
-  }));
+  const [seedsElement, contestElement] = /** @type {HTMLElement[]} */ ([...section.children].slice(1));
+  const views = { contest: createContest(contestElement, tools), seeds: createSeeds(seedsElement, tools) };
 
   return {
     element: section,
     draw(state) {
-      const { view, result, generations, log } = luckSlice.of(state);
+      const { view } = luckSlice.of(state);
       showView(view);
-      if (view === 'contest') {
-        contest.draw(state);
-        return;
-      }
-      const fresh = isFresh(state.experiment, result);
-      const index = questionOf(state);
-      const labSeed = state.experiment.evolution.seed;
-      const isLab = result && index >= 0 && fresh && result.first + index === labSeed;
-      curve.draw({
-        survey: surveyOf(state),
-        generations: result?.generations ?? generations,
-        lab: fresh && !isLab ? labLine(state.history, labSeed) : null,
-        seed: result && index >= 0 ? seedLine(result, index) : null,
-        index,
-        log,
-        theme: state.theme,
-      });
-      strips.draw({
-        survey: result,
-        paper: hidesPaper(state) ? null : (result?.paper.gains ?? gainsOf(state, 'paper-ep', paper)),
-        range: state.experiment.evolution.initialRange,
-        index,
-        theme: state.theme,
-      });
-      show(state, index, fresh);
-    },
-  };
-}
-
-/** The index of the seed in question: under the pointer, else chosen, else the lab's own. @param {State} state */
-function questionOf(state) {
-  const { experiment } = state;
-  const { result, pointed, chosen } = luckSlice.of(state);
-  if (!result) return -1;
-  const lab = experiment.evolution.seed - result.first;
-  return pointed ?? chosen ?? (lab >= 0 && lab < result.runs.length ? lab : result.summary.ranking[0]);
-}
-
-/** @param {Store} store @param {Actions} actions @param {ReturnType<typeof createSeedRequests>} requests @param {(index: number) => void} choose @returns {Events} */
-function createEvents(store, actions, requests, choose) {
-  const luck = () => luckSlice.of(store.get());
-  return {
-    update: (patch) => luckSlice.update(store, patch),
-    onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
-    onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
-    onOpen: (seed) => {
-      actions.useSeed(seed);
-      actions.chooseDriver('evolved');
-      actions.openPage('lab');
-    },
-    onTable: () => {
-      const { result } = luck();
-      showTable(result && seedTable(result));
+      views[view].draw(state);
     },
   };
 }

@@ -1,0 +1,139 @@
+// The words and controls around the map of J over two gains, and what the controls do.
+/** @import { Run, Triple } from '../../core/engine.js' */
+/** @import { State } from '../../run/state.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { Lowest } from './lowest.js' */
+/** @import { AxisChoice, Spec } from './request.js' */
+/** @import { LandscapeState } from './state.js' */
+import { html, noChange, nothing, render } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
+import { showTable } from '../../lab/table-sheet.js';
+import { watch } from '../../kit/memo.js';
+import { options, valueIn } from '../../kit/templates.js';
+import { lab, tables } from '../../words/index.js';
+import { outlines } from './points.js';
+import { thirdOf } from './request.js';
+import { landscapeSlice } from './state.js';
+import { landscapeTable } from './table.js';
+import { lowestText, noteText, readoutOf } from './told.js';
+import words from './words/index.js';
+
+const { texts } = words;
+/** What an axis can show. */
+const choices = [false, true].flatMap((log) =>
+  lab.gains.map(({ id, name }) => ({ gain: id, log, text: log ? words.onLogAxis(name) : name })),
+);
+
+/** @param {HTMLElement} element @param {Store} store @param {(state: State) => Lowest | null} lowestIn */
+export function createSight(element, store, lowestIn) {
+  const on = createEvents(store);
+  const changed = watch();
+  /** @param {State} state @param {Spec} spec @param {Run | null} run @param {Triple} gains */
+  return (state, spec, run, gains) => {
+    const own = landscapeSlice.of(state);
+    const isTyping = document.activeElement?.id === 'landscape-third';
+    const { driver, found, generation } = state;
+    if (changed(own, spec, run, state.population, driver, found, generation, isTyping))
+      render(
+        sight(
+          own,
+          {
+            spec,
+            isTyping,
+            method: words.methodSketch(state.experiment.evolution.method),
+            readout: run ? readoutOf(state, spec, run, gains) : '',
+            lowest: lowestIn(state),
+          },
+          on,
+        ),
+        element,
+      );
+  };
+}
+
+/** @typedef {ReturnType<typeof createEvents>} Events */
+
+/** @param {Store} store */
+function createEvents(store) {
+  const update = (/** @type {Partial<LandscapeState>} */ patch) => landscapeSlice.update(store, patch);
+  const own = () => landscapeSlice.of(store.get());
+  return {
+    onTable() {
+      const { result } = own();
+      showTable(result && landscapeTable(result));
+    },
+    /** @param {'x' | 'y'} axis @param {AxisChoice} choice */
+    onAxis(axis, { gain, log }) {
+      const { [axis]: before, [axis === 'x' ? 'y' : 'x']: other } = own();
+      const chosen = { gain, log };
+      // The gain of the other axis: the two change places.
+      const left = gain === other.gain ? { ...other, gain: before.gain } : other;
+      const axes = axis === 'x' ? { x: chosen, y: left } : { x: left, y: chosen };
+      update({ third: null, thirdError: '', cursor: null, ...axes });
+    },
+    /** @param {string} text */
+    onThird(text) {
+      const value = lab.numberOf(text);
+      const { name } = lab.gains[thirdOf(own())];
+      if (Number.isFinite(value)) update({ third: value, thirdError: '' });
+      else update({ thirdError: lab.notANumber(name, text) });
+    },
+    /** @param {boolean} follows @param {number} value */
+    onFollows: (follows, value) => update({ third: follows ? null : value, thirdError: '' }),
+  };
+}
+
+/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string, lowest: Lowest | null, method: string }} shown @param {Events} on */
+function sight(landscape, { spec, isTyping, readout, lowest, method }, on) {
+  return html`
+    <div class="heading">
+      <h2 id="landscape-title">${texts.landscapeTitle}</h2>
+      <p id="landscape-note" class="muted">${noteText(landscape, spec)}</p>
+      <button id="landscape-table" type="button" class="link" @click=${on.onTable}>${tables.texts.tableButton}</button>
+    </div>
+    <div class="bar axes">
+      <label>→ ${axisChoice('x', landscape, texts.landscapeAcross, on)}</label>
+      <label>↑ ${axisChoice('y', landscape, texts.landscapeUp, on)}</label>
+      ${thirdGain(landscape, spec.third, isTyping, on)}
+    </div>
+    ${method ? html`<p id="landscape-method" class="muted">${method}</p>` : nothing}
+    <div id="landscape-map" class="map layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
+      aria-label=${words.mapLabel} aria-describedby="landscape-readout">
+      <canvas id="landscape-picture" aria-hidden="true"></canvas>
+      <canvas id="landscape-marks" aria-hidden="true"></canvas>
+    </div>
+    <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
+    <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${lowestText(lowest)}` : nothing}</p>
+    <p id="landscape-readout" class="readout" aria-live="polite">${readout}</p>`;
+}
+
+/** The mark of the lowest point, as the map has it. */
+const signOf = () =>
+  html`<svg class="landscape-sign" viewBox="-12 -12 24 24" aria-hidden="true"><path d=${outlines.sight}></path></svg>`;
+
+/** @param {'x' | 'y'} axis @param {LandscapeState} landscape @param {string} label @param {Events} on */
+function axisChoice(axis, { [axis]: shown }, label, { onAxis }) {
+  const chosen = choices.findIndex(({ gain, log }) => shown.gain === gain && shown.log === log);
+  return html`<select id="landscape-${axis}" aria-label=${label}
+    @change=${(/** @type {Event} */ event) => onAxis(axis, choices[Number(valueIn(event))])}>${options(
+      choices.map(({ text }, i) => /** @type {const} */ ([i, text])),
+      chosen,
+    )}</select>`;
+}
+
+/** The gain that is on no axis. @param {LandscapeState} landscape @param {number} value @param {boolean} isTyping What is typed stays. @param {Events} on */
+function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
+  const { third, thirdError } = landscape;
+  const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
+  const follows = third === null;
+  return html`
+    <label><span id="landscape-third-name" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
+      <input id="landscape-third" type="text" size="5" inputmode="decimal" autocomplete="off" spellcheck="false"
+        aria-label=${words.thirdLabel(name)} aria-describedby="landscape-third-error"
+        aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}
+        @focus=${(/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).select()}
+        @change=${(/** @type {Event} */ event) => onThird(valueIn(event))}></label>
+    <label class="check"><input id="landscape-follows" type="checkbox" .checked=${live(follows)}
+      @change=${() => onFollows(!follows, value)}> <span>${texts.landscapeFollows}</span></label>
+    <p id="landscape-third-error" class="field-error" role="alert" .hidden=${!thirdError}>${thirdError}</p>`;
+}

@@ -1,0 +1,115 @@
+// What the robots do: a film by hand or of evolution, and what follows it.
+/** @import { Engine, PaperResult, Triple } from '../../core/engine.js' */
+/** @import { Store } from '../../run/store.js' */
+/** @import { Film } from './film.js' */
+import { isLost, messageOf } from '../../words/errors.js';
+import { isStill } from '../../kit/host.js';
+import { createFrameLoop } from '../../kit/loop.js';
+import { remember } from '../../kit/memo.js';
+import { hidesPaper } from '../../run/exercise.js';
+import { createBreeding } from './breeding.js';
+import { filmOf, isOver, later } from './film.js';
+import { parkSlice } from './state.js';
+import { anyGains, firstGains, parkedOf } from './task.js';
+
+/** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper @param {ReturnType<typeof import('./task.js').createTask>} task */
+export function createPlay(engine, store, paper, task) {
+  const slice = () => parkSlice.of(store.get());
+  const update = (/** @type {Parameters<typeof parkSlice.update>[1]} */ patch) =>
+    parkSlice.update(store, patch);
+  const breeding = createBreeding(engine, task);
+  const byHand = remember(
+    (/** @type {number} */ kx, /** @type {number} */ ky, /** @type {number} */ ktheta) =>
+      filmOf(task.drive([[kx, ky, ktheta]])[0], [], 'hand'),
+  );
+  const handFilm = (/** @type {Triple} */ [kx, ky, ktheta]) => byHand(kx, ky, ktheta);
+  const gainsNow = () => slice().gains ?? (hidesPaper(store.get()) ? anyGains : firstGains(paper));
+  const { film, show, request } = createProjector(handFilm(gainsNow()), store, ended);
+  const isOf = (/** @type {Triple} */ gains) => film().drives === handFilm(gains).drives;
+
+  /** One generation more, as a film. */
+  function breed() {
+    const { bred } = slice();
+    const { drives, others, robot } = breeding.next(bred.at(-1) ?? null);
+    const length = bred.length < 3 ? 'first' : robot.gains === bred.at(-1)?.gains ? 'same' : 'next';
+    update({ bred: [...bred, robot] });
+    show(filmOf(drives, others, length));
+  }
+
+  /** The film has come to its end. */
+  function ended() {
+    const { gains, best, evolving, bred } = slice();
+    if (evolving) {
+      if (breeding.isDone(bred)) {
+        update({ evolving: false });
+        show(filmOf(film().drives, [], 'hand'));
+      } else breed();
+      return;
+    }
+    const parked = parkedOf(film().drives);
+    if (gains && isOf(gains) && (!best || parked > best.parked)) update({ best: { gains, parked } });
+  }
+
+  return {
+    film,
+    request,
+    gains: gainsNow,
+    /** Whether the robots drive with the sliders' gains. */
+    isOwn: () => isOf(gainsNow()),
+    /** Other gains, where an exercise hides the paper's. */
+    follow() {
+      const isUntouched = slice().gains === null && slice().bred.length === 0;
+      if (isUntouched && !isOf(gainsNow())) show(handFilm(gainsNow()));
+    },
+
+    on: {
+      /** @param {number} index @param {number} value */
+      slide(index, value) {
+        const gains = /** @type {[number, number, number]} */ ([...gainsNow()]);
+        gains[index] = value;
+        show(handFilm(gains));
+        update({ gains, evolving: false });
+        if (isStill()) ended();
+      },
+      again: () => show({ ...film(), time: 0 }),
+      evolve() {
+        try {
+          const { seed, bred } = slice();
+          const next = bred.length > 0 ? seed + 1 : seed;
+          breeding.begin(next);
+          update({ seed: next, bred: [], evolving: true, message: '' });
+          breed();
+        } catch (error) {
+          if (isLost(error)) throw error;
+          update({ evolving: false, message: messageOf(error) });
+        }
+      },
+      stop: () => update({ evolving: false }),
+    },
+  };
+}
+
+/** Runs a film while the part is open; `onEnd` is called at its end, and may begin the next. @param {Film} first @param {Store} store @param {() => void} onEnd */
+function createProjector(first, store, onEnd) {
+  const begun = (/** @type {Film} */ film) => (isStill() ? later(film, Number.POSITIVE_INFINITY) : film);
+  const isEvolving = () => parkSlice.of(store.get()).evolving;
+  let film = begun(first);
+  const { request } = createFrameLoop((seconds) => {
+    if (store.get().page !== 'park') return false;
+    const wasOver = isOver(film);
+    film = later(film, seconds);
+    store.redraw();
+    if (isOver(film) && (!wasOver || isEvolving())) onEnd();
+    return !isOver(film) || isEvolving();
+  });
+  request();
+  return {
+    film: () => film,
+    request,
+    /** @param {Film} next */
+    show(next) {
+      film = begun(next);
+      request();
+    },
+  };
+}
