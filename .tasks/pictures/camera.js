@@ -21,42 +21,10 @@ const args = [
 
 /** @param {string} host where the pages are @param {number} port where they are served */
 export async function createCamera(host, port) {
-  const engine = findEngines().found.find(({ name }) => name === 'chromium');
-  if (!engine) throw new Error('pictures are taken in Chromium, which this machine lacks');
-  if (engine.driver !== null) process.env.SE_CHROMEDRIVER = engine.driver;
-  const asRoot = process.getuid?.() === 0;
-  const toServer = `--host-resolver-rules=MAP ${host}:80 127.0.0.1:${port}`;
-  const all = [...args, toServer, ...(asRoot ? ['--no-sandbox'] : [])];
-  const options = { binary: engine.browser, args: all };
-  const capabilities = { browserName: 'chrome', 'goog:chromeOptions': options };
-  const driver = /** @type {Driver} */ (await new Builder().withCapabilities(capabilities).build());
+  const driver = await openBrowser(host, port);
 
   /** @param {string} command @param {object} parameters @returns {Promise<any>} */
   const tell = (command, parameters = {}) => driver.sendAndGetDevToolsCommand(command, parameters);
-
-  /** Waits until the page is at rest, but for pages without scripts. */
-  async function rest() {
-    const end = performance.now() + patience;
-    while (performance.now() < end) {
-      const isAtRest = await driver.executeScript(
-        (/** @type {number} */ attempts) =>
-          new Promise((resolve) => {
-            let left = attempts;
-            const look = () => {
-              const own = /** @type {{ isAtRest?: () => boolean }} */ (/** @type {unknown} */ (window));
-              const is = own.isAtRest?.() ?? false;
-              left -= 1;
-              if (is || left === 0) resolve(is);
-              else setTimeout(look, 20);
-            };
-            look();
-          }),
-        100,
-      );
-      if (isAtRest) return;
-    }
-    throw new Error(`the page does not come to rest within ${patience / 1000} s`);
-  }
 
   /** What the window shows, once it stands still. @returns {Promise<string>} */
   async function shoot() {
@@ -79,24 +47,10 @@ export async function createCamera(host, port) {
     for (let top = height; top < content.height; top += height) {
       const y = Math.min(top, content.height - height);
       await tell('Runtime.evaluate', { expression: `scrollTo(0, ${y})` });
-      if (!isWithoutScripts) await rest();
+      if (!isWithoutScripts) await rest(driver);
       PNG.bitblt(PNG.sync.read(Buffer.from(await shoot(), 'base64')), whole, 0, 0, width, height, 0, y);
     }
     return PNG.sync.write(whole);
-  }
-
-  /** Presses what has this text. @param {string} text */
-  async function press(text) {
-    /** @type {boolean} */
-    const isThere = await driver.executeScript((/** @type {string} */ wanted) => {
-      const within = document.querySelector('dialog[open]') ?? document;
-      const found = [...within.querySelectorAll('button, summary, a')].find(
-        (one) => one instanceof HTMLElement && one.checkVisibility() && one.innerText.trim() === wanted,
-      );
-      if (found instanceof HTMLElement) found.click();
-      return found !== undefined;
-    }, text);
-    if (!isThere) throw new Error(`nothing has the text “${text}”`);
   }
 
   /** @param {string} address @param {View} view @returns {Promise<Buffer>} */
@@ -110,14 +64,65 @@ export async function createCamera(host, port) {
     await driver.get('about:blank');
     await driver.get(address + linkOf(view));
     if (!view.isWithoutScripts) {
-      await rest();
+      await rest(driver);
       for (const text of view.press ?? []) {
-        await press(text);
-        await rest();
+        await press(driver, text);
+        await rest(driver);
       }
     }
     return shootAll(view);
   }
 
   return { picture, close: () => driver.quit() };
+}
+
+/** @param {string} host @param {number} port @returns {Promise<Driver>} */
+async function openBrowser(host, port) {
+  const engine = findEngines().found.find(({ name }) => name === 'chromium');
+  if (!engine) throw new Error('pictures are taken in Chromium, which this machine lacks');
+  if (engine.driver !== null) process.env.SE_CHROMEDRIVER = engine.driver;
+  const asRoot = process.getuid?.() === 0;
+  const toServer = `--host-resolver-rules=MAP ${host}:80 127.0.0.1:${port}`;
+  const all = [...args, toServer, ...(asRoot ? ['--no-sandbox'] : [])];
+  const options = { binary: engine.browser, args: all };
+  const capabilities = { browserName: 'chrome', 'goog:chromeOptions': options };
+  return /** @type {Driver} */ (await new Builder().withCapabilities(capabilities).build());
+}
+
+/** Waits until the page is at rest, but for pages without scripts. @param {Driver} driver */
+async function rest(driver) {
+  const end = performance.now() + patience;
+  while (performance.now() < end) {
+    const isAtRest = await driver.executeScript(
+      (/** @type {number} */ attempts) =>
+        new Promise((resolve) => {
+          let left = attempts;
+          const look = () => {
+            const own = /** @type {{ isAtRest?: () => boolean }} */ (/** @type {unknown} */ (window));
+            const is = own.isAtRest?.() ?? false;
+            left -= 1;
+            if (is || left === 0) resolve(is);
+            else setTimeout(look, 20);
+          };
+          look();
+        }),
+      100,
+    );
+    if (isAtRest) return;
+  }
+  throw new Error(`the page does not come to rest within ${patience / 1000} s`);
+}
+
+/** Presses what has this text. @param {Driver} driver @param {string} text */
+async function press(driver, text) {
+  /** @type {boolean} */
+  const isThere = await driver.executeScript((/** @type {string} */ wanted) => {
+    const within = document.querySelector('dialog[open]') ?? document;
+    const found = [...within.querySelectorAll('button, summary, a')].find(
+      (one) => one instanceof HTMLElement && one.checkVisibility() && one.innerText.trim() === wanted,
+    );
+    if (found instanceof HTMLElement) found.click();
+    return found !== undefined;
+  }, text);
+  if (!isThere) throw new Error(`nothing has the text “${text}”`);
 }

@@ -34,7 +34,7 @@ const frames = sizes.map((size) => ({ value: size.join('x'), text: words.sizeTex
 
 /** @param {SheetTools} tools @param {Sheet} sheet */
 export function createKeep(tools, sheet) {
-  const { engine, store, actions, links, sceneOf, openChecks, openCode, openCollect } = tools;
+  const { engine, store, actions, links, openChecks, openCode, openCollect } = tools;
   const maker = createMaker(tools);
   let status = '';
   let frame = frames[1];
@@ -43,25 +43,9 @@ export function createKeep(tools, sheet) {
 
   const linkNow = () => links.linkOf(store.get(), engine.experiment);
   const address = () => addressOf(location.href, linkNow(), false);
-  const origin = () => words.origin(engine.version(), address());
-  const name = () => words.fileName(store.get().experiment.evolution.seed, store.get().generation);
   const say = (/** @type {string} */ text) => {
     status = text;
     draw();
-  };
-  const saveCsv = (/** @type {string} */ what, /** @type {string} */ content) =>
-    download(`${name()}-${what}.csv`, 'text/csv', content);
-
-  /** @param {Picture} picture @param {typeof kinds[number]} kind */
-  const savePicture = async (picture, [ending, type, write]) => {
-    try {
-      const [version, link] = origin();
-      const about = { title: picture.name, description: descriptionOf(picture), link, version };
-      const content = await write(drawingOf(picture), about);
-      download(`${name()}-${picture.key}.${ending}`, type, content);
-    } catch (error) {
-      say(words.pictureNotSaved(picture.name, messageOf(error)));
-    }
   };
 
   const show = (text = words.fingerprint(engine.hash(), store.get().history.length - 1)) => {
@@ -96,19 +80,12 @@ export function createKeep(tools, sheet) {
     }
   };
 
-  const saveDrive = () => {
-    const { experiment, gains, driving } = sceneOf(store.get());
-    const about = [...origin(), ...driveOrigin(experiment, gains, driving)];
-    const table = driveCsv(driving, engine.stability(experiment, gains), about);
-    saveCsv(`drive-${fingerprintOf(experiment, gains)}`, table);
-  };
-
   const insteadOfIt = (/** @type {() => void} */ open) => () => {
     sheet.dialog.close();
     open();
   };
   const on = {
-    savePicture,
+    ...createSaving(tools, sheet.dialog, address, say),
     /** @param {string} value */
     chooseFrame(value) {
       frame = frames.find((one) => one.value === value) ?? frame;
@@ -118,10 +95,6 @@ export function createKeep(tools, sheet) {
     copyFrame: () => copy('embed-text', words.textCopied, words.textNotCopied).then(say),
     makeExercise: insteadOfIt(maker.open),
     collect: insteadOfIt(openCollect),
-    saveRun: () => download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
-    saveGenerations: () => saveCsv('generations', generationsCsv(store.get().history, origin())),
-    /** A long drive is read by a worker. */
-    saveDrive: () => whenThere(saveDrive, () => sheet.dialog.open),
     /** @param {Event} event */
     choose({ target }) {
       const input = /** @type {HTMLInputElement} */ (target);
@@ -139,6 +112,37 @@ export function createKeep(tools, sheet) {
   };
 
   return { start, open, drawMaker: maker.draw };
+}
+
+/** What is saved as a file, each with the name of the run. @param {SheetTools} tools @param {HTMLDialogElement} dialog @param {() => string} address @param {(text: string) => void} say */
+function createSaving({ engine, store, links, sceneOf }, dialog, address, say) {
+  const origin = () => words.origin(engine.version(), address());
+  const name = () => words.fileName(store.get().experiment.evolution.seed, store.get().generation);
+  const saveCsv = (/** @type {string} */ what, /** @type {string} */ content) =>
+    download(`${name()}-${what}.csv`, 'text/csv', content);
+  const saveDrive = () => {
+    const { experiment, gains, driving } = sceneOf(store.get());
+    const about = [...origin(), ...driveOrigin(experiment, gains, driving)];
+    const table = driveCsv(driving, engine.stability(experiment, gains), about);
+    saveCsv(`drive-${fingerprintOf(experiment, gains)}`, table);
+  };
+  return {
+    saveRun: () => download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
+    saveGenerations: () => saveCsv('generations', generationsCsv(store.get().history, origin())),
+    /** A long drive is read by a worker. */
+    saveDrive: () => whenThere(saveDrive, () => dialog.open),
+    /** @param {Picture} picture @param {typeof kinds[number]} kind */
+    async savePicture(picture, [ending, type, write]) {
+      try {
+        const [version, link] = origin();
+        const about = { title: picture.name, description: descriptionOf(picture), link, version };
+        const content = await write(drawingOf(picture), about);
+        download(`${name()}-${picture.key}.${ending}`, type, content);
+      } catch (error) {
+        say(words.pictureNotSaved(picture.name, messageOf(error)));
+      }
+    },
+  };
 }
 
 /**

@@ -1,6 +1,5 @@
 // The class at a glance: how many have which J, and where their gains lie.
-/** @import { Size } from '../../kit/chart.js' */
-/** @import { Row } from './check.js' */
+/** @import { Given, Row } from './check.js' */
 import { scaleLinear } from 'd3-scale';
 import {
   createChart,
@@ -13,6 +12,8 @@ import {
   wholeTicks,
   within,
 } from '../../kit/chart.js';
+import { byId } from '../../kit/elements.js';
+import { once } from '../../kit/memo.js';
 import { drawAxisNames } from '../../kit/names.js';
 import { colour } from '../../kit/palette.js';
 import { lab } from '../../words/index.js';
@@ -27,8 +28,24 @@ const inside = 0.9;
 /** Above and beside the lines, for the names of the axes. */
 const room = { top: 20, right: 44 };
 
+/** Both, made when there is something to draw first. */
+export function createCharts() {
+  const charts = once(() => [
+    createHistogram(byId('collect-histogram')),
+    createGainsPlane(byId('collect-gains')),
+  ]);
+  return {
+    /** @param {readonly Row[]} rows @param {Given | null} given @param {number} theme */
+    draw(rows, given, theme) {
+      const aim = given?.run.exercise.aim?.wanted;
+      const model = { points: pointsIn(rows), aim: aim?.kind === 'cost' ? aim.below : null, theme };
+      for (const chart of charts()) chart.draw(model);
+    },
+  };
+}
+
 /** @param {readonly Row[]} rows @returns {Point[]} */
-export const pointsIn = (rows) =>
+const pointsIn = (rows) =>
   rows.flatMap(({ checked }) =>
     checked && Number.isFinite(checked.cost)
       ? [{ cost: checked.cost, gains: checked.gains, isMet: checked.judged?.isMet ?? false }]
@@ -36,7 +53,7 @@ export const pointsIn = (rows) =>
   );
 
 /** From the least to where all but a few are. @param {readonly number[]} values @returns {[number, number]} */
-export function reach(values) {
+function reach(values) {
   const inOrder = [...values].sort((a, b) => a - b);
   const low = inOrder[0] ?? 0;
   const high = inOrder[Math.floor(inside * (inOrder.length - 1))] ?? 1;
@@ -48,7 +65,7 @@ export function reach(values) {
 const ink = (isMet) => colour(isMet ? '--theta' : '--muted');
 
 /** @param {HTMLElement} root */
-export const createHistogram = (root) =>
+const createHistogram = (root) =>
   createChart(root, (context, size, /** @type {Model} */ { points, aim }) => {
     const frame = frameIn(size, room);
     const costs = points.map(({ cost }) => cost);
@@ -82,7 +99,7 @@ export const createHistogram = (root) =>
   });
 
 /** @param {HTMLElement} root */
-export const createGainsPlane = (root) =>
+const createGainsPlane = (root) =>
   createChart(root, (context, size, /** @type {Model} */ { points }) => {
     const frame = frameIn(size, room);
     const [x, y] = [0, 2].map((gain, i) =>

@@ -8,13 +8,12 @@ import { html, nothing } from 'lit-html';
 import { download } from '../../kit/download.js';
 import { byId, create } from '../../kit/elements.js';
 import { addressOf } from '../../kit/host.js';
-import { once } from '../../kit/memo.js';
 import { fillTable, mostRows } from '../../kit/table.js';
 import { isEmpty, noExercise } from '../../run/exercise.js';
 import { isFull, pinOf, styles } from '../../run/pins.js';
 import { nobody } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
-import { createGainsPlane, createHistogram, pointsIn } from './chart.js';
+import { createCharts } from './chart.js';
 import { createChecker } from './check.js';
 import { createReader, mostOfAll } from './entries.js';
 import { filesIn, readAll } from './files.js';
@@ -24,6 +23,7 @@ import words from './words/index.js';
 const { texts } = words;
 
 /** @typedef {{ status: string, isBad: boolean, share: number | null, rows: Row[], given: Given | null, files: File[], order: import('./table.js').Order, pinned: Set<number>, first: number }} View */
+/** @typedef {Omit<SheetTools, 'openChecks' | 'openCode' | 'openCollect'>} Tools */
 
 /** @type {View} */
 const noView = {
@@ -38,68 +38,23 @@ const noView = {
   first: 0,
 };
 
-/** @param {Omit<SheetTools, 'openChecks' | 'openCode' | 'openCollect'>} tools @param {Sheet} sheet */
+/** @param {Tools} tools @param {Sheet} sheet */
 export function createCollect(tools, sheet) {
-  const { engine, store, actions, links, open } = tools;
-  const reader = createReader(links.pages);
-  const checker = createChecker(engine, links);
+  const { engine, store, links } = tools;
   const rowsElement = create('table', 'collect-table');
-  const charts = once(() => ({
-    histogram: createHistogram(byId('collect-histogram')),
-    gains: createGainsPlane(byId('collect-gains')),
-  }));
-  let control = new AbortController();
+  const charts = createCharts();
   /** @type {View} */
   let view = noView;
   const update = (/** @type {Partial<View>} */ patch) => {
     view = { ...view, ...patch };
     draw();
   };
-  const field = (/** @type {string} */ id) => /** @type {HTMLTextAreaElement} */ (byId(id)).value;
-
-  /** The exercise by which they are judged, as the field has it. @returns {Given | null} */
-  const exerciseAsked = () => {
-    const text = field('collect-exercise').trim();
-    return text === '' ? null : checker.exerciseIn(text);
-  };
-
-  const check = async () => {
-    control.abort();
-    control = new AbortController();
-    const { signal } = control;
-    const began = performance.now();
-    let exercise = null;
-    try {
-      exercise = exerciseAsked();
-    } catch (error) {
-      return update({ status: words.noExercise(messageOf(error)), isBad: true });
-    }
-    update({ share: 0, status: '', isBad: false, rows: [], given: null, pinned: new Set(), first: 0 });
-    try {
-      const typed = field('collect-text').slice(0, mostOfAll);
-      const entries = [
-        ...(typed.trim() ? await reader.read(typed) : []),
-        ...(await readAll(view.files, reader)),
-      ];
-      if (entries.length === 0) return update({ share: null, status: words.nothing });
-      const onProgress = (/** @type {number} */ share) => {
-        if (!signal.aborted && share - (view.share ?? 0) >= 0.01) update({ share });
-      };
-      const { rows, given } = await checker.check(entries, exercise, { signal, onProgress });
-      const met = rows.filter(({ checked }) => checked?.judged?.isMet).length;
-      const unread = rows.filter(({ checked }) => !checked).length;
-      const marked = rows.filter((row) => row.checked && remarksOf(row, rows).length > 0).length;
-      const status = words.summary(rows.length, met, unread, marked, performance.now() - began);
-      update({ share: null, rows, given, status });
-    } catch (error) {
-      if (!signal.aborted) update({ share: null, status: words.failed(messageOf(error)), isBad: true });
-    }
-  };
-
+  const { check, stop } = createChecking(tools, () => view, update);
   const on = {
+    ...createRowEvents(tools, sheet, () => view, update),
     check,
     cancel() {
-      control.abort();
+      stop();
       update({ share: null, status: words.cancelled });
     },
     /** @param {Event} event */
@@ -111,44 +66,13 @@ export function createCollect(tools, sheet) {
     },
     /** Another class. */
     empty() {
-      control.abort();
+      stop();
       /** @type {NodeListOf<HTMLInputElement>} */
       const fields = document.querySelectorAll('#collect-text, #collect-exercise');
       for (const field of fields) field.value = '';
       update({ ...noView, order: view.order });
       byId('collect-text').focus();
     },
-    /** @param {Column} column */
-    sort: (column) =>
-      update({ order: { column, isDown: column === view.order.column && !view.order.isDown }, first: 0 }),
-    /** @param {number} row @param {boolean} isPinned */
-    pin(row, isPinned) {
-      const pinned = new Set(view.pinned);
-      if (isPinned) pinned.add(row);
-      else pinned.delete(row);
-      update({ pinned });
-    },
-    /** One whole run, in which nothing is locked. @param {number} row */
-    open(row) {
-      const { checked } = view.rows[row];
-      if (!checked) return;
-      sheet.dialog.close();
-      const { pins } = store.get();
-      open({ ...checked.run, pins, exercise: noExercise, student: nobody, parts: {} }, []);
-    },
-    pinAll() {
-      for (const row of view.pinned) {
-        const { checked } = view.rows[row];
-        const { pins } = store.get();
-        if (!checked || isFull(pins)) continue;
-        const driven = { experiment: checked.run.experiment, gains: checked.gains };
-        // The same answer stands there once.
-        if (!pinOf(pins, driven)) actions.togglePin(driven, nameOf(view.rows[row]) || words.rowNumber(row));
-      }
-      update({ status: words.pinnedText(styles.length) });
-    },
-    save: () =>
-      download(csvName, 'text/csv', csvOf(view.rows, addressOf(location.href, '', false).replace(/#$/, ''))),
     /** @param {number} first */
     show: (first) => update({ first }),
   };
@@ -177,14 +101,7 @@ export function createCollect(tools, sheet) {
     const { rows, order, pinned, first, given } = view;
     if (rows.length === 0) return;
     fillTable(rowsElement, tableOf(rows, order, pinned, on), first);
-    const aim = given?.run.exercise.aim?.wanted;
-    const model = {
-      points: pointsIn(rows),
-      aim: aim?.kind === 'cost' ? aim.below : null,
-      theme: store.get().theme,
-    };
-    charts().histogram.draw(model);
-    charts().gains.draw(model);
+    charts.draw(rows, given, store.get().theme);
   };
 
   return {
@@ -198,6 +115,92 @@ export function createCollect(tools, sheet) {
     },
   };
 }
+
+/** The check that runs, which another one ends. @param {Tools} tools @param {() => View} viewNow @param {(patch: Partial<View>) => void} update */
+function createChecking({ engine, links }, viewNow, update) {
+  const reader = createReader(links.pages);
+  const checker = createChecker(engine, links);
+  let control = new AbortController();
+  const field = (/** @type {string} */ id) => /** @type {HTMLTextAreaElement} */ (byId(id)).value;
+
+  return {
+    stop: () => control.abort(),
+
+    async check() {
+      control.abort();
+      control = new AbortController();
+      const { signal } = control;
+      const began = performance.now();
+      const asked = field('collect-exercise').trim();
+      let exercise = null;
+      try {
+        if (asked !== '') exercise = checker.exerciseIn(asked);
+      } catch (error) {
+        return update({ status: words.noExercise(messageOf(error)), isBad: true });
+      }
+      update({ share: 0, status: '', isBad: false, rows: [], given: null, pinned: new Set(), first: 0 });
+      try {
+        const typed = field('collect-text').slice(0, mostOfAll);
+        const entries = [
+          ...(typed.trim() ? await reader.read(typed) : []),
+          ...(await readAll(viewNow().files, reader)),
+        ];
+        if (entries.length === 0) return update({ share: null, status: words.nothing });
+        const onProgress = (/** @type {number} */ share) => {
+          if (!signal.aborted && share - (viewNow().share ?? 0) >= 0.01) update({ share });
+        };
+        const { rows, given } = await checker.check(entries, exercise, { signal, onProgress });
+        const met = rows.filter(({ checked }) => checked?.judged?.isMet).length;
+        const unread = rows.filter(({ checked }) => !checked).length;
+        const marked = rows.filter((row) => row.checked && remarksOf(row, rows).length > 0).length;
+        const status = words.summary(rows.length, met, unread, marked, performance.now() - began);
+        update({ share: null, rows, given, status });
+      } catch (error) {
+        if (!signal.aborted) update({ share: null, status: words.failed(messageOf(error)), isBad: true });
+      }
+    },
+  };
+}
+
+/** What can be done with the rows that are there. @param {Tools} tools @param {Sheet} sheet @param {() => View} viewNow @param {(patch: Partial<View>) => void} update */
+const createRowEvents = ({ store, actions, open }, sheet, viewNow, update) => ({
+  /** @param {Column} column */
+  sort(column) {
+    const { order } = viewNow();
+    update({ order: { column, isDown: column === order.column && !order.isDown }, first: 0 });
+  },
+  /** @param {number} row @param {boolean} isPinned */
+  pin(row, isPinned) {
+    const pinned = new Set(viewNow().pinned);
+    if (isPinned) pinned.add(row);
+    else pinned.delete(row);
+    update({ pinned });
+  },
+  /** One whole run, in which nothing is locked. @param {number} row */
+  open(row) {
+    const { checked } = viewNow().rows[row];
+    if (!checked) return;
+    sheet.dialog.close();
+    const { pins } = store.get();
+    open({ ...checked.run, pins, exercise: noExercise, student: nobody, parts: {} }, []);
+  },
+  pinAll() {
+    const { rows, pinned } = viewNow();
+    for (const row of pinned) {
+      const { checked } = rows[row];
+      const { pins } = store.get();
+      if (!checked || isFull(pins)) continue;
+      const driven = { experiment: checked.run.experiment, gains: checked.gains };
+      // The same answer stands there once.
+      if (!pinOf(pins, driven)) actions.togglePin(driven, nameOf(rows[row]) || words.rowNumber(row));
+    }
+    update({ status: words.pinnedText(styles.length) });
+  },
+  save() {
+    const address = addressOf(location.href, '', false).replace(/#$/, '');
+    download(csvName, 'text/csv', csvOf(viewNow().rows, address));
+  },
+});
 
 /** @param {View} view @param {HTMLElement} table @param {{ check: () => void, cancel: () => void, choose: (event: Event) => void, empty: () => void, pinAll: () => void, save: () => void, show: (first: number) => void }} on */
 const contentOf = ({ status, isBad, share, rows, given, files, pinned, first }, table, on) => html`

@@ -46,14 +46,14 @@ const beginning = (text) => text.replace(/\s+/g, ' ').trim().slice(0, 80);
 /** A receipt to its last digits, without what a text has behind them; null if they are not there. @param {string} link */
 const wholeIn = (link) => /^.*?handin=.*?(?:~|%7E)[\da-f]{8}(?!~|%7E)/i.exec(link)?.[0] ?? null;
 
-/** @param {readonly string[]} pages */
-export function createReader(pages) {
+/** Links of these pages. @param {readonly string[]} pages */
+function createFinder(pages) {
   const pattern = new RegExp(`(?<![\\w%])(?:${pages.join('|')})&(?:amp;)*[\\w.]+=[^\\s"<>\\\\^\`{}|]*`, 'g');
 
   /** @param {string} text */
   const linksIn = (text) => withoutEntities(withoutEntities(text)).match(pattern) ?? [];
 
-  /** The link that counts: a receipt before others, and of several the last. @param {string} text */
+  /** The one that counts: a receipt before others, and of several the last. @param {string} text */
   function linkIn(text) {
     const found = linksIn(text);
     const receipts = found.filter((link) => link.includes('handin='));
@@ -63,6 +63,13 @@ export function createReader(pages) {
     const joined = found.length > 0 && text.includes(mark) ? linksIn(text.replace(/[\s>]+/g, '')) : [];
     return joined.map(wholeIn).find(Boolean) ?? receipts.at(-1) ?? found.at(-1) ?? null;
   }
+
+  return { linksIn, linkIn };
+}
+
+/** @param {readonly string[]} pages */
+export function createReader(pages) {
+  const { linksIn, linkIn } = createFinder(pages);
 
   /** @param {string} text @param {string} name @param {Entry['ident']} [ident] @returns {Entry} */
   function entryOf(text, name, ident = {}) {
@@ -108,12 +115,6 @@ export function createReader(pages) {
     return entries;
   }
 
-  /** In a line such as “Kim, https://…”. @param {string} line */
-  function nameBefore(line) {
-    const [before] = line.split(/https?:|file:|#|(?:^|\s)[\w-]+\.html/, 1);
-    return before.length < line.length ? before.replace(/[\s,;:|\t]+$/, '').replace(/^["']/, '') : '';
-  }
-
   return {
     /** @param {string} text @returns {Promise<Entry[]>} */
     async read(text) {
@@ -138,15 +139,14 @@ export function createReader(pages) {
     },
 
     /** @param {string} name @returns {Entry} */
-    tooLong: (name) => ({
-      name,
-      ident: {},
-      text: '',
-      link: null,
-      why: 'long',
-      isReceipt: false,
-    }),
+    tooLong: (name) => ({ name, ident: {}, text: '', link: null, why: 'long', isReceipt: false }),
   };
+}
+
+/** The name in a line such as “Kim, https://…”. @param {string} line */
+function nameBefore(line) {
+  const [before] = line.split(/https?:|file:|#|(?:^|\s)[\w-]+\.html/, 1);
+  return before.length < line.length ? before.replace(/[\s,;:|\t]+$/, '').replace(/^["']/, '') : '';
 }
 
 /** Whose it is in anonymous submissions of Moodle: nobody's name. */

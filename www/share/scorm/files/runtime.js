@@ -1,6 +1,7 @@
 // Between a learning platform that speaks SCORM 1.2 and the exercise in the frame: who works on it goes in; the receipt, the
 // score and the time come out, and what was done so far comes back when the attempt is resumed.
 
+// biome-ignore lint/complexity/noExcessiveLinesPerFunction: all of the script, which imports nothing and leaves no name in the page
 (() => {
   /** What exercise.js says. @type {{ link: string, texts: import('../package.js').Sentences }} */
   const { link, texts } = /** @type {any} */ (globalThis).exercise;
