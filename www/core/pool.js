@@ -1,6 +1,7 @@
 // Runs long jobs part by part in plain Web Workers. Which worker does a part, and when, never shows in the result.
+/** @import { Hand, Said, WorkerLike } from './hands.js' */
 /** @import { Jobs } from './jobs.js' */
-/** @import { Answer } from './worker.js' */
+import { createHands } from './hands.js';
 
 /**
  * One call for each part, which is the list of its arguments.
@@ -23,8 +24,6 @@
 /** @typedef {{ run: Run }} Channel */
 /** @typedef {{ size: number, run: Run, channel: () => Channel }} Pool */
 
-/** What the pool needs of a Worker. @typedef {Pick<Worker, 'addEventListener' | 'postMessage' | 'terminate'>} WorkerLike */
-
 /**
  * A job under way.
  * @typedef {object} Task
@@ -44,177 +43,15 @@
  * @property {() => void} forget Stops to listen for an abort.
  */
 
-/** A worker, and the parts of one task that it has been given, in their order. @typedef {{ worker: WorkerLike, task: Task | null, indices: number[], progress: number, silence: ReturnType<typeof setTimeout> }} Hand */
-
-/** A worker has the next short part already when it ends one, for a page that draws may be slow to hear of it. */
-const shortPartsAhead = 2;
-
 /** A worker whose job was aborted has so many milliseconds to answer before it is terminated. */
 const grace = 100;
-
-/** A worker says a word when it begins. One that has not after so many milliseconds is replaced, and the next has twice as long. */
-const longestSilence = 10_000;
 
 /** @param {string} reason */
 const abortError = (reason) => new DOMException(reason, 'AbortError');
 
 /** @param {{ spawn: () => WorkerLike, size?: number }} options `spawn` starts a worker that has the core already. @returns {Pool} */
 export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrency || 2, 8) }) {
-  /** @type {Set<Hand>} */
-  const hands = new Set();
-  /** The tasks with parts that no worker has taken, oldest first. @type {Set<Task>} */
-  const waiting = new Set();
-  let silence = longestSilence;
-
-  /** Gives parts to idle workers while there are both. */
-  function assign() {
-    for (;;) {
-      const tasks = [...waiting];
-      const task = tasks.find(({ urgent }) => urgent) ?? tasks[0];
-      if (!task) return;
-      try {
-        const hand = handFor(task);
-        if (!hand) return;
-        give(hand, task);
-      } catch (error) {
-        fail(task, error);
-      }
-    }
-  }
-
-  /** Who takes the next part of a task, if anybody can. @param {Task} task */
-  function handFor(task) {
-    const all = [...hands];
-    const idle = all.find((hand) => hand.task === null);
-    if (idle) return idle;
-    if (hands.size < size) return hire();
-    const own = all
-      .filter((hand) => task.urgent && hand.task === task)
-      .sort((a, b) => a.indices.length - b.indices.length);
-    return own.find((hand) => hand.indices.length < shortPartsAhead);
-  }
-
-  function hire() {
-    const worker = start();
-    /** @type {Hand} */
-    const hand = { worker, task: null, indices: [], progress: 0, silence: setTimeout(giveUp, silence) };
-    worker.addEventListener('message', ({ data }) => hear(hand, data));
-    worker.addEventListener('error', (event) => {
-      event.preventDefault();
-      lose(hand, event.message || 'it could not be started');
-    });
-    worker.addEventListener('messageerror', () => lose(hand, 'its answer cannot be read'));
-    hands.add(hand);
-    return hand;
-
-    function giveUp() {
-      silence *= 2;
-      lose(hand, 'it did not begin');
-    }
-  }
-
-  function start() {
-    try {
-      return spawn();
-    } catch (cause) {
-      throw new Error(`No worker can be started: ${cause instanceof Error ? cause.message : cause}`, {
-        cause,
-      });
-    }
-  }
-
-  /** @param {Hand} hand @param {Task} task */
-  function give(hand, task) {
-    // Throws when an argument is nothing that can be sent.
-    const index = task.again[0] ?? task.next;
-    hand.worker.postMessage({ call: task.call, args: task.parts[index] });
-    hand.task = task;
-    hand.indices.push(index);
-    if (index === task.again[0]) task.again.shift();
-    else task.next += 1;
-    if (task.next === task.parts.length && task.again.length === 0) waiting.delete(task);
-  }
-
-  /** @param {Hand} hand @param {Answer} answer */
-  function hear(hand, answer) {
-    clearTimeout(hand.silence);
-    if ('life' in answer) {
-      if (answer.life === null) return;
-      navigator.locks.request(answer.life, () => lose(hand, 'it was ended')).catch(() => {});
-      return;
-    }
-    const { task } = hand;
-    // What a terminated worker had sent before its end.
-    if (!task) return;
-    if ('progress' in answer) {
-      hand.progress = answer.progress;
-      report(task);
-      return;
-    }
-    const index = /** @type {number} */ (hand.indices.shift());
-    hand.progress = 0;
-    if (hand.indices.length === 0) hand.task = null;
-    if ('error' in answer) {
-      if (answer.lost) dismiss(hand);
-      fail(task, new Error(answer.error));
-    } else {
-      task.results[index] = answer.result;
-      task.finished += 1;
-      if (task.finished === task.parts.length) {
-        task.forget();
-        task.resolve(task.results);
-      }
-    }
-    assign();
-    report(task);
-  }
-
-  /** @param {Task} task */
-  function report(task) {
-    let done = task.finished;
-    for (const hand of hands) if (hand.task === task) done += hand.progress;
-    // What a lost worker had done falls away.
-    task.done = Math.max(task.done, done / task.parts.length);
-    task.onProgress?.(task.done);
-  }
-
-  /** Ends a task before its time. @param {Task} task @param {unknown} error */
-  function fail(task, error) {
-    waiting.delete(task);
-    task.ended = true;
-    task.forget();
-    task.onProgress = undefined;
-    task.reject(error);
-    const busy = [...hands].filter((hand) => hand.task === task);
-    if (task.urgent || busy.length === 0) return;
-    setTimeout(() => {
-      for (const hand of busy) if (hand.task === task) dismiss(hand);
-      assign();
-    }, grace);
-  }
-
-  /** Another does what a lost worker had to do. What is lost twice takes its task with it, and only that. @param {Hand} hand @param {string} reason */
-  function lose(hand, reason) {
-    const { task, indices } = hand;
-    dismiss(hand);
-    if (task && indices.some((index) => task.lost.has(index)))
-      fail(task, new Error(`A worker was lost: ${reason}`));
-    else if (task && !task.ended) {
-      for (const index of indices) task.lost.add(index);
-      task.again.push(...indices);
-      waiting.add(task);
-    }
-    assign();
-  }
-
-  /** Another is hired in its place when there is work. @param {Hand} hand */
-  function dismiss(hand) {
-    clearTimeout(hand.silence);
-    hand.worker.terminate();
-    hand.task = null;
-    hand.indices = [];
-    hands.delete(hand);
-  }
+  const { add, fail } = createQueue(spawn, size);
 
   /**
    * @template {keyof Jobs} K
@@ -245,8 +82,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
     else if (parts.length === 0) task.resolve([]);
     else {
       signal?.addEventListener('abort', abort);
-      waiting.add(task);
-      assign();
+      add(task);
     }
     return { results, supersede: () => fail(task, abortError('A newer request took its place')) };
   }
@@ -269,4 +105,113 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
       };
     },
   };
+}
+
+/** The tasks under way, and who does which part of them. @param {() => WorkerLike} spawn @param {number} size */
+function createQueue(spawn, size) {
+  const hands = createHands(spawn, size, hear, lose);
+  /** The tasks with parts that no worker has taken, oldest first. @type {Set<Task>} */
+  const waiting = new Set();
+
+  /** Gives parts to idle workers while there are both. */
+  function assign() {
+    for (;;) {
+      const tasks = [...waiting];
+      const task = tasks.find(({ urgent }) => urgent) ?? tasks[0];
+      if (!task) return;
+      try {
+        const hand = hands.handFor(task);
+        if (!hand) return;
+        give(hand, task);
+        if (task.next === task.parts.length && task.again.length === 0) waiting.delete(task);
+      } catch (error) {
+        fail(task, error);
+      }
+    }
+  }
+
+  /** @param {Hand} hand @param {Said} said */
+  function hear(hand, said) {
+    const { task } = hand;
+    // What a terminated worker had sent before its end.
+    if (!task) return;
+    if ('progress' in said) hand.progress = said.progress;
+    else {
+      const index = /** @type {number} */ (hand.indices.shift());
+      hand.progress = 0;
+      if (hand.indices.length === 0) hand.task = null;
+      if ('error' in said) {
+        if (said.lost) hands.dismiss(hand);
+        fail(task, new Error(said.error));
+      } else keep(task, index, said.result);
+      assign();
+    }
+    report(task, hands.busyWith(task));
+  }
+
+  /** Ends a task before its time. @param {Task} task @param {unknown} error */
+  function fail(task, error) {
+    waiting.delete(task);
+    task.ended = true;
+    task.forget();
+    task.onProgress = undefined;
+    task.reject(error);
+    const busy = hands.busyWith(task);
+    if (task.urgent || busy.length === 0) return;
+    setTimeout(() => {
+      for (const hand of busy) if (hand.task === task) hands.dismiss(hand);
+      assign();
+    }, grace);
+  }
+
+  /** Another does what a lost worker had to do. What is lost twice takes its task with it, and only that. @param {Hand} hand @param {string} reason */
+  function lose(hand, reason) {
+    const { task, indices } = hand;
+    hands.dismiss(hand);
+    if (task && indices.some((index) => task.lost.has(index)))
+      fail(task, new Error(`A worker was lost: ${reason}`));
+    else if (task && !task.ended) {
+      for (const index of indices) task.lost.add(index);
+      task.again.push(...indices);
+      waiting.add(task);
+    }
+    assign();
+  }
+
+  return {
+    fail,
+
+    /** @param {Task} task */
+    add(task) {
+      waiting.add(task);
+      assign();
+    },
+  };
+}
+
+/** The next part. Throws when an argument is nothing that can be sent. @param {Hand} hand @param {Task} task */
+function give(hand, task) {
+  const index = task.again[0] ?? task.next;
+  hand.worker.postMessage({ call: task.call, args: task.parts[index] });
+  hand.task = task;
+  hand.indices.push(index);
+  if (index === task.again[0]) task.again.shift();
+  else task.next += 1;
+}
+
+/** @param {Task} task @param {number} index @param {unknown} result */
+function keep(task, index, result) {
+  task.results[index] = result;
+  task.finished += 1;
+  if (task.finished < task.parts.length) return;
+  task.forget();
+  task.resolve(task.results);
+}
+
+/** @param {Task} task @param {Hand[]} busy */
+function report(task, busy) {
+  const done = busy.reduce((sum, hand) => sum + hand.progress, task.finished);
+  // What a lost worker had done falls away.
+  task.done = Math.max(task.done, done / task.parts.length);
+  task.onProgress?.(task.done);
 }

@@ -1,4 +1,4 @@
-// The long jobs: each is split by index into parts for the pool, and the parts' results are joined in order.
+// The long jobs: what can be shared is split by index into parts for the pool, and the parts' results are joined in order.
 /** @import { Gains, Landscape, Robustness, StartGrid } from '../../pkg/ep_locomotion.js' */
 /** @import { Golden } from './checks/check.js' */
 /** @import { Jobs } from './jobs.js' */
@@ -18,50 +18,35 @@ const mostParts = 1024;
 
 /** @param {Pool} pool */
 export function createSurveys(pool) {
-  /** @type {(options: SurveyOptions | undefined) => Run} */
-  const runOf = (options) => options?.channel?.run ?? pool.run;
-
-  /** What comes of a job of one part. @template {keyof Jobs} K @param {K} call @param {Parameters<Jobs[K]>} args @param {SurveyOptions} [options] */
-  const one = async (call, args, options) => (await runOf(options)({ call, parts: [args] }, options))[0];
-
-  /**
-   * [first, end) of each part, for `count` things of which each drives `samples`.
-   * @param {number} count @param {number} samples
-   */
-  function split(count, samples) {
-    const quick = Math.floor(samplesOfPart / samples);
-    const shared = Math.floor(count / (2 * pool.size));
-    // What cannot be counted stays in one part, because the core knows best what is wrong with it.
-    const each = Math.max(Math.min(quick, shared), Math.ceil(count / mostParts), 1) || count;
-    /** @type {[number, number][]} */
-    const parts = [];
-    let first = 0;
-    do {
-      parts.push([first, Math.min(first + each, count)]);
-      first += each;
-    } while (first < count);
-    return parts;
-  }
-
+  /** @type {Run} */
+  const run = (job, /** @type {SurveyOptions | undefined} */ options) =>
+    (options?.channel ?? pool).run(job, options);
   return {
     /** For the `channel` of options: one for each thing on screen that follows the pointer. */
     channel: pool.channel,
+    ...createShared(run, pool.size),
+    ...createWhole(run),
+  };
+}
 
+/** What all workers share. @param {Run} run @param {number} workers */
+function createShared(run, workers) {
+  return {
     /** J over two gains, row by row. @param {Experiment} experiment @param {Omit<Landscape, 'rows'>} landscape @param {SurveyOptions} [options] */
     async landscape(experiment, landscape, options) {
-      const rows = split(landscape.y.count, landscape.x.count * samplesOfRobot(experiment));
+      const rows = split(landscape.y.count, landscape.x.count * samplesOfRobot(experiment), workers);
       /** @type {[Experiment, Landscape][]} */
       const parts = rows.map((part) => [experiment, { ...landscape, rows: part }]);
-      const results = await runOf(options)({ call: 'landscape', parts }, options);
+      const results = await run({ call: 'landscape', parts }, options);
       return join(Float64Array, results, (costs) => costs);
     },
 
     /** How one robot fares from every start of a grid. @param {Experiment} experiment @param {Omit<StartGrid, 'part'>} grid @param {SurveyOptions} [options] @returns {Promise<Robustness>} */
     async robustness(experiment, grid, options) {
-      const starts = split(grid.x.count * grid.y.count * grid.headings, samplesOfDrive(experiment));
+      const starts = split(grid.x.count * grid.y.count * grid.headings, samplesOfDrive(experiment), workers);
       /** @type {[Experiment, StartGrid][]} */
       const parts = starts.map((part) => [experiment, { ...grid, part }]);
-      const results = await runOf(options)({ call: 'robustness', parts }, options);
+      const results = await run({ call: 'robustness', parts }, options);
       return {
         cost: join(Float64Array, results, (result) => result.cost),
         finalTime: join(Float64Array, results, (result) => result.finalTime),
@@ -73,13 +58,21 @@ export function createSurveys(pool) {
     async seedRuns(experiment, { first, count, generations }, options) {
       const robots = 2 * experiment.evolution.population * (generations + 1);
       /** @type {[Experiment, import('../../pkg/ep_locomotion.js').SeedRuns][]} */
-      const parts = split(count, robots * samplesOfRobot(experiment)).map(([from, to]) => [
+      const parts = split(count, robots * samplesOfRobot(experiment), workers).map(([from, to]) => [
         experiment,
         { seeds: [first + from, first + to], generations },
       ]);
-      return (await runOf(options)({ call: 'seedRuns', parts }, options)).flat();
+      return (await run({ call: 'seedRuns', parts }, options)).flat();
     },
+  };
+}
 
+/** What one worker does alone, and many such things at once. @param {Run} run */
+function createWhole(run) {
+  /** @template {keyof Jobs} K @param {K} call @param {Parameters<Jobs[K]>} args @param {SurveyOptions} [options] */
+  const one = async (call, args, options) => (await run({ call, parts: [args] }, options))[0];
+
+  return {
     /** How the search comes down with a few seeds [first, end), drive by drive. @param {Experiment} experiment @param {import('../../pkg/ep_locomotion.js').Trials} trials @param {SurveyOptions} [options] */
     // Not split: who asks does so for few seeds at a time, so that those are kept that were done before a cancel.
     trials: (experiment, trials, options) => one('trials', [experiment, trials], options),
@@ -89,7 +82,7 @@ export function createSurveys(pool) {
 
     /** Many at once. @param {readonly Experiment[]} experiments @param {number} generations @param {SurveyOptions} [options] */
     evolveAll: (experiments, generations, options) =>
-      runOf(options)({ call: 'evolve', parts: experiments.map((one) => [one, generations]) }, options),
+      run({ call: 'evolve', parts: experiments.map((one) => [one, generations]) }, options),
 
     /** The sizes of the error over time that Theorem 2 bounds, from every start. @param {Experiment} experiment @param {Gains} gains @param {SurveyOptions} [options] */
     // Not split, because the draws of a disturbance go by the number of the start.
@@ -97,17 +90,10 @@ export function createSurveys(pool) {
 
     /** What remains of them in the last seconds, in each of these experiments. @param {readonly Experiment[]} experiments @param {Gains} gains @param {number} seconds @param {SurveyOptions} [options] */
     remainingErrors: (experiments, gains, seconds, options) =>
-      runOf(options)(
-        { call: 'remainingErrors', parts: experiments.map((one) => [one, gains, seconds]) },
-        options,
-      ),
+      run({ call: 'remainingErrors', parts: experiments.map((one) => [one, gains, seconds]) }, options),
 
     /** How each robot fares from every start of its experiment. @param {readonly (readonly [Experiment, Gains])[]} robots @param {SurveyOptions} [options] */
-    fares: (robots, options) =>
-      runOf(options)(
-        { call: 'fares', parts: robots.map(([experiment, gains]) => [experiment, gains]) },
-        options,
-      ),
+    fares: (robots, options) => run({ call: 'fares', parts: robots.map((robot) => [...robot]) }, options),
 
     /** J of each triple of gains. @param {Experiment} experiment @param {Gains} gains @param {SurveyOptions} [options] */
     // Not split, so that an error counts the gains as they were given.
@@ -115,10 +101,8 @@ export function createSurveys(pool) {
 
     /** J of one robot after the other, each in an experiment of its own. @param {readonly (readonly [Experiment, Gains])[]} robots @param {SurveyOptions} [options] */
     async costs(robots, options) {
-      const parts = robots.map(
-        ([experiment, gains]) => /** @type {[Experiment, Gains]} */ ([experiment, gains]),
-      );
-      return (await runOf(options)({ call: 'evaluate', parts }, options)).map(([cost]) => cost);
+      const costs = await run({ call: 'evaluate', parts: robots.map((robot) => [...robot]) }, options);
+      return costs.map(([cost]) => cost);
     },
 
     /** What a search has come to in a generation: its population, best first, and the statistics. @param {Experiment} experiment @param {number} generation @param {SurveyOptions} [options] */
@@ -129,6 +113,25 @@ export function createSurveys(pool) {
     // Not split, because every worker more would first have to learn the same code: that takes longer than the checks.
     checks: (golden, options) => one('checks', [golden], options),
   };
+}
+
+/**
+ * [first, end) of each part, for `count` things of which each drives `samples`.
+ * @param {number} count @param {number} samples @param {number} workers
+ */
+function split(count, samples, workers) {
+  const quick = Math.floor(samplesOfPart / samples);
+  const shared = Math.floor(count / (2 * workers));
+  // What cannot be counted stays in one part, because the core knows best what is wrong with it.
+  const each = Math.max(Math.min(quick, shared), Math.ceil(count / mostParts), 1) || count;
+  /** @type {[number, number][]} */
+  const parts = [];
+  let first = 0;
+  do {
+    parts.push([first, Math.min(first + each, count)]);
+    first += each;
+  } while (first < count);
+  return parts;
 }
 
 /**

@@ -4,7 +4,7 @@ import { createBasis } from './basis.js';
 import { createClock, createDrive } from './drive.js';
 import { createEvolution } from './evolution.js';
 import { createExperiments } from './experiment.js';
-import { createOpenPage, createPage, createPins } from './page.js';
+import { createOpenPage, createOpening, createPage, createPins } from './page.js';
 
 /** @typedef {ReturnType<typeof createActions>} Actions */
 
@@ -20,6 +20,7 @@ export function createActions(means) {
     ...createDrive(basis),
     ...createClock(basis),
     ...createPins(basis),
-    ...createPage(basis, openPage, catchUp),
+    ...createOpening(basis, catchUp),
+    ...createPage(basis, openPage),
   };
 }

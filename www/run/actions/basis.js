@@ -1,10 +1,10 @@
 // What the actions have in common: an experiment that begins, robots that drive again, and the box around all that must be seen.
-/** @import { Engine, Experiment, PaperResult } from '../../core/engine.js' */
+/** @import { Engine, Experiment, PaperResult, Posture } from '../../core/engine.js' */
 /** @import { Next, Restart, State } from '../state.js' */
 /** @import { RunStore } from '../store.js' */
 import { Pending, whenThere } from '../../core/pending.js';
 import { isTracking, stationsOf } from '../../core/reference.js';
-import { refit } from '../../kit/transform.js';
+import { boxAround, refit } from '../../kit/transform.js';
 import { isLost, messageOf } from '../../words/errors.js';
 import { atEnd, fromStart } from '../clock.js';
 import { gainsOf } from '../drivers.js';
@@ -33,7 +33,14 @@ import { afterChange } from '../undo.js';
 /** @typedef {Means & ReturnType<typeof createBasis>} Basis */
 
 /** @param {Means} means */
-export function createBasis({ engine, store, paper, isStill }) {
+export function createBasis(means) {
+  const sight = createSight(means);
+  const waiting = createWaiting(means.store, sight.refitBox);
+  return { ...sight, ...waiting, ...createBeginning(means, waiting) };
+}
+
+/** What takes long is waited for, and whatever is wrong is said. @param {RunStore} store @param {() => void} refitBox */
+function createWaiting(store, refitBox) {
   /** What is to be done once a worker has computed what it takes; only the newest is. @type {(() => void) | null} */
   let due = null;
   /** @type {(() => void)[]} */
@@ -82,6 +89,11 @@ export function createBasis({ engine, store, paper, isStill }) {
           idlers.push(() => resolve());
         });
 
+  return { attempt, forget, whenIdle };
+}
+
+/** An experiment begins, or is refused. @param {Means} means @param {ReturnType<typeof createWaiting>} waiting */
+function createBeginning({ engine, store }, { attempt, forget, whenIdle }) {
   /** Of an experiment that is to begin. @param {Experiment} experiment @param {Partial<State>} [patch] @returns {Next} */
   const nextOf = (experiment, patch = {}) => {
     const before = asked(store.get());
@@ -126,6 +138,11 @@ export function createBasis({ engine, store, paper, isStill }) {
     });
   };
 
+  return { nextOf, tryToBegin, begin, onceBegun };
+}
+
+/** Robots drive again, and the box is around all that must be seen. @param {Means} means */
+function createSight({ engine, store, paper, isStill }) {
   /** The robots drive from the start, or stand at the end. */
   const shown = () => (isStill() ? atEnd : fromStart);
 
@@ -151,35 +168,26 @@ export function createBasis({ engine, store, paper, isStill }) {
     return isTracking(run) ? [...ends, ...stationsOf(run)] : ends;
   };
 
-  const refitBox = () => {
+  /** The box becomes another, once it is known what must be seen. @param {() => State['box']} boxOf */
+  const setBox = (boxOf) => {
     const { experiment } = store.get();
-    const isSame = () => store.get().experiment === experiment;
-    whenThere(() => {
-      const { box, size } = store.get();
-      store.update({ box: refit(box, size, inSight()) });
-    }, isSame);
+    whenThere(
+      () => store.update({ box: boxOf() }),
+      () => store.get().experiment === experiment,
+    );
   };
+
+  const refitBox = () => setBox(() => refit(store.get().box, store.get().size, inSight()));
+
+  /** The box is made anew, with what else should be seen. @param {() => Posture[]} [more] */
+  const newBox = (more = () => []) => setBox(() => boxAround([...inSight(), ...more()]));
 
   const settle = () => {
     refitBox();
     driveAgain();
   };
 
-  return {
-    attempt,
-    forget,
-    whenIdle,
-    nextOf,
-    tryToBegin,
-    begin,
-    onceBegun,
-    shown,
-    driveAgain,
-    drivenRun,
-    inSight,
-    refitBox,
-    settle,
-  };
+  return { shown, driveAgain, drivenRun, refitBox, newBox, settle };
 }
 
 /** The drives of an evolution that is given up were made all the same. @param {State} state */

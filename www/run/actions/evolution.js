@@ -12,10 +12,30 @@ import { lastGeneration, paces, pausesAt, playsPhases, usualUntil } from '../pac
 const atOnce = 30;
 
 /** @param {Basis} basis @param {(page: string) => void} openPage */
-export function createEvolution(
-  { engine, store, places, isStill, attempt, forget, begin, onceBegun, shown, driveAgain },
-  openPage,
-) {
+export function createEvolution(basis, openPage) {
+  const { onceBegun, driveAgain } = basis;
+  const { forward, ...generations } = createGenerations(basis);
+  const play = createPlay(basis, openPage);
+
+  return {
+    ...generations,
+    ...play,
+    ...createSeeds(basis),
+
+    forward: () => onceBegun(() => forward()),
+
+    oneGeneration() {
+      play.pauseEvolution();
+      onceBegun(() => {
+        forward();
+        driveAgain();
+      });
+    },
+  };
+}
+
+/** From one generation to another. @param {Basis} basis */
+function createGenerations({ engine, store, attempt, forget }) {
   /** One generation on: the next that is recorded, or a new one. @param {State['history']} [known] A copy of the history, which takes the new one: whoever goes on and on makes only one, for it may be long. */
   const forward = (known = [...store.get().history]) =>
     attempt(
@@ -40,44 +60,6 @@ export function createEvolution(
     });
   };
 
-  /** Where phases are played they are seen, from the first one on. */
-  const seePhases = () => {
-    const state = store.get();
-    if (!playsPhases(state) || state.page === places.phases) return;
-    // Who may not go there sees whole generations.
-    if (!isFree(state, 'parts')) return store.update({ pace: paces[1] });
-    const { [places.phases]: _, ...slices } = state.slices;
-    store.update({ slices });
-    openPage(places.phases);
-  };
-
-  /** @param {number} seed */
-  const useSeed = (seed) => {
-    store.update({ evolving: false });
-    attempt(() => {
-      const { experiment } = asked(store.get());
-      const next = engine.experiment({ ...experiment, evolution: { ...experiment.evolution, seed } });
-      begin(next, 'seed', { robot: shown() });
-    });
-  };
-
-  /** No generation is waited for; what was set or opened begins all the same, and evolution goes on or rests there. */
-  const leaveOff = () => {
-    if (store.get().computing?.what !== 'begin') forget();
-  };
-
-  /** From where evolution goes on. */
-  const generationNow = () => {
-    const { computing, generation } = store.get();
-    return computing?.next ? 0 : generation;
-  };
-
-  /** A generation that has passed is no end: from there on evolution pauses as it usually does. */
-  const untilAhead = () => {
-    const { kind, value } = store.get().until;
-    return kind === 'generation' && value <= generationNow() ? { until: usualUntil, untilError: '' } : {};
-  };
-
   /** Pauses where the run has to. */
   const arrive = () => {
     const { until, history, generation, catchingUp } = store.get();
@@ -86,6 +68,10 @@ export function createEvolution(
   };
 
   return {
+    forward,
+
+    showGeneration,
+
     /** Goes on while `more` says so, or until the run has to pause. @param {() => boolean} more */
     evolve(more) {
       if (store.get().computing) return;
@@ -104,16 +90,33 @@ export function createEvolution(
       else showGeneration(generation);
     },
 
-    forward: () => onceBegun(() => forward()),
-
-    showGeneration,
-
     oneBack() {
       const { generation, computing } = store.get();
       const from = computing?.generation ?? generation;
       if (from > 0) showGeneration(from - 1);
     },
+  };
+}
 
+/** Evolution goes on by itself, at its pace, or pauses. @param {Basis} basis @param {(page: string) => void} openPage */
+function createPlay({ store, places, isStill, forget }, openPage) {
+  /** No generation is waited for; what was set or opened begins all the same, and evolution goes on or rests there. */
+  const leaveOff = () => {
+    if (store.get().computing?.what !== 'begin') forget();
+  };
+
+  /** Where phases are played they are seen, from the first one on. */
+  const seePhases = () => {
+    const state = store.get();
+    if (!playsPhases(state) || state.page === places.phases) return;
+    // Who may not go there sees whole generations.
+    if (!isFree(state, 'parts')) return store.update({ pace: paces[1] });
+    const { [places.phases]: _, ...slices } = state.slices;
+    store.update({ slices });
+    openPage(places.phases);
+  };
+
+  return {
     pauseEvolution() {
       leaveOff();
       store.update({ evolving: false, catchingUp: null });
@@ -121,7 +124,7 @@ export function createEvolution(
 
     /** @param {number} pace */
     setPace(pace) {
-      store.update({ pace, catchingUp: null, ...(store.get().evolving && untilAhead()) });
+      store.update({ pace, catchingUp: null, ...(store.get().evolving && untilAhead(store.get())) });
       seePhases();
     },
 
@@ -129,14 +132,14 @@ export function createEvolution(
     setUntil(kind, text) {
       if (kind === 'every') return store.update({ until: usualUntil, untilError: '' });
       const value = words.numberOf(text);
-      const wrong = words.untilRefused(kind, value, text, generationNow() + 1, lastGeneration);
+      const wrong = words.untilRefused(kind, value, text, generationNow(store.get()) + 1, lastGeneration);
       store.update(wrong ? { untilError: wrong } : { until: { kind, value }, untilError: '' });
     },
 
     toggleEvolution() {
       const evolving = !store.get().evolving;
       leaveOff();
-      store.update({ evolving, catchingUp: null, ...(evolving && untilAhead()) });
+      store.update({ evolving, catchingUp: null, ...(evolving && untilAhead(store.get())) });
       seePhases();
       const { robot } = store.get();
       if (evolving && !isStill())
@@ -151,23 +154,38 @@ export function createEvolution(
       const message = words.stoppedText(computing?.what === 'begin' ? null : generation);
       store.update({ catchingUp: null, evolving: false, message });
     },
+  };
+}
 
-    oneGeneration() {
-      leaveOff();
-      store.update({ evolving: false, catchingUp: null });
-      onceBegun(() => {
-        forward();
-        driveAgain();
-      });
-    },
+/** Over again. @param {Basis} basis */
+function createSeeds({ engine, store, attempt, begin, shown }) {
+  /** @param {number} seed */
+  const useSeed = (seed) => {
+    store.update({ evolving: false });
+    attempt(() => {
+      const { experiment } = asked(store.get());
+      const next = engine.experiment({ ...experiment, evolution: { ...experiment.evolution, seed } });
+      begin(next, 'seed', { robot: shown() });
+    });
+  };
+
+  return {
+    useSeed,
+
+    newSeed: () => useSeed(engine.randomSeed()),
 
     reset() {
       store.update({ evolving: false });
       begin(asked(store.get()).experiment, 'reset', { robot: shown() });
     },
-
-    newSeed: () => useSeed(engine.randomSeed()),
-
-    useSeed,
   };
 }
+
+/** From where evolution goes on. @param {State} state */
+const generationNow = ({ computing, generation }) => (computing?.next ? 0 : generation);
+
+/** A generation that has passed is no end: from there on evolution pauses as it usually does. @param {State} state */
+const untilAhead = (state) =>
+  state.until.kind === 'generation' && state.until.value <= generationNow(state)
+    ? { until: usualUntil, untilError: '' }
+    : {};

@@ -3,8 +3,7 @@
 /** @import { Value } from '../paths.js' */
 /** @import { Next, Restart } from '../state.js' */
 /** @import { Basis } from './basis.js' */
-import { Pending, whenThere } from '../../core/pending.js';
-import { boxAround } from '../../kit/transform.js';
+import { Pending } from '../../core/pending.js';
 import { isLost, messageOf } from '../../words/errors.js';
 import { settings as words } from '../../words/index.js';
 import { valueAt, withValue } from '../paths.js';
@@ -103,7 +102,7 @@ export function createExperiments(basis) {
 }
 
 /** @param {Basis} basis */
-function createPostures({ engine, store, places, begin, onceBegun, shown, inSight, refitBox }) {
+function createPostures({ engine, store, places, begin, onceBegun, shown, refitBox, newBox }) {
   const ranges = new Map(engine.fields().map((field) => [field.path, field]));
   /** The nearest that may be, for a plane shows more. @param {string} path @param {Posture} posture @returns {Posture} */
   const allowed = (path, { x, y, theta }) => {
@@ -152,11 +151,7 @@ function createPostures({ engine, store, places, begin, onceBegun, shown, inSigh
       begin({ ...experiment, starts, goal }, 'moved');
       onceBegun(() => {
         store.update({ robot: shown() });
-        const begun = store.get().experiment;
-        whenThere(
-          () => store.update({ box: boxAround(inSight()) }),
-          () => store.get().experiment === begun,
-        );
+        newBox();
       });
     },
   };

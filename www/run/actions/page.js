@@ -2,8 +2,6 @@
 /** @import { MakerState } from '../exercise.js' */
 /** @import { Disturbance, State } from '../state.js' */
 /** @import { Basis } from './basis.js' */
-import { whenThere } from '../../core/pending.js';
-import { boxAround } from '../../kit/transform.js';
 import { isHiddenWithPaper, noExercise, shownExercise, wayOf } from '../exercise.js';
 import { noErrors } from '../first.js';
 import { playsPhases } from '../pace.js';
@@ -29,9 +27,9 @@ export const createOpenPage =
     if (trial !== noTrial) refitBox();
   };
 
-/** @param {Basis} basis @param {(page: string) => void} openPage @param {(newest: number, generation: number) => void} catchUp */
-export function createPage(basis, openPage, catchUp) {
-  const { engine, store, places, attempt, forget, nextOf, tryToBegin, shown, inSight } = basis;
+/** What a link holds takes the place of the run, or what is drawn for a student. @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
+export function createOpening(basis, catchUp) {
+  const { engine, store, places, attempt, forget, nextOf, tryToBegin, shown, newBox } = basis;
   const nearEnd = createNearEnd(basis);
   /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
   const trialOf = ({ page, trial }, tried) => {
@@ -40,12 +38,6 @@ export function createPage(basis, openPage, catchUp) {
   };
 
   return {
-    /** @param {string} page */
-    openPage(page) {
-      store.update({ lesson: 0 });
-      openPage(page);
-    },
-
     /**
      * Begins what a link holds, and evolves to its generation or further.
      * @param {Opened} opened @param {readonly string[]} problems @param {number} [newest]
@@ -79,10 +71,7 @@ export function createPage(basis, openPage, catchUp) {
           },
         };
         tryToBegin(nextOf(experiment, patch), 'begin', patch);
-        whenThere(
-          () => store.update({ box: boxAround([...inSight(), ...nearEnd()]) }),
-          () => store.get().experiment === experiment,
-        );
+        newBox(nearEnd);
         catchUp(newest, generation);
         if (problems.length > 0) store.update({ message: problems.join(' ') });
       });
@@ -104,12 +93,33 @@ export function createPage(basis, openPage, catchUp) {
           work,
           robot: shown(),
         });
-        whenThere(
-          () => store.update({ box: boxAround(inSight()) }),
-          () => store.get().experiment === drawn,
-        );
+        newBox();
         if (work.opened > 0) catchUp(work.opened, work.opened);
       });
+    },
+  };
+}
+
+/** Where the robot in ink comes to rest, if that is not far away. @param {Basis} basis */
+const createNearEnd =
+  ({ store, drivenRun }) =>
+  () => {
+    const { experiment, trial } = store.get();
+    const run = drivenRun();
+    const last = run.time.length - 1;
+    const end = { x: run.x[last], y: run.y[last], theta: run.theta[last] };
+    const [start, goal] = [trial.start ?? experiment.starts[0], experiment.goal];
+    const away = Math.hypot(end.x - goal.x, end.y - goal.y);
+    return away < Math.hypot(start.x - goal.x, start.y - goal.y) ? [end] : [];
+  };
+
+/** What is open, and what is said. @param {Basis} basis @param {(page: string) => void} openPage */
+export function createPage({ store }, openPage) {
+  return {
+    /** @param {string} page */
+    openPage(page) {
+      store.update({ lesson: 0 });
+      openPage(page);
     },
 
     /** @param {string} message */
@@ -143,19 +153,6 @@ export function createPage(basis, openPage, catchUp) {
     },
   };
 }
-
-/** Where the robot in ink comes to rest, if that is not far away. @param {Basis} basis */
-const createNearEnd =
-  ({ store, drivenRun }) =>
-  () => {
-    const { experiment, trial } = store.get();
-    const run = drivenRun();
-    const last = run.time.length - 1;
-    const end = { x: run.x[last], y: run.y[last], theta: run.theta[last] };
-    const [start, goal] = [trial.start ?? experiment.starts[0], experiment.goal];
-    const away = Math.hypot(end.x - goal.x, end.y - goal.y);
-    return away < Math.hypot(start.x - goal.x, start.y - goal.y) ? [end] : [];
-  };
 
 /** @param {Basis} basis */
 export function createPins({ store }) {

@@ -1,0 +1,102 @@
+// What each message to a figure does. It resolves to what was wrong with it, in words.
+/** @import { Experiment, Triple } from '../core/engine.js' */
+/** @import { Opened } from '../run/actions/page.js' */
+/** @import { State } from '../run/state.js' */
+/** @import { Parts } from './messages.js' */
+/** @import { Said, Type } from './told.js' */
+import { embed as words } from '../words/index.js';
+import { noTrial } from '../run/state.js';
+import { pause } from '../kit/loop.js';
+
+/** @typedef {readonly string[] | Promise<readonly string[]>} Problems */
+
+/** As long as a frame that still looks smooth. */
+export const sliceMilliseconds = 12;
+
+/**
+ * @param {Parts} parts
+ * @param {{ announce: () => void, remember: () => void, hasFailed: () => boolean }} figure It announces what is new, or remembers it as told, until the core has failed.
+ */
+export function createActs({ engine, store, actions, links }, { announce, remember, hasFailed }) {
+  /** Lets a run begin, and come as far as its link says, without the frames of the page: where nobody sees it there are none. */
+  const arrive = async () => {
+    await actions.whenIdle();
+    while (store.get().catchingUp && store.get().evolving && !hasFailed()) {
+      const end = performance.now() + sliceMilliseconds;
+      actions.evolve(() => performance.now() < end);
+      await actions.whenIdle();
+      await pause();
+    }
+  };
+
+  /** @param {Opened} opened */
+  const open = async (opened) => {
+    // What stood in the way before is no answer to this.
+    actions.say('');
+    actions.openLinked(opened, []);
+    await actions.whenIdle();
+    if (store.get().experiment !== opened.experiment) throw new Error(store.get().message || words.givenUp);
+    // It is the host's doing.
+    remember();
+    await arrive();
+    actions.standAt(Number.POSITIVE_INFINITY);
+    announce();
+  };
+
+  const evolving = (/** @type {boolean} */ wanted) => {
+    if (store.get().evolving !== wanted) actions.toggleEvolution();
+    return [];
+  };
+
+  /** @type {{ [T in Type]: (said: Said[T]) => Problems }} */
+  const acts = {
+    async set({ link, experiment, gains, generation }) {
+      if (link !== null) {
+        const { opened, problems } = links.openLink(link.slice(link.indexOf('#') + 1), engine);
+        await open(opened);
+        return problems;
+      }
+      const whole = engine.experiment(/** @type {Experiment} */ (experiment));
+      // The core knows which gains cannot be driven.
+      if (gains) engine.check(whole, gains);
+      await open(openedWith(store.get(), whole, gains, generation));
+      return [];
+    },
+
+    async step({ generations }) {
+      // What was set before begins first.
+      await actions.whenIdle();
+      const { history } = store.get();
+      actions.showGeneration(history.length - 1);
+      let end = performance.now() + sliceMilliseconds;
+      for (let i = 0; i < generations; i += 1) {
+        const before = store.get().generation;
+        actions.forward();
+        await actions.whenIdle();
+        // Somebody has stopped what was computed.
+        if (store.get().generation === before) return [store.get().message];
+        if (performance.now() < end) continue;
+        announce();
+        await pause();
+        // Someone has begun anew, or goes on by hand, or nothing goes on.
+        if (hasFailed() || store.get().history[0] !== history[0] || store.get().evolving) break;
+        end = performance.now() + sliceMilliseconds;
+      }
+      announce();
+      return [];
+    },
+
+    run: () => evolving(true),
+    pause: () => evolving(false),
+    read: () => [],
+  };
+
+  return { arrive, acts };
+}
+
+/** The page as it is, with another experiment. @param {State} state @param {Experiment} experiment @param {Triple | null} handGains @param {number} generation @returns {Opened} */
+function openedWith({ page, lesson, preset, pins, exercise, student }, experiment, handGains, generation) {
+  const kept = { page, lesson, preset, pins, exercise, student };
+  const driver = handGains ? 'hand' : 'evolved';
+  return { ...kept, experiment, generation, driver, handGains, found: 'hand', trial: noTrial, parts: {} };
+}
