@@ -6,6 +6,7 @@
  * @param {number} seed @param {number} count @param {readonly string[]} links
  * @returns {Promise<string[]>} What was done.
  */
+// biome-ignore lint/complexity/noExcessiveLinesPerFunction: it is sent into the page as one text.
 export async function monkey(seed, count, links) {
   // mulberry32
   let state = seed | 0;
