@@ -48,7 +48,7 @@ export function lanesOf(engines, files, late) {
   });
   // Who waits for late frames leaves the machine to others.
   const atOnce = !first ? 0 : late > 0 ? 5 : 2;
-  const lists = shared(files, 3 * atOnce);
+  const lists = shared(files, 5 * atOnce);
   return [
     { lists: [files], env: { PAGE_TESTS: 'without browsers' } },
     ...Array.from({ length: atOnce }, () => ({ lists, env: browser(first) })),
