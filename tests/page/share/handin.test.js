@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { links } from '../../../www/lesson/links.js';
 import { aimOf } from '../../../www/link/exercise.js';
 import { measure } from '../../../www/share/handin/measure.js';
+import words from '../../../www/share/handin/words/index.js';
 import {
   exerciseId,
   exerciseLink,
@@ -11,6 +12,7 @@ import {
   receiptOf,
   toldIn,
 } from '../../../www/share/handin/receipt.js';
+import { gainsOf } from '../../../www/run/drivers.js';
 import { newWork } from '../../../www/run/state.js';
 import { createEngine, evaluate, evolve, experiment, paper, simulate } from '../harness/core.js';
 import { pageTest } from '../harness/browsers.js';
@@ -218,4 +220,29 @@ pageTest('what is still computed when the sheet is closed is not handed in', asy
     const handed = (await heardFrom(page, 0)).filter(({ type }) => type === 'handin');
     assert.equal(handed.length, 1);
   });
+});
+
+pageTest('whatever an aim wants is measured while one drives, with the gains as they are', async (page) => {
+  for (const aim of [
+    'aim=parks:28/32',
+    'aim=parks:2/2&start=0,0,0;1,0,90deg',
+    'aim=unseen:0.6',
+    'aim=J<9&start=0,0,0;1,0,90deg',
+  ]) {
+    const link = `lab&v=1&task=Park.&${aim}`;
+    await page.open(`#${link}`);
+    for (const driver of /** @type {const} */ (['evolved', 'paper-ep'])) {
+      await page.click(`#drives-${driver}`);
+      const state = await opened(`${link}&drives=${driver}`);
+      const { aim: asked } = state.exercise;
+      const { value } = await measure(engine, asked, state.experiment, gainsOf(state, driver, paper()));
+      const { wanted } = /** @type {NonNullable<typeof asked>} */ (asked);
+      await page.until(
+        `${aim}: ${driver} is measured`,
+        (text) => document.querySelector('.aim:not(.late) .aim-value')?.textContent === text,
+        words.valueText(wanted, value),
+      );
+    }
+    assert.deepEqual(await page.problems(), [], aim);
+  }
 });

@@ -35,10 +35,9 @@ export async function measure(engine, aim, experiment, gains, options) {
     [own, gains],
     ...(apart ? [/** @type {[Experiment, Triple]} */ ([from(experiment, apart), gains])] : []),
   ];
-  const [[cost], [fares, aside]] = await Promise.all([
-    engine.surveys.costs([[own, gains]], options),
-    engine.surveys.fares(robots, options),
-  ]);
+  // One after the other: of a channel's jobs only the newest is done.
+  const [cost] = await engine.surveys.costs([[own, gains]], options);
+  const [fares, aside] = await engine.surveys.fares(robots, options);
   const parked = countOf(fares.arrived);
   const wanted = aside ? countOf(aside.arrived) : parked;
   return {

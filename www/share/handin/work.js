@@ -36,12 +36,15 @@ export function createWork(tools, root) {
   let known = { measured: null, isNew: false };
   const asked = watch();
   const drawn = watch();
+  let questions = 0;
 
   /** @param {State} state @param {Scene} scene */
   const follow = (state, scene) => {
     const { aim } = shownExercise(state);
     const gains = gainsOf(state, state.driver, paper);
     if (!aim || !asked(aim, state.experiment, String(gains))) return;
+    questions += 1;
+    const question = questions;
     // What is on the plane is known already.
     const isShown = state.trial === noTrial && !scene.chosen && state.experiment.starts.length === 1;
     if (aim.wanted.kind === 'cost' && isShown) {
@@ -54,6 +57,8 @@ export function createWork(tools, root) {
     }
     known = { ...known, isNew: false };
     measure(engine, aim, state.experiment, gains, { channel }).then((measured) => {
+      // What is on the plane by now is known.
+      if (question !== questions) return;
       known = { measured, isNew: true };
       store.redraw();
     }, say);
