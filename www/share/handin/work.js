@@ -12,7 +12,7 @@ import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { asksSomething, shownExercise, tidyTask } from '../../run/exercise.js';
 import { drivesOf, noTrial } from '../../run/state.js';
-import { mostOfWho } from '../../run/variant.js';
+import { mostOfWho, undrawn } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
 import { measure } from './measure.js';
 import { holds, isWhole, toldIn } from './receipt.js';
@@ -84,12 +84,14 @@ export function createWork(tools, root) {
       const isOpen = asksSomething(exercise) && state.page !== withoutAnswer;
       // A run that is made again is handed in once it is all there.
       const isOnItsWay = state.catchingUp !== null;
-      if (!drawn(exercise, state.student, known, said, drives, isOpen, isOnItsWay)) return;
+      const isAway =
+        state.student.base !== null && undrawn(state.experiment, exercise.vary, state.student) === null;
+      if (!drawn(exercise, state.student, known, said, drives, isOpen, isOnItsWay, isAway)) return;
       const needsWho = exercise.vary.length > 0 && !state.student.base && !state.maker.open;
       render(
         html`${said ? html`<p class="work-said ${said.isGood ? '' : 'bad'}" role="status">${said.text}</p>` : nothing}
           ${needsWho && isOpen ? whoForm(begin) : nothing}
-          ${exercise.aim && isOpen && !needsWho ? aimLine(exercise, known, drives) : nothing}
+          ${exercise.aim && isOpen && !needsWho ? aimLine(exercise, isAway ? null : known, drives) : nothing}
           ${
             isOpen && !needsWho
               ? html`<button id="hand-in" type="button" class="primary" .disabled=${state.maker.open || isOnItsWay} @click=${sheet.open}>${texts.handIn}</button>`
@@ -110,11 +112,13 @@ const whoForm = (begin) => html`
     <button id="work-begin" type="button" class="primary" @click=${begin}>${texts.begin}</button>
   </div>`;
 
-/** @param {import('../../run/exercise.js').Exercise} exercise @param {{ measured: Measured | null, isNew: boolean }} known @param {number} drives */
-function aimLine({ aim, scale }, { measured, isNew }, drives) {
+/** @param {import('../../run/exercise.js').Exercise} exercise @param {{ measured: Measured | null, isNew: boolean } | null} known null: what it is measured in is not the student's. @param {number} drives */
+function aimLine({ aim, scale }, known, drives) {
   if (!aim) return nothing;
   const { wanted } = aim;
   const head = html`<b>${words.wantedText(wanted)}<span class="aim-budget">${words.budgetText(aim.drives)}</span></b>`;
+  if (!known) return html`<p id="aim" class="aim" role="status">${head} · ${texts.away}</p>`;
+  const { measured, isNew } = known;
   if (!measured) return html`<p id="aim" class="aim" role="status">${head} · ${texts.computing}</p>`;
   const { isMet, points, most } = judged(aim, scale, { value: measured.value, drives });
   const now = [

@@ -24,6 +24,7 @@ export const texts = {
   copyLink: 'Copy the link',
   save: 'Save as a file',
   computing: 'Computing …',
+  away: 'This is not what was drawn for you. Undo (Ctrl + Z) leads back to it.',
 };
 
 export const copied = 'Copied.';

@@ -24,6 +24,7 @@ export const texts = {
   copyLink: '링크 복사',
   save: '파일로 저장',
   computing: '계산하는 중…',
+  away: '자신에게 정해진 과제가 아닙니다. 되돌리기(Ctrl + Z)로 돌아갈 수 있습니다.',
 };
 
 export const copied = '복사했습니다.';
