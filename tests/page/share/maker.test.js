@@ -154,3 +154,16 @@ engineTest('from the one file on a disk the figure is shown, and the package wri
     await rm(folder, { recursive: true });
   }
 });
+
+pageTest('on a projector the figure that students get stands whole beside the panel', async (page) => {
+  await page.resize(1024, 768);
+  await openMaker(page);
+  await page.click('#maker-preview-size-640x420');
+  const around = await page.until('the figure is there', () => {
+    const preview = document.getElementById('maker-preview');
+    const frame = preview?.querySelector('iframe')?.getBoundingClientRect();
+    return frame && preview && { scrolls: preview.scrollWidth > preview.clientWidth, right: frame.right };
+  });
+  assert.equal(around.scrolls, false);
+  assert.ok(around.right <= 1024);
+});
