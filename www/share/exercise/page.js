@@ -126,13 +126,19 @@ export function createExercise({ places, ...tools }) {
 
   const changed = watch();
   const refuses = watch();
+  /** @type {Animation | null} */
+  let glow = null;
   return {
     /** @param {State} state @param {number} made How many parts of the page have been opened. @param {Scene} scene */
     draw(state, made, scene) {
       const exercise = shownExercise(state);
       work(state, scene);
       keeper.follow(state, made);
-      if (refuses(state.refusals) && state.refusals > 0) locks.animate(alight, 2000);
+      if (refuses(state.refusals) && state.refusals > 0) {
+        // A drag asks again in every frame.
+        glow?.cancel();
+        glow = locks.animate(alight, 2000);
+      }
       if (!changed(exercise, state.student.handin)) return;
       document.body.toggleAttribute('data-exercise', asksSomething(exercise));
       section.hidden = isEmpty(exercise) && state.student.handin === '';
