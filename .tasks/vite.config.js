@@ -44,6 +44,8 @@ export default defineConfig(({ mode }) => ({
   base: './',
   publicDir: false,
   css: { transformer: 'lightningcss', lightningcss: { drafts: { customMedia: true } } },
+  // The page that one works on is the page that is built: no library warns that it is another.
+  resolve: { conditions: ['module', 'browser', 'production'] },
   server: { watch: { ignored: ['**/target/**', '**/dist/**', '**/.tools/**'] } },
   build: {
     target: 'es2022',
