@@ -2,19 +2,17 @@
 // in the dark on a small screen, and some of them in the reader's own colours on large ones and in a frame, in one language
 // or the other. Light and in English each is looked at in every engine where it is tested.
 import assert from 'node:assert/strict';
-import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
-import { pageNames } from '../../../www/parts/parts.js';
 import { languageNames } from '../../../www/words/language.js';
 import { pageTest } from '../harness/browsers.js';
 import { endSurrounding, follow, surround } from './surround.js';
+import { lessonViews, partViews } from './views.js';
 
 /** @typedef {import('./surround.js').Size} Size */
 
 const pin = 'pin1=a~5,1,5';
 const views = [
-  ...pageNames.map((name) => `${name}&v=1&generation=2&${pin}`),
-  ...['stability', 'compare', 'numbers'].map((view) => `curves&v=1&view=${view}&generation=2&${pin}`),
-  ...stepNames.map((_, i) => linkOfStep(i + 1)),
+  ...partViews.map((view) => `${view}&${pin}`),
+  ...lessonViews,
   'luck&v=1&luck=contest',
   'landscape&v=1&evolution.method=cma-es&generation=3',
 ];

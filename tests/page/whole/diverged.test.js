@@ -1,15 +1,13 @@
 // Drives that leave every bound: no view says nonsense of them, and none throws or hangs.
 import assert from 'node:assert/strict';
-import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
-import { pageNames } from '../../../www/parts/parts.js';
 import { pageTest } from '../harness/browsers.js';
+import { lessonViews, partViews } from './views.js';
 
 const views = [
-  ...pageNames.map((name) => `${name}&v=1&generation=2`),
-  ...['stability', 'compare', 'numbers'].map(
-    (view) => `curves&v=1&view=${view}&generation=2&pin1=a~1e308,1e308,1e308~limits.speed:off`,
+  ...partViews.map((view) =>
+    view.includes('&view=') ? `${view}&pin1=a~1e308,1e308,1e308~limits.speed:off` : view,
   ),
-  ...stepNames.map((_, i) => linkOfStep(i + 1)),
+  ...lessonViews,
   'disturbance&v=1&kind=slip',
 ];
 
