@@ -96,7 +96,9 @@ export function createActs({ engine, store, actions, links }, { announce, rememb
 
 /** The page as it is, with another experiment. @param {State} state @param {Experiment} experiment @param {Triple | null} handGains @param {number} generation @returns {Opened} */
 function openedWith({ page, lesson, preset, pins, exercise, student }, experiment, handGains, generation) {
-  const kept = { page, lesson, preset, pins, exercise, student };
+  // Of an exercise it is a new one; what is drawn for a student stays drawn.
+  const base = student.base && exercise.vary.length === 0 ? { preset, experiment } : student.base;
+  const kept = { page, lesson, preset, pins, exercise, student: { ...student, base } };
   const driver = handGains ? 'hand' : 'evolved';
   return { ...kept, experiment, generation, driver, handGains, found: 'hand', trial: noTrial, parts: {} };
 }

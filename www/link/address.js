@@ -68,7 +68,7 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
   return {
     /** Opens a link of this page, as if it had been followed. An exercise goes on. @param {string} link */
     go(link) {
-      history[onward](null, '', `#${withExercise(link, store.get().exercise, store.get().student)}`);
+      history[onward](null, '', `#${withExercise(link, store.get(), engine.experiment)}`);
       open();
     },
 
@@ -76,7 +76,7 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
     follow(state) {
       if (!isDue(state) || !changed(...links.carried(state))) return;
       for (const name of pages) lead(name, linkFor({ ...state, page: name, lesson: 0 }));
-      lead('lesson', withExercise(linkOfStep(state.lastStep), state.exercise, state.student));
+      lead('lesson', withExercise(linkOfStep(state.lastStep), state, engine.experiment));
       other.follow();
       // Another part at once, so that "back" is there when it is wanted.
       if (isElsewhere(state)) write();

@@ -1,14 +1,26 @@
 // What a link carries of an exercise: its task, what it locks and hides, when it is solved, and who works on it.
 /** @import { Aim, Scale, Wanted } from '../run/aim.js' */
+/** @import { Experiment, Preset } from '../core/engine.js' */
 /** @import { Opened } from '../run/actions/page.js' */
-/** @import { Key } from './keys.js' */
+/** @import { Exercise } from '../run/exercise.js' */
+/** @import { Key, Linked } from './keys.js' */
 import { most } from '../run/aim.js';
-import { groupNames, isEmpty, isHiddenWithPaper, mostOfTask, tidyTask } from '../run/exercise.js';
-import { drawnFor, mostOfWho, variedNames } from '../run/variant.js';
+import {
+  asksSomething,
+  groupNames,
+  isEmpty,
+  isHiddenWithPaper,
+  mostOfTask,
+  tidyTask,
+  wayOf,
+} from '../run/exercise.js';
+import { presets } from '../run/state.js';
+import { drawnFor, mostOfWho, undrawn, variedNames } from '../run/variant.js';
 import { link as words } from '../words/index.js';
+import { changesOf, changesText, withChanges } from './experiment.js';
 import { number, numberText, oneOf } from './values.js';
 
-/** @param {Opened} opened @param {Partial<import('../run/exercise.js').Exercise>} patch @returns {Opened} */
+/** @param {Opened} opened @param {Partial<Exercise>} patch @returns {Opened} */
 const asking = (opened, patch) => ({ ...opened, exercise: { ...opened.exercise, ...patch } });
 
 /** @type {readonly Key[]} */
@@ -73,15 +85,69 @@ export function withVariant(opened, refuse, check) {
     refuse('points', words.noAim);
     return withVariant(asking(opened, { scale: null }), refuse, check);
   }
-  if (exercise.vary.length === 0 || student.who === '') return opened;
+  if (!asksSomething(exercise)) return { ...opened, student: { ...student, base: null } };
+  const { preset, experiment } = student.base ?? opened;
+  const base = { preset, experiment: withoutFreeSeed(experiment, exercise, opened.experiment) };
+  const within = { ...opened, student: { ...student, base } };
+  if (exercise.vary.length === 0 || student.who === '') return within;
   try {
-    const experiment = check(drawnFor(opened.experiment, exercise.vary, student.who));
-    return { ...opened, experiment, student: { ...student, base: opened.experiment } };
+    const own = check(drawnFor(base.experiment, exercise.vary, student.who));
+    return { ...within, experiment: student.base ? opened.experiment : own };
   } catch (error) {
     refuse('vary', error instanceof Error ? error.message : String(error));
-    return asking(opened, { vary: [] });
+    return asking(within, { vary: [] });
   }
 }
+
+/** A seed that is not locked, nor drawn, is the student's to choose. @param {Exercise} exercise */
+const isSeedFree = (exercise) => wayOf(exercise, 'seed') === 'free' && !exercise.vary.includes('seed');
+
+/** @param {Experiment} experiment @param {Exercise} exercise @param {Experiment} usual @returns {Experiment} */
+export const withoutFreeSeed = (experiment, exercise, usual) =>
+  isSeedFree(exercise)
+    ? { ...experiment, evolution: { ...experiment.evolution, seed: usual.evolution.seed } }
+    : experiment;
+
+/** What of an experiment is not as the exercise has it, by the names of links. Where settings are free, how evolution searches is the student's to choose. @param {Experiment} experiment @param {Experiment} own The exercise's, as it was drawn. @param {Exercise} exercise */
+export const apartFrom = (experiment, own, exercise) =>
+  changesOf(experiment, own)
+    .map(([name]) => name)
+    .filter((name) =>
+      name === 'seed'
+        ? !isSeedFree(exercise)
+        : !(/^(evolution\.|population|opponents)/.test(name) && wayOf(exercise, 'settings') === 'free'),
+    );
+
+/** What a link tells of a state: the exercise as it was given, and who works on it, and so what was drawn; or, if that was left, the run as it is, and what the exercise has. @param {Linked} state @returns {Linked} */
+export function asGiven(state) {
+  const { exercise, experiment, preset, student } = state;
+  const { base } = student;
+  if (!base) return state;
+  const plain = undrawn(experiment, exercise.vary, student);
+  const isLeft =
+    !plain ||
+    preset !== base.preset ||
+    changesOf(plain, withoutFreeSeed(base.experiment, exercise, plain)).length > 0;
+  return isLeft ? state : { ...state, experiment: plain, student: { ...student, base: null } };
+}
+
+/** What leads back to an exercise that was left: a preset, and what is different from it. @param {Pick<Linked, 'exercise' | 'student'>} state @param {(preset: Preset) => Experiment} experimentOf @returns {[string, string][]} */
+export const givenPairs = ({ exercise, student: { base } }, experimentOf) =>
+  base && asksSomething(exercise)
+    ? [['given', [base.preset, ...changesText(base.experiment, experimentOf(base.preset))].join('~')]]
+    : [];
+
+/** It is written beside the others, and read as they are. @type {Key} */
+export const givenKey = {
+  key: 'given',
+  text: () => null,
+  read(opened, text, engine) {
+    const [name, ...changes] = text.split('~');
+    const preset = oneOf(presets, name);
+    const experiment = engine.experiment(withChanges(engine.experiment(preset), changes));
+    return { ...opened, student: { ...opened.student, base: { preset, experiment } } };
+  },
+};
 
 /** Some of these, each once and in their order. @template {string} T @param {readonly T[]} names @param {string} text */
 function severalOf(names, text) {

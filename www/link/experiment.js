@@ -24,6 +24,23 @@ export function changesOf(experiment, usual) {
     .map(([path, value]) => [nameOf(path), value]);
 }
 
+/** The same as one text, within a key. @param {Experiment} experiment @param {Experiment} usual */
+export const changesText = (experiment, usual) =>
+  changesOf(experiment, usual).map(([name, value]) => `${name}:${value}`);
+
+/** An experiment with changes read from such texts, which the core has still to accept. @param {Experiment} usual @param {readonly string[]} changes */
+export function withChanges(usual, changes) {
+  /** @param {string} change @returns {[string, string]} */
+  const pathAndValue = (change) => {
+    const at = Math.max(change.indexOf(':'), 0);
+    return [pathOf(change.slice(0, at)), change.slice(at + 1)];
+  };
+  return [...new Map(changes.map(pathAndValue))].reduce(
+    (before, [path, value]) => withField(before, path, value),
+    usual,
+  );
+}
+
 /** Of an experiment with many starts a page writes many links. */
 const fieldsOf = rememberEach((/** @type {Experiment} */ experiment) => {
   /** @type {Map<string, string>} */

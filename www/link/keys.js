@@ -9,7 +9,7 @@ import { lastGeneration } from '../run/pace.js';
 import { styles } from '../run/pins.js';
 import { drivers, finds } from '../run/state.js';
 import { link as words } from '../words/index.js';
-import { changesOf, pathOf, withField } from './experiment.js';
+import { changesText, withChanges } from './experiment.js';
 import {
   disturbanceOf,
   disturbanceText,
@@ -124,8 +124,9 @@ export const lessonKey = (steps) => ({
 
 /** A pinned run: its name, gains, and what its experiment has different. @param {Pin} pin @param {Experiment} usual */
 function pinText({ name, gains, experiment }, usual) {
-  const changes = changesOf(experiment, usual).map(([key, value]) => `${key}:${value}`);
-  return [name.replaceAll('~', '-'), gains.map(numberText).join(','), ...changes].join('~');
+  return [name.replaceAll('~', '-'), gains.map(numberText).join(','), ...changesText(experiment, usual)].join(
+    '~',
+  );
 }
 
 /** @param {string} text @param {number} slot @param {Experiment} usual @param {Engine} engine @returns {Pin} */
@@ -133,16 +134,7 @@ function pinOf(text, slot, usual, engine) {
   const [name, gainsText, ...changes] = text.split('~');
   if (gainsText === undefined) throw new Error(words.expected(words.aPin, text));
   const gains = triple(gainsText);
-  /** @param {string} change @returns {[string, string]} */
-  const pathAndValue = (change) => {
-    const at = Math.max(change.indexOf(':'), 0);
-    return [pathOf(change.slice(0, at)), change.slice(at + 1)];
-  };
-  const changed = [...new Map(changes.map(pathAndValue))].reduce(
-    (before, [path, value]) => withField(before, path, value),
-    usual,
-  );
-  const experiment = engine.experiment(changed);
+  const experiment = engine.experiment(withChanges(usual, changes));
   engine.check(experiment, gains);
   return { slot, name: wellFormed(name.slice(0, 80)), experiment, gains };
 }

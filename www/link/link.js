@@ -5,17 +5,16 @@
 /** @import { Engine, Experiment, Preset } from '../core/engine.js' */
 /** @import { Places } from '../run/actions/basis.js' */
 /** @import { Opened } from '../run/actions/page.js' */
-/** @import { Exercise } from '../run/exercise.js' */
 /** @import { Language } from '../words/language.js' */
 /** @import { Key, Linked, PartKey, Steps } from './keys.js' */
 import { noExercise } from '../run/exercise.js';
 import { noPins } from '../run/pins.js';
 import { noTrial, presets } from '../run/state.js';
-import { nobody, undrawn } from '../run/variant.js';
+import { nobody } from '../run/variant.js';
 import { messageOf } from '../words/errors.js';
 import { link as words } from '../words/index.js';
 import { language, languageNames, usualLanguage } from '../words/language.js';
-import { exerciseKeys, withVariant } from './exercise.js';
+import { asGiven, exerciseKeys, givenKey, givenPairs, withVariant } from './exercise.js';
 import { changesOf, namesIn, pathOf, withField } from './experiment.js';
 import { driveKeys, lessonKey, pinKeys } from './keys.js';
 import { isSealed } from './seal.js';
@@ -88,7 +87,7 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
   const usualParts = {};
   for (const { slice, field } of partKeys)
     usualParts[slice.name] = { ...usualParts[slice.name], [field]: slice.first[field] };
-  const known = new Map([...signs, ...keys].map((row) => [row.key, row]));
+  const known = new Map([...signs, ...keys, givenKey].map((row) => [row.key, row]));
 
   /** The text after # for a state. @param {Linked} all @param {ExperimentOf} experimentOf @param {Language} [read] The language of who opens it. */
   function linkOf(all, experimentOf, read = language) {
@@ -98,6 +97,7 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
       ...pairsOf(signs, state, usual),
       ...changesOf(state.experiment, usual),
       ...pairsOf(keys, state, usual),
+      ...givenPairs(state, experimentOf),
     ];
     if (read !== usualLanguage) pairs.unshift(['lang', read]);
     if (pairs.length > 0) pairs.unshift(['v', String(version)]);
@@ -201,20 +201,11 @@ function pairsOf(keys, state, usual) {
 /** As it was written: from HTML `&` comes as `&amp;`, and learning platforms add `?name=value` to the end of an address. @param {string} link */
 const asWritten = (link) => link.replaceAll('&amp;', '&').replace(/\?(?=\w+=)/g, '&');
 
-/** What a link tells of a state: the exercise as it was given, who works on it, and so what was drawn; or, if that was changed, the run as it is. @param {Linked} state @returns {Linked} */
-function asGiven(state) {
-  const { exercise, experiment, student } = state;
-  const given = undrawn(experiment, exercise.vary, student);
-  if (given) return { ...state, experiment: given };
-  return student.base ? { ...state, exercise: { ...exercise, vary: [] } } : state;
-}
-
-/** A link with an exercise, for who goes on within it. What is drawn for a student is the exercise's own experiment, and the link has another. @param {string} link @param {Exercise} exercise */
-export function withExercise(link, exercise, student = nobody) {
-  /** @type {Exercise} */
-  const forAll = { ...exercise, vary: [] };
-  const state = /** @type {Linked} */ ({ exercise: forAll, student });
-  return [link, ...pairsOf(exerciseKeys, state, /** @type {Experiment} */ ({})).map(written)].join('&');
+/** A link with an exercise, for who goes on within it: the exercise has its own experiment, and the link another. @param {string} link @param {Pick<Linked, 'exercise' | 'student'>} within @param {ExperimentOf} experimentOf */
+export function withExercise(link, within, experimentOf) {
+  const state = /** @type {Linked} */ (within);
+  const pairs = pairsOf(exerciseKeys, state, /** @type {Experiment} */ ({}));
+  return [link, ...[...pairs, ...givenPairs(within, experimentOf)].map(written)].join('&');
 }
 
 /** @param {string} page @param {Preset} preset @param {Engine} engine @returns {Opened} */

@@ -42,6 +42,7 @@ export const groupOf = {
   advance: 'free',
   driveAgain: 'free',
   standAt: 'free',
+  backToExercise: 'free',
   undo: 'free',
   redo: 'free',
   postureOf: 'free',

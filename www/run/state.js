@@ -9,7 +9,7 @@
 
 /** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver Whose gains drive the robot in ink. */
 /** @typedef {typeof finds[number]} Found */
-/** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'setting' | 'undone' | 'redone' | 'reset'} Restart Why evolution is at generation 0. */
+/** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'setting' | 'undone' | 'redone' | 'given' | 'reset'} Restart Why evolution is at generation 0. */
 /** @typedef {Experiment['disturbance']} Disturbance */
 /** @typedef {{ start: Posture | null, disturbance: Disturbance | null }} Trial What a drive meets that evolution did not. */
 /** What an experiment that begins makes of the state, to which what is changed meanwhile is added. @typedef {Pick<State, 'experiment' | 'preset' | 'versions' | 'dragging'>} Next */

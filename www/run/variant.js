@@ -1,10 +1,11 @@
 // An exercise of one's own: what differs from student to student is drawn from the student's number, and is the same for who
 // checks. docs/exercises.md tells the rule.
 /** @import { Experiment, Posture } from '../core/engine.js' */
+/** @import { Version } from './undo.js' */
 import { fnv1a, spread } from '../kit/hash.js';
 
 /** @typedef {typeof variedNames[number]} Varied */
-/** Who works on an exercise: the name or number, what the link says of an experiment that was drawn for that name, and the receipt that was opened, if one was. @typedef {{ who: string, base: Experiment | null, handin: string }} Student */
+/** Who works on an exercise: the name or number; the exercise's own experiment, before anything is drawn for that name, null where nothing is asked; and the receipt that was opened, if one was. @typedef {{ who: string, base: Version | null, handin: string }} Student */
 
 export const variedNames = /** @type {const} */ (['goal', 'starts', 'seed']);
 
@@ -39,8 +40,9 @@ function around({ x, y, theta }, what, who, turn) {
   };
 }
 
-/** The experiment of one student. @param {Experiment} experiment @param {readonly Varied[]} vary @param {string} who @returns {Experiment} */
+/** The experiment of one student; of nobody's nothing is drawn. @param {Experiment} experiment @param {readonly Varied[]} vary @param {string} who @returns {Experiment} */
 export function drawnFor(experiment, vary, who) {
+  if (vary.length === 0 || who === '') return experiment;
   const { goal, starts, evolution } = experiment;
   return {
     ...experiment,
@@ -56,11 +58,11 @@ export function drawnFor(experiment, vary, who) {
 const variedOf = ({ goal, starts, evolution }, vary) =>
   JSON.stringify(vary.map((name) => ({ goal, starts, seed: evolution.seed })[name]));
 
-/** The experiment as the exercise has it, if it is still the one that was drawn; else null. @param {Experiment} experiment @param {readonly Varied[]} vary @param {Student} student @returns {Experiment | null} */
+/** The experiment before anything was drawn, if it still has what was; else null. @param {Experiment} experiment @param {readonly Varied[]} vary @param {Student} student @returns {Experiment | null} */
 export function undrawn(experiment, vary, { who, base }) {
-  if (!base) return vary.length === 0 ? experiment : null;
-  if (variedOf(drawnFor(base, vary, who), vary) !== variedOf(experiment, vary)) return null;
-  const { goal, starts, evolution } = base;
+  if (vary.length === 0 || who === '' || !base) return experiment;
+  if (variedOf(drawnFor(base.experiment, vary, who), vary) !== variedOf(experiment, vary)) return null;
+  const { goal, starts, evolution } = base.experiment;
   return {
     ...experiment,
     ...(vary.includes('goal') && { goal }),

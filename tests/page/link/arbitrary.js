@@ -2,7 +2,7 @@
 import fc from 'fast-check';
 import { groupNames } from '../../../www/run/exercise.js';
 import { links } from '../../../www/lesson/links.js';
-import { finds } from '../../../www/run/state.js';
+import { finds, presets } from '../../../www/run/state.js';
 import { pageNames } from '../../../www/parts/parts.js';
 import { experiment, fields, wordFields } from '../harness/core.js';
 
@@ -85,6 +85,7 @@ const paths = [...new Set([...fields(), ...wordFields()].map(({ path }) => path.
 const keys = fc.constantFrom(
   ...paths,
   ...links.keys.map(({ key }) => key),
+  'given',
   ...['start', 'seed', 'population', 'opponents', 'v', 'lang', 'step', 'pin5', 'limits', 'starts[0].x', ''],
   ...[
     '__proto__',
@@ -120,6 +121,9 @@ const rightPair = fc.oneof(
     fc.array(fc.constantFrom(...groupNames, 'all'), { maxLength: 4 }).map(String),
   ),
   fc.tuple(fc.constant('task'), names),
+  fc
+    .tuple(fc.constantFrom(...presets), fc.array(change, { maxLength: 3 }))
+    .map(([name, changes]) => ['given', [name, ...changes].join('~')]),
   fc.tuple(fc.constant('found'), fc.constantFrom(...finds)),
 );
 export const linkText = fc

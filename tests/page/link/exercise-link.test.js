@@ -6,9 +6,11 @@ import { aimOf, aimText, scaleOf, scaleText } from '../../../www/link/exercise.j
 import { withExercise } from '../../../www/link/link.js';
 import { isSealed, sealOf } from '../../../www/link/seal.js';
 import { judged } from '../../../www/run/aim.js';
+import { presets } from '../../../www/run/state.js';
 import { drawnFor } from '../../../www/run/variant.js';
 import { createEngine, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { anyExperiment } from './arbitrary.js';
 
 const engine = createEngine();
 const { linkOf, openLink } = links;
@@ -110,7 +112,7 @@ test('what is drawn follows from the number alone, as two people would write it'
   assert.deepEqual(drawnFor(base, [], 's4711'), base);
 });
 
-test('a variant is the exercise as it was given, with who works on it; once it is changed it is that no more', () => {
+test('a variant is the exercise as it was given, with who works on it; once it is left the link says what leads back', () => {
   const link = 'lab&v=1&goal.x=1.5&task=Park&vary=goal,seed&who=s4711';
   const opened = open(link);
   assert.notDeepEqual(opened.experiment.goal.x, 1.5);
@@ -121,21 +123,59 @@ test('a variant is the exercise as it was given, with who works on it; once it i
   assert.deepEqual(open(blank, 's4711'), opened);
   const moved = { ...opened.experiment, goal: { x: 1, y: 1, theta: 0 } };
   const changed = linkOf({ ...linked(opened), experiment: moved }, experiment);
-  assert.match(changed, /goal\.x=1&goal\.y=1&.*&who=s4711$/);
-  assert.doesNotMatch(changed, /vary/);
-  assert.deepEqual(open(changed).experiment, moved);
+  assert.match(
+    changed,
+    /goal\.x=1&goal\.y=1&.*&vary=goal,seed&who=s4711&given=velocity-limits~goal\.x%3A1\.5$/,
+  );
+  assert.deepEqual(open(changed), { ...opened, experiment: moved });
+  // Who begins only then begins what was given.
+  assert.deepEqual(open(changed.replace('&who=s4711', '')).student.base, opened.student.base);
+});
+
+test('whatever is changed in an exercise, its link has the run, and the exercise as it was given', () => {
+  const given = open('lab&v=1&preset=acceleration-limits&weights.penalty=7&lock=seed&task=Park.&aim=J%3C9');
+  const { base } = given.student;
+  assert.deepEqual(base, { preset: 'acceleration-limits', experiment: given.experiment });
+  fc.assert(
+    fc.property(anyExperiment, fc.constantFrom(...presets), (any, preset) => {
+      const run = { ...linked(given), preset, experiment: experiment(any) };
+      const link = linkOf(run, experiment);
+      const back = open(link);
+      assert.deepEqual(
+        [back.experiment, back.preset, back.student.base],
+        [run.experiment, preset, base],
+        link,
+      );
+      assert.equal(again(link), link);
+    }),
+    { numRuns: 200 },
+  );
+  // What is back is the exercise.
+  assert.equal(linkOf(linked(given), experiment).includes('given'), false);
+  // A seed that is free to choose leaves nothing.
+  const free = open('lab&v=1&task=Park.&aim=J%3C9');
+  const seeded = experiment({ evolution: { seed: 7 } });
+  assert.equal(
+    linkOf({ ...linked(free), experiment: seeded }, experiment),
+    'lab&v=1&seed=7&task=Park.&aim=J%3C9',
+  );
+  const locked = open('lab&v=1&lock=seed&task=Park.&aim=J%3C9');
+  assert.match(linkOf({ ...linked(locked), experiment: seeded }, experiment), /&given=velocity-limits$/);
+  // Where nothing is asked there is nothing to lead back to.
+  assert.equal(open('lab&v=1&lock=gains&given=velocity-limits~goal.x:1').student.base, null);
+  const { problems } = openLink('lab&task=Park.&given=velocity~goal.x:1', engine);
+  assert.match(problems.join(' '), /given.*velocity-limits/);
+  assert.match(openLink('lab&task=Park.&given=velocity-limits~goal.x:no', engine).problems[0], /given/);
 });
 
 test('a step of the lesson that is opened within an exercise stands as it says, whatever is drawn for a student', () => {
   const exercise = 'lab&v=1&lock=gains&task=Park&vary=goal,starts,seed&who=s4711';
   const { exercise: own, student } = open(exercise);
   for (const step of [links.linkOfStep(1), links.linkOfStep(2), links.linkOfStep(7)]) {
-    const within = open(withExercise(step, own, student));
+    const within = open(withExercise(step, { exercise: own, student }, experiment));
     assert.deepEqual(within.experiment, open(step).experiment, step);
-    assert.deepEqual(
-      [within.exercise.task, within.exercise.locked, within.student.who],
-      ['Park', ['gains'], 's4711'],
-    );
+    // Of the exercise all is there, and the way back to it.
+    assert.deepEqual([within.exercise, within.student], [own, student]);
     // And so it is when its own link is opened again.
     assert.deepEqual(open(linkOf(linked(within), experiment)).experiment, within.experiment, step);
     // An exercise that is a step itself is drawn.

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
-import { groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
+import { asksSomething, groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
 import { links } from '../../../www/lesson/links.js';
-import { finds } from '../../../www/run/state.js';
+import { finds, presets } from '../../../www/run/state.js';
 import { drawnFor, nobody } from '../../../www/run/variant.js';
 import { createEngine, experiment, fields, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -129,7 +129,11 @@ test('every key of a link is read as it is written', () => {
         scale: { values: [9, 7.75], points: [0, 10] },
         vary: ['goal'],
       },
-      student: { who: 's4711', base: experiment('acceleration-limits'), handin: '' },
+      student: {
+        who: 's4711',
+        base: { preset: 'acceleration-limits', experiment: experiment('acceleration-limits') },
+        handin: '',
+      },
       slices: {
         generation: { phase: 'ranking', chosen: 3 },
         curves: { view: 'stability', scale: 'log' },
@@ -181,11 +185,13 @@ test('every experiment comes back from its link to the bit', () => {
       between(0, 1e-7),
       between(0, 1e7),
     ]);
+    const preset = presets[next() < 0.5 ? 0 : 1];
+    const exercise = wildExercise(next);
     /** @type {Linked} */
     const state = {
       page: 'robustness',
       lesson: 0,
-      preset: next() < 0.5 ? 'velocity-limits' : 'acceleration-limits',
+      preset,
       experiment: wild,
       generation: Math.floor(1000 * next()),
       driver: 'hand',
@@ -193,8 +199,8 @@ test('every experiment comes back from its link to the bit', () => {
       found: finds[Math.floor(4 * next())],
       trial: { start: posture(), disturbance: null },
       pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
-      exercise: wildExercise(next),
-      student: nobody,
+      exercise,
+      student: { ...nobody, base: asksSomething(exercise) ? { preset, experiment: wild } : null },
       slices: {
         ...plain.slices,
         generation: { phase: 'ranking', chosen: Math.floor(40 * next()) },

@@ -3,6 +3,8 @@ import assert from 'node:assert/strict';
 import { firstMaker, groupNames, noExercise, tidyTask, wayOf, withWay } from '../../../www/run/exercise.js';
 import { groupOf, guarded } from '../../../www/run/guard.js';
 import { withExercise } from '../../../www/link/link.js';
+import { nobody } from '../../../www/run/variant.js';
+import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -26,10 +28,14 @@ test('each group of controls is free, locked or hidden, and says so in a fixed o
   assert.deepEqual(exercise, { ...noExercise, hidden: ['gains', 'run'] });
   assert.equal(wayOf({ ...noExercise, locked: ['run'], hidden: ['run'] }, 'run'), 'hidden');
   assert.equal(
-    withExercise('lab&v=1&lesson=2', { ...exercise, task: 'a & b' }),
+    withExercise(
+      'lab&v=1&lesson=2',
+      { exercise: { ...exercise, task: 'a & b' }, student: nobody },
+      experiment,
+    ),
     'lab&v=1&lesson=2&hide=gains,run&task=a%20%26%20b',
   );
-  assert.equal(withExercise('lab', noExercise), 'lab');
+  assert.equal(withExercise('lab', { exercise: noExercise, student: nobody }, experiment), 'lab');
 });
 
 test('what is locked or hidden does nothing but say so, whichever control asks for it; what is free goes on', () => {

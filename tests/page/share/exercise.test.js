@@ -155,7 +155,9 @@ pageTest('an exercise stays through parts, steps and undo, and maps hold to it',
   await page.click('#page-lesson');
   await page.until('the lesson is open', () => 'lesson' in document.body.dataset);
   await page.click('.step-on');
-  await page.until('the next step', () => /&lesson=2&lock=gains&task=Stay$/.test(location.hash));
+  await page.until('the next step', () =>
+    /&lesson=2&lock=gains&task=Stay&given=velocity-limits/.test(location.hash),
+  );
   assert.deepEqual(await waysOf(page, '#exercise-locks'), ['free']);
 
   await follow(page, 'lab&v=1&lock=parts,lesson,share,clock&hide=seed');

@@ -15,7 +15,7 @@ import {
 import { gainsOf } from '../../../www/run/drivers.js';
 import { newWork } from '../../../www/run/state.js';
 import { createEngine, evaluate, evolve, experiment, paper, simulate } from '../harness/core.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { pageTest } from '../harness/browsers.js';
 import { frameOf, heardFrom, inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
@@ -245,23 +245,4 @@ pageTest('whatever an aim wants is measured while one drives, with the gains as 
     }
     assert.deepEqual(await page.problems(), [], aim);
   }
-});
-
-pageTest('who leaves what was drawn for them is told so, and no verdict; undo leads back', async (page) => {
-  await page.open('#lab&v=1&task=Park.&aim=J%3C9&vary=goal,seed&who=s4711');
-  const aim = () => page.text('#aim');
-  await page.until('it is measured', () => document.querySelector('#aim .aim-value'));
-  const own = await aim();
-  for (const control of ['#new-seed', '#restore-postures']) {
-    await page.click(control);
-    await page.until('it is told', () =>
-      /not what was drawn/.test(document.getElementById('aim')?.textContent ?? ''),
-    );
-    assert.doesNotMatch(await aim(), /met|points|✓/);
-    await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
-    await page.driver.actions().keyDown(Key.CONTROL).sendKeys('z').keyUp(Key.CONTROL).perform();
-    await page.until('it is measured again', () => document.querySelector('#aim .aim-value'));
-    assert.equal(await aim(), own, control);
-  }
-  assert.deepEqual(await page.problems(), []);
 });

@@ -9,6 +9,7 @@ import { settings as words } from '../../words/index.js';
 import { valueAt, withValue } from '../paths.js';
 import { asked, endsOf, noTrial } from '../state.js';
 import { afterDrag, redone, undone } from '../undo.js';
+import { drawnFor } from '../variant.js';
 
 /** @typedef {'start' | 'goal'} End */
 
@@ -94,6 +95,16 @@ export function createExperiments(basis) {
 
     backToPreset: () =>
       attempt(() => beginSettled(nextOf(engine.experiment(asked(store.get()).preset)), 'setting')),
+
+    /** The experiment becomes the exercise's own again. */
+    backToExercise() {
+      const { base, who } = store.get().student;
+      if (!base) return;
+      attempt(() => {
+        const own = engine.experiment(drawnFor(base.experiment, store.get().exercise.vary, who));
+        beginSettled(nextOf(own, { preset: base.preset }), 'given');
+      });
+    },
 
     undo: () => goTo('undone', undone),
 

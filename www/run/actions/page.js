@@ -79,17 +79,18 @@ export function createOpening(basis, catchUp) {
 
     /** Who works on the exercise says so: then what is drawn for each student is. @param {string} who */
     setWho(who) {
-      const { exercise, experiment, student, work } = store.get();
-      if (exercise.vary.length === 0 || student.base) {
+      const { exercise, experiment, preset, student, work } = store.get();
+      if (exercise.vary.length === 0 || student.who) {
         store.update({ student: { ...student, who } });
         return;
       }
       forget();
       attempt(() => {
-        const drawn = engine.experiment(drawnFor(experiment, exercise.vary, who));
+        const base = student.base ?? { preset, experiment };
+        const drawn = engine.experiment(drawnFor(base.experiment, exercise.vary, who));
         // What is drawn for a student is not taken back.
-        tryToBegin(nextOf(drawn, { versions: noVersions }), 'begin', {
-          student: { ...student, who, base: experiment },
+        tryToBegin(nextOf(drawn, { preset: base.preset, versions: noVersions }), 'begin', {
+          student: { ...student, who, base },
           work,
           robot: shown(),
         });

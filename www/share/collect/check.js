@@ -5,7 +5,6 @@
 /** @import { Judged } from '../../run/aim.js' */
 /** @import { Entry } from './entries.js' */
 import { createTurns } from '../../kit/loop.js';
-import { undrawn } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
 import { exerciseId, exerciseLink } from '../handin/receipt.js';
 import { isHeavy, recompute } from './recompute.js';
@@ -101,7 +100,7 @@ function givenOf(engine, links, run) {
   const link = exerciseLink(run, engine, links);
   return {
     run,
-    base: undrawn(run.experiment, run.exercise.vary, run.student) ?? run.experiment,
+    base: (run.student.base ?? run).experiment,
     link,
     id: exerciseId(link),
   };

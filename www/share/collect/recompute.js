@@ -6,10 +6,9 @@
 /** @import { Measured } from '../handin/measure.js' */
 /** @import { Checked, Given, Worth } from './check.js' */
 /** @import { Entry } from './entries.js' */
-import { changesOf } from '../../link/experiment.js';
+import { apartFrom } from '../../link/exercise.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
-import { wayOf } from '../../run/exercise.js';
 import { drawnFor } from '../../run/variant.js';
 import { measure, samplesToMeasure } from '../handin/measure.js';
 import { holds, isWhole, toldIn } from '../handin/receipt.js';
@@ -36,7 +35,7 @@ export async function recompute(tools, run, entry, given, { signal, turn }) {
   const told = toldIn(handin);
   const { gains, drives } = await answerOf(tools, run, signal);
   const own = await measure(engine, null, run.experiment, gains, { signal });
-  const asGiven = engine.experiment(drawnFor(given.base, who ? vary : [], who));
+  const asGiven = engine.experiment(drawnFor(given.base, vary, who));
   const there = await measure(engine, aim, asGiven, gains, { signal });
   const made = drives ?? told?.drives ?? null;
   // Many come at once.
@@ -92,13 +91,7 @@ const howOf = ({ driver, experiment, generation }) =>
 /** What is not as it was given, by the names of links. @param {Engine} engine @param {Linked} run @param {Given} given @param {Experiment} asGiven */
 function differencesOf(engine, run, given, asGiven) {
   const { exercise } = given.run;
-  const isFree = (/** @type {string} */ path) =>
-    path === 'seed'
-      ? wayOf(exercise, 'seed') === 'free' && !exercise.vary.includes('seed')
-      : /^(evolution\.|population|opponents)/.test(path) && wayOf(exercise, 'settings') === 'free';
-  const fields = changesOf(engine.experiment(run.experiment), asGiven)
-    .map(([path]) => path)
-    .filter((path) => !isFree(path));
+  const fields = apartFrom(engine.experiment(run.experiment), asGiven, exercise);
   const text = (/** @type {unknown} */ value) => JSON.stringify(value);
   const { task, locked, hidden, aim, scale, vary } = run.exercise;
   /** @type {[string, unknown, unknown][]} */

@@ -2,45 +2,40 @@
 // core come to it again. So it needs no secret, and proves the result, never whose it is.
 //
 // Its link is the run, with one key more: handin=version~J~parked/starts~drives~minutes~program~exercise~answers~digits.
-/** @import { Engine, Experiment, PaperResult, Triple } from '../../core/engine.js' */
+/** @import { Engine, PaperResult, Triple } from '../../core/engine.js' */
 /** @import { Links } from '../../link/link.js' */
 /** @import { Judged } from '../../run/aim.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Measured } from './measure.js' */
 import { digitsOf } from '../../kit/hash.js';
+import { withoutFreeSeed } from '../../link/exercise.js';
 import { isSealed, sealOf } from '../../link/seal.js';
 import { encoded, numberText } from '../../link/values.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
-import { wayOf } from '../../run/exercise.js';
 import { noPins } from '../../run/pins.js';
 import { drivesOf, noTrial } from '../../run/state.js';
-import { undrawn } from '../../run/variant.js';
 import { measure } from './measure.js';
+import { ownOf } from './own.js';
 
 /** Answers to the lesson's questions: the number of the choice, and whether the page found it right. @typedef {Readonly<Record<string, { choice: number, right: number | null }>>} Answers */
 /** @typedef {{ cost: number, parked: number, starts: number, drives: number, minutes: number, program: string, exercise: string, answers: string }} Told What a receipt says; the result of it is what whoever opens it computes again. */
-/** @typedef {Told & { who: string, link: string, gains: Triple, how: { driver: State['driver'], method: string, seed: number, generation: number }, measured: Measured, judged: Judged | null }} Receipt */
+/** @typedef {Told & { who: string, link: string, gains: Triple, how: { driver: State['driver'], method: string, seed: number, generation: number }, measured: Measured, apart: readonly import('./own.js').Thing[], there: Measured, judged: Judged | null }} Receipt `there`: in the exercise as it was given, where it is judged; `apart`: what of the run is not as it has it. */
 /** What of a state says what is done. @typedef {Omit<import('../../link/keys.js').Linked, 'parts'> & Pick<State, 'population' | 'history' | 'work'>} Done */
 
 const version = '1';
 
-/** Links of the exercise itself. @param {Experiment} experiment @param {import('../../run/exercise.js').Exercise} exercise @param {Experiment} usual @returns {Experiment} */
-const withoutFree = (experiment, exercise, usual) =>
-  wayOf(exercise, 'seed') === 'free' && !exercise.vary.includes('seed')
-    ? { ...experiment, evolution: { ...experiment.evolution, seed: usual.evolution.seed } }
-    : experiment;
-
 /** The exercise alone, as a link: its task and all that it gives, without who works on it and what they did. What they may choose, a seed that is not locked, is no part of it. @param {import('../../link/keys.js').Linked} state @param {Engine} engine @param {Links} links */
 export function exerciseLink(state, engine, links) {
   const { exercise, student } = state;
-  const given = undrawn(state.experiment, exercise.vary, student) ?? state.experiment;
+  const { preset, experiment } = student.base ?? state;
   return links.linkOf(
     {
       ...state,
       page: 'lab',
       lesson: 0,
-      experiment: withoutFree(given, exercise, engine.experiment(state.preset)),
+      preset,
+      experiment: withoutFreeSeed(experiment, exercise, engine.experiment(preset)),
       generation: 0,
       driver: 'evolved',
       handGains: null,
@@ -91,7 +86,9 @@ const answersText = (answers) =>
 export async function receiptOf({ engine, links, paper }, state, answers = {}) {
   const { exercise, experiment, student, work, driver, generation } = state;
   const gains = gainsOf(state, driver, paper);
-  const measured = await measure(engine, exercise.aim, experiment, gains);
+  const { own, apart } = ownOf(engine, exercise, student, experiment);
+  const measured = await measure(engine, apart.length > 0 ? null : exercise.aim, experiment, gains);
+  const there = apart.length > 0 ? await measure(engine, exercise.aim, own, gains) : measured;
   const { cost, parked, starts } = measured;
   const told = {
     cost,
@@ -118,8 +115,9 @@ export async function receiptOf({ engine, links, paper }, state, answers = {}) {
     gains,
     how: { driver, method, seed, generation },
     measured,
-    judged:
-      exercise.aim && judged(exercise.aim, exercise.scale, { value: measured.value, drives: told.drives }),
+    apart,
+    there,
+    judged: exercise.aim && judged(exercise.aim, exercise.scale, { value: there.value, drives: told.drives }),
   };
 }
 

@@ -73,7 +73,7 @@ export function createHandInSheet(tools) {
     save: () => handed && download(words.fileName(handed.receipt.who), 'text/plain', `${handed.text}\n`),
   };
 
-  const draw = () => sheet.draw(contentOf(store.get().student, handed, status, on));
+  const draw = () => sheet.draw(contentOf(store.get(), handed, status, on));
 
   return {
     open() {
@@ -88,12 +88,14 @@ export function createHandInSheet(tools) {
   };
 }
 
-/** @param {import('../../run/variant.js').Student} student @param {HandedIn | null} handed @param {string} status @param {{ name: () => void, copyText: () => void, copyLink: () => void, save: () => void }} on */
-const contentOf = ({ who, base }, handed, status, on) => html`
+/** @param {import('../../run/state.js').State} state @param {HandedIn | null} handed @param {string} status @param {{ name: () => void, copyText: () => void, copyLink: () => void, save: () => void }} on */
+function contentOf({ exercise, student: { who } }, handed, status, on) {
+  const isDrawn = exercise.vary.length > 0 && who !== '';
+  return html`
   <div class="bar handin-name">
     <label for="handin-who">${texts.whoLabel}</label>
     <input id="handin-who" type="text" maxlength=${mostOfWho} autocomplete="off" autofocus .value=${live(who)}
-      .readOnly=${base !== null} title=${base ? texts.whoDrawn : ''} @keydown=${onEnter(on.name)}>
+      .readOnly=${isDrawn} title=${isDrawn ? texts.whoDrawn : ''} @keydown=${onEnter(on.name)}>
     <button id="handin-make" type="button" @click=${on.name} class=${handed ? '' : 'primary'}>${texts.make}</button>
   </div>
   ${
@@ -110,3 +112,4 @@ const contentOf = ({ who, base }, handed, status, on) => html`
       : html`<p class="muted">${texts.whoHelp}</p>
         ${status ? html`<p id="handin-status" role="status">${status}</p>` : nothing}`
   }`;
+}

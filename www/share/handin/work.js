@@ -6,15 +6,16 @@
 /** @import { HandedIn } from './sheet.js' */
 import { html, nothing, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';
-import { watch } from '../../kit/memo.js';
+import { remember, watch } from '../../kit/memo.js';
 import { onEnter } from '../../kit/templates.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { asksSomething, shownExercise, tidyTask } from '../../run/exercise.js';
 import { drivesOf, noTrial } from '../../run/state.js';
-import { mostOfWho, undrawn } from '../../run/variant.js';
+import { mostOfWho, nobody } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
 import { measure } from './measure.js';
+import { ownOf } from './own.js';
 import { holds, isWhole, toldIn } from './receipt.js';
 import { createHandInSheet } from './sheet.js';
 import words from './words/index.js';
@@ -36,17 +37,24 @@ export function createWork(tools, root) {
   let known = { measured: null, isNew: false };
   const asked = watch();
   const drawn = watch();
+  const ownIn = remember(ownOf);
   let questions = 0;
+
+  /** What is in the making is as it is on screen. @param {State} state */
+  const ownNow = ({ exercise, student, experiment, maker }) =>
+    ownIn(engine, exercise, maker.open ? nobody : student, experiment);
 
   /** @param {State} state @param {Scene} scene */
   const follow = (state, scene) => {
     const { aim } = shownExercise(state);
     const gains = gainsOf(state, state.driver, paper);
-    if (!aim || !asked(aim, state.experiment, String(gains))) return;
+    const { own, apart } = ownNow(state);
+    if (!aim || !asked(aim, own, String(gains))) return;
     questions += 1;
     const question = questions;
     // What is on the plane is known already.
-    const isShown = state.trial === noTrial && !scene.chosen && state.experiment.starts.length === 1;
+    const isPlain = state.trial === noTrial && !scene.chosen && apart.length === 0;
+    const isShown = isPlain && own.starts.length === 1;
     if (aim.wanted.kind === 'cost' && isShown) {
       const { cost, arrived } = scene.driving;
       known = {
@@ -56,7 +64,7 @@ export function createWork(tools, root) {
       return;
     }
     known = { ...known, isNew: false };
-    measure(engine, aim, state.experiment, gains, { channel }).then((measured) => {
+    measure(engine, aim, own, gains, { channel }).then((measured) => {
       // What is on the plane by now is known.
       if (question !== questions) return;
       known = { measured, isNew: true };
@@ -84,19 +92,19 @@ export function createWork(tools, root) {
       const isOpen = asksSomething(exercise) && state.page !== withoutAnswer;
       // A run that is made again is handed in once it is all there.
       const isOnItsWay = state.catchingUp !== null;
-      const isAway =
-        state.student.base !== null && undrawn(state.experiment, exercise.vary, state.student) === null;
-      if (!drawn(exercise, state.student, known, said, drives, isOpen, isOnItsWay, isAway)) return;
-      const needsWho = exercise.vary.length > 0 && !state.student.base && !state.maker.open;
+      const { apart } = ownNow(state);
+      if (!drawn(exercise, state.student, known, said, drives, isOpen, isOnItsWay, apart)) return;
+      const needsWho = exercise.vary.length > 0 && state.student.who === '' && !state.maker.open;
       render(
         html`${said ? html`<p class="work-said ${said.isGood ? '' : 'bad'}" role="status">${said.text}</p>` : nothing}
           ${needsWho && isOpen ? whoForm(begin) : nothing}
-          ${exercise.aim && isOpen && !needsWho ? aimLine(exercise, isAway ? null : known, drives) : nothing}
+          ${exercise.aim && isOpen && !needsWho ? aimLine(exercise, known, drives) : nothing}
           ${
             isOpen && !needsWho
               ? html`<button id="hand-in" type="button" class="primary" .disabled=${state.maker.open || isOnItsWay} @click=${sheet.open}>${texts.handIn}</button>`
               : nothing
-          }`,
+          }
+          ${exercise.aim && isOpen && !needsWho && apart.length > 0 ? apartLine(apart, actions.backToExercise) : nothing}`,
         root,
       );
     },
@@ -112,13 +120,11 @@ const whoForm = (begin) => html`
     <button id="work-begin" type="button" class="primary" @click=${begin}>${texts.begin}</button>
   </div>`;
 
-/** @param {import('../../run/exercise.js').Exercise} exercise @param {{ measured: Measured | null, isNew: boolean } | null} known null: what it is measured in is not the student's. @param {number} drives */
-function aimLine({ aim, scale }, known, drives) {
+/** @param {import('../../run/exercise.js').Exercise} exercise @param {{ measured: Measured | null, isNew: boolean }} known @param {number} drives */
+function aimLine({ aim, scale }, { measured, isNew }, drives) {
   if (!aim) return nothing;
   const { wanted } = aim;
   const head = html`<b>${words.wantedText(wanted)}<span class="aim-budget">${words.budgetText(aim.drives)}</span></b>`;
-  if (!known) return html`<p id="aim" class="aim" role="status">${head} · ${texts.away}</p>`;
-  const { measured, isNew } = known;
   if (!measured) return html`<p id="aim" class="aim" role="status">${head} · ${texts.computing}</p>`;
   const { isMet, points, most } = judged(aim, scale, { value: measured.value, drives });
   const now = [
@@ -130,6 +136,11 @@ function aimLine({ aim, scale }, known, drives) {
     <span class="aim-mark"><span aria-hidden="true">${isMet ? '✓' : '○'}</span> <span role="status">${words.metText(isMet)}</span></span>
     ${now.map(([name, text]) => html`<span class="muted aim-${name}">${text}</span> `)}</p>`;
 }
+
+/** That the run is not as the exercise has it, in which it is judged all the same, and the way back. @param {readonly import('./own.js').Thing[]} apart @param {() => void} back */
+const apartLine = (apart, back) => html`
+  <p id="aim-apart" class="aim-apart"><span>${words.apartText(apart)}</span> <span class="aim-why">${texts.counts}</span>
+    <button id="back-to-exercise" type="button" class="link" @click=${back}>${texts.backToExercise}</button></p>`;
 
 /** What is said of a receipt that was opened, as long as its run is on screen. @param {WorkTools} tools */
 function createVerdict({ engine, store, actions, paper, links }) {

@@ -2,7 +2,7 @@
 
 /** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver */
 /** @typedef {'hand' | 'map' | 'training' | 'luck'} Found */
-/** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'setting' | 'undone' | 'redone' | 'reset'} Restart */
+/** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'setting' | 'undone' | 'redone' | 'given' | 'reset'} Restart */
 /** @typedef {{ kind: 'every' | 'generation' | 'cost', value: number }} Until */
 /** @typedef {'gains' | 'drives' | 'paper' | 'postures' | 'run' | 'seed' | 'clock' | 'settings' | 'parts' | 'lesson' | 'share'} Group */
 /** @typedef {'free' | 'locked' | 'hidden'} Way */

@@ -225,6 +225,7 @@ export const restartText = (restart, population, isPapers) =>
     setting: 'A setting has changed: evolution begins again at generation 0.',
     undone: 'One step back: evolution begins again at generation 0.',
     redone: 'One step forward again: evolution begins at generation 0.',
+    given: 'As the exercise has it: evolution begins again at generation 0.',
     reset: 'Generation 0 again. The same seed gives the same evolution.',
   })[restart];
 

@@ -221,6 +221,7 @@ export const restartText = (restart, population, isPapers) =>
     setting: '설정이 바뀌어 진화를 0세대부터 다시 시작합니다.',
     undone: '한 단계 되돌렸습니다. 진화를 0세대부터 다시 시작합니다.',
     redone: '한 단계 다시 적용했습니다. 진화를 0세대부터 시작합니다.',
+    given: '주어진 과제대로 되돌려 진화를 0세대부터 다시 시작합니다.',
     reset: '다시 0세대입니다. 같은 시드에서는 같은 진화가 일어납니다.',
   })[restart];
 

@@ -1,5 +1,4 @@
 // Of what is handed in, what is the same in every language.
-
 import { mark } from '../mark.js';
 
 /** @param {string} program @param {string} exercise */

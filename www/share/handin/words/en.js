@@ -1,6 +1,7 @@
 // Every word of handing in.
 /** @import { Wanted } from '../../../run/aim.js' */
 import { costText } from '../../../words/numbers.js';
+/** @import { Thing } from '../own.js' */
 import { costLine, gainsLine, head } from './common.js';
 
 export * from './common.js';
@@ -13,7 +14,8 @@ export const texts = {
   whoHelp: 'It is asked once, and goes nowhere but into what you hand in.',
   whoDrawn: 'The exercise was drawn for this name: for another, open its link again.',
   begin: 'Begin',
-  whoFirst: 'This exercise is a little different for everyone: say who you are, and yours is drawn.',
+  whoFirst:
+    'This exercise is a little different for everyone: say who you are, and yours is drawn. What runs until then is not kept.',
   make: 'Make the receipt',
   help: 'Give this to your lecturer as you were told: paste the text, or send the link or the file. Nothing is sent by this page.',
   proves:
@@ -24,7 +26,8 @@ export const texts = {
   copyLink: 'Copy the link',
   save: 'Save as a file',
   computing: 'Computing …',
-  away: 'This is not what was drawn for you. Undo (Ctrl + Z) leads back to it.',
+  counts: 'It counts in the exercise as it was given.',
+  backToExercise: 'Back to the exercise’s',
 };
 
 export const copied = 'Copied.';
@@ -52,6 +55,28 @@ export const valueText = (wanted, value) =>
       ? `${value} of ${wanted.of}`
       : `${Math.round(1000 * value) / 10} %`;
 
+/** @type {Readonly<Record<Thing, string>>} */
+const things = {
+  starts: 'start',
+  goal: 'goal',
+  referenceVelocity: 'reference',
+  limits: 'limits',
+  tolerance: 'tolerance',
+  weights: 'weights of J',
+  law: 'control law',
+  sampleTime: 'sample time',
+  horizon: 'horizon',
+  disturbance: 'disturbance',
+  seed: 'seed',
+  evolution: 'evolution',
+};
+
+/** @param {readonly Thing[]} apart */
+const listed = (apart) => apart.map((thing) => things[thing]).join(', ');
+
+/** @param {readonly Thing[]} apart */
+export const apartText = (apart) => `Changed here: ${listed(apart)}.`;
+
 /** @param {boolean} isMet */
 export const metText = (isMet) => (isMet ? 'met' : 'not yet met');
 
@@ -66,7 +91,23 @@ export const pointsText = (points, most) => `${points} of ${most} points`;
 
 /** The text of a receipt. @param {import('../receipt.js').Receipt} receipt */
 export function receiptText(
-  { who, program, exercise, cost, parked, starts, judged, gains, how, drives, minutes, answers, link },
+  {
+    who,
+    program,
+    exercise,
+    cost,
+    parked,
+    starts,
+    apart,
+    there,
+    judged,
+    gains,
+    how,
+    drives,
+    minutes,
+    answers,
+    link,
+  },
   address = link,
 ) {
   const found =
@@ -83,6 +124,9 @@ export function receiptText(
       ? [
           `Aim ${metWord(judged.isMet)}${judged.points === null ? '' : `, ${judged.points} of ${judged.most} points`}`,
         ]
+      : []),
+    ...(apart.length > 0
+      ? [`In the exercise as it was given (changed here: ${listed(apart)}): ${costLine(there.cost)}`]
       : []),
     `${gainsLine(gains)}${found}`,
     `${drives} drives in ${minutes} min`,

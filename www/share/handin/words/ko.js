@@ -1,6 +1,7 @@
 // Every word of handing in, in Korean.
 /** @import { Wanted } from '../../../run/aim.js' */
 import { costText } from '../../../words/numbers.js';
+/** @import { Thing } from '../own.js' */
 import { costLine, gainsLine, head } from './common.js';
 
 export * from './common.js';
@@ -13,7 +14,8 @@ export const texts = {
   whoHelp: '한 번만 묻습니다. 제출물에만 들어가고 다른 곳으로 가지 않습니다.',
   whoDrawn: '이 이름으로 정해진 과제입니다. 다른 이름으로 하려면 과제 링크를 다시 여십시오.',
   begin: '시작',
-  whoFirst: '이 과제는 학생마다 조금씩 다릅니다. 이름이나 학번을 적으면 자신의 과제가 정해집니다.',
+  whoFirst:
+    '이 과제는 학생마다 조금씩 다릅니다. 이름이나 학번을 적으면 자신의 과제가 정해집니다. 그 전에 한 것은 남지 않습니다.',
   make: '제출물 만들기',
   help: '안내받은 방법대로 교수님께 내십시오. 텍스트를 붙여 넣거나 링크 또는 파일을 보내면 됩니다. 이 페이지는 아무것도 보내지 않습니다.',
   proves:
@@ -24,7 +26,8 @@ export const texts = {
   copyLink: '링크 복사',
   save: '파일로 저장',
   computing: '계산하는 중…',
-  away: '자신에게 정해진 과제가 아닙니다. 되돌리기(Ctrl + Z)로 돌아갈 수 있습니다.',
+  counts: '판정은 주어진 과제로 합니다.',
+  backToExercise: '주어진 대로 되돌리기',
 };
 
 export const copied = '복사했습니다.';
@@ -53,6 +56,28 @@ export const valueText = (wanted, value) =>
       ? `${wanted.of}곳 중 ${value}곳`
       : `${Math.round(1000 * value) / 10}%`;
 
+/** @type {Readonly<Record<Thing, string>>} */
+const things = {
+  starts: '출발',
+  goal: '목표',
+  referenceVelocity: '기준 속도',
+  limits: '제한',
+  tolerance: '허용 오차',
+  weights: 'J의 가중치',
+  law: '제어 법칙',
+  sampleTime: '샘플링 주기',
+  horizon: '제한 시간',
+  disturbance: '외란',
+  seed: '시드',
+  evolution: '진화',
+};
+
+/** @param {readonly Thing[]} apart */
+const listed = (apart) => apart.map((thing) => things[thing]).join(', ');
+
+/** @param {readonly Thing[]} apart */
+export const apartText = (apart) => `여기서 바꾼 것: ${listed(apart)}.`;
+
 /** @param {boolean} isMet */
 export const metText = (isMet) => (isMet ? '달성' : '아직 미달');
 
@@ -67,7 +92,23 @@ export const pointsText = (points, most) => `${most}점 만점에 ${points}점`;
 
 /** The text of a receipt. @param {import('../receipt.js').Receipt} receipt */
 export function receiptText(
-  { who, program, exercise, cost, parked, starts, judged, gains, how, drives, minutes, answers, link },
+  {
+    who,
+    program,
+    exercise,
+    cost,
+    parked,
+    starts,
+    apart,
+    there,
+    judged,
+    gains,
+    how,
+    drives,
+    minutes,
+    answers,
+    link,
+  },
   address = link,
 ) {
   const found =
@@ -84,6 +125,9 @@ export function receiptText(
       ? [
           `기준 ${metWord(judged.isMet)}${judged.points === null ? '' : `, ${judged.most}점 만점에 ${judged.points}점`}`,
         ]
+      : []),
+    ...(apart.length > 0
+      ? [`주어진 과제에서(여기서 바꾼 것: ${listed(apart)}): ${costLine(there.cost)}`]
       : []),
     `${gainsLine(gains)}${found}`,
     `주행 ${drives}회, ${minutes}분`,
