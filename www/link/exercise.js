@@ -14,11 +14,11 @@ import {
   tidyTask,
   wayOf,
 } from '../run/exercise.js';
-import { presets } from '../run/state.js';
+import { presets, spentOf } from '../run/state.js';
 import { drawnFor, mostOfWho, undrawn, variedNames } from '../run/variant.js';
 import { link as words } from '../words/index.js';
 import { changesOf, changesText, withChanges } from './experiment.js';
-import { number, numberText, oneOf } from './values.js';
+import { number, numberText, oneOf, wholeNumber } from './values.js';
 
 /** @param {Opened} opened @param {Partial<Exercise>} patch @returns {Opened} */
 const asking = (opened, patch) => ({ ...opened, exercise: { ...opened.exercise, ...patch } });
@@ -68,6 +68,19 @@ export const exerciseKeys = [
       return { ...opened, student: { ...opened.student, who } };
     },
   },
+  {
+    // What was driven before, where so many drives are allowed.
+    key: 'spent',
+    text(state) {
+      const { exercise, student, work, history } = state;
+      const made = work && history ? spentOf({ ...state, work, history }) : student.spent;
+      return exercise.aim?.drives && made > 0 ? String(made) : null;
+    },
+    read: (opened, text) => ({
+      ...opened,
+      student: { ...opened.student, spent: wholeNumber(text, most.drives) },
+    }),
+  },
 ];
 
 /** What of an exercise goes wrong or comes about only together. @param {Opened} opened @param {(key: string, why: string) => void} refuse @param {(experiment: Opened['experiment']) => Opened['experiment']} check @returns {Opened} */
@@ -85,11 +98,13 @@ export function withVariant(opened, refuse, check) {
     refuse('points', words.noAim);
     return withVariant(asking(opened, { scale: null }), refuse, check);
   }
-  if (!asksSomething(exercise)) return { ...opened, student: { ...student, base: null } };
   const { preset, experiment } = student.base ?? opened;
-  const base = { preset, experiment: withoutFreeSeed(experiment, exercise, opened.experiment) };
-  const within = { ...opened, student: { ...student, base } };
-  if (exercise.vary.length === 0 || student.who === '') return within;
+  const base = asksSomething(exercise)
+    ? { preset, experiment: withoutFreeSeed(experiment, exercise, opened.experiment) }
+    : null;
+  const spent = exercise.aim?.drives ? student.spent : 0;
+  const within = { ...opened, student: { ...student, base, spent } };
+  if (!base || exercise.vary.length === 0 || student.who === '') return within;
   try {
     const own = check(drawnFor(base.experiment, exercise.vary, student.who));
     return { ...within, experiment: student.base ? opened.experiment : own };

@@ -22,7 +22,7 @@ import {
   wholeNumber,
 } from './values.js';
 
-/** All that a link is written from. @typedef {Omit<Opened, 'parts'> & Pick<State, 'slices'>} Linked */
+/** All that a link is written from; `work` null: nothing has been done yet. @typedef {Omit<Opened, 'parts'> & Pick<State, 'slices'> & { work?: State['work'] | null, history?: State['history'] }} Linked */
 /** A row: null is left out of links. A value that is refused throws an Error that says what it must be. @typedef {{ key: string, text: (state: Linked, usual: Experiment) => string | null, read: (opened: Opened, text: string, engine: Engine) => Opened }} Key */
 /** A row of something that a part of the page shows. @typedef {Key & { slice: Slice<any>, field: string }} PartKey */
 

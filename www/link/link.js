@@ -155,6 +155,7 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
     carried: ({ page, lesson: step, preset, experiment, generation, driver, ...state }) => [
       ...[page, step, preset, experiment, generation, driver],
       ...[state.handGains, state.found, state.trial, state.pins, state.exercise, state.student],
+      ...[state.work?.tries, state.work?.spent],
       ...partKeys.map(({ slice, field }) => slice.of(state)[field]),
     ],
   };

@@ -14,7 +14,7 @@
 /** @typedef {{ start: Posture | null, disturbance: Disturbance | null }} Trial What a drive meets that evolution did not. */
 /** What an experiment that begins makes of the state, to which what is changed meanwhile is added. @typedef {Pick<State, 'experiment' | 'preset' | 'versions' | 'dragging'>} Next */
 /** What a worker computes: an experiment that begins, the next generation, or a recorded one. Since when, in milliseconds, and how much of it is done, if that is known. `next`: where a setting was changed; what a link opens is not changed before it is there, and a change takes its place. `generation`: the recorded one. @typedef {{ what: 'begin' | 'generation' | 'recorded', since: number, share: () => number | null, next?: Next, generation?: number }} Computing */
-/** What was done since a link was opened: gains that were tried by hand, one after the other, and drives of evolutions that were given up. `since` in milliseconds; `opened`: the generation that the link shows. @typedef {{ tries: number, tried: string, spent: number, since: number, opened: number }} Work */
+/** What was done since a link was opened: gains that were tried by hand, one after the other, and drives of evolutions that were given up, or made before. `since` in milliseconds; `opened`: the generation that the link shows. @typedef {{ tries: number, tried: string, spent: number, since: number, opened: number }} Work */
 /** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */
 
 /**
@@ -71,11 +71,11 @@ export const presets = ['velocity-limits', 'acceleration-limits'];
 /** @type {Trial} */
 export const noTrial = Object.freeze({ start: null, disturbance: null });
 
-/** @param {string} tried Gains that need no try. @param {number} [opened] @returns {Work} */
-export const newWork = (tried, opened = 0) => ({
+/** @param {string} tried Gains that need no try. @param {number} [opened] @param {number} [spent] Drives that were made before. @returns {Work} */
+export const newWork = (tried, opened = 0, spent = 0) => ({
   tries: 0,
   tried,
-  spent: 0,
+  spent,
   since: performance.now(),
   opened,
 });
@@ -86,6 +86,11 @@ export function drivesOf({ driver, history, generation, work, experiment }) {
   const evolved = history.length > 1 ? history[history.length - 1].evaluations : 0;
   return work.tries * experiment.starts.length + work.spent + evolved;
 }
+
+/** Of all that was driven here, what is not driven again when the generation that is shown is made again. @param {Pick<State, 'history' | 'generation' | 'work' | 'experiment'>} state */
+export const spentOf = ({ history, generation, ...state }) =>
+  drivesOf({ ...state, history, generation, driver: 'hand' }) -
+  (generation > 0 ? history[generation].evaluations : 0);
 
 /** The state as it has been asked for, of which an experiment may still be on its way: what controls show, and change further. @param {State} state @returns {State} */
 export const asked = (state) => ({ ...state, ...state.computing?.next });

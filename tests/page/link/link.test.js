@@ -133,6 +133,7 @@ test('every key of a link is read as it is written', () => {
         who: 's4711',
         base: { preset: 'acceleration-limits', experiment: experiment('acceleration-limits') },
         handin: '',
+        spent: 7,
       },
       slices: {
         generation: { phase: 'ranking', chosen: 3 },

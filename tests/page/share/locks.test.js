@@ -185,3 +185,43 @@ pageTest(
     assert.deepEqual(await waysOf(page, '#keep-button'), ['free']);
   },
 );
+
+pageTest(
+  'on a narrow screen the aim stays in sight, and the locks come into it when they refuse',
+  async (page) => {
+    await page.resize(600, 800);
+    await page.open('#landscape&v=1&lock=gains&task=Park.&aim=J%3C9');
+    await page.until('it is measured', () => document.querySelector('#aim .aim-value'));
+    await page.until('the map is there', () => document.getElementById('landscape-map'));
+    const inSight = (/** @type {string} */ id) =>
+      page.evaluate((one) => {
+        const box = /** @type {HTMLElement} */ (document.getElementById(one)).getBoundingClientRect();
+        return box.height > 0 && box.top >= 0 && box.bottom <= innerHeight;
+      }, id);
+    await page.evaluate(() => document.getElementById('landscape-map')?.scrollIntoView({ block: 'center' }));
+    assert.deepEqual(
+      [await inSight('aim'), await inSight('hand-in'), await inSight('exercise-locks')],
+      [true, true, false],
+    );
+    // A tap, of which the light lasts for two seconds, however late the frames are.
+    const seen = await page.evaluate(async () => {
+      const map = /** @type {HTMLElement} */ (document.getElementById('landscape-map'));
+      const { x, y } = map.getBoundingClientRect();
+      const locks = /** @type {HTMLElement} */ (document.getElementById('exercise-locks'));
+      for (const type of ['pointerdown', 'pointerup', 'click'])
+        map.dispatchEvent(
+          new PointerEvent(type, {
+            bubbles: true,
+            clientX: x + 90,
+            clientY: y + 90,
+            pointerId: 1,
+            button: 0,
+          }),
+        );
+      while (locks.getAnimations().length === 0) await new Promise(requestAnimationFrame);
+      return locks.getBoundingClientRect().top >= 0;
+    });
+    assert.equal(seen, true);
+    assert.deepEqual(await page.problems(), []);
+  },
+);

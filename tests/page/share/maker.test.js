@@ -69,7 +69,26 @@ engineTest('every field of the maker has a name and room, and what is wrong is s
   await page.focus('#maker-value');
   await page.press(Key.BACK_SPACE, Key.BACK_SPACE, Key.BACK_SPACE, '2');
   await page.until('the error is said', () => document.getElementById('maker-aim-error')?.checkVisibility());
+  assert.match(await page.text('#maker-aim-error'), /^The share must be above 0 and at most 1/);
   assert.deepEqual(await page.obstacles('#maker'), []);
+  // What is not in the link is not handed out.
+  const taken = () =>
+    page.evaluate(() =>
+      ['maker-copy-link', 'maker-copy-frame', 'maker-scorm'].filter(
+        (id) => !document.getElementById(id)?.matches(':disabled'),
+      ),
+    );
+  assert.deepEqual(await taken(), []);
+  await page.press(Key.BACK_SPACE, '9', '0', ' ', '%');
+  await page.until('it is right', () => !document.getElementById('maker-aim-error')?.checkVisibility());
+  assert.match(await linkMade(page), /&aim=unseen:0\.9$|&aim=unseen%3A0\.9$/);
+  assert.equal((await taken()).length, 3);
+  await page.click('#maker-copy-link');
+  await page.until('it is said', () => document.getElementById('maker-status')?.textContent);
+  await page.click('#maker-vary-goal');
+  await page.until('and true no more', () => !document.getElementById('maker-status')?.textContent);
+  // As students will see it: first they say who they are.
+  await page.until('the form is there', () => document.querySelector('#work-begin:disabled'));
   const unnamed = await page.evaluate(() =>
     [
       .../** @type {NodeListOf<HTMLInputElement>} */ (

@@ -174,6 +174,7 @@ pageTest('what is drawn for a student waits for who it is, and follows from it',
   await page.until('it begins', () => document.getElementById('hand-in'));
   const drawn = await ends();
   assert.notDeepEqual(drawn, before);
+  assert.equal(await page.evaluate(() => document.activeElement?.id), 'hand-in');
   await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
   await page.driver.actions().keyDown(Key.CONTROL).sendKeys('z').keyUp(Key.CONTROL).perform();
   assert.deepEqual(await ends(), drawn, 'it is not taken back');

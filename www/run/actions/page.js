@@ -52,7 +52,7 @@ export function createOpening(basis, catchUp) {
           ...run,
           lastStep: run.lesson || before.lastStep,
           gainErrors: noErrors,
-          work: newWork(String(run.handGains), generation),
+          work: newWork(String(run.handGains), generation, run.student.spent),
           trial: trialOf(run, tried),
           tried,
           slices: {

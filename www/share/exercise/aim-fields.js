@@ -5,6 +5,7 @@ import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { options, valueIn } from '../../kit/templates.js';
 import { aimOf, aimText, scaleOf, scaleText } from '../../link/exercise.js';
+import { most } from '../../run/aim.js';
 import { variedNames } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
 import words from '../words/index.js';
@@ -35,13 +36,31 @@ function fieldsOf({ aim, scale }) {
   };
 }
 
+/** What is wrong is said in the words of the field that it is in. @template T @param {string} why @param {() => T} read */
+function orSay(why, read) {
+  try {
+    return read();
+  } catch {
+    throw new Error(why);
+  }
+}
+
+/** As links have it: nine tenths, for who types 90 %. @param {string} text */
+const shareOf = (text) => (text.endsWith('%') ? String(Number(text.slice(0, -1) || 'x') / 100) : text);
+
 /** @param {Fields} fields @returns {Pick<Exercise, 'aim' | 'scale'>} */
-function asked({ kind, value, drives, points }) {
+function asked({ kind, ...fields }) {
   if (kind === 'none') return { aim: null, scale: null };
-  const budget = drives.trim() ? `;drives<=${drives.trim()}` : '';
-  const [a, p, b, q] = points.map((text) => text.trim());
-  const aim = aimOf(`${heads[kind]}${value.trim()}${budget}`);
-  return { aim, scale: points.every((text) => text.trim() === '') ? null : scaleOf(`${a}:${p},${b}:${q}`) };
+  const [value, drives] = [fields.value.trim(), fields.drives.trim()];
+  const [a, p, b, q] = fields.points.map((text) => text.trim());
+  const wanted = `${heads[kind]}${kind === 'unseen' ? shareOf(value) : value}`;
+  orSay(words.wrongValue(kind, most), () => aimOf(wanted));
+  const aim = orSay(words.wrongDrives(most), () => aimOf(drives ? `${wanted};drives<=${drives}` : wanted));
+  const hasNone = [a, p, b, q].every((text) => text === '');
+  return {
+    aim,
+    scale: hasNone ? null : orSay(words.wrongPoints(most), () => scaleOf(`${a}:${p},${b}:${q}`)),
+  };
 }
 
 /** @param {() => Exercise} draft @param {(patch: Partial<Exercise>) => void} change @param {() => void} redraw */
@@ -85,6 +104,7 @@ export function createAimFields(draft, change, redraw) {
 
   return {
     version: () => version,
+    isWrong: () => error !== '',
     /** @param {Exercise} exercise */
     read(exercise) {
       fields = fieldsOf(exercise);
@@ -109,7 +129,7 @@ const field = (
  * @param {Fields} fields @param {string} error @param {Exercise} exercise
  * @param {{ type: (patch: Partial<Fields>) => void, kind: (event: Event) => void, points: (index: number, text: string) => void, vary: (name: Varied) => void }} on
  */
-function fieldsHtml({ kind, value, drives, points }, error, { vary }, on) {
+function fieldsHtml({ kind, value, drives, points }, error, { vary, aim }, on) {
   return html`
     <label for="maker-aim" class="maker-label">${texts.makerAim}</label>
     <div class="maker-aim">
@@ -139,5 +159,10 @@ function fieldsHtml({ kind, value, drives, points }, error, { vary }, on) {
         name,
       ) => html`<label class="check"><input id="maker-vary-${name}" type="checkbox" .checked=${live(vary.includes(name))}
         @change=${() => on.vary(name)}> <span>${words.varied[name]}</span></label>`,
-    )}</fieldset>`;
+    )}</fieldset>
+    ${
+      aim?.wanted.kind === 'cost' && (vary.includes('goal') || vary.includes('starts'))
+        ? html`<p id="maker-uneven" class="muted">${texts.makerUneven}</p>`
+        : nothing
+    }`;
 }

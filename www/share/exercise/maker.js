@@ -1,5 +1,6 @@
 // The panel in which a lecturer makes an exercise; the page beside it shows at once what students will see.
 /** @import { Engine, PaperResult, Triple } from '../../core/engine.js' */
+/** @import { Linked } from '../../link/keys.js' */
 /** @import { Opened } from '../../run/actions/page.js' */
 /** @import { Exercise, Group, Way } from '../../run/exercise.js' */
 /** @import { State } from '../../run/state.js' */
@@ -37,12 +38,9 @@ const { texts } = words;
 
 /** @param {SheetTools} tools */
 export function createMaker({ engine, store, actions, links, paper }) {
-  const panel = create('aside', 'settings maker');
-  panel.id = 'maker';
-  panel.hidden = true;
-  panel.setAttribute('aria-labelledby', 'maker-title');
-  byId('instrument').prepend(panel);
+  const panel = createPanel();
   let status = '';
+  let [linkNow, linkSaid] = ['', ''];
   const draftNow = () => store.get().maker.draft;
   const change = (/** @type {Partial<Exercise>} */ patch) =>
     actions.makeExercise({ draft: { ...draftNow(), ...patch } });
@@ -50,6 +48,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
   const preview = createPreview(store.redraw);
   const say = (/** @type {string} */ text) => {
     status = text;
+    linkSaid = linkNow;
     store.redraw();
   };
   const packaging = createPackaging(say);
@@ -91,6 +90,9 @@ export function createMaker({ engine, store, actions, links, paper }) {
         return preview.draw(null);
       }
       const link = links.linkOf(givenOf(state, draft, paper), engine.experiment);
+      linkNow = link;
+      // What was said of another exercise is not true of this one.
+      if (link !== linkSaid) status = '';
       const isRefused = state.page === withoutAnswer && asksSomething(draft);
       if (changed(draft, link, status, aim.version(), preview.chosen(), packaging.asks(), isRefused)) {
         const addresses = {
@@ -98,7 +100,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
           frame: frameOf(state, link, preview.chosen() ?? undefined),
         };
         render(
-          panelOf(draft, isRefused ? null : addresses, status, {
+          panelOf(draft, isRefused ? null : addresses, aim.isWrong(), status, {
             ...on,
             fields: aim.fields(draft),
             preview: preview.choice(),
@@ -113,13 +115,23 @@ export function createMaker({ engine, store, actions, links, paper }) {
   };
 }
 
-/** What students get: as it is on screen, but drawn for nobody yet, and driven by what may be seen. @param {State} state @param {Exercise} draft @param {readonly PaperResult[]} paper @returns {State} */
+function createPanel() {
+  const panel = create('aside', 'settings maker');
+  panel.id = 'maker';
+  panel.hidden = true;
+  panel.setAttribute('aria-labelledby', 'maker-title');
+  byId('instrument').prepend(panel);
+  return panel;
+}
+
+/** What students get: as it is on screen, but drawn for nobody yet, and driven by what may be seen. @param {State} state @param {Exercise} draft @param {readonly PaperResult[]} paper @returns {Linked} */
 function givenOf(state, draft, paper) {
   const { exercise, student, driver, pins, handGains } = state;
   const given = {
     ...state,
     exercise: draft,
     student: nobody,
+    work: null,
     experiment: undrawn(state.experiment, exercise.vary, student) ?? state.experiment,
   };
   if (wayOf(draft, 'paper') !== 'hidden') return given;
@@ -151,10 +163,10 @@ const parkedInLab = (engine, { pins, exercise, student }) => ({
 });
 
 /**
- * @param {Exercise} draft @param {{ link: string, frame: string } | null} addresses None where it could not be handed in. @param {string} status
+ * @param {Exercise} draft @param {{ link: string, frame: string } | null} addresses None where it could not be handed in. @param {boolean} isWrong What is typed is not what the link has. @param {string} status
  * @param {Record<'fields' | 'preview' | 'packaging', unknown> & Record<'close' | 'copyLink' | 'copyFrame' | 'toLab', () => void> & { choose: (group: Group, way: Way) => void, type: (event: Event) => void }} on
  */
-const panelOf = (draft, addresses, status, on) => html`
+const panelOf = (draft, addresses, isWrong, status, on) => html`
   <div class="settings-head">
     <h2 id="maker-title">${texts.makerTitle}</h2>
     ${closeButton('maker-close', texts.makerClose, on.close)}
@@ -173,10 +185,10 @@ const panelOf = (draft, addresses, status, on) => html`
     ${
       addresses
         ? html`<input id="maker-link" type="text" readonly aria-label=${texts.makerLink} .value=${addresses.link} @focus=${selectAll}>
-          <button id="maker-copy-link" type="button" class="primary" @click=${on.copyLink}>${texts.makerCopyLink}</button>
+          <button id="maker-copy-link" type="button" class="primary" .disabled=${isWrong} @click=${on.copyLink}>${texts.makerCopyLink}</button>
           <input id="maker-frame" type="text" readonly aria-label=${texts.makerFrame} .value=${addresses.frame} @focus=${selectAll}>
-          <button id="maker-copy-frame" type="button" @click=${on.copyFrame}>${texts.makerCopyFrame}</button>
-          ${on.packaging}
+          <button id="maker-copy-frame" type="button" .disabled=${isWrong} @click=${on.copyFrame}>${texts.makerCopyFrame}</button>
+          <fieldset class="around" .disabled=${isWrong}>${on.packaging}</fieldset>
           ${isOnDisk() ? html`<p id="maker-disk" class="muted">${texts.makerOnDisk}</p>` : nothing}`
         : html`<p id="maker-refused" class="field-error" role="alert">${texts.makerPark}</p>
           <button id="maker-to-lab" type="button" class="primary" @click=${on.toLab}>${texts.makerToLab}</button>`

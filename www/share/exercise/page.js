@@ -46,6 +46,9 @@ const alight = [
   {},
 ];
 
+/** And where only a part of the exercise stays in sight, all of it is. */
+const inSight = [{ top: '0px' }, { top: '0px' }];
+
 /** Those of the lab, the lesson, the settings and Share. @type {Places} */
 const own = {
   gains: { lock: `#gains, ${standing('gentle', 'hand')}`, hide: '#gains, #gains-note' },
@@ -126,8 +129,12 @@ export function createExercise({ places, ...tools }) {
 
   const changed = watch();
   const refuses = watch();
-  /** @type {Animation | null} */
-  let glow = null;
+  /** @type {Animation[]} */
+  let glow = [];
+  // Where it stays in sight, what is above the aim leaves it.
+  const below = byId('exercise-work');
+  const above = () => below.getBoundingClientRect().top - section.getBoundingClientRect().top;
+  new ResizeObserver(() => section.style.setProperty('--above', `${above()}px`)).observe(section);
   return {
     /** @param {State} state @param {number} made How many parts of the page have been opened. @param {Scene} scene */
     draw(state, made, scene) {
@@ -136,8 +143,8 @@ export function createExercise({ places, ...tools }) {
       keeper.follow(state, made);
       if (refuses(state.refusals) && state.refusals > 0) {
         // A drag asks again in every frame.
-        glow?.cancel();
-        glow = locks.animate(alight, 2000);
+        for (const light of glow) light.cancel();
+        glow = [locks.animate(alight, 2000), section.animate(inSight, 2000)];
       }
       if (!changed(exercise, state.student.handin)) return;
       document.body.toggleAttribute('data-exercise', asksSomething(exercise));

@@ -15,6 +15,7 @@ import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { noPins } from '../../run/pins.js';
 import { drivesOf, noTrial } from '../../run/state.js';
+import { nobody } from '../../run/variant.js';
 import { measure } from './measure.js';
 import { ownOf } from './own.js';
 
@@ -43,7 +44,8 @@ export function exerciseLink(state, engine, links) {
       trial: noTrial,
       pins: noPins,
       slices: {},
-      student: { who: '', base: null, handin: '' },
+      student: nobody,
+      work: null,
     },
     engine.experiment,
     'en',

@@ -32,6 +32,7 @@ export function createHandInSheet(tools) {
   /** @type {HandedIn | null} */
   let handed = null;
   let status = '';
+  let typed = '';
   const say = (/** @type {string} */ text) => {
     status = text;
     draw();
@@ -61,10 +62,16 @@ export function createHandInSheet(tools) {
   };
 
   const on = {
+    /** A receipt is one person's. @param {Event & { target: HTMLInputElement }} event */
+    type({ target }) {
+      typed = target.value;
+      number += 1;
+      handed = null;
+      say('');
+    },
     name() {
-      const field = /** @type {HTMLInputElement} */ (document.getElementById('handin-who'));
-      const who = tidyTask(field.value);
-      if (!who) return field.focus();
+      const who = tidyTask(typed);
+      if (!who) return document.getElementById('handin-who')?.focus();
       actions.setWho(who);
       make();
     },
@@ -73,7 +80,7 @@ export function createHandInSheet(tools) {
     save: () => handed && download(words.fileName(handed.receipt.who), 'text/plain', `${handed.text}\n`),
   };
 
-  const draw = () => sheet.draw(contentOf(store.get(), handed, status, on));
+  const draw = () => sheet.draw(contentOf(store.get(), typed, handed, status, on));
 
   return {
     open() {
@@ -81,6 +88,7 @@ export function createHandInSheet(tools) {
       number += 1;
       handed = null;
       status = '';
+      typed = store.get().student.who;
       draw();
       sheet.open();
       if (store.get().student.who) make();
@@ -88,14 +96,14 @@ export function createHandInSheet(tools) {
   };
 }
 
-/** @param {import('../../run/state.js').State} state @param {HandedIn | null} handed @param {string} status @param {{ name: () => void, copyText: () => void, copyLink: () => void, save: () => void }} on */
-function contentOf({ exercise, student: { who } }, handed, status, on) {
+/** @param {import('../../run/state.js').State} state @param {string} typed @param {HandedIn | null} handed @param {string} status @param {{ type: (event: Event & { target: HTMLInputElement }) => void, name: () => void, copyText: () => void, copyLink: () => void, save: () => void }} on */
+function contentOf({ exercise, student: { who } }, typed, handed, status, on) {
   const isDrawn = exercise.vary.length > 0 && who !== '';
   return html`
   <div class="bar handin-name">
     <label for="handin-who">${texts.whoLabel}</label>
-    <input id="handin-who" type="text" maxlength=${mostOfWho} autocomplete="off" autofocus .value=${live(who)}
-      .readOnly=${isDrawn} title=${isDrawn ? texts.whoDrawn : ''} @keydown=${onEnter(on.name)}>
+    <input id="handin-who" type="text" maxlength=${mostOfWho} autocomplete="off" autofocus .value=${live(typed)}
+      .readOnly=${isDrawn} title=${isDrawn ? texts.whoDrawn : ''} @input=${on.type} @keydown=${onEnter(on.name)}>
     <button id="handin-make" type="button" @click=${on.name} class=${handed ? '' : 'primary'}>${texts.make}</button>
   </div>
   ${

@@ -93,38 +93,42 @@ export function createWork(tools, root) {
       // A run that is made again is handed in once it is all there.
       const isOnItsWay = state.catchingUp !== null;
       const { apart } = ownNow(state);
-      if (!drawn(exercise, state.student, known, said, drives, isOpen, isOnItsWay, apart)) return;
-      const needsWho = exercise.vary.length > 0 && state.student.who === '' && !state.maker.open;
+      const needsWho = exercise.vary.length > 0 && (state.student.who === '' || state.maker.open);
+      if (!drawn(exercise, state.student, known, said, drives, isOpen, isOnItsWay, apart, needsWho)) return;
+      const hasBegun = document.activeElement?.closest('.work-who') && !needsWho;
       render(
         html`${said ? html`<p class="work-said ${said.isGood ? '' : 'bad'}" role="status">${said.text}</p>` : nothing}
-          ${needsWho && isOpen ? whoForm(begin) : nothing}
-          ${exercise.aim && isOpen && !needsWho ? aimLine(exercise, known, drives) : nothing}
+          ${exercise.aim && isOpen ? aimLine(exercise, needsWho || said?.isGood === false ? null : known, said?.drives ?? drives) : nothing}
+          ${needsWho && isOpen ? whoForm(begin, state.maker.open) : nothing}
           ${
             isOpen && !needsWho
-              ? html`<button id="hand-in" type="button" class="primary" .disabled=${state.maker.open || isOnItsWay} @click=${sheet.open}>${texts.handIn}</button>`
+              ? html`<button id="hand-in" type="button" class=${said ? '' : 'primary'} .disabled=${state.maker.open || isOnItsWay} @click=${sheet.open}>${texts.handIn}</button>`
               : nothing
           }
           ${exercise.aim && isOpen && !needsWho && apart.length > 0 ? apartLine(apart, actions.backToExercise) : nothing}`,
         root,
       );
+      if (hasBegun) byId('hand-in')?.focus();
     },
   };
 }
 
-/** No form, which some frames forbid. @param {() => void} begin */
-const whoForm = (begin) => html`
+/** No form, which some frames forbid. @param {() => void} begin @param {boolean} isMade It is only looked at. */
+const whoForm = (begin, isMade) => html`
   <div class="work-who">
     <label for="work-who">${texts.whoFirst}</label>
     <input id="work-who" type="text" maxlength=${mostOfWho} autocomplete="off" placeholder=${texts.whoLabel}
-      @keydown=${onEnter(begin)}>
-    <button id="work-begin" type="button" class="primary" @click=${begin}>${texts.begin}</button>
+      @keydown=${onEnter(begin)} .disabled=${isMade}>
+    <button id="work-begin" type="button" class="primary" .disabled=${isMade} @click=${begin}>${texts.begin}</button>
   </div>`;
 
-/** @param {import('../../run/exercise.js').Exercise} exercise @param {{ measured: Measured | null, isNew: boolean }} known @param {number} drives */
-function aimLine({ aim, scale }, { measured, isNew }, drives) {
+/** @param {import('../../run/exercise.js').Exercise} exercise @param {{ measured: Measured | null, isNew: boolean } | null} known null: nothing that could be judged. @param {number} drives */
+function aimLine({ aim, scale }, known, drives) {
   if (!aim) return nothing;
   const { wanted } = aim;
   const head = html`<b>${words.wantedText(wanted)}<span class="aim-budget">${words.budgetText(aim.drives)}</span></b>`;
+  if (!known) return html`<p id="aim" class="aim">${head}</p>`;
+  const { measured, isNew } = known;
   if (!measured) return html`<p id="aim" class="aim" role="status">${head} · ${texts.computing}</p>`;
   const { isMet, points, most } = judged(aim, scale, { value: measured.value, drives });
   const now = [
@@ -142,9 +146,10 @@ const apartLine = (apart, back) => html`
   <p id="aim-apart" class="aim-apart"><span>${words.apartText(apart)}</span> <span class="aim-why">${texts.counts}</span>
     <button id="back-to-exercise" type="button" class="link" @click=${back}>${texts.backToExercise}</button></p>`;
 
+/** `drives` null: evolution is asked. @typedef {{ text: string, isGood: boolean, drives: number | null }} Said */
 /** What is said of a receipt that was opened, as long as its run is on screen. @param {WorkTools} tools */
 function createVerdict({ engine, store, actions, paper, links }) {
-  /** @type {{ handin: string, since: number, experiment: object, gains: string, said: { text: string, isGood: boolean } | null } | null} */
+  /** @type {{ handin: string, since: number, experiment: object, gains: string, said: Said | null } | null} */
   let of = null;
   const compute = async (/** @type {State} */ state, /** @type {string} */ gains) => {
     const { handin } = state.student;
@@ -153,11 +158,12 @@ function createVerdict({ engine, store, actions, paper, links }) {
       since: state.work.since,
       experiment: state.experiment,
       gains,
-      said: /** @type {{ text: string, isGood: boolean } | null} */ (null),
+      said: /** @type {Said | null} */ (null),
     };
     of = own;
     const told = toldIn(handin);
-    if (!told || !isWhole(state, engine, links)) own.said = { text: words.broken, isGood: false };
+    if (!told || !isWhole(state, engine, links))
+      own.said = { text: words.broken, isGood: false, drives: null };
     else {
       const measured = await measure(engine, null, state.experiment, gainsOf(state, state.driver, paper));
       const isGood = holds(told, measured);
@@ -168,6 +174,7 @@ function createVerdict({ engine, store, actions, paper, links }) {
       own.said = {
         text: told.program === version ? text : `${text} ${words.otherProgram(told.program, version)}`,
         isGood,
+        drives: state.driver === 'evolved' ? null : told.drives,
       };
     }
     store.redraw();

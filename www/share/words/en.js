@@ -47,6 +47,8 @@ export const texts = {
   makerPoints: 'Points at two values, and between them on a line (or nothing)',
   makerPointsAt: 'points at',
   makerVary: 'Drawn for each student from their number',
+  makerUneven:
+    'What J can be reached differs then from student to student. Ask for a J that all can reach, or for parking.',
   makerPaperInLesson: 'The lesson tells the paper’s gains: it is hidden with them.',
   makerPark:
     'What is tried in Park cannot be handed in. The lab has the same 32 starts, the sliders and evolution.',
@@ -144,6 +146,24 @@ export const ways = [
 
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `${count} of at most ${most} characters`;
+
+/** @typedef {typeof import('../../run/aim.js').most} Most */
+
+/** @param {Exclude<import('../exercise/aim-fields.js').Fields['kind'], 'none'>} kind @param {Most} most */
+export const wrongValue = (kind, most) =>
+  ({
+    cost: `The value of J must be a number above 0 and at most ${most.cost}, for instance 8.1.`,
+    parks: `From how many of how many starts must be like 28/32, with at most ${most.starts} starts.`,
+    unseen: 'The share must be above 0 and at most 1, for instance 0.9 or 90 %.',
+  })[kind];
+
+/** @param {Most} most */
+export const wrongDrives = (most) =>
+  `The number of drives must be a whole number from 1 to ${most.drives}, or nothing.`;
+
+/** @param {Most} most */
+export const wrongPoints = (most) =>
+  `Points need all four: 0 to ${most.points} points at one value, and at another value. Or leave all four empty.`;
 
 /** @type {Readonly<Record<'none' | 'cost' | 'parks' | 'unseen', string>>} */
 export const aims = {

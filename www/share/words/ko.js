@@ -47,6 +47,8 @@ export const texts = {
   makerPoints: '두 값에서의 점수와 그 사이의 직선(비우면 없음)',
   makerPointsAt: '점, 값',
   makerVary: '학번에 따라 학생마다 다르게',
+  makerUneven:
+    '그러면 도달할 수 있는 J가 학생마다 다릅니다. 모두가 도달할 수 있는 J로 하거나 주차를 기준으로 하십시오.',
   makerPaperInLesson: '수업에는 논문의 이득이 나오므로 함께 숨깁니다.',
   makerPark: '주차에서 해 본 것은 제출할 수 없습니다. 실험실에도 같은 출발 32곳과 슬라이더, 진화가 있습니다.',
   makerToLab: '실험실에서 이어서 만들기',
@@ -145,6 +147,23 @@ export const ways = [
 
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;
+
+/** @typedef {typeof import('../../run/aim.js').most} Most */
+
+/** @param {Exclude<import('../exercise/aim-fields.js').Fields['kind'], 'none'>} kind @param {Most} most */
+export const wrongValue = (kind, most) =>
+  ({
+    cost: `J의 기준값은 0보다 크고 ${most.cost} 이하인 수여야 합니다. 예: 8.1`,
+    parks: `출발점 수는 28/32처럼 적어야 하며 ${most.starts}곳까지입니다.`,
+    unseen: '비율은 0보다 크고 1 이하여야 합니다. 예: 0.9 또는 90%',
+  })[kind];
+
+/** @param {Most} most */
+export const wrongDrives = (most) => `주행 횟수는 1부터 ${most.drives}까지의 정수이거나 비어 있어야 합니다.`;
+
+/** @param {Most} most */
+export const wrongPoints = (most) =>
+  `점수는 네 칸을 모두 채워야 합니다. 서로 다른 두 값에서 0점부터 ${most.points}점까지입니다. 또는 네 칸을 모두 비우십시오.`;
 
 /** @type {Readonly<Record<'none' | 'cost' | 'parks' | 'unseen', string>>} */
 export const aims = {

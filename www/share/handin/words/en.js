@@ -15,7 +15,7 @@ export const texts = {
   whoDrawn: 'The exercise was drawn for this name: for another, open its link again.',
   begin: 'Begin',
   whoFirst:
-    'This exercise is a little different for everyone: say who you are, and yours is drawn. What runs until then is not kept.',
+    'Everyone has a slightly different exercise: say who you are, and yours is drawn. What runs until then is not kept.',
   make: 'Make the receipt',
   help: 'Give this to your lecturer as you were told: paste the text, or send the link or the file. Nothing is sent by this page.',
   proves:

@@ -1,0 +1,76 @@
+// An aim within so many drives: what was driven counts on, whatever becomes of the page.
+import assert from 'node:assert/strict';
+import { links } from '../../../www/lesson/links.js';
+import { newWork } from '../../../www/run/state.js';
+import { exerciseLink, receiptOf } from '../../../www/share/handin/receipt.js';
+import { experiment, paper } from '../harness/core.js';
+import { Key, pageTest } from '../harness/browsers.js';
+import { test } from '../harness/once.js';
+import { engine, opened } from './hand-ins.js';
+
+const tools = { engine, links, paper: paper() };
+const free = 'lab&v=1&drives=hand&gains=3.3,0,4.5&task=Few.&aim=J%3C9';
+const budget = free.replace('J%3C9', 'J%3C9;drives%3C%3D3');
+
+test('a link says what was driven where so many drives are allowed, and nowhere else', async () => {
+  for (const [link, tries, generation, said] of /** @type {const} */ ([
+    [budget, 2, 0, 2],
+    [budget, 0, 0, 0],
+    [free, 2, 0, 0],
+    // Evolution is asked again how many it took.
+    [`${budget.replace('&drives=hand', '')}&generation=4`, 2, 4, 2],
+  ])) {
+    const state = await opened(link);
+    const work = { ...newWork(''), tries };
+    const written = links.linkOf({ ...state, generation, work }, experiment);
+    const again = await opened(written);
+    assert.equal(again.student.spent, said, written);
+    assert.equal(/&spent=/.test(written), said > 0);
+    // Neither the exercise nor what a lecturer makes of it has it.
+    assert.doesNotMatch(exerciseLink({ ...state, work }, engine, links), /spent/);
+  }
+  assert.match(links.openLink(`${budget}&spent=-1`, engine).problems[0], /spent.*whole number/);
+});
+
+test('a receipt that is opened counts on from what it says', async () => {
+  const state = await opened(budget);
+  const receipt = await receiptOf(tools, { ...state, work: { ...newWork(''), tries: 3 } });
+  assert.deepEqual([receipt.drives, receipt.judged?.isMet], [3, true]);
+  const again = await opened(receipt.link);
+  const { spent } = again.student;
+  const next = await receiptOf(tools, { ...again, work: { ...newWork('', 0, spent), tries: 1 } });
+  assert.deepEqual([next.drives, next.judged?.isMet], [4, false]);
+});
+
+pageTest(
+  'drives that were made are counted on after a reload, and a receipt is judged by its own',
+  async (page) => {
+    const drives = (/** @type {string} */ text) =>
+      page.until(
+        text,
+        (wanted) => document.querySelector('.aim:not(.late) .aim-drives')?.textContent === wanted,
+        text,
+      );
+    await page.open(`#${budget}`);
+    await drives('0 of 3 drives');
+    for (const digit of ['2', '4']) {
+      await page.focus('#gain-kx');
+      await page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).select());
+      await page.press('3', '.', digit, Key.ENTER);
+    }
+    await drives('2 of 3 drives');
+    await page.until('the address says so', () => /&spent=2/.test(location.hash));
+    await page.driver.navigate().refresh();
+    await drives('2 of 3 drives');
+    const four = await receiptOf(tools, { ...(await opened(budget)), work: { ...newWork(''), tries: 4 } });
+    await page.open(`#${four.link}`);
+    await page.until('it is checked', () => document.querySelector('.work-said'));
+    await drives('4 of 3 drives');
+    assert.match(await page.text('#aim'), /not yet met/);
+    // Of what was cut nobody knows what it was.
+    await page.open(`#${four.link.replace('gains=3.3', 'gains=3.2')}`);
+    await page.until('it is checked', () => document.querySelector('.work-said.bad'));
+    assert.equal(await page.text('#aim'), 'J below 9, within 3 drives');
+    assert.deepEqual(await page.problems(), []);
+  },
+);
