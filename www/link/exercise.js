@@ -18,6 +18,7 @@ import { presets, spentOf } from '../run/state.js';
 import { drawnFor, mostOfWho, undrawn, variedNames } from '../run/variant.js';
 import { link as words } from '../words/index.js';
 import { changesOf, changesText, withChanges } from './experiment.js';
+import { PartlyRead } from './together.js';
 import { number, numberText, oneOf, wholeNumber } from './values.js';
 
 /** @param {Opened} opened @param {Partial<Exercise>} patch @returns {Opened} */
@@ -28,12 +29,12 @@ export const exerciseKeys = [
   {
     key: 'lock',
     text: ({ exercise }) => exercise.locked.join(',') || null,
-    read: (opened, text) => asking(opened, { locked: severalOf(groupNames, text) }),
+    read: (opened, text) => severalOf(groupNames, text, (locked) => asking(opened, { locked })),
   },
   {
     key: 'hide',
     text: ({ exercise }) => exercise.hidden.join(',') || null,
-    read: (opened, text) => asking(opened, { hidden: severalOf(groupNames, text) }),
+    read: (opened, text) => severalOf(groupNames, text, (hidden) => asking(opened, { hidden })),
   },
   {
     key: 'task',
@@ -57,7 +58,7 @@ export const exerciseKeys = [
   {
     key: 'vary',
     text: ({ exercise }) => exercise.vary.join(',') || null,
-    read: (opened, text) => asking(opened, { vary: severalOf(variedNames, text) }),
+    read: (opened, text) => severalOf(variedNames, text, (vary) => asking(opened, { vary })),
   },
   {
     key: 'who',
@@ -164,10 +165,14 @@ export const givenKey = {
   },
 };
 
-/** Some of these, each once and in their order. @template {string} T @param {readonly T[]} names @param {string} text */
-function severalOf(names, text) {
-  const named = text.split(',').map((name) => oneOf(names, name));
-  return names.filter((name) => named.includes(name));
+/** Some of these, each once and in their order. What is none of them is refused, the others are read all the same. @template {string} T @param {readonly T[]} names @param {string} text @param {(several: T[]) => Opened} read */
+function severalOf(names, text, read) {
+  const named = text.split(',');
+  const known = names.filter((name) => named.includes(name));
+  const stranger = named.find((one) => names.every((name) => name !== one));
+  if (stranger === undefined) return read(known);
+  const why = words.expected(words.oneOf(names), stranger);
+  throw known.length > 0 ? new PartlyRead(why, read(known)) : new Error(why);
 }
 
 /** @param {Aim} aim */

@@ -18,7 +18,7 @@ import { asGiven, exerciseKeys, givenKey, givenPairs, withVariant } from './exer
 import { changesOf, namesIn, pathOf, withField } from './experiment.js';
 import { driveKeys, lessonKey, pinKeys } from './keys.js';
 import { isSealed } from './seal.js';
-import { readAll } from './together.js';
+import { PartlyRead, readAll } from './together.js';
 import { decoded, encoded, oneOf, pairOf } from './values.js';
 
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
@@ -165,7 +165,12 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
 const ignoredOf = (refused) => [
   ...refused
     .slice(0, mostNamed)
-    .map(([key, error]) => words.ignored(short(key), short(messageOf(error), mostOfReason))),
+    .map(([key, error]) =>
+      (error instanceof PartlyRead ? words.partlyIgnored : words.ignored)(
+        short(key),
+        short(messageOf(error), mostOfReason),
+      ),
+    ),
   ...(refused.length > mostNamed ? [words.moreIgnored(refused.length - mostNamed)] : []),
 ];
 

@@ -1,5 +1,14 @@
 // Keys of a link that are read together.
 
+/** Of a value that is a list something cannot be read, and the rest is used. */
+export class PartlyRead extends Error {
+  /** @param {string} message @param {unknown} opened What was read. */
+  constructor(message, opened) {
+    super(message);
+    this.opened = opened;
+  }
+}
+
 /**
  * A value may be allowed only beside one that comes after it, as a short sample time is with a short horizon.
  * @template T
@@ -19,6 +28,7 @@ export function readAll(given, opened, read) {
       try {
         opened = read(opened, key, text);
       } catch (error) {
+        if (error instanceof PartlyRead) opened = /** @type {T} */ (error.opened);
         left.push([key, text]);
         refused.push([key, error]);
       }

@@ -8,6 +8,10 @@ export const unknownPart = (found, parts) =>
 export const ignored = (key, reason) =>
   `In the link, ${key} was left out: ${reason}${/[.…]$/.test(reason) ? '' : '.'}`;
 
+/** @param {string} key @param {string} reason */
+export const partlyIgnored = (key, reason) =>
+  `In the link, ${key} was used in part: ${reason}${/[.…]$/.test(reason) ? '' : '.'}`;
+
 /** @param {number} count */
 export const moreIgnored = (count) =>
   count === 1 ? 'One more entry was left out.' : `${count} more entries were left out.`;

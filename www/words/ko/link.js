@@ -8,6 +8,10 @@ export const unknownPart = (found, parts) =>
 export const ignored = (key, reason) =>
   `링크의 ${key} 항목은 쓰지 않았습니다. ${reason.replace(`${key}: `, '')}`;
 
+/** @param {string} key @param {string} reason */
+export const partlyIgnored = (key, reason) =>
+  `링크의 ${key} 항목은 일부만 썼습니다. ${reason.replace(`${key}: `, '')}`;
+
 /** @param {number} count */
 export const moreIgnored = (count) => `그 밖에 ${count}개 항목도 제외했습니다.`;
 
