@@ -72,7 +72,7 @@ fn a_wrong_landscape_is_refused_by_name() {
         (
             |l| l.y.gain = Gain::X,
             [0, 4],
-            "y.gain must be another gain than x.gain, but was x on both",
+            "y.gain must be another gain than x.gain, but was kx on both",
         ),
         (|_| (), [3, 2], "rows must be [first, end] with 0 ≤ first ≤ end ≤ 4, but was [3, 2]"),
         (|_| (), [0, 5], "rows must be [first, end] with 0 ≤ first ≤ end ≤ 4, but was [0, 5]"),

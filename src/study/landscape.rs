@@ -1,7 +1,7 @@
 //! J over two gains.
 
 use super::part::{read_part, validate_part};
-use super::starts::{MAX_AXIS_COUNT, Range};
+use super::starts::{AXIS_COUNT, Range};
 use crate::robot::{Gains, Triples};
 use crate::run::{Setting, Work};
 use crate::schema::{
@@ -62,7 +62,7 @@ record! { required (Copy)
         /// The last value.
         pub to: f64 => "to",
         /// How many values.
-        pub count: u32 => "count" in Allowed::whole(0, MAX_AXIS_COUNT),
+        pub count: u32 => "count" in AXIS_COUNT,
         /// Whether they are spaced evenly in the logarithm.
         pub log: bool => "log" [optional],
     }
@@ -135,7 +135,7 @@ impl Landscape {
         self.x.validate("x")?;
         self.y.validate("y")?;
         if self.x.gain == self.y.gain {
-            let found = format!("{} on both", ["x", "y", "theta"][self.y.gain as usize]);
+            let found = format!("{} on both", ["kx", "ky", "ktheta"][self.y.gain as usize]);
             return Err(InvalidInput::new("y.gain", "another gain than x.gain", found));
         }
         let [first, end] = validate_part("rows", rows, self.y.count)?;

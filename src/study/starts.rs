@@ -22,7 +22,7 @@ record! { required (Copy)
         /// How far they are from it.
         pub radius: f64 => "radius",
         /// How many.
-        pub count: u32 => "count" in Allowed::whole(0, MAX_STARTS),
+        pub count: u32 => "count" in Allowed::whole(1, MAX_STARTS),
         /// The seed of their headings.
         pub seed: u32 => "seed" in Allowed::SEED,
     }
@@ -73,7 +73,7 @@ record! { required (Copy)
         /// The last value.
         pub to: f64 => "to",
         /// How many.
-        pub count: u32 => "count" in Allowed::whole(0, MAX_AXIS_COUNT),
+        pub count: u32 => "count" in AXIS_COUNT,
     }
 }
 
@@ -97,7 +97,7 @@ impl Range {
 /// Most values on one axis of a grid or a landscape.
 pub const MAX_AXIS_COUNT: u32 = 1024;
 
-const AXIS_COUNT: Allowed = Allowed::whole(1, MAX_AXIS_COUNT);
+pub(crate) const AXIS_COUNT: Allowed = Allowed::whole(1, MAX_AXIS_COUNT);
 
 /// Positions on a grid, each with several headings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -221,8 +221,7 @@ impl PartOfGrid {
         let none = Range { from: 0.0, to: 0.0, count: 0 };
         let range = |name| read_whole(none, &given.field(name), at(name), &Allowed::ANY);
         let [x, y] = [range("x")?, range("y")?];
-        let counts = Allowed::whole(0, MAX_AXIS_COUNT);
-        let headings = read_whole(0, &given.field("headings"), at("headings"), &counts)?;
+        let headings = read_whole(0, &given.field("headings"), at("headings"), &AXIS_COUNT)?;
         let grid = StartGrid { x, y, headings };
         let part = read_part(&given.field("part"), at("part"), grid.most())?;
         Ok(Self { grid, part })
