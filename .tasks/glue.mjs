@@ -1,5 +1,5 @@
-// What wasm-bindgen writes beside the module, as the package gives it: a call before init() says so, nothing in sight has a
-// name of the core's inside, and the types need no library but the language's own.
+// What wasm-bindgen writes beside the module, as the package gives it: a call before init() says so, and so does one of what was
+// freed; nothing in sight has a name of the core's inside, and the types need no library but the language's own.
 import { readFileSync, writeFileSync } from 'node:fs';
 
 /** Each text stands there once, or wasm-bindgen has changed. @type {readonly (readonly [string, string])[]} */
@@ -11,6 +11,11 @@ const glue = [
         throw new Error('ep-locomotion: call init() and wait for it before anything else');
     },
 });
+// Of what is freed the pointer is 0.
+function alive({ __wbg_ptr }) {
+    if (__wbg_ptr === 0) throw new Error('ep-locomotion: it was freed, and is not to be used any more');
+    return __wbg_ptr;
+}
 let wasmModule, wasmInstance, wasm = absent;`,
   ],
   [
@@ -53,7 +58,9 @@ export function tidyGlue(folder) {
     if (text.split(from).length !== 2) throw new Error(`${script} has not once: ${from}`);
     text = text.replace(from, to);
   }
-  writeFileSync(script, withoutStart(text, script));
+  const used = /(wasm\.\w+\(|const ptr = )this\.__wbg_ptr\b/g;
+  if (!used.test(text)) throw new Error(`${script} has no pointers`);
+  writeFileSync(script, withoutStart(text.replace(used, '$1alive(this)'), script));
 
   const declared = readFileSync(types, 'utf8');
   const at = declared.indexOf('export type InitInput');
