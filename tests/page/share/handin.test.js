@@ -15,7 +15,7 @@ import {
 import { gainsOf } from '../../../www/run/drivers.js';
 import { newWork } from '../../../www/run/state.js';
 import { createEngine, evaluate, evolve, experiment, paper, simulate } from '../harness/core.js';
-import { pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { frameOf, heardFrom, inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
@@ -245,4 +245,24 @@ pageTest('whatever an aim wants is measured while one drives, with the gains as 
     }
     assert.deepEqual(await page.problems(), [], aim);
   }
+});
+
+pageTest('a receipt is one person’s: where the name is corrected it is made anew', async (page) => {
+  await page.open(`#${exercise}${byHand}`);
+  await page.until('it can be handed in', () => document.getElementById('hand-in'));
+  await page.click('#hand-in');
+  await page.until('it asks who', () => document.activeElement?.id === 'handin-who');
+  await page.press(...'kim', Key.ENTER);
+  await page.until('the receipt is there', () => document.getElementById('handin-text'));
+  assert.equal(await page.text('#handin-status'), 'The receipt is made.');
+  await page.press(...'berly');
+  await page.until('it is none any more', () => !document.getElementById('handin-text'));
+  await page.press(Key.ENTER);
+  await page.until('there is another', () =>
+    /Name: kimberly\n/.test(
+      /** @type {HTMLTextAreaElement | null} */ (document.getElementById('handin-text'))?.value ?? '',
+    ),
+  );
+  assert.deepEqual(await page.obstacles(), []);
+  assert.deepEqual(await page.problems(), []);
 });

@@ -54,7 +54,7 @@ export function createHandInSheet(tools) {
       if (!isWanted()) return;
       const address = receiptAddress(receipt.link);
       handed = { receipt, address, text: words.receiptText(receipt, address) };
-      say('');
+      say(texts.made);
       onHandIn(handed);
     } catch (error) {
       if (isWanted()) say(words.failed(messageOf(error)));
@@ -70,8 +70,10 @@ export function createHandInSheet(tools) {
       say('');
     },
     name() {
-      const who = tidyTask(typed);
-      if (!who) return document.getElementById('handin-who')?.focus();
+      const field = /** @type {HTMLInputElement} */ (document.getElementById('handin-who'));
+      const who = tidyTask(field.value);
+      if (!who) return field.focus();
+      typed = who;
       actions.setWho(who);
       make();
     },
@@ -112,12 +114,15 @@ function contentOf({ exercise, student: { who } }, typed, handed, status, on) {
           <button id="handin-copy" type="button" class="primary" @click=${on.copyText}>${texts.copyText}</button>
           <button id="handin-copy-link" type="button" @click=${on.copyLink}>${texts.copyLink}</button>
           <button id="handin-save" type="button" @click=${on.save}>${texts.save}</button>
-        </div>
-        ${status ? html`<p id="handin-status" role="status">${status}</p>` : nothing}
-        <textarea id="handin-text" rows="9" readonly spellcheck="false" aria-label=${texts.text} .value=${live(handed.text)} @focus=${selectAll}></textarea>
+        </div>`
+      : html`<p class="muted">${texts.whoHelp}</p>`
+  }
+  <p id="handin-status" role="status">${status}</p>
+  ${
+    handed
+      ? html`<textarea id="handin-text" rows="9" readonly spellcheck="false" aria-label=${texts.text} .value=${live(handed.text)} @focus=${selectAll}></textarea>
         <input id="handin-link" type="text" readonly aria-label=${texts.link} .value=${live(handed.address)} @focus=${selectAll}>
         <p class="muted">${texts.help} ${texts.proves}</p>`
-      : html`<p class="muted">${texts.whoHelp}</p>
-        ${status ? html`<p id="handin-status" role="status">${status}</p>` : nothing}`
+      : nothing
   }`;
 }

@@ -26,6 +26,7 @@ export const texts = {
   copyLink: 'Copy the link',
   save: 'Save as a file',
   computing: 'Computing …',
+  made: 'The receipt is made.',
   counts: 'It counts in the exercise as it was given.',
   backToExercise: 'Back to the exercise’s',
 };

@@ -26,6 +26,7 @@ export const texts = {
   copyLink: '링크 복사',
   save: '파일로 저장',
   computing: '계산하는 중…',
+  made: '제출물을 만들었습니다.',
   counts: '판정은 주어진 과제로 합니다.',
   backToExercise: '주어진 대로 되돌리기',
 };
