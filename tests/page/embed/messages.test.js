@@ -199,3 +199,94 @@ test('of a core that fails under a question the page is told once', async (t) =>
   for (const { type } of await Promise.all(questions.map(asked))) assert.equal(type, 'error');
   assert.deepEqual(reported, [held.error]);
 });
+
+test('fields that are left out are those of the figure’s preset, and a run that is spread stays what it is', async () => {
+  const { messages, asked } = figureOf({
+    link: 'lab&v=1&preset=acceleration-limits&seed=7&population=40&limits.speed=1',
+  });
+  await messages.ready();
+  const { experiment: run } = await asked({ type: 'read' });
+  // As postMessage has it: nothing tells from which preset a copy is.
+  const { link, experiment: kept } = await asked({
+    type: 'set',
+    experiment: structuredClone({ ...run, goal: { x: 3, y: 1, theta: 0 } }),
+  });
+  assert.equal(
+    link,
+    'lab&v=1&preset=acceleration-limits&goal.x=3&goal.y=1&goal.theta=0deg&limits.speed=1&population=40&seed=7',
+  );
+  assert.deepEqual(kept.limits, run.limits);
+  const { experiment: anew } = await asked({ type: 'set', experiment: { goal: { x: 3 } } });
+  assert.deepEqual(anew, experiment('acceleration-limits', { goal: { x: 3 } }));
+  const { experiment: slow } = await asked({
+    type: 'set',
+    experiment: structuredClone({ ...run, limits: { speed: 0.5 } }),
+  });
+  assert.deepEqual(slow.limits, { ...experiment('acceleration-limits').limits, speed: 0.5 });
+});
+
+/** As many as no figure comes to at once. */
+const many = 10_000;
+
+test('a pause ends what was asked before it, which tells how far it came, and the answers stay in their order', async () => {
+  const { messages, asked, said, store } = figureOf({ link: 'lab&v=1&seed=7' });
+  await messages.ready();
+  const stepped = asked({ type: 'step', generations: many });
+  const waiting = asked({ type: 'step', generations: many });
+  while (store.get().generation === 0) await breathe();
+  said.length = 0;
+  const paused = asked({ type: 'pause' });
+  const answers = await Promise.all([stepped, waiting, paused]);
+  const { generations } = answers[0];
+  assert.ok(generations > 0 && generations < many);
+  assert.deepEqual(
+    answers.map((answer) => [answer.type, answer.generations, answer.problems, answer.evolving]),
+    Array(3).fill(['state', generations, [], false]),
+  );
+  assert.deepEqual(
+    said.map(({ id }) => id).filter((id) => id !== undefined),
+    [1, 2, 3],
+  );
+  // What is asked after it goes on.
+  const further = await asked({ type: 'step', generations: 2 });
+  assert.equal(further.generations, generations + 2);
+
+  const set = asked({ type: 'set', experiment: {}, gains: [4, 1, 6], generation: many });
+  while (store.get().generation > many / 2 || !store.get().catchingUp) await breathe();
+  const [left] = await Promise.all([set, asked({ type: 'pause' })]);
+  assert.deepEqual([left.type, left.drive.gains, left.evolving], ['state', [4, 1, 6], false]);
+  assert.ok(left.generations < many && left.generation === left.generations);
+});
+
+test('what only reads, or is refused, waits for no generation, and reads nothing older than what was set', async () => {
+  const { messages, asked, store } = figureOf({ link: 'lab&v=1&seed=7' });
+  await messages.ready();
+  const set = asked({ type: 'set', link: `lab&v=1&seed=9&generation=${many}` });
+  const { experiment: begun, generations } = await asked({ type: 'read' });
+  assert.equal(begun.evolution.seed, 9);
+  assert.ok(generations < many);
+  const { type, message } = await asked({ type: 'step', generations: 0 });
+  assert.deepEqual([type, /^generations must be/.test(message)], ['error', true]);
+  assert.ok(store.get().catchingUp);
+  await Promise.all([set, asked({ type: 'pause' })]);
+
+  // What is refused when its turn comes keeps nobody waiting either.
+  const refused = asked({ type: 'set', experiment: { flavour: 'red' } });
+  assert.equal((await asked({ type: 'read' })).experiment.evolution.seed, 9);
+  assert.match((await refused).message, /flavour/);
+});
+
+test('what was set begins all the same when a pause ends it', async () => {
+  const { engine, open } = slowEngine();
+  const { messages, asked, store } = figureOf({ engine });
+  await messages.ready();
+  const set = asked({ type: 'set', link: 'lab&v=1&population=2000&generation=50' });
+  while (!store.get().computing) await breathe();
+  const paused = asked({ type: 'pause' });
+  open();
+  const answers = await Promise.all([set, paused]);
+  for (const { experiment: begun, generations, evolving } of answers) {
+    assert.equal(begun.evolution.population, 2000);
+    assert.ok(generations < 50 && !evolving);
+  }
+});
