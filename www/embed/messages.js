@@ -3,7 +3,7 @@
 // Every message is an object with ep: 1, the version, and a type. The page around the figure may send
 //
 //   { ep: 1, type: 'set', link }                                  opens a link: an address of this page, or what follows its #
-//   { ep: 1, type: 'set', experiment, gains, generation }         begins an experiment, in which any field may be left out
+//   { ep: 1, type: 'set', experiment, gains, generation }         begins an experiment; fields left out are those of the figure's preset
 //   { ep: 1, type: 'step', generations }                          so many generations on, at once; 1 when left out
 //   { ep: 1, type: 'run' }   { ep: 1, type: 'pause' }             as the figure's own button does
 //   { ep: 1, type: 'read' }
