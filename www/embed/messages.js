@@ -236,24 +236,25 @@ function inTurn() {
   };
 }
 
-/** @param {Parts} parts @param {readonly string[]} problems @returns {Report} */
+/** Where a run goes on, its newest generation may still be driving: what is told is the one that is seen. @param {Parts} parts @param {readonly string[]} problems @returns {Report} */
 function report({ engine, store, links, seen }, problems) {
-  const state = store.get();
-  const { experiment, generation, history, evolving } = state;
+  const { history, evolving } = store.get();
+  const { state, ...driven } = seen();
+  const { experiment, generation } = state;
   return {
     link: links.linkOf(state, engine.experiment),
     experiment,
     generation,
     generations: history.length - 1,
     evolving,
-    statistics: history[generation],
-    drive: driveOf(seen()),
+    statistics: state.history[generation],
+    drive: driveOf(driven),
     hash: engine.hash(),
     problems,
   };
 }
 
-/** Of the robot in ink. @param {Seen} seen @returns {Report['drive']} */
+/** Of the robot in ink. @param {Pick<Seen, 'scene' | 'failure'>} seen @returns {Report['drive']} */
 function driveOf({ scene, failure }) {
   if (failure) throw failure;
   const { cost, arrived, finalTime } = scene.driving;

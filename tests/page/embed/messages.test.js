@@ -1,69 +1,11 @@
-// How a figure answers its host where drives cannot be had, or the core has failed.
+// How a figure answers its host: in which order, and where drives cannot be had, or the core has failed.
 import assert from 'node:assert/strict';
 import { Pending } from '../../../www/core/pending.js';
-import { createMessages } from '../../../www/embed/messages.js';
 import { breathe } from '../../../www/kit/loop.js';
-import { links } from '../../../www/lesson/links.js';
-import { places } from '../../../www/parts/parts.js';
-import { createActions } from '../../../www/run/actions/actions.js';
-import { atEnd } from '../../../www/run/clock.js';
-import { firstState } from '../../../www/run/first.js';
-import { createScene, createSight } from '../../../www/run/scene.js';
-import { createStore } from '../../../www/run/store.js';
-import { createEngine, experiment, simulate } from '../harness/core.js';
+import { experiment, historyOf, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { slowEngine } from '../harness/slow-engine.js';
-
-/** A figure without a document, in which what drives on screen may be held up. @param {{ link?: string, engine?: ReturnType<typeof createEngine> }} [options] */
-function figureOf({ link, engine = createEngine() } = {}) {
-  const paper = engine.paper();
-  const first = firstState(engine, 'velocity-limits', atEnd);
-  const store = createStore(first, () => {});
-  /** What the drives on screen come to in the place of runs. @type {{ error: Error | null }} */
-  const held = { error: null };
-  /** @type {typeof engine.drive} */
-  const drive = (from, gains) => {
-    if (held.error) throw held.error;
-    return engine.drive(from, gains);
-  };
-  const sight = createSight(
-    createScene(drive, paper, () => null),
-    first,
-    () => {},
-    () => {},
-  );
-  const seen = () => sight.of(store.get());
-  const means = { engine, store, paper, finalTime: () => 1, isStill: () => true, places };
-  const actions = createActions(means);
-  if (link) actions.openLinked(links.openLink(link, engine).opened, []);
-  /** @type {any[]} */
-  const said = [];
-  /** @type {Map<unknown, (message: any) => void>} */
-  const waiting = new Map();
-  const messages = createMessages(
-    {
-      engine,
-      store,
-      actions,
-      links,
-      seen,
-      answersOf: () => ({}),
-      whenSeen: () => sight.whenSeen(store.get),
-    },
-    (message) => {
-      said.push(message);
-      waiting.get(/** @type {{ id?: unknown }} */ (message).id)?.(message);
-    },
-  );
-  /** @param {object} message @returns {Promise<any>} */
-  const asked = (message) =>
-    new Promise((resolve) => {
-      const id = waiting.size + 1;
-      waiting.set(id, resolve);
-      messages.hear({ ep: 1, id, ...message });
-    });
-  return { messages, actions, said, held, seen, asked, store };
-}
+import { figureOf } from './figure.js';
 
 test('a link that is still being computed is what a figure is ready with, and goes on from', async () => {
   const { engine, open } = slowEngine();
@@ -289,4 +231,33 @@ test('what was set begins all the same when a pause ends it', async () => {
     assert.equal(begun.evolution.population, 2000);
     assert.ok(generations < 50 && !evolving);
   }
+});
+
+test('of a run that goes on the drive is told with the generation that it belongs to', async () => {
+  // Each of its first generations has another best.
+  const { messages, actions, held, seen, asked } = figureOf({ link: 'lab&v=1&seed=4' });
+  await messages.ready();
+  const best = historyOf(experiment({ evolution: { seed: 4 } }), 3).map((one) => String(one.best.gains));
+  assert.equal(new Set(best).size, 4);
+  /** What ends the wait for the drive of each. @type {(() => void)[]} */
+  const open = [];
+  const waits = best.map((_, i) => new Promise((resolve) => (open[i] = () => resolve(null))));
+  let arrived = 0;
+  held.of = (gains) => {
+    const i = best.indexOf(String(gains));
+    return i > arrived ? new Pending(waits[i]) : null;
+  };
+  actions.forward();
+  assert.ok(seen().isComputing);
+  const answer = asked({ type: 'read' });
+  await breathe();
+  for (const i of [1, 2]) {
+    actions.forward();
+    arrived = i;
+    open[i]();
+    await breathe();
+  }
+  const { generation, generations, drive, statistics, link } = await answer;
+  assert.deepEqual([generation, generations, link], [2, 3, 'lab&v=1&seed=4&generation=2']);
+  assert.deepEqual(drive.gains, statistics.best.gains);
 });
