@@ -14,8 +14,8 @@ export function figureOf({ link, engine = createEngine() } = {}) {
   const paper = engine.paper();
   const first = firstState(engine, 'velocity-limits', atEnd);
   const store = createStore(first, () => {});
-  /** What the drives on screen come to in the place of runs, and that of a single robot with these gains. @type {{ error: Error | null, of: (gains: readonly number[]) => Error | null }} */
-  const held = { error: null, of: () => null };
+  /** What the drives on screen come to in the place of runs, and that of a single robot with these gains. `waits`: how many answers have waited for them. @type {{ error: Error | null, of: (gains: readonly number[]) => Error | null, waits: number }} */
+  const held = { error: null, of: () => null, waits: 0 };
   /** @type {typeof engine.drive} */
   const drive = (from, gains) => {
     const error = held.error ?? (gains.length === 1 ? held.of(gains[0]) : null);
@@ -44,7 +44,10 @@ export function figureOf({ link, engine = createEngine() } = {}) {
       links,
       seen,
       answersOf: () => ({}),
-      whenSeen: () => sight.whenSeen(store.get),
+      whenSeen() {
+        held.waits += 1;
+        return sight.whenSeen(store.get);
+      },
     },
     (message) => {
       said.push(message);
