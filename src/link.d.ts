@@ -2,7 +2,7 @@ import type { Experiment, Preset } from '../pkg/ep_locomotion.js';
 
 /** What a link of the page runs. */
 export interface LinkedRun {
-  /** The part of the page. */
+  /** The part of the page, or `lesson`; `lab` where the link names none that is there. */
   part: string;
   /** The preset from which the experiment differs. */
   preset: Preset;
@@ -16,10 +16,10 @@ export interface LinkedRun {
   gains: readonly [number, number, number] | null;
   /**
    * What else the link carries, as text, by its key: what is about the page alone, and what is not applied here (`vary`,
-   * `who`, `from`, `under`, `step`).
+   * `who`, also where it stands before the # or after a ?, `given`, `from`, `under`, `step`).
    */
   others: Record<string, string>;
-  /** What of it is wrong, and was left as it is in the preset. */
+  /** What of it is wrong, in words, and was left as it is without it. What stands in `others` is not looked at, but `v` and the step of the lesson. */
   problems: string[];
 }
 

@@ -1,22 +1,35 @@
 // The package's `ep-locomotion/link`: what a link of the page runs. It reads numbers as the page does, and none of its words but
 // those that say what is wrong.
 import { experiment as completed, evaluate } from '../pkg/ep_locomotion.js';
+import { stepNamed } from '../www/lesson/path.js';
 import { pathOf, withField } from '../www/link/experiment.js';
 import { readAll } from '../www/link/together.js';
-import { oneOf, pairOf, triple, wholeNumber } from '../www/link/values.js';
+import { decoded, oneOf, pairOf, triple, wholeNumber } from '../www/link/values.js';
+import { drivers, presets } from '../www/run/state.js';
+import * as words from '../www/words/en/link.js';
 
 /** @typedef {import('./link.d.ts').LinkedRun} LinkedRun */
 
-const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
+/** Of the page, which loads much to know them. */
+const parts = 'lab park generation curves landscape robustness training disturbance luck'.split(' ');
 
+const version = 1;
 /** As long as what the page reads. */
 const mostCharacters = 20_000;
+const mostOfName = 60;
+
+/** What is about the page, or not applied here. @param {LinkedRun} run @param {string} key @param {string} text */
+const kept = (run, key, text) => ({ ...run, others: { ...run.others, [key]: text } });
 
 /** What is read besides the fields of the experiment. @type {Record<string, (run: LinkedRun, text: string) => LinkedRun>} */
 const keys = {
+  v(run, text) {
+    if (text !== String(version)) throw new Error(words.otherVersion(text, version));
+    return kept(run, 'v', text);
+  },
   preset: (run, text) => ({ ...run, preset: oneOf(presets, text) }),
   generation: (run, text) => ({ ...run, generation: wholeNumber(text, 100_000) }),
-  drives: (run, text) => ({ ...run, drives: text }),
+  drives: (run, text) => ({ ...run, drives: oneOf(drivers, text) }),
   gains(run, text) {
     const gains = triple(text);
     // The core knows which gains cannot be driven; one sample tells.
@@ -28,29 +41,56 @@ const keys = {
 /** Whether a key is a field of the experiment, or a shorter name of one. @param {string} key @param {object} experiment */
 const isField = (key, experiment) => pathOf(key).split('.')[0] in experiment;
 
+/** A link as the page reads it: from HTML `&` comes as `&amp;`, and learning platforms add `?name=value` to the end of an address, or who works there before its #. @param {string} link */
+function asWritten(link) {
+  const whole = link.replaceAll('&amp;', '&');
+  const at = whole.indexOf('#');
+  const text = whole.slice(at + 1, mostCharacters).replace(/\?(?=\w+=)/g, '&');
+  const [, asked = ''] = whole.slice(0, Math.max(at, 0)).split('?');
+  const who = new URLSearchParams(asked).get('who');
+  return { text, others: /** @type {Record<string, string>} */ (who ? { who } : {}) };
+}
+
+/** What the page would say before it reads a value. @param {string} name @param {ReadonlyMap<string, string>} given */
+function misplaced(name, given) {
+  const isThere = name === 'lesson' || parts.includes(name);
+  const step = name === 'lesson' ? given.get('step') : given.get('lesson');
+  return [
+    ...(isThere ? [] : [words.unknownPart(decoded(name).slice(0, mostOfName), parts)]),
+    ...(step === undefined || stepNamed(step).isThere ? [] : [words.noStep(step.slice(0, mostOfName))]),
+  ];
+}
+
 /** @type {typeof import('./link.d.ts').openLink} */
 export function openLink(link) {
-  const text = link.slice(link.indexOf('#') + 1, mostCharacters).replaceAll('&amp;', '&');
-  const [part, ...rest] = text.split('&');
+  if (typeof link !== 'string') {
+    const found = Object(link) === link ? `of type ${typeof link}` : String(link);
+    throw new TypeError(`link must be a text, but was ${found}`);
+  }
+  const { text, others } = asWritten(link);
+  const [name, ...rest] = text.split('&');
   const given = new Map(rest.filter((pair) => pair !== '').map(pairOf));
+  const problems = misplaced(name || 'lab', given);
   const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
   /** @type {LinkedRun} */
   const first = {
-    part: part || 'lab',
+    part: name === 'lesson' || parts.includes(name) ? name : 'lab',
     preset,
     experiment: completed(preset),
     generation: 0,
     drives: 'evolved',
     gains: null,
-    others: {},
-    problems: [],
+    others,
+    problems,
   };
   const { opened, refused } = readAll(given, first, (run, key, value) => {
     if (Object.hasOwn(keys, key)) return keys[key](run, value);
-    if (!isField(key, run.experiment)) return { ...run, others: { ...run.others, [key]: value } };
+    if (!isField(key, run.experiment)) return kept(run, key, value);
     return { ...run, experiment: completed(withField(run.experiment, pathOf(key), value)) };
   });
-  const problems = refused.map(([key, error]) => `${key}: ${/** @type {Error} */ (error).message}`);
+  problems.push(...refused.map(([key, error]) => `${key}: ${/** @type {Error} */ (error).message}`));
   if (link.length > mostCharacters) problems.push(`of ${link.length} characters ${mostCharacters} were read`);
-  return { ...opened, problems };
+  if (opened.drives !== 'hand' || opened.gains !== null) return opened;
+  problems.push(`drives: ${words.noGains}`);
+  return { ...opened, drives: 'evolved' };
 }

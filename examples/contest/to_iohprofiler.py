@@ -29,7 +29,25 @@ def runs_of(file):
         for row in csv.DictReader(rows):
             runs = contestants.setdefault(row["contestant"], {})
             runs.setdefault(row["seed"], []).append((int(row["drive"]), row["J"]))
+            # What is no number is not to be found out half way.
+            int(row["seed"]), float(row["J"])
     return contestants
+
+
+def asked(arguments):
+    """The runs, the folder and the budget; or one sentence says what is wrong."""
+    if len(arguments) != 3 or not arguments[2].isdecimal():
+        sys.exit("usage: python to_iohprofiler.py contest.csv contest-ioh 4000")
+    file, folder, budget = arguments
+    try:
+        contestants = runs_of(file)
+    except OSError as error:
+        sys.exit(f"{file} cannot be read: {error.strerror}.")
+    except (KeyError, TypeError, ValueError, csv.Error):
+        contestants = {}
+    if not contestants:
+        sys.exit(f"{file} is not the CSV of a contest, which has the columns contestant, seed, drive and J.")
+    return contestants, Path(folder), int(budget)
 
 
 def write(contestant, runs, folder, budget):
@@ -93,8 +111,7 @@ def write_aligned(contestants, file, budget):
 
 
 if __name__ == "__main__":
-    contestants = runs_of(sys.argv[1])
-    folder, budget = Path(sys.argv[2]), int(sys.argv[3])
+    contestants, folder, budget = asked(sys.argv[1:])
     last = max((falls[-1][0] for runs in contestants.values() for falls in runs.values()), default=0)
     if last > budget:
         sys.exit(f"A J fell at drive {last}: the budget is not {budget}.")

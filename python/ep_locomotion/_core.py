@@ -53,7 +53,7 @@ class Instance:
                 self.is_lost = True
                 raise InternalError(f"ep-locomotion: internal error ({self._last_words()})") from None
         if refused:
-            raise ValueError(answer.decode())
+            raise ValueError(_in_python(answer.decode()))
         return answer
 
     def _write(self, asked):
@@ -80,6 +80,12 @@ class Instance:
 
 #: Room for an experiment and a few gains.
 _USUAL = 1 << 12
+
+
+def _in_python(message):
+    """What is left out is undefined in JavaScript alone."""
+    absent = "but was undefined"
+    return message[: -len(absent)] + "but was missing" if message.endswith(absent) else message
 
 
 def _unsigned(address):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import TYPE_CHECKING, Any
 
 from ._bytes import decoded, encoded
@@ -58,9 +59,7 @@ class Evolution:
 
     def step(self, generations: int = 1) -> Statistics:
         """Evolves so many generations; the newest in short."""
-        if isinstance(generations, bool) or not isinstance(generations, int) or generations < 1:
-            raise ValueError(f"generations must be a whole number from 1, but was {generations!r}")
-        for _ in range(generations):
+        for _ in range(whole_number(generations)):
             self._ready()
             answer = self._advance()
         return decoded(answer)
@@ -92,6 +91,17 @@ def _evolved(experiment, generation):
     for _ in range(generation):
         evolution._advance()
     return evolution
+
+
+def whole_number(generations):
+    """So many, also as one of numpy's integers."""
+    try:
+        count = 0 if isinstance(generations, bool) else operator.index(generations)
+    except TypeError:
+        count = 0
+    if count < 1:
+        raise ValueError(f"generations must be a whole number from 1, but was {generations!r}")
+    return count
 
 
 def row(statistics):

@@ -19,7 +19,7 @@ import anywidget
 import traitlets
 
 from ._bytes import one_triple
-from ._evolution import row
+from ._evolution import row, whole_number
 from ._task import experiment as whole_experiment
 
 _here = Path(__file__).parent
@@ -75,7 +75,7 @@ class EpLocomotion(anywidget.AnyWidget):
 
     def step(self, generations=1):
         """Evolves so many generations more than there are."""
-        self._wanted = max(self._wanted, len(self._statistics) - 1) + generations
+        self._wanted = max(self._wanted, len(self._statistics) - 1) + whole_number(generations)
 
     @property
     def history(self):

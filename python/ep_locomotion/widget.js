@@ -3,6 +3,20 @@
 /** A running evolution is told to Python no more often, in milliseconds. */
 const pause = 250;
 
+/** The figure takes no more generations at once. */
+const mostAtOnce = 10_000;
+
+/** Whether it has fields of its own. @param {unknown} value */
+const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/** An experiment, or a part of one, with some fields other. @param {any} whole @param {any} fields @returns {any} */
+function changed(whole, fields) {
+  const copy = { ...whole };
+  for (const [name, value] of Object.entries(fields))
+    copy[name] = isObject(value) && isObject(whole[name]) ? changed(whole[name], value) : value;
+  return copy;
+}
+
 /** The page, which Python has sent along. @param {DataView<ArrayBuffer>} packed @returns {Promise<Blob>} */
 function unpacked(packed) {
   const text = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
@@ -54,13 +68,20 @@ async function render({ model, el }) {
       refusal.textContent = message;
     });
   };
+  /** How many are to come at once. */
+  const missing = () => Math.min(model.get('_wanted') - (history.length - 1), mostAtOnce);
   const advance = async () => {
-    const missing = model.get('_wanted') - (history.length - 1);
-    if (missing > 0) await figure.step(missing);
+    for (let count = missing(); count > 0; count = missing()) {
+      const wanted = history.length + count;
+      await figure.step(count);
+      // Who sits before the figure has stopped it.
+      if (history.length < wanted) return;
+    }
   };
-  const forget = () => {
-    model.set('error', '');
-    refusal.textContent = '';
+  const complain = (/** @type {string} */ message) => {
+    refusal.textContent = message;
+    model.set('error', message);
+    model.save_changes();
   };
   /** The same run, with the robot that these gains drive; without any, that of the generation. */
   const drive = async () => {
@@ -69,16 +90,17 @@ async function render({ model, el }) {
     await figure.set({ experiment, gains, generation });
   };
   const begin = async () => {
-    forget();
-    figure.link = model.get('link');
-    const experiment = model.get('experiment');
-    // The answer comes when the link is opened, whatever is asked.
-    await (Object.keys(experiment).length > 0 ? figure.set({ experiment }) : figure.read());
+    complain('');
+    // Once all of it is there.
+    const { experiment, problems } = await figure.set({ link: model.get('link') });
+    complain(problems.join(' '));
+    const fields = model.get('experiment');
+    if (Object.keys(fields).length > 0) await figure.set({ experiment: changed(experiment, fields) });
     if (model.get('gains')) await drive();
     await advance();
   };
   const driveAnew = async () => {
-    forget();
+    complain('');
     await drive();
   };
   const beginInTurn = () => inTurn(begin);

@@ -54,6 +54,9 @@ export function engineOf({ surveys: createSurveys, pool, lone }) {
     /** @param {Preset | PartialExperiment} from */
     experiment: (from) => experiment(from),
 
+    /** What of a preset these fields make, whatever they were copied from. @param {Preset} preset @param {PartialExperiment} changes */
+    changed: (preset, changes) => experiment(preset, changes),
+
     ...evolution,
 
     /** An evolution beside the run, on this thread: for what takes little. @param {Experiment} from @returns {{ statistics: () => Generation['statistics'], population: () => Individual[], step: () => Generation['statistics'], free: () => void }} */

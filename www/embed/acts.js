@@ -13,24 +13,36 @@ import { pause } from '../kit/loop.js';
 /** As long as a frame that still looks smooth. */
 export const sliceMilliseconds = 12;
 
+/** Of one message: whether a pause has ended it, and what is done once what it sets has begun. @typedef {{ isEnded: () => boolean, begun: () => void }} Turn */
+
+/** @type {Turn} */
+const alone = { isEnded: () => false, begun() {} };
+
 /**
  * @param {Parts} parts
  * @param {{ announce: () => void, remember: () => void, hasFailed: () => boolean }} figure It announces what is new, or remembers it as told, until the core has failed.
  */
 export function createActs({ engine, store, actions, links }, { announce, remember, hasFailed }) {
+  /** What goes on by itself, or a generation that is waited for, does so no longer. */
+  const leaveOff = () => {
+    const { evolving, computing } = store.get();
+    if (evolving || computing?.what === 'generation') actions.pauseEvolution();
+  };
+
   /** Lets a run begin, and come as far as its link says, without the frames of the page: where nobody sees it there are none. */
-  const arrive = async () => {
+  const arrive = async ({ isEnded } = alone) => {
     await actions.whenIdle();
-    while (store.get().catchingUp && store.get().evolving && !hasFailed()) {
+    while (store.get().catchingUp && store.get().evolving && !hasFailed() && !isEnded()) {
       const end = performance.now() + sliceMilliseconds;
       actions.evolve(() => performance.now() < end);
       await actions.whenIdle();
       await pause();
     }
+    if (isEnded()) leaveOff();
   };
 
-  /** @param {Opened} opened */
-  const open = async (opened) => {
+  /** @param {Opened} opened @param {Turn} turn */
+  const open = async (opened, turn) => {
     // What stood in the way before is no answer to this.
     actions.say('');
     actions.openLinked(opened, []);
@@ -38,7 +50,8 @@ export function createActs({ engine, store, actions, links }, { announce, rememb
     if (store.get().experiment !== opened.experiment) throw new Error(store.get().message || words.givenUp);
     // It is the host's doing.
     remember();
-    await arrive();
+    turn.begun();
+    await arrive(turn);
     actions.standAt(Number.POSITIVE_INFINITY);
     announce();
   };
@@ -48,33 +61,33 @@ export function createActs({ engine, store, actions, links }, { announce, rememb
     return [];
   };
 
-  /** @type {{ [T in Type]: (said: Said[T]) => Problems }} */
+  /** @type {{ [T in Type]: (said: Said[T], turn: Turn) => Problems }} */
   const acts = {
-    async set({ link, experiment, gains, generation }) {
+    async set({ link, experiment, gains, generation }, turn) {
       if (link !== null) {
         const { opened, problems } = links.openLink(link.slice(link.indexOf('#') + 1), engine);
-        await open(opened);
+        await open(opened, turn);
         return problems;
       }
-      const whole = engine.experiment(/** @type {Experiment} */ (experiment));
+      const whole = engine.changed(store.get().preset, /** @type {Experiment} */ (experiment));
       // The core knows which gains cannot be driven.
       if (gains) engine.check(whole, gains);
-      await open(openedWith(store.get(), whole, gains, generation));
+      await open(openedWith(store.get(), whole, gains, generation), turn);
       return [];
     },
 
-    async step({ generations }) {
+    async step({ generations }, { isEnded }) {
       // What was set before begins first.
       await actions.whenIdle();
       const { history } = store.get();
       actions.showGeneration(history.length - 1);
       let end = performance.now() + sliceMilliseconds;
-      for (let i = 0; i < generations; i += 1) {
+      for (let i = 0; i < generations && !isEnded(); i += 1) {
         const before = store.get().generation;
         actions.forward();
         await actions.whenIdle();
         // Somebody has stopped what was computed.
-        if (store.get().generation === before) return [store.get().message];
+        if (store.get().generation === before) return isEnded() ? [] : [store.get().message];
         if (performance.now() < end) continue;
         announce();
         await pause();
@@ -91,7 +104,7 @@ export function createActs({ engine, store, actions, links }, { announce, rememb
     read: () => [],
   };
 
-  return { arrive, acts };
+  return { arrive, leaveOff, acts };
 }
 
 /** The page as it is, with another experiment. @param {State} state @param {Experiment} experiment @param {Triple | null} handGains @param {number} generation @returns {Opened} */

@@ -211,16 +211,13 @@ class EpLocomotion extends HTMLElement {
     if (this.#isHeard || !this.#frame.hasAttribute('src')) return;
     clearTimeout(this.#silence);
     this.#silence = setTimeout(() => {
-      // Who asks later is to be told too.
       this.#silence = undefined;
-      const { silent } = this.#words;
       const [address] = this.#frame.src.split('#');
-      this.#complain(silent(address));
-      this.#questions.giveUp(silent(address));
+      this.#refuse(this.#words.silent(address));
     }, longest);
   }
 
-  /** No figure will answer here. @param {string} why */
+  /** No figure will answer here, unless one begins all the same. @param {string} why */
   #refuse(why) {
     this.#refusal = why;
     this.#complain(why);
@@ -231,6 +228,7 @@ class EpLocomotion extends HTMLElement {
   #begin(origin) {
     this.#complain('');
     this.#dress();
+    this.#refusal = '';
     this.#isReady = true;
     this.#origin = origin;
     for (const message of this.#questions.open()) this.#post(message);

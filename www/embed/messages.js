@@ -3,13 +3,15 @@
 // Every message is an object with ep: 1, the version, and a type. The page around the figure may send
 //
 //   { ep: 1, type: 'set', link }                                  opens a link: an address of this page, or what follows its #
-//   { ep: 1, type: 'set', experiment, gains, generation }         begins an experiment, in which any field may be left out
+//   { ep: 1, type: 'set', experiment, gains, generation }         begins an experiment; fields left out are those of the figure's preset
 //   { ep: 1, type: 'step', generations }                          so many generations on, at once; 1 when left out
 //   { ep: 1, type: 'run' }   { ep: 1, type: 'pause' }             as the figure's own button does
 //   { ep: 1, type: 'read' }
 //
-// and each is answered in its turn with a state, or with { ep: 1, type: 'error', message }; an id that was sent comes back in
-// the answer. What is told of a drive belongs to the rest of the state: where the robot cannot be driven, the answer is an error.
+// and each is answered with a state, or with { ep: 1, type: 'error', message }; an id that was sent comes back in the answer.
+// What is told of a drive belongs to the rest of the state: where the robot cannot be driven, the answer is an error. They are
+// done and answered in the order in which they came. But what reads waits only until what was set before has begun, what is
+// refused here waits for nothing, and a pause ends what was asked before it, the answers to which tell how far that came.
 // To <ep-locomotion> the figure first says { type: 'loading' }, from loading.js, while the rest of it is still on its way.
 // By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height. A figure that
@@ -26,7 +28,8 @@
 /** @import { Seen } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
-/** @import { Problems } from './acts.js' */
+/** @import { Problems, Turn } from './acts.js' */
+/** @import { Said, Type } from './told.js' */
 import { isLost, messageOf } from '../words/errors.js';
 import { drivesOf } from '../run/state.js';
 import { pause } from '../kit/loop.js';
@@ -62,7 +65,7 @@ export function createMessages(parts, send) {
     if (isReady && !hasFailed()) tell();
   };
 
-  const { arrive, acts } = createActs(parts, { announce, remember, hasFailed });
+  const { arrive, leaveOff, acts } = createActs(parts, { announce, remember, hasFailed });
 
   /** What an act comes to, once all of it is seen. @param {() => Problems} act */
   const reportOf = (act) =>
@@ -75,19 +78,42 @@ export function createMessages(parts, send) {
   /** @param {unknown} error @param {object} named */
   const refuse = (error, named) => send({ type: 'error', ...named, message: shortError(messageOf(error)) });
 
-  /** @param {unknown} message */
-  async function answer(message) {
-    if (!isForFigure(message)) return;
-    const named = idIn(message);
+  /** @param {() => Problems} act @param {object} named */
+  async function answer(act, named) {
     try {
-      const { type, said } = messageIn(message);
-      const act = /** @type {(said: object) => Problems} */ (acts[type]);
-      send({ type: 'state', ...named, ...(await reportOf(() => act(said))) });
+      send({ type: 'state', ...named, ...(await reportOf(act)) });
     } catch (error) {
       refuse(error, named);
-      // The page has to know of it.
-      if (isLost(error)) reportError(error);
+      // The page has to know of it, once.
+      if (isLost(error) && !hasFailed()) reportError(error);
     }
+  }
+
+  const inOrder = inTurn();
+  const reading = inTurn();
+  /** How many were asked to do something, and which of them was the last pause. */
+  let asked = 0;
+  let paused = 0;
+  /** Resolves once what was set last has begun, or was refused. */
+  let hasBegun = Promise.resolve();
+
+  /** @template {Type} T @param {{ type: T, said: Said[T] }} message @param {object} named */
+  function take({ type, said }, named) {
+    if (type === 'read') {
+      const begun = hasBegun;
+      return reading(() => begun.then(() => answer(() => [], named)));
+    }
+    asked += 1;
+    const own = asked;
+    if (type === 'pause') {
+      paused = own;
+      leaveOff();
+    }
+    let begun = () => {};
+    const beginning = new Promise((resolve) => (begun = () => resolve(undefined)));
+    if (type === 'set') hasBegun = beginning;
+    const turn = { isEnded: () => paused > own, begun };
+    inOrder(() => answer(() => acts[type](said, turn), named).finally(begun));
   }
 
   return {
@@ -108,8 +134,16 @@ export function createMessages(parts, send) {
       announce();
     },
 
-    /** In the order in which they came: many generations take a while. @param {unknown} message Whatever came. */
-    hear: inTurn(answer),
+    /** @param {unknown} message Whatever came. */
+    hear(message) {
+      if (!isForFigure(message)) return;
+      const named = idIn(message);
+      try {
+        take(messageIn(message), named);
+      } catch (error) {
+        refuse(error, named);
+      }
+    },
 
     /** Nothing can be answered any more. @param {string} why */
     fail(why) {
@@ -186,40 +220,41 @@ function createFailure() {
   };
 }
 
-/** Takes one after the other, and however many they are, all else has its turn. @param {(message: unknown) => Promise<void>} answer */
-function inTurn(answer) {
+/** Does one after the other, and however many they are, all else has its turn. */
+function inTurn() {
   let end = 0;
-  let heard = Promise.resolve();
-  const take = async (/** @type {unknown} */ message) => {
+  let done = Promise.resolve();
+  const take = async (/** @type {() => Promise<void>} */ act) => {
     if (performance.now() > end) {
       await pause();
       end = performance.now() + sliceMilliseconds;
     }
-    await answer(message);
+    await act();
   };
-  return (/** @type {unknown} */ message) => {
-    heard = heard.then(() => take(message));
+  return (/** @type {() => Promise<void>} */ act) => {
+    done = done.then(() => take(act));
   };
 }
 
-/** @param {Parts} parts @param {readonly string[]} problems @returns {Report} */
+/** Where a run goes on, its newest generation may still be driving: what is told is the one that is seen. @param {Parts} parts @param {readonly string[]} problems @returns {Report} */
 function report({ engine, store, links, seen }, problems) {
-  const state = store.get();
-  const { experiment, generation, history, evolving } = state;
+  const { history, evolving } = store.get();
+  const { state, ...driven } = seen();
+  const { experiment, generation } = state;
   return {
     link: links.linkOf(state, engine.experiment),
     experiment,
     generation,
     generations: history.length - 1,
     evolving,
-    statistics: history[generation],
-    drive: driveOf(seen()),
+    statistics: state.history[generation],
+    drive: driveOf(driven),
     hash: engine.hash(),
     problems,
   };
 }
 
-/** Of the robot in ink. @param {Seen} seen @returns {Report['drive']} */
+/** Of the robot in ink. @param {Pick<Seen, 'scene' | 'failure'>} seen @returns {Report['drive']} */
 function driveOf({ scene, failure }) {
   if (failure) throw failure;
   const { cost, arrived, finalTime } = scene.driving;

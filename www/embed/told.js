@@ -1,12 +1,13 @@
-// What a figure may be told: every message, its fields, and what each of them must be. Whatever else a message has is not read.
+// What a figure may be told: every message, its fields, and what each of them must be. What else a message has is refused by name.
 /** @import { Experiment, Triple } from '../core/engine.js' */
+import { lastGeneration } from '../run/pace.js';
 import { embed as words } from '../words/index.js';
 import { version } from './frame.js';
 
 /** @typedef {(name: string, value: unknown) => unknown} Check The value as it is used, or an error that names the field. */
 
-/** At once, so that the answer is not long in coming. */
-const mostGenerations = 10_000;
+/** So that the answer is not long in coming. */
+const mostAtOnce = 10_000;
 
 /** Of a value that is wrong. */
 const mostTold = 40;
@@ -14,25 +15,28 @@ const mostTold = 40;
 const mostOfError = 600;
 
 /** @param {unknown} value */
-const told = (value) =>
-  typeof value === 'string'
-    ? `“${value.slice(0, mostTold)}”`
-    : typeof value === 'object'
-      ? typeof value
-      : String(value).slice(0, mostTold);
+function told(value) {
+  if (typeof value === 'string') return `“${value.slice(0, mostTold)}”`;
+  if (isList(value)) return words.aList(value.length);
+  if (typeof value === 'object' && value !== null) return words.anObject;
+  return String(value).slice(0, mostTold);
+}
 
-/** @param {number} least */
-const wholeNumber = (least) => (/** @type {string} */ name, /** @type {unknown} */ value) => {
-  if (typeof value !== 'number' || !Number.isInteger(value) || value < least || value > mostGenerations)
-    throw new Error(words.wholeNumber(name, least, mostGenerations, told(value)));
+/** @param {unknown} value @returns {value is ArrayLike<unknown> & Iterable<unknown>} */
+const isList = (value) =>
+  Array.isArray(value) || value instanceof Float64Array || value instanceof Float32Array;
+
+/** @param {number} least @param {number} most */
+const wholeNumber = (least, most) => (/** @type {string} */ name, /** @type {unknown} */ value) => {
+  if (typeof value !== 'number' || !Number.isInteger(value) || value < least || value > most)
+    throw new Error(words.wholeNumber(name, least, most, told(value)));
   return value;
 };
 
 /** @param {string} _ @param {unknown} value @returns {Triple | null} */
 function gainsIn(_, value) {
-  if (value === undefined) return null;
-  const isList = Array.isArray(value) || value instanceof Float64Array;
-  if (!isList || value.length !== 3 || ![...value].every(Number.isFinite))
+  if (value === undefined || value === null) return null;
+  if (!isList(value) || value.length !== 3 || ![...value].every(Number.isFinite))
     throw new Error(words.threeGains(told(value)));
   return /** @type {[number, number, number]} */ ([...value]);
 }
@@ -40,13 +44,19 @@ function gainsIn(_, value) {
 /** What is no text is none: then an experiment is set. @param {string} _ @param {unknown} value */
 const linkIn = (_, value) => (typeof value === 'string' ? value : null);
 
-/** The core knows what may be in it. @param {string} _ @param {unknown} value @returns {Partial<Experiment> | null} */
-const experimentIn = (_, value) => (value !== null && typeof value === 'object' ? value : null);
+/** The core knows what may be in it; a Map or a Date has no fields of its own. @param {string} _ @param {unknown} value @returns {Partial<Experiment> | null} */
+const experimentIn = (_, value) =>
+  Object.prototype.toString.call(value) === '[object Object]' ? /** @type {object} */ (value) : null;
 
 /** By type. */
 const messages = {
-  set: { link: linkIn, experiment: experimentIn, gains: gainsIn, generation: wholeNumber(0) },
-  step: { generations: wholeNumber(1) },
+  set: {
+    link: linkIn,
+    experiment: experimentIn,
+    gains: gainsIn,
+    generation: wholeNumber(0, lastGeneration),
+  },
+  step: { generations: wholeNumber(1, mostAtOnce) },
   run: {},
   pause: {},
   read: {},
@@ -78,8 +88,11 @@ export function messageIn({ ep, type, ...given }) {
     throw new Error(words.unknownType(told(type), Object.keys(messages)));
   /** @type {Readonly<Record<string, Check>>} */
   const fields = messages[/** @type {Type} */ (type)];
-  // A link has all of it.
+  // A link has all of it, and what stands beside it is not read.
   const looked = type === 'set' && typeof given.link === 'string' ? { link: given.link } : given;
+  const known = ['ep', 'type', 'id', ...Object.keys(fields)];
+  const unknown = Object.keys(looked).find((name) => looked[name] !== undefined && !known.includes(name));
+  if (unknown !== undefined) throw new Error(words.unknownField(type, told(unknown), known));
   /** What is undefined is left out. @param {string} name */
   const saidOf = (name) => (looked[name] === undefined ? usual[name] : looked[name]);
   const said = Object.fromEntries(

@@ -8,6 +8,9 @@ import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { npm, top } from '../../../.tasks/run.mjs';
+import { openLink } from '../../../src/link.js';
+import { pageNames } from '../../../www/parts/parts.js';
+import { noStep, unknownPart } from '../../../www/words/en/link.js';
 import { engineTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, simulate, version, wasm } from '../harness/core.js';
 import { onceOnly, test } from '../harness/once.js';
@@ -186,6 +189,60 @@ test('the package reads links of the page', async () => {
   assert.deepEqual(second.others, { horizn: '3' });
   assert.match(second.problems.join(), /^gains: it must be three numbers/);
   assert.deepEqual([third.part, third.experiment, third.problems], ['lab', usual, []]);
+});
+
+test('openLink finds who works there where the page does, and passes on what an exercise had', () => {
+  for (const [link, seed, who] of /** @type {const} */ ([
+    ['https://a.host/ep/?who=s4711#lab&v=1&vary=goal&seed=7', 7, 's4711'],
+    ['https://a.host/ep/?embed&amp;who=s%204711#lab&v=1&vary=goal&seed=7', 7, 's 4711'],
+    ['#lab&v=1&vary=goal&seed=7?who=s4711', 7, 's4711'],
+    ['https://a.host/?who=other#lab&v=1&vary=goal&seed=7&who=own', 7, 'own'],
+    ['https://a.host/?who=#lab&v=1&vary=goal', 1, undefined],
+  ])) {
+    const { experiment: opened, others, problems } = openLink(link);
+    assert.deepEqual(
+      [opened.evolution.seed, others.who, others.vary, problems],
+      [seed, who, 'goal', []],
+      link,
+    );
+  }
+  const given = 'acceleration-limits~goal.x:3~seed:7';
+  const { experiment: own, others, problems } = openLink(`lab&v=1&horizon=5&given=${given}`);
+  assert.deepEqual([own, others.given, problems], [experiment({ horizon: 5 }), given, []]);
+});
+
+test('openLink says of a part, a driver, a version and a step what the page says', () => {
+  for (const name of [...pageNames, 'lesson', ''])
+    assert.deepEqual([openLink(name).part, openLink(name).problems], [name || 'lab', []]);
+  for (const [link, problem] of /** @type {const} */ ([
+    ['garbage&v=1', unknownPart('garbage', pageNames)],
+    ['https://a.host/ep/', unknownPart('https://a.host/ep/', pageNames)],
+    [
+      'lab&drives=hnad',
+      /^drives: it must be one of evolved, hand, paper-ep, paper-arbitrary, but was “hnad”/,
+    ],
+    ['lab&drives=hand', 'drives: it needs gains=kx,ky,kθ beside it.'],
+    ['lab&v=2', 'v: the link was written by version 2, this page reads version 1.'],
+    ['lesson&step=99', noStep('99')],
+    ['lab&lesson=nothing', noStep('nothing')],
+  ])) {
+    const { problems, drives } = openLink(link);
+    assert.deepEqual([problems.length, drives], [1, 'evolved'], link);
+    if (typeof problem === 'string') assert.equal(problems[0], problem);
+    else assert.match(problems[0], problem);
+  }
+  assert.equal(openLink('garbage&seed=7').part, 'lab');
+  assert.deepEqual(openLink('lesson&step=duel').others, { step: 'duel' });
+  for (const [link, found] of [
+    [undefined, 'undefined'],
+    [3, '3'],
+    [null, 'null'],
+    [['lab'], 'of type object'],
+  ])
+    assert.throws(() => openLink(/** @type {any} */ (link)), {
+      name: 'TypeError',
+      message: `link must be a text, but was ${found}`,
+    });
 });
 
 test('a strict TypeScript project has the types of all of it', async () => {

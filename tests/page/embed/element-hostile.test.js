@@ -39,7 +39,7 @@ engineTest(
       await isReady(page, 'own');
       const { refused, hash } = await page.evaluate(async () => {
         const own = /** @type {any} */ (document.getElementById('own'));
-        const open = Promise.allSettled([own.step(10_000), own.read()]);
+        const open = Promise.allSettled([own.step(10_000), own.step()]);
         // It has begun.
         await new Promise((resolve) => own.addEventListener('generation', resolve, { once: true }));
         own.remove();
@@ -95,27 +95,33 @@ engineTest('hostile attributes of the element do no harm', async (page) => {
   });
 });
 
-engineTest('where nothing answers, it is said, and no question stays open', async (page) => {
+engineTest('where nothing answers, no question waits once that is known', async (page) => {
   const html = `
     <ep-locomotion id="absent" src="/absent.html"></ep-locomotion>
     <script>
       const usual = setTimeout;
-      // Nobody is to wait until the silence is long enough.
-      setTimeout = (done, longest) => usual(done, [15000, 60000].includes(longest) ? 100 : longest);
+      // The silence ends soon, and once it is said no other does.
+      const soon = (done) => absent.shadowRoot.querySelector('p').textContent || usual(done, 100);
+      setTimeout = (done, longest) => [15000, 60000].includes(longest) ? soon(done) : usual(done, longest);
     </script>`;
   await inPage(page, html, async (address) => {
     const asked = () =>
       page.evaluate(() =>
-        /** @type {any} */ (document.getElementById('absent'))
-          .read()
-          .catch((/** @type {Error} */ error) => error.message),
+        /** @type {any} */ (document.getElementById('absent')).read().then(
+          ({ link = '' }) => link,
+          (/** @type {Error} */ { message }) => message,
+        ),
       );
     const silent = en.silent(`${address}absent.html`);
     assert.equal(await asked(), silent);
-    await page.until('it is said', () =>
-      document.getElementById('absent')?.shadowRoot?.querySelector('p')?.textContent?.includes('absent'),
-    );
     assert.equal(await asked(), silent, 'asked once more, when it is known');
+    // Whoever speaks there after all is asked.
+    await page.evaluate((figure) => {
+      const frame = document.getElementById('absent')?.shadowRoot?.querySelector('iframe');
+      Reflect.get(frame?.contentWindow ?? {}, 'eval')(figure);
+    }, `onmessage = ({ data: { id } }) => parent.postMessage({ ep: 1, type: 'state', id, link: 'late' }, '*'); parent.postMessage({ ep: 1, type: 'ready' }, '*')`);
+    await isReady(page, 'absent');
+    assert.equal(await asked(), 'late');
   });
 });
 

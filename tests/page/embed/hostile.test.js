@@ -16,18 +16,24 @@ const frameOf = (page, link) =>
 /** What a figure may be told, and what each says. */
 const right = /** @type {const} */ ([
   [{ type: 'read' }, {}],
-  [{ type: 'run', extra: 'is not read' }, {}],
+  [{ type: 'run', id: 7, extra: undefined }, {}],
   [{ type: 'step' }, { generations: 1 }],
   [{ type: 'step', generations: 10_000 }, { generations: 10_000 }],
   [
-    { type: 'set', link: 'lab', gains: 'not looked at' },
+    { type: 'set', link: 'lab', gains: 'not looked at', generations: 'as in a state' },
     { link: 'lab', gains: null, generation: 0 },
   ],
   [
     { type: 'set', experiment: {}, gains: [1, 2, 3] },
     { link: null, gains: [1, 2, 3], generation: 0 },
   ],
-  [{ type: 'set', experiment: {}, gains: Float64Array.of(1, 2, 3), generation: 7 }, { generation: 7 }],
+  [
+    { type: 'set', experiment: {}, gains: Float64Array.of(1, 2, 3), generation: 100_000 },
+    { gains: [1, 2, 3], generation: 100_000 },
+  ],
+  [{ type: 'set', experiment: {}, gains: Float32Array.of(1, 2, 3) }, { gains: [1, 2, 3] }],
+  // As openLink of the package has it.
+  [{ type: 'set', experiment: {}, gains: null, generation: 0 }, { gains: null }],
 ]);
 
 /** @type {readonly (readonly [message: Record<string, unknown>, said: RegExp])[]} */
@@ -40,20 +46,32 @@ const wrong = [
     (generations) =>
       /** @type {const} */ ([{ type: 'step', generations }, /^generations must be .* from 1 to 10000/]),
   ),
-  ...[-1, 0.5, Number.POSITIVE_INFINITY, '1', null].map(
+  ...[-1, 0.5, 100_001, Number.POSITIVE_INFINITY, '1', null].map(
     (generation) =>
       /** @type {const} */ ([
         { type: 'set', experiment: {}, generation },
-        /^generation must be .* from 0 to 10000/,
+        /^generation must be .* from 0 to 100000, not/,
       ]),
   ),
-  ...[[1, 2], [1, 2, Number.NaN], ['1', '2', '3'], new Array(1e9), '1,2,3', null, { length: 3 }].map(
+  ...[[1, 2], [1, 2, Number.NaN], ['1', '2', '3'], new Array(1e9), '1,2,3', { length: 3 }].map(
     (gains) =>
       /** @type {const} */ ([{ type: 'set', experiment: {}, gains }, /^gains must be three numbers/]),
   ),
-  ...[{}, { link: 7 }, { experiment: null }, { experiment: 'lab' }, { link: null, experiment: 1 }].map(
-    (what) => /** @type {const} */ ([{ type: 'set', ...what }, /^set needs either a link/]),
-  ),
+  ...[
+    ...[{}, { link: 7 }, { experiment: null }, { experiment: 'lab' }, { link: null, experiment: 1 }],
+    ...[new Map(), new Date(), [], new ArrayBuffer(8)].map((experiment) => ({ experiment })),
+  ].map((what) => /** @type {const} */ ([{ type: 'set', ...what }, /^set needs either a link/])),
+  [{ type: 'step', generation: 10 }, /^a field of step must be one of ep, type, id, generations, not “gen/],
+  [
+    { type: 'set', experiment: {}, gain: [1, 2, 3] },
+    /one of .*link, experiment, gains, generation, not “gai/,
+  ],
+  [{ type: 'pause', toString: 1 }, /^a field of pause must be one of ep, type, id, not “toString”$/],
+  // What was given is named as the core names it.
+  [{ type: 'step', generations: null }, /not null$/],
+  [{ type: 'step', generations: {} }, /not an object$/],
+  [{ type: 'set', experiment: {}, gains: [1, 2] }, /not an array of 2$/],
+  [{ type: ['read'] }, /not an array of 1$/],
 ];
 
 test('what a figure may be told is looked at field by field, and what is wrong is named', () => {
@@ -100,10 +118,28 @@ engineTest('hostile messages are refused one by one, and the figure goes on', as
       for (let i = 0; i < 2000; i += 1) figure?.postMessage({ ep: 1, type: 'read', id: `flood ${i}` }, '*');
     });
     await ask(page, 0, { type: 'set', link: 'lab&v=1&seed=7' });
+    // What only reads is answered beside the rest.
+    await page.until(
+      'each of the flood is answered',
+      () =>
+        /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
+          /** @type {unknown} */ (window)
+        ).heard.filter(({ data }) => String(data.id).startsWith('flood')).length === 2000,
+    );
     const heard = await heardFrom(page, 0);
     /** @param {string} id */
     const answerTo = (id) => heard.find((one) => one.id === id);
-    for (const id of ['cyclic', 'long name', 'long word', 'hole', 'big', 'version', 'type']) {
+    for (const id of [
+      'cyclic',
+      'long name',
+      'long word',
+      'hole',
+      'map',
+      'big',
+      'buffer',
+      'version',
+      'type',
+    ]) {
       assert.equal(answerTo(id)?.type, 'error', id);
       assert.ok(answerTo(id).message.length <= 601, id);
     }

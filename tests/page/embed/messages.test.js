@@ -1,69 +1,11 @@
-// How a figure answers its host where drives cannot be had, or the core has failed.
+// How a figure answers its host: in which order, and where drives cannot be had, or the core has failed.
 import assert from 'node:assert/strict';
 import { Pending } from '../../../www/core/pending.js';
-import { createMessages } from '../../../www/embed/messages.js';
 import { breathe } from '../../../www/kit/loop.js';
-import { links } from '../../../www/lesson/links.js';
-import { places } from '../../../www/parts/parts.js';
-import { createActions } from '../../../www/run/actions/actions.js';
-import { atEnd } from '../../../www/run/clock.js';
-import { firstState } from '../../../www/run/first.js';
-import { createScene, createSight } from '../../../www/run/scene.js';
-import { createStore } from '../../../www/run/store.js';
-import { createEngine, experiment, simulate } from '../harness/core.js';
+import { experiment, historyOf, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { slowEngine } from '../harness/slow-engine.js';
-
-/** A figure without a document, in which what drives on screen may be held up. @param {{ link?: string, engine?: ReturnType<typeof createEngine> }} [options] */
-function figureOf({ link, engine = createEngine() } = {}) {
-  const paper = engine.paper();
-  const first = firstState(engine, 'velocity-limits', atEnd);
-  const store = createStore(first, () => {});
-  /** What the drives on screen come to in the place of runs. @type {{ error: Error | null }} */
-  const held = { error: null };
-  /** @type {typeof engine.drive} */
-  const drive = (from, gains) => {
-    if (held.error) throw held.error;
-    return engine.drive(from, gains);
-  };
-  const sight = createSight(
-    createScene(drive, paper, () => null),
-    first,
-    () => {},
-    () => {},
-  );
-  const seen = () => sight.of(store.get());
-  const means = { engine, store, paper, finalTime: () => 1, isStill: () => true, places };
-  const actions = createActions(means);
-  if (link) actions.openLinked(links.openLink(link, engine).opened, []);
-  /** @type {any[]} */
-  const said = [];
-  /** @type {Map<unknown, (message: any) => void>} */
-  const waiting = new Map();
-  const messages = createMessages(
-    {
-      engine,
-      store,
-      actions,
-      links,
-      seen,
-      answersOf: () => ({}),
-      whenSeen: () => sight.whenSeen(store.get),
-    },
-    (message) => {
-      said.push(message);
-      waiting.get(/** @type {{ id?: unknown }} */ (message).id)?.(message);
-    },
-  );
-  /** @param {object} message @returns {Promise<any>} */
-  const asked = (message) =>
-    new Promise((resolve) => {
-      const id = waiting.size + 1;
-      waiting.set(id, resolve);
-      messages.hear({ ep: 1, id, ...message });
-    });
-  return { messages, actions, said, held, seen, asked, store };
-}
+import { figureOf } from './figure.js';
 
 test('a link that is still being computed is what a figure is ready with, and goes on from', async () => {
   const { engine, open } = slowEngine();
@@ -198,4 +140,126 @@ test('of a core that fails under a question the page is told once', async (t) =>
   const questions = [{ type: 'set', experiment: { horizon: 9 } }, { type: 'read' }, { type: 'step' }];
   for (const { type } of await Promise.all(questions.map(asked))) assert.equal(type, 'error');
   assert.deepEqual(reported, [held.error]);
+});
+
+test('fields that are left out are those of the figure’s preset, and a run that is spread stays what it is', async () => {
+  const { messages, asked } = figureOf({
+    link: 'lab&v=1&preset=acceleration-limits&seed=7&population=40&limits.speed=1',
+  });
+  await messages.ready();
+  const { experiment: run } = await asked({ type: 'read' });
+  // As postMessage has it: nothing tells from which preset a copy is.
+  const { link, experiment: kept } = await asked({
+    type: 'set',
+    experiment: structuredClone({ ...run, goal: { x: 3, y: 1, theta: 0 } }),
+  });
+  assert.equal(
+    link,
+    'lab&v=1&preset=acceleration-limits&goal.x=3&goal.y=1&goal.theta=0deg&limits.speed=1&population=40&seed=7',
+  );
+  assert.deepEqual(kept.limits, run.limits);
+  const { experiment: anew } = await asked({ type: 'set', experiment: { goal: { x: 3 } } });
+  assert.deepEqual(anew, experiment('acceleration-limits', { goal: { x: 3 } }));
+  const { experiment: slow } = await asked({
+    type: 'set',
+    experiment: structuredClone({ ...run, limits: { speed: 0.5 } }),
+  });
+  assert.deepEqual(slow.limits, { ...experiment('acceleration-limits').limits, speed: 0.5 });
+});
+
+/** As many as no figure comes to at once: the most of a step, and of a set. */
+const many = 10_000;
+const most = 100_000;
+
+test('a pause ends what was asked before it, which tells how far it came, and the answers stay in their order', async () => {
+  const { messages, asked, said, store } = figureOf({ link: 'lab&v=1&seed=7' });
+  await messages.ready();
+  const stepped = asked({ type: 'step', generations: many });
+  const waiting = asked({ type: 'step', generations: many });
+  while (store.get().generation === 0) await breathe();
+  said.length = 0;
+  const paused = asked({ type: 'pause' });
+  const answers = await Promise.all([stepped, waiting, paused]);
+  const { generations } = answers[0];
+  assert.ok(generations > 0 && generations < many);
+  assert.deepEqual(
+    answers.map((answer) => [answer.type, answer.generations, answer.problems, answer.evolving]),
+    Array(3).fill(['state', generations, [], false]),
+  );
+  assert.deepEqual(
+    said.map(({ id }) => id).filter((id) => id !== undefined),
+    [1, 2, 3],
+  );
+  // What is asked after it goes on.
+  const further = await asked({ type: 'step', generations: 2 });
+  assert.equal(further.generations, generations + 2);
+
+  const set = asked({ type: 'set', experiment: {}, gains: [4, 1, 6], generation: most });
+  while (!store.get().catchingUp) await breathe();
+  const [left] = await Promise.all([set, asked({ type: 'pause' })]);
+  assert.deepEqual([left.type, left.drive.gains, left.evolving], ['state', [4, 1, 6], false]);
+  assert.ok(left.generations < most && left.generation === left.generations);
+});
+
+test('what only reads, or is refused, waits for no generation, and reads nothing older than what was set', async () => {
+  const { messages, asked, store } = figureOf({ link: 'lab&v=1&seed=7' });
+  await messages.ready();
+  const set = asked({ type: 'set', link: `lab&v=1&seed=9&generation=${most}` });
+  const { experiment: begun, generations } = await asked({ type: 'read' });
+  assert.equal(begun.evolution.seed, 9);
+  assert.ok(generations < most);
+  const { type, message } = await asked({ type: 'step', generations: 0 });
+  assert.deepEqual([type, /^generations must be/.test(message)], ['error', true]);
+  assert.ok(store.get().catchingUp);
+  await Promise.all([set, asked({ type: 'pause' })]);
+
+  // What is refused when its turn comes keeps nobody waiting either.
+  const refused = asked({ type: 'set', experiment: { flavour: 'red' } });
+  assert.equal((await asked({ type: 'read' })).experiment.evolution.seed, 9);
+  assert.match((await refused).message, /flavour/);
+});
+
+test('what was set begins all the same when a pause ends it', async () => {
+  const { engine, open } = slowEngine();
+  const { messages, asked, store } = figureOf({ engine });
+  await messages.ready();
+  const set = asked({ type: 'set', link: 'lab&v=1&population=2000&generation=50' });
+  while (!store.get().computing) await breathe();
+  const paused = asked({ type: 'pause' });
+  open();
+  const answers = await Promise.all([set, paused]);
+  for (const { experiment: begun, generations, evolving } of answers) {
+    assert.equal(begun.evolution.population, 2000);
+    assert.ok(generations < 50 && !evolving);
+  }
+});
+
+test('of a run that goes on the drive is told with the generation that it belongs to', async () => {
+  // Each of its first generations has another best.
+  const { messages, actions, held, seen, asked } = figureOf({ link: 'lab&v=1&seed=4' });
+  await messages.ready();
+  const best = historyOf(experiment({ evolution: { seed: 4 } }), 3).map((one) => String(one.best.gains));
+  assert.equal(new Set(best).size, 4);
+  /** What ends the wait for the drive of each. @type {(() => void)[]} */
+  const open = [];
+  const drives = best.map((_, i) => new Promise((resolve) => (open[i] = () => resolve(null))));
+  let arrived = 0;
+  held.of = (gains) => {
+    const i = best.indexOf(String(gains));
+    return i > arrived ? new Pending(drives[i]) : null;
+  };
+  actions.forward();
+  assert.ok(seen().isComputing);
+  const { waits } = held;
+  const answer = asked({ type: 'read' });
+  while (held.waits === waits) await breathe();
+  for (const i of [1, 2]) {
+    actions.forward();
+    arrived = i;
+    open[i]();
+    await breathe();
+  }
+  const { generation, generations, drive, statistics, link } = await answer;
+  assert.deepEqual([generation, generations, link], [2, 3, 'lab&v=1&seed=4&generation=2']);
+  assert.deepEqual(drive.gains, statistics.best.gains);
 });

@@ -7,6 +7,7 @@ import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 import { areBuilt, python } from '../../../.tasks/examples.mjs';
 import { pageTest } from '../harness/browsers.js';
+import { experiment } from '../harness/core.js';
 import { serveHost } from '../harness/host.js';
 import { test } from '../harness/once.js';
 import { saved } from '../harness/saved.js';
@@ -114,11 +115,16 @@ test('what is misspelt or no gains is refused by Python at once', {
       ['w.gains = [[1, 2, 3]]', /^ValueError: gains must be three numbers/],
       ['w.gains = [1, float("nan"), 2]', /^ValueError: ky must be a finite number/],
       ['w.gains = ["1", 2, 3]', /^ValueError: kx must be a finite number/],
+      ['w.step("a")', /^ValueError: generations must be a whole number from 1, but was 'a'$/],
+      ['w.step(None)', /^ValueError: generations must be .*, but was None$/],
+      ['w.step(1.5)', /^ValueError: generations must be .*, but was 1\.5$/],
+      ['w.step(-5)', /^ValueError: generations must be .*, but was -5$/],
     ])) {
       const { refused, traits } = await kernel.run(code);
       assert.match(refused, message, code);
       assert.deepEqual(traits.experiment, begun.traits.experiment);
       assert.equal(traits.gains, null);
+      assert.equal(traits._wanted, 30);
     }
     const driven = await kernel.run('w.gains = (1, 2, 3)');
     assert.equal(driven.refused, '');
@@ -208,3 +214,39 @@ if (areBuilt())
     }
   });
 else test('the widget for notebooks', { skip: 'npm test builds it where Python is' }, () => {});
+
+if (areBuilt())
+  pageTest(
+    'a widget has the experiment of its link with some fields other, and any number of generations',
+    async (page) => {
+      const kernel = startKernel();
+      const host = await serveHost(notebook);
+      try {
+        const link =
+          'lab&v=1&preset=acceleration-limits&seed=9&population=4&opponents=2&horizon=1&sampleTime=0.1';
+        const { traits } = await kernel.run(
+          `${example.split('\n')[0]}\nw = EpLocomotion(link="${link}", experiment={"goal": {"x": 3}})\nw.step(6000); w.step(6000)`,
+        );
+        await page.visit(host.address);
+        await give(page, 'show', traits);
+        const text = await page.until('all generations are there', () => {
+          const { state, _statistics: all } = Reflect.get(window, 'sent');
+          return state?.generations === 12_000 && all.length === 12_001 && JSON.stringify(state.experiment);
+        });
+        assert.deepEqual(
+          JSON.parse(text),
+          experiment('acceleration-limits', {
+            goal: { x: 3 },
+            horizon: 1,
+            sampleTime: 0.1,
+            evolution: { seed: 9, population: 4, opponents: 2 },
+          }),
+        );
+        assert.equal(await page.evaluate(() => document.querySelector('#cell > p')?.textContent), '');
+      } finally {
+        kernel.end();
+        await page.leave();
+        host.close();
+      }
+    },
+  );

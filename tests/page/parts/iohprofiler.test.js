@@ -1,6 +1,6 @@
 // What the example for IOHprofiler makes of the CSV of a contest.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -105,3 +105,35 @@ test(
     assert.throws(() => withExample(csv, 5, () => {}), /fell at drive 6: the budget is not 5/);
   },
 );
+
+test('the example for IOHprofiler says in a sentence what is wrong with how it is used', needsPython, () => {
+  const folder = mkdtempSync(join(tmpdir(), 'contest-'));
+  const wrong = join(folder, 'wrong.csv');
+  try {
+    const usage = /^usage: python to_iohprofiler\.py contest\.csv contest-ioh 4000\n$/;
+    const noContest =
+      /^\S+ is not the CSV of a contest, which has the columns contestant, seed, drive and J\.\n$/;
+    for (const [csv, given, said] of /** @type {const} */ ([
+      ['', [], usage],
+      ['', [wrong], usage],
+      ['', [wrong, 'ioh', 'many'], usage],
+      ['', [join(folder, 'absent.csv'), 'ioh', '4000'], /^\S+absent\.csv cannot be read: .+\.\n$/],
+      ['', [wrong, 'ioh', '4000'], noContest],
+      ['generation,best\n1,2\n', [wrong, 'ioh', '4000'], noContest],
+      ['contestant,seed,drive,J\nlab,1,one,9\n', [wrong, 'ioh', '4000'], noContest],
+      ['contestant,seed,drive,J\nlab,one,1,9\n', [wrong, 'ioh', '4000'], noContest],
+      ['contestant,seed,drive,J\nlab,1,1\n', [wrong, 'ioh', '4000'], noContest],
+      ['\u0000\u0001', [wrong, 'ioh', '4000'], noContest],
+    ])) {
+      writeFileSync(wrong, csv);
+      const { status, stderr } = spawnSync(/** @type {string} */ (python), [program, ...given], {
+        cwd: folder,
+        encoding: 'utf8',
+      });
+      assert.equal(status, 1);
+      assert.match(stderr, said);
+    }
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});

@@ -215,6 +215,7 @@ test(
         expression:
           'ep.evaluate({"starts": numpy.zeros((2, 3)), "sampleTime": numpy.float64(0.01)}, [10, 10, 10])',
       },
+      { expression: 'ep.Evolution({}).step(numpy.int64(2))["generation"]' },
     ]);
     assert.deepEqual(arrays, [
       ...Array(3).fill({ array: costs }),
@@ -223,6 +224,7 @@ test(
       costs,
       { array: [] },
       costs[0],
+      2,
     ]);
     const [shape] = askPython([{ expression: 'ep.evaluate({}, numpy.zeros((3, 2)))' }]);
     assert.match(String(shape.message), /^gains must be .* but was an array of shape \(3, 2\)$/);

@@ -100,6 +100,9 @@ test('whatever else is wrong is refused, and nothing is lost by it', options, ()
       /at most 4000 with 1 starts/,
     ],
     ['ep.Evolution({}).step(0)', 'ValueError', /^generations must be a whole number from 1, but was 0$/],
+    ['ep.Evolution({}).step(1.5)', 'ValueError', /^generations must be a whole number from 1, but was 1\.5$/],
+    ['ep.Evolution({}).step(True)', 'ValueError', /^generations must be .*, but was True$/],
+    ['ep.starts_on_circle({})', 'ValueError', /^circle\.x must be a number, but was missing$/],
     [
       'ep.Evolution({}).statistics(1)',
       'ValueError',

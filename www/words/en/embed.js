@@ -11,6 +11,14 @@ export const otherVersion = (found, own) => `this is version ${own} of the messa
 /** @param {string} found @param {readonly string[]} known */
 export const unknownType = (found, known) => `type must be one of ${known.join(', ')}, not ${found}`;
 
+/** @param {string} type @param {string} found @param {readonly string[]} known */
+export const unknownField = (type, found, known) =>
+  `a field of ${type} must be one of ${known.join(', ')}, not ${found}`;
+
+/** @param {number} length */
+export const aList = (length) => `an array of ${length}`;
+export const anObject = 'an object';
+
 export const linkOrExperiment =
   'set needs either a link, which is a text, or an experiment, which is an object';
 

@@ -13,6 +13,14 @@ export const otherVersion = (found, own) => `메시지 형식의 버전은 ${own
 export const unknownType = (found, known) =>
   `type은 ${known.join(', ')} 중 하나여야 하며, 받은 값은 ${found}입니다`;
 
+/** @param {string} type @param {string} found @param {readonly string[]} known */
+export const unknownField = (type, found, known) =>
+  `${type}의 필드는 ${known.join(', ')} 중 하나여야 하며, 받은 값은 ${found}입니다`;
+
+/** @param {number} length */
+export const aList = (length) => `길이 ${length}의 배열`;
+export const anObject = '객체';
+
 export const linkOrExperiment = 'set에는 문자열인 link나 객체인 experiment 중 하나가 있어야 합니다';
 
 /** @param {string} field @param {number} least @param {number} most @param {string} found */
