@@ -132,3 +132,41 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest(
+  'of more than can be checked at once the number is said, and a file that comes twice counts once',
+  async (page) => {
+    const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+    await openSheet(page);
+    await paste(page, 'I could not.\n'.repeat(5003));
+    await page.click('#collect-check');
+    await checked(page, 5000);
+    assert.match(
+      await page.text('#collect-status'),
+      /^5000 hand-ins .* Only the first 5000 of 5003 were checked/,
+    );
+    await page.click('#collect-empty');
+    for (const [count, said] of /** @type {const} */ ([
+      [1, 'and one file'],
+      [2, 'and 2 files'],
+    ])) {
+      await page.evaluate(
+        (text, most) => {
+          const dataTransfer = new DataTransfer();
+          for (const name of ['Kim_1', 'Lee_2'].slice(0, most))
+            dataTransfer.items.add(
+              new File([text], `${name}_assignsubmission_file.txt`, { lastModified: 1 }),
+            );
+          document
+            .getElementById('collect')
+            ?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+        },
+        link,
+        count,
+      );
+      await checked(page, count);
+      assert.ok((await page.text('.collect-bar')).includes(said));
+    }
+    assert.match(await page.text('#collect-status'), /^2 hand-ins .* 2 more have a remark/);
+  },
+);
