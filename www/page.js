@@ -83,7 +83,12 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
     answersOf,
     onHandIn: (handed) => embed?.handIn(handed),
   });
-  const share = createShare({ ...tools, sceneOf: seenScene, open: actions.openLinked });
+  const share = createShare({
+    ...tools,
+    sceneOf: seenScene,
+    open: actions.openLinked,
+    keepPlace: (next) => addressOf()?.keepPlace(next),
+  });
   const computingLine = createComputing(tools.actions);
   const pinButton = createPinButton(tools, seenScene);
 

@@ -1,15 +1,20 @@
-// Tables of texts, and of elements where something is pressed.
+// Tables of texts, and of what is pressed or ticked.
+import { html, nothing, render } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
 import { create } from './elements.js';
 
-/** @typedef {readonly (Node | string)[]} Row It begins with its name. */
+/** @typedef {Node | string | import('lit-html').TemplateResult} Cell */
+/** @typedef {readonly Cell[]} Row It begins with its name. */
 /**
  * @typedef {object} Table
  * @property {string} caption
- * @property {readonly (Node | string)[]} columns
+ * @property {readonly Cell[]} columns
  * @property {number} count How many rows there are.
  * @property {(row: number) => Row} rowOf
  * @property {readonly Row[]} [summary] Rows of their own before the others.
  * @property {(row: number) => string} [classOf]
+ * @property {(row: number) => unknown} [keyOf] What stays the same row, wherever it stands.
+ * @property {(column: number) => 'ascending' | 'descending' | null} [sortingOf]
  * @property {() => void} [save] As a file.
  */
 
@@ -20,35 +25,31 @@ export function headCell(scope, className, ...content) {
   return cell;
 }
 
-/** @param {readonly (Node | string)[]} names */
-const headRow = (names) =>
-  create('thead', '', create('tr', '', ...names.map((name) => headCell('col', '', name))));
-
 /** More rows than these at once would take long to lay out. */
 export const mostRows = 100;
 
-/** Some of the rows. @param {Element} root @param {Table} table @param {number} [first] */
-export function fillTable(root, { caption, columns, count, rowOf, summary = [], classOf }, first = 0) {
-  /** @param {readonly Row[]} rows @param {(row: number) => string} [nameOf] */
-  const bodyOf = (rows, nameOf) =>
-    create(
-      'tbody',
-      '',
-      ...rows.map(([name, ...texts], i) =>
-        create(
-          'tr',
-          nameOf?.(first + i) ?? '',
-          headCell('row', '', name),
-          ...texts.map((text) => create('td', '', text)),
-        ),
-      ),
-    );
-  const shown = Array.from({ length: Math.min(mostRows, count - first) }, (_, i) => rowOf(first + i));
-  root.replaceChildren(
-    create('caption', '', caption),
-    headRow(columns),
-    ...(summary.length > 0 ? [bodyOf(summary)] : []),
-    ...(count > 0 ? [bodyOf(shown, classOf)] : []),
+/** @param {Row} row @param {string} [className] */
+const rowOfCells = ([name, ...cells], className = '') =>
+  html`<tr class=${className || nothing}><th scope="row">${name}</th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`;
+
+/** Some of the rows. What is there already stays, and so does the focus in it. @param {HTMLElement} root @param {Table} table @param {number} [first] */
+export function fillTable(root, table, first = 0) {
+  const { caption, columns, count, rowOf, summary = [], classOf, keyOf, sortingOf } = table;
+  const shown = Array.from({ length: Math.min(mostRows, count - first) }, (_, i) => first + i);
+  const head = columns.map(
+    (name, i) => html`<th scope="col" aria-sort=${sortingOf?.(i) ?? nothing}>${name}</th>`,
+  );
+  const rows = repeat(
+    shown,
+    (row) => keyOf?.(row) ?? row,
+    (row) => rowOfCells(rowOf(row), classOf?.(row)),
+  );
+  render(
+    html`<caption>${caption}</caption>
+      <thead><tr>${head}</tr></thead>
+      ${summary.length > 0 ? html`<tbody>${summary.map((row) => rowOfCells(row))}</tbody>` : nothing}
+      ${count > 0 ? html`<tbody>${rows}</tbody>` : nothing}`,
+    root,
   );
 }
 

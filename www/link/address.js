@@ -72,6 +72,14 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
       open();
     },
 
+    /** A run that is opened from elsewhere takes the place of this one: a step that "back" takes back. @param {{ page: string, lesson: number }} next */
+    keepPlace(next) {
+      written = linkFor(store.get());
+      history.replaceState(null, '', `#${written}`);
+      history[onward](null, '', `#${written}`);
+      place = placeOf(next);
+    },
+
     /** Writes what has changed, once it rests. @param {State} state */
     follow(state) {
       if (!isDue(state) || !changed(...links.carried(state))) return;

@@ -17,7 +17,7 @@ import { load as loadCollect } from './collect/words/load.js';
 import { load as loadHandIn } from './handin/words/load.js';
 import { load as loadWords } from './words/load.js';
 
-/** What the sheets get. `open` opens a file whether or not the controls are locked. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], openChecks: () => void, openCode: () => void, openCollect: () => void }} SheetTools */
+/** What the sheets get. `open` opens a file whether or not the controls are locked; `keepPlace`: the browser's “back” will lead to the run that is there now. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], keepPlace: (next: { page: string, lesson: number }) => void, openChecks: () => void, openCode: () => void, openCollect: () => void }} SheetTools */
 
 /**
  * Opens a sheet; then, if it is still open once what fills it is there, uses that.
@@ -61,9 +61,16 @@ export function createShare(tools) {
   );
   const openCode = () => code(({ start }) => start());
   const collectSheet = createSheet('collect', 'table-sheet collect-sheet', texts.collectTitle, texts.close);
-  const collect = createOnDemand(collectSheet, async () =>
-    (await afterWords([loadCollect], () => import('./collect/dialog.js'))).createCollect(tools, collectSheet),
-  );
+  /** @type {((state: State) => void) | null} */
+  let drawOpened = null;
+  const collect = createOnDemand(collectSheet, async () => {
+    const made = (await afterWords([loadCollect], () => import('./collect/dialog.js'))).createCollect(
+      { ...tools, openCollect },
+      collectSheet,
+    );
+    drawOpened = made.drawOpened;
+    return made;
+  });
   const openCollect = () => collect(({ start }) => start());
   /** @type {((state: State) => void) | null} */
   let drawMaker = null;
@@ -80,7 +87,10 @@ export function createShare(tools) {
   return {
     openChecks,
     /** @param {State} state */
-    draw: (state) => drawMaker?.(state),
+    draw(state) {
+      drawMaker?.(state);
+      drawOpened?.(state);
+    },
   };
 }
 

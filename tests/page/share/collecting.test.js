@@ -7,42 +7,8 @@ import { readAll } from '../../../www/share/collect/files.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { saved } from '../harness/saved.js';
-import { exercise, handedIn } from './hand-ins.js';
-
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
-/** @param {Page} page */
-async function openSheet(page) {
-  await page.open(`#${exercise}`);
-  await page.click('#keep-button');
-  await page.until('Share is there', () => document.getElementById('keep-collect'));
-  await page.click('#keep-collect');
-  await page.until('the sheet is there', () => document.getElementById('collect-text'));
-}
-
-/** @param {Page} page @param {string} text */
-const paste = (page, text) =>
-  page.evaluate((value) => {
-    /** @type {HTMLTextAreaElement} */ (document.getElementById('collect-text')).value = value;
-  }, text);
-
-/** What stands in the table, row by row. @param {Page} page */
-const cells = (page) =>
-  page.evaluate(() =>
-    [...document.querySelectorAll('#collect tbody tr')].map((row) =>
-      [...row.children].map((cell) => cell.textContent),
-    ),
-  );
-
-/** @param {Page} page @param {number} count */
-const checked = (page, count) =>
-  page.until(
-    'all are checked',
-    (most) =>
-      document.querySelectorAll('#collect tbody tr').length === Math.min(100, most) &&
-      document.getElementById('collect-progress')?.hidden,
-    count,
-  );
+import { cells, checked, openSheet, paste, stripSays } from './hand-in-sheet.js';
+import { handedIn } from './hand-ins.js';
 
 test('an anonymous submission keeps its number, and so do those who share a name', async () => {
   const { text } = await handedIn('s1', [3.3, 0, 4.5]);
@@ -141,7 +107,6 @@ engineTest('a class is checked, sorted, opened, pinned and saved for the gradebo
   );
 
   await page.click('[aria-label="Pin the run of Bob"]');
-  await page.click('#collect-pin');
   await page.click('[aria-label="Open the run of Ann"]');
   await page.until('the run is open', () => !document.querySelector('dialog[open]'));
   assert.match(await page.text('#legend'), /Bob/);
@@ -150,6 +115,26 @@ engineTest('a class is checked, sorted, opened, pinned and saved for the gradebo
     '3.300',
   );
   assert.equal(await page.evaluate(() => document.getElementById('exercise')?.hidden), true);
+  await stripSays(page, /^Ann · J = 7\.71.* · aim met · 10 points/);
+  // In the order of the table, and without those that cannot be opened.
+  assert.match(await page.text('#collect-strip'), /2 of 4/);
+  await page.click('#strip-after');
+  await stripSays(page, /^<b>Cid<\/b> · .*3 of 4/);
+  await page.click('#strip-before');
+  await stripSays(page, /^Ann/);
+  await page.click('#strip-before');
+  await stripSays(page, /^Bob · J = .* · aim not met/);
+  await page.click('#strip-back');
+  await page.until('the table is there', () =>
+    document.activeElement?.matches('dialog[open] [aria-label="Open the run of Bob"]'),
+  );
+  assert.equal((await cells(page)).length, 5);
+  await page.click('#collect-close');
+  await page.evaluate(() => history.back());
+  await page.until(
+    'the exercise is back',
+    () => !document.getElementById('exercise')?.hidden && document.getElementById('collect-strip')?.hidden,
+  );
   assert.deepEqual(await page.problems(), []);
 });
 

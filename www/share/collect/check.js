@@ -8,6 +8,7 @@ import { createTurns } from '../../kit/loop.js';
 import { messageOf } from '../../words/errors.js';
 import { exerciseId, exerciseLink } from '../handin/receipt.js';
 import { isHeavy, recompute } from './recompute.js';
+import words from './words/index.js';
 
 /** An exercise: the run with which it was given, its link and its digits. @typedef {{ run: Linked, base: Experiment, link: string, id: string }} Given */
 /** What a receipt is: whole and true; its result is another; it was cut or changed; made by another program; or there is none. @typedef {'holds' | 'otherResult' | 'broken' | 'otherProgram' | 'none'} Worth */
@@ -39,9 +40,11 @@ export function createChecker(engine, links) {
   };
 
   return {
-    /** @param {string} link As it stands behind the #, or a whole address. */
-    exerciseIn(link) {
-      const { run, problems } = open(link.slice(link.indexOf('#') + 1).trim());
+    /** @param {string} asked As it stands behind the #, or a whole address. */
+    exerciseIn(asked) {
+      const link = asked.slice(asked.indexOf('#') + 1).trim();
+      if (link === '' || (!asked.includes('#') && /^[^&]*\//.test(link))) throw new Error(words.noLink);
+      const { run, problems } = open(link);
       if (problems.length > 0) throw new Error(problems.join(' '));
       return givenOf(engine, links, run);
     },

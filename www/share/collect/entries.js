@@ -10,9 +10,20 @@ import { mark } from '../handin/mark.js';
 /** In characters. */
 export const mostOfAll = 12_000_000;
 const mostOfOne = 200_000;
-const mostEntries = 5000;
+/** So many are checked at once; the others are only counted. */
+export const mostEntries = 5000;
 /** So many milliseconds in a row. */
 const slice = 12;
+
+/** @type {Entry} */
+const unread = Object.freeze({
+  name: '',
+  ident: {},
+  text: '',
+  link: null,
+  why: 'none',
+  isReceipt: false,
+});
 
 const entities = /** @type {Readonly<Record<string, string>>} */ ({
   amp: '&',
@@ -94,10 +105,12 @@ export function createReader(pages) {
       .map((line) => line.trim());
     /** @type {Entry[]} */
     const entries = [];
+    const add = (/** @type {string} */ one, /** @type {string} */ whose) =>
+      entries.push(entries.length < mostEntries ? entryOf(one, whose) : unread);
     /** @type {string[]} */
     let receipt = [];
     const end = () => {
-      if (receipt.length > 0) entries.push(entryOf(receipt.join('\n'), name));
+      if (receipt.length > 0) add(receipt.join('\n'), name);
       receipt = [];
     };
     const turn = createTurns(slice);
@@ -108,8 +121,7 @@ export function createReader(pages) {
         receipt.push(line);
         // What may still be of it: a link that was broken into lines.
         if (/handin=[^\s]*~[\da-f]{8}$/.test(line) || (line === '' && receipt.length > 3)) end();
-      } else if (line !== '') entries.push(entryOf(line, name || nameBefore(line)));
-      if (entries.length > mostEntries) return entries;
+      } else if (line !== '') add(line, name || nameBefore(line));
     }
     end();
     return entries;
@@ -121,10 +133,11 @@ export function createReader(pages) {
       const table = tableIn(text, (line) => linksIn(line).length > 0);
       if (!table) return fromLines(text, '');
       const turn = createTurns(slice);
+      const parts = partsOf(table.columns, table.rows, (cell) => linksIn(cell).length > 0);
       const entries = [];
-      for (const row of table.rows.slice(0, mostEntries)) {
+      for (const row of table.rows) {
         await turn();
-        entries.push(fromRow(table.columns, row, entryOf));
+        entries.push(entries.length < mostEntries ? fromRow(parts, row, entryOf) : unread);
       }
       return entries;
     },
@@ -184,6 +197,12 @@ const names = {
   ident:
     /^(identifier|id|id number|student id|email|email address|e-mail|username|login id|sis user id|sis login id|integration id|section|학번|이메일|아이디|사용자 이름)$/i,
 };
+/** What the platform says of a submission, and not of who made it. */
+const aboutIt =
+  /^(status|grade|maximum grade|grade can be changed|last modified\b.*|feedback\b.*|상태|성적)$/i;
+/** By longer ones nobody is known. In characters. */
+const mostOfIdent = 100;
+const mostIdents = 20;
 
 /** The column of what a student wrote: a row without a hand-in says how that begins. */
 const written = /^(online text|submission text|text|온라인 텍스트|texte en ligne|texteingabe online)$/i;
@@ -208,20 +227,29 @@ function tableIn(text, hasLink) {
   return { columns: columns.map((column) => column.trim()), rows };
 }
 
-/** @param {readonly string[]} columns @param {readonly string[]} row @param {(text: string, name: string, ident: Entry['ident']) => Entry} entryOf */
-function fromRow(columns, row, entryOf) {
-  const of = (/** @type {RegExp} */ name) =>
-    row[columns.findIndex((column) => name.test(column))]?.trim() ?? '';
-  const isKnown = (/** @type {string} */ column) => Object.values(names).some((name) => name.test(column));
-  const name = of(names.whole) || [of(names.first), of(names.last)].filter(Boolean).join(' ');
-  const ident = Object.fromEntries(
-    columns.map((column, i) => [column, row[i] ?? '']).filter(([column]) => names.ident.test(column)),
-  );
-  const text = row
-    .map((cell, i) => ({ cell, column: columns[i] ?? '' }))
-    .filter(({ column }) => !isKnown(column))
-    .sort((a, b) => Number(written.test(b.column)) - Number(written.test(a.column)))
-    .map(({ cell }) => cell)
-    .join('\n');
-  return entryOf(text, name, ident);
+/** Which columns say what. Whatever is not what a student wrote may be that by which the platform knows its students. @param {readonly string[]} columns @param {readonly (readonly string[])[]} rows @param {(cell: string) => boolean} hasLink */
+function partsOf(columns, rows, hasLink) {
+  const of = (/** @type {RegExp} */ name) => columns.findIndex((column) => name.test(column));
+  const named = [of(names.whole), of(names.first), of(names.last)];
+  const all = columns.map((_, i) => i);
+  const isText = (/** @type {number} */ i) =>
+    written.test(columns[i]) ||
+    rows.some((row) => row[i]?.length > mostOfIdent || (row[i]?.includes('&') && hasLink(row[i])));
+  const texts = all.filter((i) => !names.ident.test(columns[i]) && !named.includes(i) && isText(i));
+  const idents = all.filter((i) => !named.includes(i) && !texts.includes(i) && columns[i] !== '');
+  return {
+    columns,
+    named,
+    // A link may stand anywhere else too.
+    texts: [...texts, ...idents.filter((i) => !names.ident.test(columns[i]))],
+    idents: idents.filter((i) => !aboutIt.test(columns[i])).slice(0, mostIdents),
+  };
+}
+
+/** @param {ReturnType<typeof partsOf>} parts @param {readonly string[]} row @param {(text: string, name: string, ident: Entry['ident']) => Entry} entryOf */
+function fromRow({ columns, named, texts, idents }, row, entryOf) {
+  const [whole, first, last] = named.map((i) => row[i]?.trim() ?? '');
+  const ident = Object.fromEntries(idents.map((i) => [columns[i], row[i] ?? '']));
+  const text = texts.map((i) => row[i] ?? '').join('\n');
+  return entryOf(text, whole || [first, last].filter(Boolean).join(' '), ident);
 }

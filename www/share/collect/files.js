@@ -1,11 +1,10 @@
 // Files and folders as they are dropped or chosen, read as text.
 /** @import { Entry } from './entries.js' */
-import { namesOfFiles } from './entries.js';
+import { mostEntries, namesOfFiles } from './entries.js';
 
 /** In bytes: a hand-in is a few hundred characters, the table of a whole course some megabytes. */
 const mostOfFile = 2_000_000;
 const mostOfTable = 40_000_000;
-const mostFiles = 5000;
 
 /** All files in what was dropped, those in folders too. @param {DataTransfer} dropped @returns {Promise<File[]>} */
 export async function filesIn(dropped) {
@@ -16,7 +15,6 @@ export async function filesIn(dropped) {
   /** @type {File[]} */
   const files = [];
   const walk = async (/** @type {FileSystemEntry} */ entry) => {
-    if (files.length >= mostFiles) return;
     if (entry.isFile) {
       const file = await new Promise((resolve, reject) =>
         /** @type {FileSystemFileEntry} */ (entry).file(resolve, reject),
@@ -38,15 +36,39 @@ export async function filesIn(dropped) {
   return files;
 }
 
+const pathOf = (/** @type {File} */ file) => file.webkitRelativePath || file.name;
+
+/** Files that were chosen, and more of them: one that is there already, to the last letter, is not there twice. @param {readonly File[]} files @param {readonly File[]} more */
+export async function joined(files, more) {
+  const keyOf = (/** @type {File} */ file) => `${pathOf(file)} ${file.size} ${file.lastModified}`;
+  /** @type {Map<string, File[]>} */
+  const known = new Map();
+  for (const file of files) known.set(keyOf(file), [...(known.get(keyOf(file)) ?? []), file]);
+  const isThere = async (/** @type {File} */ file) => {
+    const alike = known.get(keyOf(file)) ?? [];
+    const texts = await Promise.all([file, ...alike].map((one) => one.text()));
+    return texts.indexOf(texts[0], 1) > 0;
+  };
+  const all = [...files];
+  for (const file of more) if (!known.has(keyOf(file)) || !(await isThere(file))) all.push(file);
+  return all;
+}
+
 /** @param {readonly File[]} files @param {ReturnType<typeof import('./entries.js').createReader>} reader @returns {Promise<Entry[]>} */
 export async function readAll(files, reader) {
   /** @type {Entry[]} */
   const entries = [];
-  const paths = files.slice(0, mostFiles).map((file) => file.webkitRelativePath || file.name);
+  const paths = files.map(pathOf);
   for (const [i, name] of namesOfFiles(paths).entries()) {
+    if (entries.length >= mostEntries) {
+      // Of what is not checked, a file counts as one.
+      entries.push(reader.tooLong(name));
+      continue;
+    }
     const most = /\.(?:csv|tsv)$/i.test(paths[i]) ? mostOfTable : mostOfFile;
     if (files[i].size > most) entries.push(reader.tooLong(name));
-    else entries.push(...(await reader.readFile(paths[i], await files[i].text(), name)));
+    else
+      for (const entry of await reader.readFile(paths[i], await files[i].text(), name)) entries.push(entry);
   }
   return entries;
 }

@@ -2,8 +2,9 @@
 /** @import { Table } from '../../kit/table.js' */
 /** @import { Row } from './check.js' */
 /** @import { Column } from './words/common.js' */
+import { html } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import Papa from 'papaparse';
-import { create } from '../../kit/elements.js';
 import { numberText as digits } from '../../link/values.js';
 import words from './words/index.js';
 
@@ -71,22 +72,20 @@ export function ordered(rows, { column, isDown }) {
     .sort((a, b) => sign * (keys[a] < keys[b] ? -1 : keys[a] > keys[b] ? 1 : 0) || a - b);
 }
 
-/**
- * @param {readonly Row[]} rows @param {Order} order @param {ReadonlySet<number>} pinned
- * @param {{ sort: (column: Column) => void, open: (row: number) => void, pin: (row: number, isPinned: boolean) => void }} on
- * @returns {Table}
- */
-export function tableOf(rows, order, pinned, on) {
+/** @typedef {{ sort: (column: Column) => void, open: (row: number) => void, pin: (row: number) => void }} Events */
+
+/** @param {readonly Row[]} rows @param {Order} order @param {(row: Row) => boolean} isPinned @param {Events} on @returns {Table} */
+export function tableOf(rows, order, isPinned, on) {
   const indices = ordered(rows, order);
   return {
     caption: words.texts.table,
     columns: columns.map((column) => headOf(column, order, on.sort)),
     count: rows.length,
+    keyOf: (row) => indices[row],
     classOf: (row) => (rows[indices[row]].checked ? '' : 'unread'),
-    rowOf(row) {
-      const index = indices[row];
-      return cellsOf(rows[index], index, rows, pinned.has(index), on);
-    },
+    sortingOf: (column) =>
+      columns[column] === order.column ? (order.isDown ? 'descending' : 'ascending') : null,
+    rowOf: (row) => cellsOf(indices[row], rows, isPinned, on),
   };
 }
 
@@ -95,12 +94,8 @@ function headOf(column, order, sort) {
   const text = words.columns[column];
   if (unsorted.includes(column)) return text;
   const mark = column === order.column ? (order.isDown ? ' ↓' : ' ↑') : '';
-  const button = create('button', 'link', `${text}${mark}`);
-  button.setAttribute('type', 'button');
-  button.setAttribute('aria-label', words.sortBy(text));
-  button.dataset.sort = column;
-  button.addEventListener('click', () => sort(column));
-  return button;
+  return html`<button type="button" class="link" data-sort=${column} title=${words.sortBy(text)}
+    @click=${() => sort(column)}>${text}<span aria-hidden="true">${mark}</span></button>`;
 }
 
 /** @param {import('./check.js').Checked} checked */
@@ -109,31 +104,26 @@ function metText({ judged, worth }) {
   return judged ? (judged.isMet ? words.met : words.notMet) : '';
 }
 
-/** @param {Row} row @param {number} index @param {readonly Row[]} rows @param {boolean} isPinned @param {{ open: (row: number) => void, pin: (row: number, isPinned: boolean) => void }} on */
-function cellsOf(row, index, rows, isPinned, { open, pin }) {
+/** @param {number} index @param {readonly Row[]} rows @param {(row: Row) => boolean} isPinned @param {Events} on */
+function cellsOf(index, rows, isPinned, { open, pin }) {
+  const row = rows[index];
   const { checked } = row;
-  const remarks = create('span', 'collect-remarks', remarksOf(row, rows).join('; '));
+  const name = nameOf(row);
   const number = words.rowNumber(index);
-  if (!checked) return [number, '', nameOf(row), '', '', '', '', '', remarks, ''];
+  const remarks = html`<span class="collect-remarks">${remarksOf(row, rows).join('; ')}</span>`;
+  if (!checked) return [number, '', name, '', '', '', '', '', remarks, ''];
   const { judged, who, cost, drives, isTold } = checked;
-  const box = /** @type {HTMLInputElement} */ (create('input', ''));
-  Object.assign(box, { type: 'checkbox', checked: isPinned, ariaLabel: words.pinLabel(nameOf(row)) });
-  box.addEventListener('change', () => pin(index, box.checked));
-  const button = create('button', 'link', words.texts.open);
-  button.setAttribute('type', 'button');
-  button.setAttribute('aria-label', words.openLabel(nameOf(row)));
-  button.addEventListener('click', () => open(index));
   return [
     number,
-    box,
-    nameOf(row),
-    who && who !== nameOf(row) ? who : '',
+    html`<input type="checkbox" aria-label=${words.pinLabel(name)} .checked=${live(isPinned(row))} @change=${() => pin(index)}>`,
+    name,
+    who && who !== name ? who : '',
     words.numberText(cost),
     metText(checked),
     judged?.points == null ? '' : String(judged.points),
     drives === null ? '' : words.drivesText(drives, isTold),
     remarks,
-    button,
+    html`<button type="button" class="link" data-open=${index} aria-label=${words.openLabel(name)} @click=${() => open(index)}>${words.texts.open}</button>`,
   ];
 }
 

@@ -16,13 +16,15 @@ export const texts = {
   csv: 'Table for the gradebook (CSV)',
   progress: 'Checked so far',
   open: 'Open',
-  pin: 'Pin the chosen ones',
   before: 'Previous',
   after: 'Next',
   table: 'The hand-ins',
   histogram: 'How many have which J',
   gains: 'Their gains',
   costAxis: 'J',
+  larger: 'larger',
+  strip: 'The hand-ins',
+  stripBack: 'The browser’s Back leads to the run that was here before.',
   countAxis: 'hand-ins',
 };
 
@@ -98,6 +100,33 @@ export const summary = (all, met, unread, marked, milliseconds) =>
 /** @param {string} exercise @param {string} task */
 export const judgedBy = (exercise, task) => `Judged by exercise ${exercise}${task ? `: ${task}` : ''}`;
 
+/** @param {number} checked @param {number} all */
+export const onlyFirst = (checked, all) =>
+  `Only the first ${checked} of ${all} were checked: check the others by themselves.`;
+/** @param {number} read @param {number} all */
+export const cutText = (read, all) =>
+  `Only the first ${read} of the ${all} characters that were pasted were read.`;
+
+/** The marks in the pictures. @type {Readonly<Record<string, string>>} */
+export const legend = {
+  met: 'meets the aim',
+  not: 'does not meet it',
+  unjudged: 'not judged',
+  aim: 'the aim',
+  far: 'farther out, that way',
+};
+
+/** @param {string} cost */
+export const costText = (cost) => `J = ${cost}`;
+/** @param {string} met */
+export const aimText = (met) => `aim ${met}`;
+/** @param {number} points */
+export const pointsText = (points) => `${points} ${points === 1 ? 'point' : 'points'}`;
+/** @param {number} place @param {number} count */
+export const placeText = (place, count) => `${place} of ${count}`;
+
+export const noLink =
+  'this address holds no exercise. Copy the whole link, with all that stands behind its #.';
 export const nothing = 'There is nothing to check yet.';
 export const cancelled = 'Cancelled.';
 /** @param {string} reason */
@@ -106,8 +135,13 @@ export const failed = (reason) => `It could not be checked: ${reason}`;
 export const noExercise = (reason) => `The link of the exercise cannot be read: ${reason}`;
 /** @param {number} files */
 export const filesText = (files) => (files === 0 ? '' : files === 1 ? 'and one file' : `and ${files} files`);
-/** @param {number} most */
-export const pinnedText = (most) => `Pinned: they stand on the plane and in Curves; at most ${most} do.`;
+/** @param {string} name */
+export const pinned = (name) => `Pinned: ${name}, on the plane and in Curves.`;
+/** @param {string} name */
+export const unpinned = (name) => `No longer pinned: ${name}.`;
+/** @param {string} name @param {number} most */
+export const notPinned = (name, most) =>
+  `Not pinned: ${name}. ${most} runs are pinned, and no more can be: take one away first, here or on the page.`;
 /** @param {number} first @param {number} last @param {number} count */
 export const rowsText = (first, last, count) => `${first} to ${last} of ${count}`;
 export const csvHead = {

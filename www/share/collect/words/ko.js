@@ -16,13 +16,15 @@ export const texts = {
   csv: '성적부에 넣을 표(CSV)',
   progress: '확인한 정도',
   open: '열기',
-  pin: '고른 것을 고정',
   before: '이전',
   after: '다음',
   table: '제출물 목록',
   histogram: 'J의 분포',
   gains: '제출된 이득',
   costAxis: 'J',
+  larger: '그 이상',
+  strip: '제출물 목록',
+  stripBack: '브라우저의 뒤로 단추를 누르면 이전에 열려 있던 실행으로 돌아갑니다.',
   countAxis: '제출 수',
 };
 
@@ -98,6 +100,31 @@ export const summary = (all, met, unread, marked, milliseconds) =>
 /** @param {string} exercise @param {string} task */
 export const judgedBy = (exercise, task) => `기준이 된 과제 ${exercise}${task ? `: ${task}` : ''}`;
 
+/** @param {number} checked @param {number} all */
+export const onlyFirst = (checked, all) =>
+  `${all}개 중 처음 ${checked}개만 확인했습니다. 나머지는 따로 확인하십시오.`;
+/** @param {number} read @param {number} all */
+export const cutText = (read, all) => `붙여 넣은 ${all}자 중 처음 ${read}자만 읽었습니다.`;
+
+/** The marks in the pictures. @type {Readonly<Record<string, string>>} */
+export const legend = {
+  met: '기준 달성',
+  not: '기준 미달',
+  unjudged: '판정하지 않음',
+  aim: '기준값',
+  far: '이 방향으로 더 멀리 있음',
+};
+
+/** @param {string} cost */
+export const costText = (cost) => `J = ${cost}`;
+/** @param {string} met */
+export const aimText = (met) => `기준: ${met}`;
+/** @param {number} points */
+export const pointsText = (points) => `${points}점`;
+/** @param {number} place @param {number} count */
+export const placeText = (place, count) => `${count}개 중 ${place}번째`;
+
+export const noLink = '이 주소에는 과제가 없습니다. # 뒤까지 링크 전체를 복사하십시오.';
 export const nothing = '아직 확인할 것이 없습니다.';
 export const cancelled = '취소했습니다.';
 /** @param {string} reason */
@@ -106,8 +133,13 @@ export const failed = (reason) => `확인하지 못했습니다: ${reason}`;
 export const noExercise = (reason) => `과제 링크를 읽을 수 없습니다: ${reason}`;
 /** @param {number} files */
 export const filesText = (files) => (files === 0 ? '' : `파일 ${files}개와 함께`);
-/** @param {number} most */
-export const pinnedText = (most) => `고정했습니다. 평면과 곡선에 최대 ${most}개까지 나타납니다.`;
+/** @param {string} name */
+export const pinned = (name) => `고정함: ${name}. 평면과 곡선에 나타납니다.`;
+/** @param {string} name */
+export const unpinned = (name) => `고정을 풂: ${name}.`;
+/** @param {string} name @param {number} most */
+export const notPinned = (name, most) =>
+  `고정하지 못함: ${name}. 이미 ${most}개가 고정되어 있어 더는 고정할 수 없습니다. 먼저 여기나 페이지에서 하나를 푸십시오.`;
 /** @param {number} first @param {number} last @param {number} count */
 export const rowsText = (first, last, count) => `${count}개 중 ${first}~${last}`;
 export const csvHead = {

@@ -1,0 +1,128 @@
+// What is read of a class: all columns of the platform, each file once, so many at once; and what its pictures are made of.
+import assert from 'node:assert/strict';
+import Papa from 'papaparse';
+import { links } from '../../../www/lesson/links.js';
+import { binsOf, reach } from '../../../www/share/collect/bins.js';
+import { createChecker } from '../../../www/share/collect/check.js';
+import { createReader, mostEntries } from '../../../www/share/collect/entries.js';
+import { joined, readAll } from '../../../www/share/collect/files.js';
+import { csvOf } from '../../../www/share/collect/table.js';
+import { test } from '../harness/once.js';
+import { engine, exercise, handedIn, site } from './hand-ins.js';
+
+/** @import { Kind } from '../../../www/share/collect/bins.js' */
+
+const reader = createReader(links.pages);
+
+test('the columns of the platform are passed on in any language, but for what was written and what was graded', async () => {
+  const { text, link } = await handedIn('s1', [3.3, 0, 4.5]);
+  /** @type {[string[], string[]][]} */
+  const heads = [
+    [
+      ['Identifiant', 'Nom complet', 'Adresse de courriel', 'Remise'],
+      ['Identifiant', 'Adresse de courriel'],
+    ],
+    [
+      ['ID', 'Vollständiger Name', 'E-Mail-Adresse', 'Texteingabe online'],
+      ['ID', 'E-Mail-Adresse'],
+    ],
+    [
+      ['식별자', '성명', '이메일 주소', '온라인 텍스트'],
+      ['식별자', '이메일 주소'],
+    ],
+    [['Identifier', 'Full name', 'Grade', 'Anything'], ['Identifier', 'Grade'].slice(0, 1)],
+  ];
+  const checker = createChecker(engine, links);
+  const never = { signal: new AbortController().signal, onProgress: () => {} };
+  for (const [head, passed] of heads)
+    for (const written of [text, link]) {
+      const table = Papa.unparse([
+        head,
+        ['P7', 'Kim Lee', 'kim@x.org', written],
+        ['P8', 'Lee', 'lee@x.org', 'No.'],
+      ]);
+      const entries = await reader.read(table);
+      assert.deepEqual(
+        entries.map(({ name, ident }) => [name, Object.keys(ident)]),
+        [
+          ['Kim Lee', passed],
+          ['Lee', passed],
+        ],
+      );
+      assert.match(entries[1].text, /^No\./);
+      const { rows } = await checker.check(entries, checker.exerciseIn(exercise), never);
+      const [top] = Papa.parse(csvOf(rows, site).replace('\ufeff', '')).data;
+      assert.deepEqual(/** @type {string[]} */ (top).slice(1, 1 + passed.length), passed);
+    }
+});
+
+test('a column of the platform is no formula, and there are not too many', async () => {
+  const { text } = await handedIn('s1', [3.3, 0, 4.5]);
+  const many = Array.from({ length: 60 }, (_, i) => `Field ${i}`);
+  const [entry] = await reader.read(
+    Papa.unparse([
+      ['Name', '=1+1', 'Hand-in', ...many],
+      ['Kim', '=2+2', text, ...many],
+    ]),
+  );
+  assert.equal(Object.keys(entry.ident).length, 20);
+  const row = { entry, checked: null, problem: /** @type {const} */ ('none'), same: [] };
+  const [head, first] = Papa.parse(csvOf([row], site).replace('\ufeff', '')).data;
+  assert.deepEqual(
+    [/** @type {string[]} */ (head)[1], /** @type {string[]} */ (first)[1]],
+    ["'=1+1", "'=2+2"],
+  );
+});
+
+test('so many are read, and the others are counted: of lines, of a table, of files', async () => {
+  const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+  const all = mostEntries + 3;
+  const lines = Array.from({ length: all }, () => link);
+  const table = Papa.unparse([['Name', 'Text'], ...lines.map((one) => ['Kim', one])]);
+  const files = lines.map((one, i) => new File([one], `${i}.txt`));
+  for (const entries of [
+    await reader.read(lines.join('\n')),
+    await reader.read(table),
+    await readAll(files, reader),
+  ]) {
+    assert.equal(entries.length, all);
+    assert.deepEqual(
+      [entries[mostEntries - 1].link === null, entries[mostEntries].link === null],
+      [false, true],
+    );
+  }
+});
+
+test('a file that is chosen twice is there once, and another of its name is another', async () => {
+  const file = (/** @type {string} */ text, lastModified = 1) =>
+    new File([text], 'mine.txt', { lastModified });
+  const first = await joined([], [file('one'), file('two')]);
+  assert.equal(first.length, 2);
+  assert.equal((await joined(first, [file('one'), file('two')])).length, 2);
+  assert.equal((await joined(first, [file('six'), file('one', 2), file('longer')])).length, 5);
+});
+
+test('an aim is a border between two bars, nobody is left out, and who is far off is not among the others', () => {
+  const pointOf = (/** @type {number} */ cost) => ({
+    cost,
+    gains: [0, 0, 0],
+    kind: /** @type {Kind} */ (cost < 7.9 ? 'met' : 'not'),
+  });
+  for (const count of [1, 2, 3, 30, 500])
+    for (const aim of [7.9, null, 20, 1]) {
+      const costs = Array.from({ length: count }, (_, i) => 7.5 + ((i * 37) % 100) / 100);
+      const far = count > 20 ? [50, 1e6] : [];
+      const { bins, beyond, first, step } = binsOf([...costs, ...far].map(pointOf), aim);
+      const sum = [...bins, beyond].reduce((all, { met, not, unjudged }) => all + met + not + unjudged, 0);
+      assert.equal(sum, count + far.length);
+      assert.deepEqual(beyond, { met: 0, not: far.length, unjudged: 0 });
+      assert.ok(bins.length <= 26);
+      if (aim === null) continue;
+      const border = (aim - first) / step;
+      assert.ok(Math.abs(border - Math.round(border)) < 1e-9, `${aim}`);
+      if (aim === 7.9)
+        for (const [i, bin] of bins.entries()) assert.equal(i < Math.round(border) ? bin.not : bin.met, 0);
+    }
+  assert.deepEqual(reach([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 900]), [1, 11]);
+  assert.deepEqual(reach([3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 9]), [3, 9]);
+});

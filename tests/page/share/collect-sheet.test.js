@@ -1,0 +1,172 @@
+// What a lecturer sees of the sheet on which hand-ins are checked: room, focus, pins, and what is no longer true.
+import assert from 'node:assert/strict';
+import { Key, pageTest } from '../harness/browsers.js';
+import { checked, openSheet, paste } from './hand-in-sheet.js';
+import { handedIn, site } from './hand-ins.js';
+
+pageTest(
+  'the focus stays where a table is sorted or a run is pinned, of which there are four at most',
+  async (page) => {
+    const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+    const plain = link.split('&handin=')[0];
+    const names = ['Ann', 'Bob', 'Cid', 'Dan', 'Eve'];
+    await openSheet(page);
+    await paste(
+      page,
+      names.map((name, i) => `${name}, ${site}#${plain.replace('3.3,', `${3 + i / 10},`)}`).join('\n'),
+    );
+    await page.click('#collect-check');
+    await checked(page, names.length);
+    await page.focus('[data-sort="cost"]');
+    for (const sorted of ['ascending', 'descending']) {
+      await page.press(Key.ENTER);
+      assert.deepEqual(
+        await page.evaluate(() => {
+          const head = document.activeElement?.closest('th');
+          return [head?.textContent?.slice(0, 1), head?.ariaSort];
+        }),
+        ['J', sorted],
+      );
+    }
+    const pin = async (/** @type {string} */ name) => {
+      const box = `[aria-label="Pin the run of ${name}"]`;
+      await page.focus(box);
+      await page.press(' ');
+      return page.evaluate(
+        (selector) =>
+          document.activeElement?.matches(selector) &&
+          /** @type {HTMLInputElement} */ (document.activeElement).checked,
+        box,
+      );
+    };
+    for (const name of names.slice(0, 4)) assert.equal(await pin(name), true, name);
+    assert.equal(await pin('Eve'), false);
+    assert.match(await page.text('#collect-note'), /^Not pinned: Eve\. 4 runs are pinned/);
+    assert.equal(await pin('Bob'), false);
+    assert.equal(await pin('Eve'), true);
+    assert.match(await page.text('#collect-status'), /^5 hand-ins/);
+    assert.deepEqual(await page.problems(), []);
+  },
+);
+
+pageTest('what was found has the room of the window, and nothing of it is cut', async (page) => {
+  const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+  const plain = link.split('&handin=')[0];
+  await openSheet(page);
+  await paste(
+    page,
+    Array.from({ length: 130 }, (_, i) => plain.replace('3.3,0,4.5', `${3 + i / 1000},0,4.5`)).join('\n'),
+  );
+  await page.click('#collect-check');
+  await checked(page, 130);
+  for (const [width, height, share] of [
+    [1920, 1080, 0.6],
+    [1440, 900, 0.55],
+    [1024, 768, 0.3],
+    [390, 844, 0.5],
+  ]) {
+    await page.resize(width, height);
+    await page.until(
+      `the table has its share at ${width}`,
+      (most) => {
+        const table = document.querySelector('#collect .table-scroll');
+        return (table?.getBoundingClientRect().height ?? 0) > most * innerHeight;
+      },
+      share,
+    );
+    assert.deepEqual(
+      await page.evaluate(() =>
+        [...document.querySelectorAll('#collect button')]
+          .filter((button) => !button.closest('.table-scroll') && button.checkVisibility())
+          .filter((button) => {
+            const { right } = button.getBoundingClientRect();
+            return right > innerWidth - 16 || button.scrollWidth > button.clientWidth + 1;
+          })
+          .map(({ id }) => id),
+      ),
+      [],
+    );
+  }
+});
+
+pageTest(
+  'a wrong link of the exercise ends what was checked by another, and another class begins empty',
+  async (page) => {
+    const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+    const many = Array.from({ length: 130 }, () => link).join('\n');
+    const ask = (/** @type {string} */ text) =>
+      page.evaluate((value) => {
+        /** @type {HTMLInputElement} */ (document.getElementById('collect-exercise')).value = value;
+      }, text);
+    const shown = () =>
+      page.evaluate(() =>
+        ['#collect-cancel', '#collect-csv', '#collect-empty'].map((one) =>
+          document.querySelector(one)?.checkVisibility(),
+        ),
+      );
+    await openSheet(page);
+    assert.deepEqual(await shown(), [false, false, false]);
+    await paste(page, many);
+    await page.click('#collect-check');
+    await checked(page, 130);
+    assert.deepEqual(await shown(), [false, true, true]);
+    await ask('http://localhost:8140/');
+    await page.click('#collect-check');
+    const said = 'The link of the exercise cannot be read: this address holds no exercise.';
+    assert.ok((await page.text('#collect-status')).startsWith(said));
+    assert.ok(!(await page.text('#collect-status')).includes('Judged by'));
+    assert.deepEqual(await shown(), [false, false, true]);
+    // While one runs: within one turn of the page.
+    await ask('');
+    await page.evaluate(() => {
+      const field = /** @type {HTMLInputElement} */ (document.getElementById('collect-exercise'));
+      document.getElementById('collect-check')?.click();
+      field.value = 'rubbish';
+      document.getElementById('collect-check')?.click();
+    });
+    assert.match(await page.text('#collect-status'), /cannot be read: .*rubbish/);
+    assert.deepEqual(await shown(), [false, false, true]);
+    await page.click('#collect-empty');
+    assert.deepEqual(await shown(), [false, false, false]);
+    assert.equal(await page.text('#collect-status'), '');
+    assert.deepEqual(await page.problems(), []);
+  },
+);
+
+pageTest(
+  'of more than can be checked at once the number is said, and a file that comes twice counts once',
+  async (page) => {
+    const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+    await openSheet(page);
+    await paste(page, 'I could not.\n'.repeat(5003));
+    await page.click('#collect-check');
+    await checked(page, 5000);
+    assert.match(
+      await page.text('#collect-status'),
+      /^5000 hand-ins .* Only the first 5000 of 5003 were checked/,
+    );
+    await page.click('#collect-empty');
+    for (const [count, said] of /** @type {const} */ ([
+      [1, 'and one file'],
+      [2, 'and 2 files'],
+    ])) {
+      await page.evaluate(
+        (text, most) => {
+          const dataTransfer = new DataTransfer();
+          for (const name of ['Kim_1', 'Lee_2'].slice(0, most))
+            dataTransfer.items.add(
+              new File([text], `${name}_assignsubmission_file.txt`, { lastModified: 1 }),
+            );
+          document
+            .getElementById('collect')
+            ?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+        },
+        link,
+        count,
+      );
+      await checked(page, count);
+      assert.ok((await page.text('.collect-bar')).includes(said));
+    }
+    assert.match(await page.text('#collect-status'), /^2 hand-ins .* 2 more have a remark/);
+  },
+);

@@ -1,0 +1,70 @@
+// What can be done with the hand-ins that are there: sort, pin, save, and open them one after the other.
+/** @import { Tools, View } from './dialog.js' */
+/** @import { Row } from './check.js' */
+/** @import { Sheet } from '../../kit/sheet.js' */
+/** @import { Column } from './words/common.js' */
+import { download } from '../../kit/download.js';
+import { addressOf } from '../../kit/host.js';
+import { mostRows } from '../../kit/table.js';
+import { noExercise } from '../../run/exercise.js';
+import { isFull, pinOf, styles } from '../../run/pins.js';
+import { nobody } from '../../run/variant.js';
+import { csvName, csvOf, nameOf, ordered } from './table.js';
+import words from './words/index.js';
+
+/** What a pin holds. @param {Row} row */
+const drivenOf = ({ checked }) => checked && { experiment: checked.run.experiment, gains: checked.gains };
+
+/** @param {Tools} tools @param {Row} row */
+export function isPinned({ store }, row) {
+  const driven = drivenOf(row);
+  return driven !== null && pinOf(store.get().pins, driven) !== undefined;
+}
+
+/** @param {Tools} tools @param {Sheet} sheet @param {() => View} viewNow @param {(patch: Partial<View>) => void} update */
+export function createRowEvents({ store, actions, open, keepPlace }, sheet, viewNow, update) {
+  return {
+    /** @param {Column} column */
+    sort(column) {
+      const { order } = viewNow();
+      update({ order: { column, isDown: column === order.column && !order.isDown }, first: 0 });
+    },
+
+    /** Or takes the pin away. @param {number} index */
+    pin(index) {
+      const row = viewNow().rows[index];
+      const driven = drivenOf(row);
+      if (!driven) return;
+      const name = nameOf(row) || words.rowNumber(index);
+      const { pins } = store.get();
+      const hasNoRoom = isFull(pins) && !pinOf(pins, driven);
+      if (!hasNoRoom) actions.togglePin(driven, name);
+      const isThere = pinOf(store.get().pins, driven) !== undefined;
+      const said = isThere ? words.pinned(name) : words.unpinned(name);
+      update({ note: hasNoRoom ? words.notPinned(name, styles.length) : said });
+    },
+
+    /** One whole run, in which nothing is locked. Back from the first of them is what was there before. @param {number} index */
+    open(index) {
+      const { rows, order, opened } = viewNow();
+      const { checked } = rows[index];
+      if (!checked) return;
+      sheet.dialog.close();
+      const { pins, work } = store.get();
+      const { run } = checked;
+      if (opened?.since !== work.since) keepPlace(run);
+      open({ ...run, pins, exercise: noExercise, student: nobody, parts: {} }, []);
+      const place = ordered(rows, order).indexOf(index);
+      update({ first: place - (place % mostRows) });
+      actions.whenIdle().then(() => {
+        const { experiment, work } = store.get();
+        if (experiment === run.experiment) update({ opened: { index, since: work.since } });
+      });
+    },
+
+    save() {
+      const address = addressOf(location.href, '', false).replace(/#$/, '');
+      download(csvName, 'text/csv', csvOf(viewNow().rows, address));
+    },
+  };
+}

@@ -1,0 +1,62 @@
+// Whose run is on the page, once a hand-in was opened there: what came of it, the way to the next one, and back.
+/** @import { Row } from './check.js' */
+/** @import { View } from './dialog.js' */
+import { html, nothing, render } from 'lit-html';
+import { byId, create } from '../../kit/elements.js';
+import { nameOf, ordered, remarksOf } from './table.js';
+import words from './words/index.js';
+
+const { texts } = words;
+
+/** @param {{ open: (index: number) => void, back: () => void }} on `back`: to the table. */
+export function createStrip(on) {
+  const root = create('section', 'collect-strip');
+  root.id = 'collect-strip';
+  root.hidden = true;
+  root.setAttribute('aria-label', texts.strip);
+  byId('exercise').before(root);
+  return {
+    root,
+    /** @param {View} view @param {number} since When what is on the page was opened. */
+    draw({ rows, order, opened }, since) {
+      root.hidden = opened === null || opened.since !== since;
+      if (!opened || root.hidden) return;
+      const readable = ordered(rows, order).filter((index) => rows[index].checked);
+      render(contentOf(rows, readable, opened.index, on), root);
+    },
+  };
+}
+
+/** @param {readonly Row[]} rows @param {readonly number[]} readable In the order of the table. @param {number} index @param {{ open: (index: number) => void, back: () => void }} on */
+function contentOf(rows, readable, index, on) {
+  const place = readable.indexOf(index);
+  const row = rows[index];
+  const remarks = remarksOf(row, rows);
+  const button = (
+    /** @type {string} */ id,
+    /** @type {string} */ text,
+    /** @type {number | undefined} */ to,
+  ) =>
+    html`<button id=${id} type="button" .disabled=${to === undefined} @click=${() => to !== undefined && on.open(to)}>${text}</button>`;
+  return html`
+    <p role="status"><b>${nameOf(row) || words.rowNumber(index)}</b> · ${saidOf(row).join(' · ')}
+      ${remarks.length > 0 ? html`<span class="muted">${remarks.join('; ')}</span>` : nothing}
+      <span class="muted">${texts.stripBack}</span></p>
+    <div class="bar">
+      ${button('strip-before', texts.before, readable[place - 1])}
+      ${button('strip-after', texts.after, readable[place + 1])}
+      <span class="muted">${words.placeText(place + 1, readable.length)}</span>
+      <button id="strip-back" type="button" @click=${on.back}>${texts.strip}</button>
+    </div>`;
+}
+
+/** @param {Row} row */
+function saidOf({ checked }) {
+  if (!checked) return [];
+  const { cost, judged } = checked;
+  return [
+    words.costText(words.numberText(cost)),
+    ...(judged ? [words.aimText(judged.isMet ? words.met : words.notMet)] : []),
+    ...(judged?.points == null ? [] : [words.pointsText(judged.points)]),
+  ];
+}
