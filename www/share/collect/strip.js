@@ -3,6 +3,7 @@
 /** @import { View } from './dialog.js' */
 import { html, nothing, render } from 'lit-html';
 import { byId, create } from '../../kit/elements.js';
+import { watch } from '../../kit/memo.js';
 import { nameOf, ordered, remarksOf } from './table.js';
 import words from './words/index.js';
 
@@ -15,10 +16,13 @@ export function createStrip(on) {
   root.hidden = true;
   root.setAttribute('aria-label', texts.strip);
   byId('exercise').before(root);
+  const changed = watch();
   return {
     root,
     /** @param {View} view @param {number} since When what is on the page was opened. */
-    draw({ rows, order, opened }, since) {
+    draw(view, since) {
+      if (!changed(view, since)) return;
+      const { rows, order, opened } = view;
       root.hidden = opened === null || opened.since !== since;
       if (!opened || root.hidden) return;
       const readable = ordered(rows, order).filter((index) => rows[index].checked);
