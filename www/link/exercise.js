@@ -74,8 +74,9 @@ export const exerciseKeys = [
     key: 'spent',
     text(state) {
       const { exercise, student, work, history } = state;
+      if (!exercise.aim?.drives) return null;
       const made = work && history ? spentOf({ ...state, work, history }) : student.spent;
-      return exercise.aim?.drives && made > 0 ? String(made) : null;
+      return made > 0 ? String(made) : null;
     },
     read: (opened, text) => ({
       ...opened,

@@ -87,10 +87,10 @@ export function drivesOf({ driver, history, generation, work, experiment }) {
   return work.tries * experiment.starts.length + work.spent + evolved;
 }
 
-/** Of all that was driven here, what is not driven again when the generation that is shown is made again. @param {Pick<State, 'history' | 'generation' | 'work' | 'experiment'>} state */
+/** Of all that was driven here, what is not driven again when the generation that is shown, which another run may have, is made again. @param {Pick<State, 'history' | 'generation' | 'work' | 'experiment'>} state */
 export const spentOf = ({ history, generation, ...state }) =>
   drivesOf({ ...state, history, generation, driver: 'hand' }) -
-  (generation > 0 ? history[generation].evaluations : 0);
+  (generation > 0 ? (history[generation]?.evaluations ?? 0) : 0);
 
 /** The state as it has been asked for, of which an experiment may still be on its way: what controls show, and change further. @param {State} state @returns {State} */
 export const asked = (state) => ({ ...state, ...state.computing?.next });

@@ -29,6 +29,9 @@ test('a link says what was driven where so many drives are allowed, and nowhere 
     // Neither the exercise nor what a lecturer makes of it has it.
     assert.doesNotMatch(exerciseLink({ ...state, work }, engine, links), /spent/);
   }
+  // As Park leads into the lab, with a run of its own.
+  const state = await opened(budget);
+  assert.match(links.linkOf({ ...state, generation: 9 }, experiment), /&generation=9&/);
   assert.match(links.openLink(`${budget}&spent=-1`, engine).problems[0], /spent.*whole number/);
 });
 
