@@ -1,5 +1,6 @@
 // What stands in the place of something that is loaded on demand.
 import { create } from '../kit/elements.js';
+import { isLost } from '../words/errors.js';
 import { opening as words } from '../words/index.js';
 
 export function createWaiting() {
@@ -8,8 +9,10 @@ export function createWaiting() {
   const element = create('div', '', said);
   return {
     element,
-    /** It could not be loaded. */
-    fail() {
+    /** It could not be loaded, and the rest goes on; where the core is lost nothing does. @param {unknown} error */
+    fail(error) {
+      if (isLost(error)) throw error;
+      console.warn(error);
       const again = create('button', '', words.again);
       again.setAttribute('type', 'button');
       again.addEventListener('click', loadPageAgain);

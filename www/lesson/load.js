@@ -41,8 +41,7 @@ export function createLesson(tools) {
       lesson = made;
       tools.store.redraw();
     } catch (error) {
-      console.warn(error);
-      waiting.fail();
+      waiting.fail(error);
     }
   }
 

@@ -2,7 +2,6 @@
 /** @import { Page, Part, Tools } from './part.js' */
 import { byId } from '../kit/elements.js';
 import { createWaiting } from '../lab/waiting.js';
-import { isLost } from '../words/errors.js';
 import { afterWords } from '../words/pick.js';
 
 /** What makes the page of a part, once all of it is there. @param {readonly (() => Promise<unknown>)[]} words @param {() => Promise<{ createPage: (tools: Tools) => Page }>} module */
@@ -48,9 +47,7 @@ export function createParts(parts, tools, onLoaded) {
       place.fill(page.element);
       onLoaded();
     } catch (error) {
-      if (isLost(error)) throw error;
-      console.warn(error);
-      place.fail();
+      place.fail(error);
     }
   }
 

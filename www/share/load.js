@@ -31,8 +31,7 @@ function createOnDemand(sheet, load) {
     try {
       return await load();
     } catch (error) {
-      console.warn(error);
-      waiting.fail();
+      waiting.fail(error);
       return null;
     }
   });

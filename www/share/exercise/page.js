@@ -94,10 +94,9 @@ function createWorkOnDemand(tools) {
       work = createWork(tools, byId('exercise-work'));
       tools.store.redraw();
     } catch (error) {
-      console.warn(error);
       const { element, fail } = createWaiting();
       byId('exercise-work').append(element);
-      fail();
+      fail(error);
     }
   });
   return (/** @type {State} */ state, /** @type {Scene} */ scene) => {
