@@ -6,6 +6,7 @@ import { noProgress, noTally, progressSlice } from './state.js';
 /** @import { Answer, Progress } from './state.js' */
 
 const key = 'ep-locomotion lesson';
+const placeKey = 'ep-locomotion place';
 const mostCharacters = 200_000;
 
 /** A browser may keep nothing, or not for a figure in another page. @template T @param {(storage: Storage) => T} use @returns {T | null} */
@@ -45,6 +46,24 @@ export function progressOf(text) {
     tally:
       isDriven(tally) && typeof tally.experiment === 'string' ? whole({ ...noTally, ...tally }) : noTally,
     duel: duel && isDriven(duel) && duel.experiment ? whole({ ...duel, rounds: [] }) : null,
+  };
+}
+
+/** Where one reads: a tab that is loaded again, as telephones do by themselves, opens the step at that place. @param {HTMLElement} article @param {() => number} lesson */
+export function createPlace(article, lesson) {
+  const scrolled = [document.documentElement, article];
+  addEventListener('pagehide', () =>
+    withStorage((storage) =>
+      storage.setItem(placeKey, JSON.stringify([lesson(), ...scrolled.map(({ scrollTop }) => scrollTop)])),
+    ),
+  );
+  const [entry] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
+  let before = entry?.type === 'navigate' ? null : withStorage((storage) => storage.getItem(placeKey));
+  /** To the place where one was in this step, once, or to its beginning. @param {number} step */
+  return (step) => {
+    const [kept, ...tops] = /^\[[\d.,]+\]$/.test(before ?? '') ? JSON.parse(before ?? '') : [];
+    before = null;
+    for (const [i, one] of scrolled.entries()) one.scrollTop = kept === step ? (tops[i] ?? 0) : 0;
   };
 }
 

@@ -5,7 +5,7 @@ import { gainsOf } from '../run/drivers.js';
 import { createStep } from './blocks.js';
 import { createErrorPosture } from './error-posture.js';
 import { createLit } from './lit.js';
-import { createKeepsake } from './keepsake.js';
+import { createKeepsake, createPlace } from './keepsake.js';
 import { settle } from './settle.js';
 import { createSights } from './sights.js';
 import { steps } from './steps.js';
@@ -45,6 +45,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
   const sights = createSights(byId('sights'));
   const tools = { engine, store, actions, go, look: sights.look };
   const keepsake = createKeepsake(store);
+  const goToPlace = createPlace(article, () => store.get().lesson);
   const tally = createTally(store);
   const stage = createStage(tools);
   const errorPosture = createErrorPosture(byId('error-posture'));
@@ -72,9 +73,9 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       errorPosture.hide(!step?.overlay);
       stage.open(step, state);
       if (!step) return;
-      if (stepChanged(lesson)) {
+      const isNew = stepChanged(lesson);
+      if (isNew) {
         blocks = createStep(article, step, lesson, tools);
-        if (!state.dragging) for (const one of [window, article]) one.scrollTo({ top: 0 });
         if (step.time !== undefined) actions.standAt(step.time);
       }
       const live = {
@@ -89,6 +90,8 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       if (step.overlay) errorPosture.draw(live);
       stage.draw(live);
       for (const block of blocks) block.draw(live);
+      // What it holds gives it its height.
+      if (isNew && !state.dragging) goToPlace(lesson);
       settle(live, step, tools);
       keepsake.follow(progressSlice.of(store.get()));
     },

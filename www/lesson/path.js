@@ -46,6 +46,7 @@ export function stepNamed(text) {
   const number = Number(text);
   const name = numbered[number - 1] ?? stepNames.find((one) => one === text);
   if (name) return { number: stepNames.indexOf(name) + 1, isThere: true };
+  if (number === pathLength) return { number, isThere: true };
   if (number === 0) return { number: 0, isThere: true };
   return { number: number > numbered.length ? pathLength : 1, isThere: false };
 }

@@ -46,7 +46,7 @@ export function createSights(fieldset) {
           });
         if (hasGains) choices.push({ value: 'gains', text: lab.texts.gainsTitle });
         offered = choices.map(({ value }) => value);
-        if (wanted && offered.includes(wanted)) chosen = wanted;
+        for (const first of [step.sight, wanted]) if (first && offered.includes(first)) chosen = first;
         wanted = null;
         const picker = createSegmented(fieldset, words.sights, choices, (sight) => {
           chosen = sight;

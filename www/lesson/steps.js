@@ -42,6 +42,7 @@ import { lecturers } from './steps/lecturers.js';
  * @property {number} [time] Where the robots' clock stands, in seconds; without it they drive.
  * @property {boolean} [overlay] The error posture is drawn on the plane.
  * @property {readonly Content[]} blocks
+ * @property {Sight} [sight] What is seen first where there is no room for all; else the stage, or what the figure is about.
  * @property {Stage} [stage] What the step is about, which stays in sight beside its words.
  * @property {(live: Live) => Priced | null} [price] What a drive by hand costs in this step; without it, J of the drive on the plane.
  * @property {(live: Live) => Record<string, string>} [values] The numbers in its texts.

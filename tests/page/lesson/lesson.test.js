@@ -2,7 +2,14 @@ import assert from 'node:assert/strict';
 import { lockedIn } from '../../../www/lesson/duel.js';
 import { progressOf, textOf } from '../../../www/lesson/keepsake.js';
 import { links } from '../../../www/lesson/links.js';
-import { hrefOf, linkOfStep, stepNamed, stepNames, textOfStep } from '../../../www/lesson/path.js';
+import {
+  hrefOf,
+  linkOfStep,
+  pathLength,
+  stepNamed,
+  stepNames,
+  textOfStep,
+} from '../../../www/lesson/path.js';
 import { noProgress, noTally } from '../../../www/lesson/state.js';
 import { steps } from '../../../www/lesson/steps.js';
 import { en as english, ko as korean } from '../harness/words.js';
@@ -50,7 +57,6 @@ test('links of the first edition open the step that holds its content; one that 
     assert.equal(stepNamed(textOfStep(i + 1)).number, i + 1, name);
   }
   for (const [link, name] of [
-    ['lab&v=1&lesson=15', 'build'],
     ['lab&v=1&lesson=99', 'build'],
     ['lesson&step=40', 'build'],
     ['lab&v=1&lesson=gone', 'drive'],
@@ -59,9 +65,11 @@ test('links of the first edition open the step that holds its content; one that 
     const { opened: run, problems } = links.openLink(link, engine);
     assert.equal(stepNames[run.lesson - 1], name, link);
     assert.equal(problems.length, 1, link);
-    assert.match(problems[0], /has no step (15|99|40|gone), so the nearest/);
+    assert.match(problems[0], /has no step (99|40|gone), so the nearest/);
   }
   assert.equal(opened('lab&v=1&lesson=0').lesson, 0);
+  // Who counts to the last step comes to it.
+  assert.equal(opened(`lesson&step=${pathLength}`).lesson, pathLength);
 });
 
 test('the right choice stands anywhere: no place has more than four in ten', async () => {

@@ -124,3 +124,38 @@ pageTest('on a telephone the bars of the law stand over the robot that they driv
     shown.join(),
   );
 });
+
+pageTest(
+  'what the words ask for is in the sight with which a step opens, and a tab that is loaded again is where it was',
+  async (page) => {
+    await page.resize(600, 900);
+    const isThere = (/** @type {string} */ selector) =>
+      page.evaluate((one) => {
+        const element = document.querySelector(one);
+        const figure = /** @type {HTMLElement} */ (document.querySelector('.figure')).getBoundingClientRect();
+        const box = element?.checkVisibility() && element.getBoundingClientRect();
+        return Boolean(box && box.top >= figure.top && box.bottom <= figure.bottom);
+      }, selector);
+    // To play the drive beside the bowl; the sliders with the 32 robots; what the bar under J is made of.
+    for (const [step, ...wanted] of [
+      ['stability', '#bowl', '#play'],
+      ['limits', '#play'],
+      ['duel', '#swarm-parked', '#slider-kx'],
+      ['drive', '#cost-parts', '#slider-kx'],
+    ]) {
+      await page.open(`#lesson&step=${step}`);
+      await page.until('its words are there', () => document.querySelector('.lesson .prose'));
+      for (const one of wanted) assert.equal(await isThere(one), true, `${step}: ${one}`);
+    }
+    const top = () => page.evaluate(() => Math.round(scrollY));
+    await page.evaluate(() => scrollTo(0, 700));
+    assert.equal(await top(), 700);
+    await page.driver.navigate().refresh();
+    await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+    await page.until('it is where it was', () => Math.round(scrollY) === 700);
+    // Another step begins at its beginning.
+    await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.step-on')).click());
+    await page.until('the next step', () => scrollY === 0);
+    assert.deepEqual(await page.problems(), []);
+  },
+);

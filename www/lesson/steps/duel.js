@@ -12,6 +12,7 @@ export const duel = {
   name: 'duel',
   link: path.duel,
   figure: 'plane',
+  sight: 'gains',
   stage: { place: 'instead', pages: ['lab'], create: createDuelStage },
   price: priceInYard,
   blocks: [

@@ -31,7 +31,7 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
       ],
       /** @param {Share} outcome */
       why: ({ count, starts, share }) =>
-        `From ${grouped(count)} of ${grouped(starts)}, that is ${percent(share)}. Here you see 32 other starts, those of the contest.`,
+        `From ${grouped(count)} of ${grouped(starts)}, that is ${percent(share)}. Here you see 32 other starts, those of step 9.`,
     },
     arbitrary: {
       question:
