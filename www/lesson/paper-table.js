@@ -6,7 +6,7 @@ import { lab } from '../words/index.js';
 import { degrees, fixed, postureText } from '../words/numbers.js';
 
 /** @import { Experiment, Individual, PaperResult } from '../core/engine.js' */
-/** @import { Block, Live, Tools } from './page.js' */
+/** @import { Block, Tools } from './page.js' */
 
 const generations = 200;
 
@@ -29,7 +29,7 @@ const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) =
 
 /** @param {Tools} tools @param {any} words @returns {Block} */
 export function createPaperTable({ engine }, words) {
-  const element = create('div', 'paper-table');
+  const element = create('div', '');
   element.id = 'paper-table';
   /** What evolution finds with the first seed, in each preset. @type {Map<string, Individual> | 'asked' | null} */
   let found = null;

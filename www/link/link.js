@@ -149,8 +149,6 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
     openLink,
     /** The link of a step of the lesson. */
     linkOfStep: lesson.linkOf,
-    /** The number of a step that a link names. */
-    stepNamed: lesson.named,
     /** Everything that a link carries, to be compared with what it was. @param {Linked} state */
     carried: ({ page, lesson: step, preset, experiment, generation, driver, ...state }) => [
       ...[page, step, preset, experiment, generation, driver],

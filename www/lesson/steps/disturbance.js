@@ -8,8 +8,7 @@ import { createNearGoal } from '../near-goal.js';
 import { createTheoremNow } from '../theorem-now.js';
 import { path } from '../path.js';
 
-/** @import { Engine, Experiment, PaperResult, Posture, Run, Triple } from '../../core/engine.js' */
-/** @import { State } from '../../run/state.js' */
+/** @import { Engine, Experiment, Posture, Run, Triple } from '../../core/engine.js' */
 /** @import { Step } from '../steps.js' */
 
 const slip = { kind: /** @type {const} */ ('slip'), linear: 0.1, angular: 0, seed: 1 };

@@ -1,8 +1,7 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
 /** @import { Posture } from '../../core/engine.js' */
-/** @import { Actions } from '../../run/actions/actions.js' */
 /** @import { State } from '../../run/state.js' */
-/** @import { Result, RowName } from './request.js' */
+/** @import { RowName } from './request.js' */
 /** @import { SetName } from './sets.js' */
 /** @import { TrainingState } from './state.js' */
 /** @import { Row } from './table.js' */

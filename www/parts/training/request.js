@@ -1,5 +1,5 @@
 // Asking the workers: to evolve gains on each set of starts, and to drive all gains from starts that no evolution sees.
-/** @import { Engine, Experiment, PaperResult, Posture, Preset, Triple } from '../../core/engine.js' */
+/** @import { Engine, Experiment, PaperResult, Posture, Triple } from '../../core/engine.js' */
 /** @import { SurveyOptions } from '../../core/surveys.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */

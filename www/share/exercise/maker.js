@@ -210,5 +210,5 @@ const rowOf = (draft, group, onChoose) => html`
       wayOf(draft, group),
       (way) => onChoose(group, way),
     )}</fieldset>
-    ${isHiddenWithPaper(draft, group) ? html`<p class="muted maker-why">${texts.makerPaperInLesson}</p>` : nothing}
+    ${isHiddenWithPaper(draft, group) ? html`<p class="muted">${texts.makerPaperInLesson}</p>` : nothing}
   </div>`;
