@@ -25,12 +25,13 @@ import { lecturers } from './steps/lecturers.js';
 /** @import { StepName } from './path.js' */
 /** In the place of the plane, beside it or under it, while one of these parts is open, or any; with `after` once somebody has predicted that question. @typedef {{ create: (tools: Tools, words: any) => Block, place: 'instead' | 'beside' | 'under', pages?: readonly string[], after?: string }} Stage */
 /** What a drive came to: in the experiment with this text. @typedef {{ experiment: string, gains: Triple, cost: number, arrived: boolean }} Priced */
-/** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. With `after` it is not there before that question of the step is answered; `begins` is what a press sets going. A try may be about one sight of the figure. */
+/** It may be about one sight of the figure. @typedef {readonly [name: string, link: string, sight?: Sight]} Try */
+/** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. With `after` it is not there before that question of the step is answered; `begins` is what a press sets going. */
 /**
  * @typedef {({ kind: 'text', name: string }
  *   | { kind: 'formula', formula: Formula }
  *   | { kind: 'notice' }
- *   | { kind: 'tries', tries: readonly (readonly [name: string, link: string, sight?: Sight])[], begins?: (store: Store) => void }
+ *   | { kind: 'tries', tries: readonly Try[], begins?: (store: Store) => void }
  *   | { kind: 'quiz', name: string, quiz: Quiz }
  *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block, isText?: true }) & { after?: string }} Content
  */
