@@ -23,11 +23,8 @@ function risesOf(samples) {
 
 /** The same gains without limits, with those of the paper's first drives, and with those of its last. */
 const runsWith = remember(
-  (
-    /** @type {Live['engine']} */ engine,
-    /** @type {Live['state']['experiment']} */ from,
-    /** @type {Triple} */ gains,
-  ) => {
+  /** @param {Live['engine']} engine @param {Live['state']['experiment']} from @param {Triple} gains */
+  (engine, from, gains) => {
     const { limits: velocity } = engine.experiment('velocity-limits');
     const { limits: acceleration } = engine.experiment('acceleration-limits');
     const none = { speed: null, turnRate: null, acceleration: null, turnAcceleration: null };

@@ -133,14 +133,8 @@ const chosenOf = (state) => {
 function createRows() {
   const changes = remember(changesOf);
   const rows = remember(
-    /** @returns {Row[]} */
-    (
-      /** @type {TrainingState['evolved']} */ evolved,
-      /** @type {TrainingState['given']} */ given,
-      /** @type {State['experiment']} */ experiment,
-      /** @type {boolean} */ byHand,
-      /** @type {boolean} */ withPaper,
-    ) => {
+    /** @param {TrainingState['evolved']} evolved @param {TrainingState['given']} given @param {State['experiment']} experiment @param {boolean} byHand @param {boolean} withPaper @returns {Row[]} */
+    (evolved, given, experiment, byHand, withPaper) => {
       const isOld = evolved !== null && changes(evolved.experiment, experiment).length > 0;
       const counts = { one: experiment.starts.length, circle: circleCount, grid: gridCount };
       const ofPaper = withPaper ? /** @type {const} */ (['paper-ep', 'paper-arbitrary']) : [];
