@@ -9,7 +9,7 @@
 /** @import { Key, Linked, PartKey, Steps } from './keys.js' */
 import { noExercise } from '../run/exercise.js';
 import { noPins } from '../run/pins.js';
-import { noTrial, presets } from '../run/state.js';
+import { nothingDone, presets } from '../run/state.js';
 import { nobody } from '../run/variant.js';
 import { messageOf } from '../words/errors.js';
 import { link as words } from '../words/index.js';
@@ -214,15 +214,10 @@ export function withExercise(link, within, experimentOf) {
 
 /** @param {string} page @param {Preset} preset @param {Engine} engine @returns {Opened} */
 const emptyRun = (page, preset, engine) => ({
+  ...nothingDone,
   page,
-  lesson: 0,
   preset,
   experiment: engine.experiment(preset),
-  generation: 0,
-  driver: 'evolved',
-  handGains: null,
-  found: 'hand',
-  trial: noTrial,
   pins: noPins,
   exercise: noExercise,
   student: nobody,

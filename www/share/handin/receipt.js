@@ -14,7 +14,7 @@ import { encoded, numberText } from '../../link/values.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { noPins } from '../../run/pins.js';
-import { drivesOf, noTrial } from '../../run/state.js';
+import { drivesOf, nothingDone, noTrial } from '../../run/state.js';
 import { nobody } from '../../run/variant.js';
 import { measure } from './measure.js';
 import { ownOf } from './own.js';
@@ -33,15 +33,10 @@ export function exerciseLink(state, engine, links) {
   return links.linkOf(
     {
       ...state,
+      ...nothingDone,
       page: 'lab',
-      lesson: 0,
       preset,
       experiment: withoutFreeSeed(experiment, exercise, engine.experiment(preset)),
-      generation: 0,
-      driver: 'evolved',
-      handGains: null,
-      found: 'hand',
-      trial: noTrial,
       pins: noPins,
       slices: {},
       student: nobody,
