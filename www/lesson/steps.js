@@ -1,20 +1,6 @@
 // What the steps of the lesson hold, in the order of the path.
-import { drive } from './steps/drive.js';
-import { error } from './steps/error.js';
-import { law } from './steps/law.js';
-import { stability } from './steps/stability.js';
-import { limits } from './steps/limits.js';
-import { cost } from './steps/cost.js';
-import { generation } from './steps/generation.js';
-import { sigma } from './steps/sigma.js';
-import { duel } from './steps/duel.js';
-import { landscape } from './steps/landscape.js';
-import { contest } from './steps/contest.js';
-import { task } from './steps/task.js';
-import { disturbance } from './steps/disturbance.js';
-import { paper } from './steps/paper.js';
-import { build } from './steps/build.js';
-import { lecturers } from './steps/lecturers.js';
+import { stepNames } from './path.js';
+import * as every from './steps/all.js';
 
 /** @import { Triple } from '../core/engine.js' */
 /** @import { Store } from '../run/store.js' */
@@ -48,22 +34,7 @@ import { lecturers } from './steps/lecturers.js';
  * @property {(live: Live) => Record<string, string>} [values] The numbers in its texts.
  */
 
+/** @type {Readonly<Record<StepName, Step>>} */
+const byName = { ...every };
 /** @type {readonly Step[]} */
-export const steps = [
-  drive,
-  error,
-  law,
-  stability,
-  limits,
-  cost,
-  generation,
-  sigma,
-  duel,
-  landscape,
-  contest,
-  task,
-  disturbance,
-  paper,
-  build,
-  lecturers,
-];
+export const steps = stepNames.map((name) => byName[name]);
