@@ -1,5 +1,4 @@
-// The only module, with its workers, that knows the core: everything else receives plain numbers from here.
-/** @import { WordField } from '../../pkg/ep_locomotion.js' */
+// The core in the page: loaded once, for the page and its workers. Everything else receives plain numbers from here.
 import { initSync } from '../../pkg/ep_locomotion.js';
 import { engineOf } from './direct.js';
 import { createPool } from './pool.js';

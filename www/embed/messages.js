@@ -28,7 +28,7 @@
 /** @import { Seen } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
-/** @import { Problems, Turn } from './acts.js' */
+/** @import { Problems } from './acts.js' */
 /** @import { Said, Type } from './told.js' */
 import { isLost, messageOf } from '../words/errors.js';
 import { drivesOf } from '../run/state.js';

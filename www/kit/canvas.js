@@ -2,7 +2,6 @@
 
 /** @typedef {{ width: number, height: number }} Size */
 /** @typedef {(context: CanvasRenderingContext2D) => void} Paint */
-/** @typedef {ReturnType<typeof createLayer>} Layer */
 
 /** @type {WeakMap<HTMLCanvasElement, { size: Size, paint: Paint }>} */
 const pictures = new WeakMap();

@@ -1,7 +1,6 @@
 // Tables of texts, and of what is pressed or ticked.
 import { html, nothing, render } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
-import { create } from './elements.js';
 
 /** @typedef {Node | string | import('lit-html').TemplateResult} Cell */
 /** @typedef {readonly Cell[]} Row It begins with its name. */
@@ -17,13 +16,6 @@ import { create } from './elements.js';
  * @property {(column: number) => 'ascending' | 'descending' | null} [sortingOf]
  * @property {() => void} [save] As a file.
  */
-
-/** @param {'col' | 'row'} scope @param {string} className @param {(Node | string)[]} content */
-export function headCell(scope, className, ...content) {
-  const cell = create('th', className, ...content);
-  cell.setAttribute('scope', scope);
-  return cell;
-}
 
 /** More rows than these at once would take long to lay out. */
 export const mostRows = 100;

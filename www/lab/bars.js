@@ -4,7 +4,7 @@
 import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { watch } from '../kit/memo.js';
-import { options, styled, valueIn } from '../kit/templates.js';
+import { options, selectAll, styled, valueIn } from '../kit/templates.js';
 import { nextRest, paces } from '../run/pace.js';
 import { lab as strings, texts } from '../words/index.js';
 
@@ -105,7 +105,7 @@ function evolutionBar(model, actions, { onKind, onValue }) {
         <input id="until-value" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
           aria-label=${texts.untilValue} aria-describedby="until-error" aria-invalid=${String(untilError !== '')}
           .hidden=${kind === 'every'} @change=${onValue}
-          @focus=${(/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).select()}>
+          @focus=${selectAll}>
       </div>
     </fieldset>
     <p id="until-error" class="field-error" role="alert" .hidden=${untilError === ''}>${untilError}</p>

@@ -1,6 +1,6 @@
 // What a worker computes, how far it is, and the way to stop it.
 /** @import { State } from '../run/state.js' */
-import { html, render } from 'lit-html';
+import { html, nothing, render } from 'lit-html';
 import { byId, create } from '../kit/elements.js';
 import { lab as strings } from '../words/index.js';
 
@@ -23,12 +23,9 @@ export function createComputing({ stopComputing }) {
       place.hidden = !computing || performance.now() - computing.since < patience;
       if (place.hidden || !computing) return;
       const newest = catchingUp?.newest ?? null;
-      const share = newest ? generation / newest : (computing.share() ?? undefined);
+      const share = newest ? generation / newest : computing.share();
       const text = strings.computingText(computing.what, generation, newest);
-      const bar =
-        share === undefined
-          ? html`<progress aria-label=${text}></progress>`
-          : html`<progress aria-label=${text} .value=${share}></progress>`;
+      const bar = html`<progress aria-label=${text} value=${share ?? nothing}></progress>`;
       const stop = html`<button type="button" class="link" @click=${stopComputing}>${strings.stopComputing}</button>`;
       render(html`<span role="status">${text}</span> ${stop}${bar}`, place);
     },

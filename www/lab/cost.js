@@ -1,7 +1,7 @@
 // J and its parts.
 /** @import { Run } from '../core/engine.js' */
 import { html, render } from 'lit-html';
-import { ref } from 'lit-html/directives/ref.js';
+import { styled } from '../kit/templates.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
@@ -23,8 +23,6 @@ function costOf({ title, starts, run, note }) {
   const { cost } = run;
   const share = (/** @type {typeof strings.costParts[number][0]} */ part) =>
     Number.isFinite(cost.total) ? cost[part] / cost.total : 0;
-  const grown = (/** @type {number} */ by) =>
-    ref((segment) => /** @type {HTMLElement} */ (segment)?.style.setProperty('flex-grow', String(by)));
   return html`
     <div class="heading">
       <h2 id="cost-title">${title}</h2>
@@ -33,7 +31,7 @@ function costOf({ title, starts, run, note }) {
     <p class="cost-line"><span id="cost-total" class="cost-total">${strings.costText(cost.total)}</span> <span class="muted"><span>${strings.costMeaning(starts)}</span><br><span id="cost-note">${note}</span></span></p>
     <div id="cost-bar" class="cost-bar" aria-hidden="true">${strings.costParts.map(
       ([part]) =>
-        html`<span class="cost-segment part-${part}" data-term=${part} .hidden=${!(share(part) >= 0.004)} ${grown(share(part))}></span>`,
+        html`<span class="cost-segment part-${part}" data-term=${part} .hidden=${!(share(part) >= 0.004)} ${styled('flex-grow', String(share(part)))}></span>`,
     )}</div>
     <ul id="cost-parts" class="cost-parts">${strings.costParts.map(
       ([part, name]) =>

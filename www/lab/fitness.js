@@ -81,7 +81,7 @@ export function drawShown(context, { x, frame }, history, generation) {
 }
 
 /** The end of the generation axis: it grows in steps, so that the curve does not shrink at each generation. @param {number} generation */
-export function lastTick(generation) {
+function lastTick(generation) {
   return [20, 50, 100, 200, 300, 500].find((end) => generation <= end) ?? Math.ceil(generation / 500) * 500;
 }
 

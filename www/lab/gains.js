@@ -2,8 +2,8 @@
 /** @import { Triple } from '../core/engine.js' */
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { ref } from 'lit-html/directives/ref.js';
 import { create } from '../kit/elements.js';
+import { selectAll, styled } from '../kit/templates.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
@@ -68,7 +68,6 @@ export function createRow(gain, index, events, unit = '') {
       typing = false;
       events.onType(index, /** @type {HTMLInputElement} */ (target).value);
     },
-    focus: (/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).select(),
   };
 
   return {
@@ -77,11 +76,8 @@ export function createRow(gain, index, events, unit = '') {
     draw(value, message, [low, high]) {
       const percent = (/** @type {number} */ at) =>
         `${(100 * (Math.min(Math.max(at, low), high) - low)) / (high - low)}%`;
-      const filled = ref((slider) => {
-        const style = /** @type {HTMLElement | undefined} */ (slider)?.style;
-        style?.setProperty('--from', percent(Math.min(0, value)));
-        style?.setProperty('--to', percent(Math.max(0, value)));
-      });
+      const from = styled('--from', percent(Math.min(0, value)));
+      const to = styled('--to', percent(Math.max(0, value)));
       const text = strings.typed(value, 3);
       const before = /** @type {HTMLInputElement | null} */ (row.querySelector('[type="text"]'));
       const isStale = !message && !typing && before?.value !== text;
@@ -89,12 +85,12 @@ export function createRow(gain, index, events, unit = '') {
         html`
           <label for="gain-${id}">${gain.letter}<sub>${gain.index}</sub></label>
           <input id="slider-${id}" type="range" step="0.01" aria-label=${strings.gainSliderLabel(gain.name)}
-            .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${filled}
+            .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${from} ${to}
             @pointerdown=${on.hold} @keydown=${on.key} @input=${on.slide} @change=${events.onSlid}>
           <input id="gain-${id}" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
             aria-label=${strings.gainInputLabel(gain.name)} aria-describedby="gain-${id}-error"
             aria-invalid=${String(message !== '')} .value=${isStale ? live(text) : noChange}
-            @input=${on.input} @blur=${on.blur} @change=${on.change} @focus=${on.focus}>
+            @input=${on.input} @blur=${on.blur} @change=${on.change} @focus=${selectAll}>
           ${unit ? html`<span class="muted">${unit}</span>` : nothing}
           <p id="gain-${id}-error" class="field-error" role="alert" .hidden=${message === ''}>${message}</p>`,
         row,

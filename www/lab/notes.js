@@ -1,5 +1,5 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
-/** @import { Posture, Run, Statistics } from '../core/engine.js' */
+/** @import { Posture, Statistics } from '../core/engine.js' */
 /** @import { Scene } from '../run/scene.js' */
 /** @import { Driver } from '../run/state.js' */
 import { createSwatch } from '../kit/swatch.js';

@@ -8,11 +8,8 @@ import { remember } from '../kit/memo.js';
 /** @import { Live } from './page.js' */
 
 const dissected = remember(
-  (
-    /** @type {Engine} */ engine,
-    /** @type {Statistics} */ { generation },
-    /** @type {Settings} */ settings,
-  ) => dissect(engine.record(generation), settings),
+  /** @param {Engine} engine @param {Statistics} shown @param {Settings} settings */
+  (engine, { generation }, settings) => dissect(engine.record(generation), settings),
 );
 
 /** @param {Pick<Live, 'engine' | 'state'>} live */

@@ -27,7 +27,7 @@ const prediction = 'duel.ahead';
 const { update } = progressSlice;
 
 /** The contest is about all starts around the goal. @param {Pick<Live, 'engine' | 'state'>} live */
-export const contestOf = ({ engine, state }) => yardOf(engine).experimentOf(state.experiment);
+const contestOf = ({ engine, state }) => yardOf(engine).experimentOf(state.experiment);
 
 /** A drive by hand in the yard. @param {Live} live */
 export function priceInYard({ engine, state }) {

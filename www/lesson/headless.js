@@ -8,7 +8,7 @@ import { firstState } from '../run/first.js';
 import { createScene } from '../run/scene.js';
 import { links } from './links.js';
 
-/** @import { Engine, Statistics } from '../core/engine.js' */
+/** @import { Engine } from '../core/engine.js' */
 /** @import { Live } from './page.js' */
 
 /** What a link asks for; it must not have anything wrong. @param {string} link @param {Engine} [engine] */

@@ -1,5 +1,5 @@
 // The lesson is loaded when a step of it is opened first: its steps, its words and its styles.
-/** @import { Engine, PaperResult } from '../core/engine.js' */
+/** @import { PaperResult } from '../core/engine.js' */
 /** @import { Scene } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Tools } from './page.js' */

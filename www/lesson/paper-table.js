@@ -1,21 +1,27 @@
 // What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
 import { create } from '../kit/elements.js';
-import { headCell } from '../kit/table.js';
 import { asPrinted } from './printed.js';
 import { lab } from '../words/index.js';
 import { degrees, fixed, postureText } from '../words/numbers.js';
 
 /** @import { Experiment, Individual, PaperResult } from '../core/engine.js' */
-/** @import { Block, Live, Tools } from './page.js' */
+/** @import { Block, Tools } from './page.js' */
 
 const generations = 200;
+
+/** @param {'col' | 'row'} scope @param {Node | string} content */
+function headCell(scope, content) {
+  const cell = create('th', '', content);
+  cell.setAttribute('scope', scope);
+  return cell;
+}
 
 /** Heads above and before cells. @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
 export function tableOf(className, head, rows) {
   // A corner that names nothing heads no column.
-  const heads = head.map((text) => (text ? headCell('col', '', text) : create('td', '')));
+  const heads = head.map((text) => (text ? headCell('col', text) : create('td', '')));
   const body = rows.map(([first, ...rest]) =>
-    create('tr', '', headCell('row', '', first), ...rest.map((content) => create('td', '', content))),
+    create('tr', '', headCell('row', first), ...rest.map((content) => create('td', '', content))),
   );
   return create(
     'table',
@@ -29,7 +35,7 @@ const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) =
 
 /** @param {Tools} tools @param {any} words @returns {Block} */
 export function createPaperTable({ engine }, words) {
-  const element = create('div', 'paper-table');
+  const element = create('div', '');
   element.id = 'paper-table';
   /** What evolution finds with the first seed, in each preset. @type {Map<string, Individual> | 'asked' | null} */
   let found = null;

@@ -5,7 +5,7 @@ import { isSymbol, symbolInText } from './symbols.js';
 const marks = /\*([^*]+)\*|\{(=?)(\w+)\}|\[([^\]]+)\]\(([^)]+)\)/g;
 
 /** What is read as one stays on one line: a number and its unit, a word and its number, an equation. @param {string} text */
-export const tied = (text) =>
+const tied = (text) =>
   text
     .replace(/(?<=[\d}]) (?=(?:m|s|cm|ms|rad|%|m\/s|rad\/s)(?![A-Za-z]))/g, '\u00a0')
     .replace(/(?<=Theorem|Figure|step|Step|generation|Generation|seed|Seed|정리|그림|시드) (?=\d)/g, '\u00a0')

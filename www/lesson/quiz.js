@@ -52,7 +52,7 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
         const wrong = chosen && right !== null && i !== right;
         const mark = wrong ? words.wrong : i === right ? words.right : '';
         const look = `choice${i === right ? ' right' : ''}${wrong ? ' wrong' : ''}${chosen ? ' chosen' : ''}`;
-        return html`<button type="button" class=${look} ?aria-disabled=${answer !== undefined} data-choice=${i}
+        return html`<button type="button" class=${look} ?aria-disabled=${answer !== undefined}
           @click=${() => events.onAnswer(i)}><span class="choice-mark">${mark}</span><span>${choices[i]}</span></button>`;
       };
       const why =

@@ -41,7 +41,6 @@ export const sheet = (name, items, half = 'all') => ({
       return html`<li><p>${inline(text, href)}</p>${anchor || nothing}${half === 'all' && seen ? muted(seen) : nothing}</li>`;
     });
     const element = create('section', 'sheet-list');
-    element.dataset.sheet = half === 'answers' ? `${name}-answers` : name;
     render(
       html`<div class="sheet-list-head"><h3>${half === 'answers' ? words.answersTo(title) : title}</h3>
           <button type="button" class="link" @click=${() => printAlone(element)}>${words.print}</button></div>

@@ -1,20 +1,6 @@
 // What the steps of the lesson hold, in the order of the path.
-import { drive } from './steps/drive.js';
-import { error } from './steps/error.js';
-import { law } from './steps/law.js';
-import { stability } from './steps/stability.js';
-import { limits } from './steps/limits.js';
-import { cost } from './steps/cost.js';
-import { generation } from './steps/generation.js';
-import { sigma } from './steps/sigma.js';
-import { duel } from './steps/duel.js';
-import { landscape } from './steps/landscape.js';
-import { contest } from './steps/contest.js';
-import { task } from './steps/task.js';
-import { disturbance } from './steps/disturbance.js';
-import { paper } from './steps/paper.js';
-import { build } from './steps/build.js';
-import { lecturers } from './steps/lecturers.js';
+import { stepNames } from './path.js';
+import * as every from './steps/all.js';
 
 /** @import { Triple } from '../core/engine.js' */
 /** @import { Store } from '../run/store.js' */
@@ -25,12 +11,13 @@ import { lecturers } from './steps/lecturers.js';
 /** @import { StepName } from './path.js' */
 /** In the place of the plane, beside it or under it, while one of these parts is open, or any; with `after` once somebody has predicted that question. @typedef {{ create: (tools: Tools, words: any) => Block, place: 'instead' | 'beside' | 'under', pages?: readonly string[], after?: string }} Stage */
 /** What a drive came to: in the experiment with this text. @typedef {{ experiment: string, gains: Triple, cost: number, arrived: boolean }} Priced */
-/** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. With `after` it is not there before that question of the step is answered; `begins` is what a press sets going. A try may be about one sight of the figure. */
+/** It may be about one sight of the figure. @typedef {readonly [name: string, link: string, sight?: Sight]} Try */
+/** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. With `after` it is not there before that question of the step is answered; `begins` is what a press sets going. */
 /**
  * @typedef {({ kind: 'text', name: string }
  *   | { kind: 'formula', formula: Formula }
  *   | { kind: 'notice' }
- *   | { kind: 'tries', tries: readonly (readonly [name: string, link: string, sight?: Sight])[], begins?: (store: Store) => void }
+ *   | { kind: 'tries', tries: readonly Try[], begins?: (store: Store) => void }
  *   | { kind: 'quiz', name: string, quiz: Quiz }
  *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block, isText?: true }) & { after?: string }} Content
  */
@@ -48,22 +35,7 @@ import { lecturers } from './steps/lecturers.js';
  * @property {(live: Live) => Record<string, string>} [values] The numbers in its texts.
  */
 
+/** @type {Readonly<Record<StepName, Step>>} */
+const byName = { ...every };
 /** @type {readonly Step[]} */
-export const steps = [
-  drive,
-  error,
-  law,
-  stability,
-  limits,
-  cost,
-  generation,
-  sigma,
-  duel,
-  landscape,
-  contest,
-  task,
-  disturbance,
-  paper,
-  build,
-  lecturers,
-];
+export const steps = stepNames.map((name) => byName[name]);

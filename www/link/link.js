@@ -9,7 +9,7 @@
 /** @import { Key, Linked, PartKey, Steps } from './keys.js' */
 import { noExercise } from '../run/exercise.js';
 import { noPins } from '../run/pins.js';
-import { noTrial, presets } from '../run/state.js';
+import { nothingDone, presets } from '../run/state.js';
 import { nobody } from '../run/variant.js';
 import { messageOf } from '../words/errors.js';
 import { link as words } from '../words/index.js';
@@ -149,8 +149,6 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
     openLink,
     /** The link of a step of the lesson. */
     linkOfStep: lesson.linkOf,
-    /** The number of a step that a link names. */
-    stepNamed: lesson.named,
     /** Everything that a link carries, to be compared with what it was. @param {Linked} state */
     carried: ({ page, lesson: step, preset, experiment, generation, driver, ...state }) => [
       ...[page, step, preset, experiment, generation, driver],
@@ -216,15 +214,10 @@ export function withExercise(link, within, experimentOf) {
 
 /** @param {string} page @param {Preset} preset @param {Engine} engine @returns {Opened} */
 const emptyRun = (page, preset, engine) => ({
+  ...nothingDone,
   page,
-  lesson: 0,
   preset,
   experiment: engine.experiment(preset),
-  generation: 0,
-  driver: 'evolved',
-  handGains: null,
-  found: 'hand',
-  trial: noTrial,
   pins: noPins,
   exercise: noExercise,
   student: nobody,

@@ -5,7 +5,7 @@ import { boxAround } from '../kit/transform.js';
 import { firstMaker, noExercise } from './exercise.js';
 import { usualUntil } from './pace.js';
 import { noPins } from './pins.js';
-import { newWork, noTrial } from './state.js';
+import { newWork, nothingDone } from './state.js';
 import { noVersions } from './undo.js';
 import { nobody } from './variant.js';
 
@@ -16,13 +16,12 @@ export function firstState(engine, preset, robot) {
   const experiment = engine.experiment(preset);
   const { statistics, population } = engine.begin(experiment);
   return {
+    ...nothingDone,
     page: 'lab',
-    lesson: 0,
     lastStep: 1,
     preset,
     experiment,
     history: [statistics],
-    generation: 0,
     population,
     evolving: false,
     catchingUp: null,
@@ -31,11 +30,7 @@ export function firstState(engine, preset, robot) {
     until: usualUntil,
     untilError: '',
     restart: 'begin',
-    driver: 'evolved',
-    handGains: null,
-    found: 'hand',
     gainErrors: noErrors,
-    trial: noTrial,
     tried: { kind: 'slip', linear: 0.1, angular: 0.2, seed: 1 },
     pins: noPins,
     unpinned: null,

@@ -71,6 +71,16 @@ export const presets = ['velocity-limits', 'acceleration-limits'];
 /** @type {Trial} */
 export const noTrial = Object.freeze({ start: null, disturbance: null });
 
+/** Outside of the lesson, of a run in which nothing has been done yet. @type {Readonly<Pick<State, 'lesson' | 'generation' | 'driver' | 'handGains' | 'found' | 'trial'>>} */
+export const nothingDone = Object.freeze({
+  lesson: 0,
+  generation: 0,
+  driver: 'evolved',
+  handGains: null,
+  found: 'hand',
+  trial: noTrial,
+});
+
 /** @param {string} tried Gains that need no try. @param {number} [opened] @param {number} [spent] Drives that were made before. @returns {Work} */
 export const newWork = (tried, opened = 0, spent = 0) => ({
   tries: 0,

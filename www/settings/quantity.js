@@ -2,7 +2,6 @@
 /** @import { Field } from '../core/engine.js' */
 
 /** @typedef {{ from: number, to: number, step?: number, log?: boolean }} SliderRange In the unit on screen; with `log` the left end is 0 where 0 is allowed. */
-/** @typedef {ReturnType<typeof createQuantity>} Quantity */
 
 const positionsPerDecade = 40;
 /** @type {Record<string, string>} */

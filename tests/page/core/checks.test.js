@@ -14,9 +14,6 @@ import { sabotages } from './sabotages.js';
 /** @typedef {import('../../../www/core/checks/check.js').Golden} Golden */
 /** @typedef {import('../../../www/core/checks/check.js').Result} Result */
 /** @typedef {import('../../../www/core/engine.js').Engine} Engine */
-/** @typedef {import('../../../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Run} Run */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Sample} Sample */
 
 const goldenText = await readFile(new URL('../../golden.json', import.meta.url), 'utf8');
 /** @type {Golden} */

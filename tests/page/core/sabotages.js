@@ -1,9 +1,7 @@
 import * as core from '../harness/core.js';
 
 /** @typedef {import('../../../www/core/checks/check.js').Core} Core */
-/** @typedef {import('../../../www/core/checks/check.js').Golden} Golden */
 /** @typedef {import('../../../www/core/checks/check.js').Result} Result */
-/** @typedef {import('../../../www/core/engine.js').Engine} Engine */
 /** @typedef {import('../../../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
 /** @typedef {import('../../../pkg/ep_locomotion.js').Run} Run */
 /** @typedef {import('../../../pkg/ep_locomotion.js').Sample} Sample */

@@ -16,8 +16,6 @@ import { test } from '../harness/once.js';
 import { read } from '../harness/reading.js';
 import { clockOf, course } from './course.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
 test('the text of a frame says where, how large and what, and nothing in it ends a value', () => {
   const address = addressOf('https://host/ep/?lang=ko&embed#lab', 'lab&v=1&pin1=a"b<c', true);
   assert.equal(address, 'https://host/ep/?embed&lang=ko#lab&v=1&pin1=a%22b%3Cc');

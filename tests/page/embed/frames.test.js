@@ -5,8 +5,6 @@ import { pageNames, parts } from '../../../www/parts/parts.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { frameOf, inHost, within } from '../harness/host.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
 /** The picture of a part, and what one presses first, where these are not the first that stand in it. @type {Record<string, string[]>} */
 const essentials = {
   lab: ['#plane', '#run'],

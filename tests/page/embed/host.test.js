@@ -7,8 +7,6 @@ import { evolve, experiment, historyOf, simulate } from '../harness/core.js';
 import { ask, heardFrom, frameOf, inHost, within } from '../harness/host.js';
 import { clockOf, course } from './course.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
 pageTest(
   'what a figure tells of its drive are the gains that drive, also where one robot of many is chosen',
   async (page) => {

@@ -5,7 +5,6 @@ import { arrival, middleOf, read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/reading.js').PostureText} PostureText */
-/** @typedef {'start' | 'goal'} End */
 
 const velocityLimits = experiment('velocity-limits');
 

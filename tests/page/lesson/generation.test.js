@@ -11,8 +11,6 @@ import { evolved, opened, shownIn } from './links.js';
 import { answered, liveOf, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
-/** @typedef {import('../../../www/core/engine.js').Individual} Individual */
-
 const usual = experiment('velocity-limits');
 
 /** The generation that a link shows. @param {string} link */

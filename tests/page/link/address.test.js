@@ -4,11 +4,6 @@ import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
 import { read, readEvolution } from '../harness/reading.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../harness/core.js').Experiment} Experiment */
-/** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
-/** @typedef {import('../../../www/link/keys.js').Linked} Linked */
-
 const velocityLimits = experiment('velocity-limits');
 const link = 'lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=hand&gains=4,0.5,6';
 

@@ -6,8 +6,6 @@ import { drawnFor, nobody } from '../../../www/run/variant.js';
 import { createEngine, experiment, fields, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../harness/core.js').Experiment} Experiment */
 /** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
 /** @typedef {import('../../../www/link/keys.js').Linked} Linked */
 

@@ -14,7 +14,6 @@ import {
 } from './contests.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../../../www/parts/luck/contest-request.js').Contest} Contest */
 
 pageTest('the table of the contest is what the core’s trials say, also at another target', async (page) => {
   await openContest(page, link);

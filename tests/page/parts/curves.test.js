@@ -14,8 +14,6 @@ import {
   velocityLimits,
 } from './curves-page.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
 pageTest('the numbers of the run are those of the core', async (page) => {
   await openCurves(page);
   await show(page, 'numbers');

@@ -4,7 +4,6 @@ import { Key } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../../../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
 
 export const velocityLimits = experiment('velocity-limits');
 export const { population: count, opponents: bouts } = velocityLimits.evolution;

@@ -32,9 +32,6 @@ import {
   velocityLimits,
 } from './generation-page.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../../../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
-
 test('the next phase is one of what was set, once that is there', async () => {
   const { engine, open } = slowEngine();
   const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});

@@ -19,9 +19,6 @@ import {
   velocityLimits,
 } from './generation-page.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../../../pkg/ep_locomotion.js').GenerationRecord} GenerationRecord */
-
 pageTest('every number of every phase is the record of the core', async (page) => {
   await openAt(page, 4);
   const record = recordOf(4);

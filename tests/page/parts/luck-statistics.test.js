@@ -9,9 +9,6 @@ import { firstMaker, noExercise } from '../../../www/run/exercise.js';
 import { Evolution, experiment, startsOnCircle, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../../../pkg/ep_locomotion.js').Preset} Preset */
-
 test('quartiles lie between the numbers in proportion, also when some are infinite', () => {
   assert.deepEqual(quartilesOf([4, 1, 3, 2, 5]), { least: 1, low: 2, median: 3, high: 4, most: 5 });
   assert.deepEqual(quartilesOf([10, 0]), { least: 0, low: 2.5, median: 5, high: 7.5, most: 10 });

@@ -5,8 +5,6 @@ import { Evolution, experiment, paperGains, shown, simulate } from '../harness/c
 import { coloured, pixelsOf, textOf } from '../harness/reading.js';
 import { comparison, ep, layoutOn, openCurves, show, toEnd, velocityLimits } from './curves-page.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
 pageTest(
   'four runs can be pinned, a fifth is refused in words, and any can be let go',
   async (page) => {

@@ -7,9 +7,6 @@ import { nobody } from '../../../www/run/variant.js';
 import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
-
 test('a task is one line of text, whatever was written', () => {
   const rows = [
     ['  Find gains\n\tthat park \u0000 the robot.\r\n', 'Find gains that park the robot.'],

@@ -9,7 +9,6 @@ import { ask, heardFrom, inHost, within } from '../harness/host.js';
 import { middleOf, read, waysOf } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
 
 /** Goes on by another address, without loading the page again. @param {Page} page @param {string} link */
 const follow = (page, link) =>

@@ -10,7 +10,6 @@ import { saved } from '../harness/saved.js';
 import { everything } from './everything.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../../../www/run/exercise.js').Group} Group */
 
 const pageNames = parts.map(({ name }) => name);
 

@@ -6,7 +6,6 @@ import { engineTest, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { everything } from './everything.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/run/exercise.js').Group} Group */
 
 const pageNames = parts.map(({ name }) => name);

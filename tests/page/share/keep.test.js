@@ -13,7 +13,6 @@ import { saved } from '../harness/saved.js';
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
 /** @typedef {import('../../../www/core/engine.js').Engine} Engine */
-/** @typedef {import('../../../www/core/engine.js').Statistics} Statistics */
 /** @typedef {Parameters<typeof runFile>[0]} Kept */
 
 const velocityLimits = experiment('velocity-limits');

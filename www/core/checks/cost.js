@@ -1,5 +1,5 @@
 // The cost J: known values, its parts added up again, and the same J however a robot is driven.
-/** @import { Experiment, Preset, Run } from '../../../pkg/ep_locomotion.js' */
+/** @import { Experiment, Run } from '../../../pkg/ep_locomotion.js' */
 /** @import { Check, Golden } from './check.js' */
 import { atMost, below, check, differing, largest, near, same, scattered, wrap } from './check.js';
 

@@ -1,5 +1,5 @@
 // Laws of the robot: the control law, the arcs of its motion, the Lyapunov function, the limits.
-/** @import { Gains, PartialExperiment, Run } from '../../../pkg/ep_locomotion.js' */
+/** @import { Gains, PartialExperiment } from '../../../pkg/ep_locomotion.js' */
 /** @import { Check, Core, Golden } from './check.js' */
 import { atMost, check, differing, largest, near, once, same, scattered, wrap } from './check.js';
 

@@ -3,6 +3,7 @@ import { createProgram } from '../program.js';
 import { createDownloads, createCheckValues } from '../check-values.js';
 import { errorRateFormula, motionFormula } from '../formulas-motion.js';
 import { lawFormula } from '../formulas.js';
+import { tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -25,14 +26,11 @@ export const build = {
     { kind: 'view', create: createCheckValues, isText: true },
     { kind: 'view', create: createDownloads },
     { kind: 'text', name: 'task' },
-    {
-      kind: 'tries',
-      tries: [
-        ['other', 'training&generation=100&weights.velocity=1,0.1&goal.theta=0deg'],
-        ['accelerate', 'training&preset=acceleration-limits&generation=100&weights.velocity=1,0.1'],
-        ['few', 'training&population=6&generation=100&weights.velocity=1,0.1'],
-      ],
-    },
+    tries([
+      ['other', 'training&generation=100&weights.velocity=1,0.1&goal.theta=0deg'],
+      ['accelerate', 'training&preset=acceleration-limits&generation=100&weights.velocity=1,0.1'],
+      ['few', 'training&population=6&generation=100&weights.velocity=1,0.1'],
+    ]),
     { kind: 'text', name: 'recap' },
     { kind: 'notice' },
   ],

@@ -2,6 +2,7 @@
 import { contestOf, isWhole } from '../../parts/luck/contest-asked.js';
 import { standingsOf } from '../../parts/luck/contest-summary.js';
 import { luckSlice } from '../../parts/luck/state.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Contestant } from '../../parts/luck/contestants.js' */
@@ -116,27 +117,26 @@ export const contest = {
   figure: 'evolve',
   blocks: [
     { kind: 'text', name: 'begin' },
-    { kind: 'quiz', name: 'tournament', quiz: tournament },
+    quiz('tournament', tournament),
     { kind: 'text', name: 'read', after: 'tournament' },
-    { kind: 'quiz', name: 'sigma', quiz: sigma },
+    quiz('sigma', sigma),
     { kind: 'text', name: 'drag', after: 'sigma' },
-    { kind: 'quiz', name: 'fewer', quiz: fewer },
+    quiz('fewer', fewer),
     { kind: 'text', name: 'slide', after: 'fewer' },
-    { kind: 'quiz', name: 'crowd', quiz: crowd },
+    quiz('crowd', crowd),
     { kind: 'text', name: 'budget', after: 'crowd' },
-    { kind: 'quiz', name: 'rivals', quiz: rivals },
+    quiz('rivals', rivals),
     { kind: 'text', name: 'ellipse', after: 'rivals' },
-    {
-      kind: 'tries',
-      begins,
-      tries: [
+    tries(
+      [
         ['floor', asked(['floor-0.1', 'fixed'], near, 20_000)],
         ['crossover', asked(['crossover', 'cauchy', 'parent'], near)],
         ['robots', asked(['n-6', 'n-100'], 7.8)],
         ['hand', asked(['hand', 'one-at-a-time', 'nelder-mead'], 7.8)],
         ['remedies', asked(['cma-es-7', 'cma-es-7-mirror', 'cma-es'], near)],
       ],
-    },
+      begins,
+    ),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

@@ -5,6 +5,7 @@ import { fixed } from '../../words/numbers.js';
 import { costFormula } from '../formulas.js';
 import { entrantsOf, createStandings, gentle, winnerOf } from '../standings.js';
 import { createWeights } from '../weights.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Engine, Triple } from '../../core/engine.js' */
@@ -58,25 +59,14 @@ export const cost = {
     { kind: 'text', name: 'each' },
     { kind: 'text', name: 'weights' },
     { kind: 'view', create: createWeights },
-    {
-      kind: 'quiz',
-      name: 'heavier',
-      quiz: { shows: `${byHand}&${heavy}`, order: [2, 0, 1], answer: winner },
-    },
-    {
-      kind: 'quiz',
-      name: 'home',
-      quiz: { shows: `lab&drives=hand&gains=0,0,0&${heaviest}`, order: [1, 0], answer: staying },
-    },
-    {
-      kind: 'tries',
-      tries: [
-        ['cheap', `${byHand}&weights.velocity=0.1,0.1`],
-        ['evolved', `lab&generation=60&${heaviest}`],
-        ['final', `lab&drives=hand&gains=0,0,0&${heaviest}&weights.final=100,100,100`],
-        ['negative', 'lab&drives=hand&gains=3,-0.01,5'],
-      ],
-    },
+    quiz('heavier', { shows: `${byHand}&${heavy}`, order: [2, 0, 1], answer: winner }),
+    quiz('home', { shows: `lab&drives=hand&gains=0,0,0&${heaviest}`, order: [1, 0], answer: staying }),
+    tries([
+      ['cheap', `${byHand}&weights.velocity=0.1,0.1`],
+      ['evolved', `lab&generation=60&${heaviest}`],
+      ['final', `lab&drives=hand&gains=0,0,0&${heaviest}&weights.final=100,100,100`],
+      ['negative', 'lab&drives=hand&gains=3,-0.01,5'],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'ky' },
     { kind: 'text', name: 'next' },

@@ -6,10 +6,10 @@ import { fixed, threeDigits } from '../../words/numbers.js';
 import { robustFormula } from '../formulas.js';
 import { createNearGoal } from '../near-goal.js';
 import { createTheoremNow } from '../theorem-now.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
-/** @import { Engine, Experiment, PaperResult, Posture, Run, Triple } from '../../core/engine.js' */
-/** @import { State } from '../../run/state.js' */
+/** @import { Engine, Experiment, Posture, Run, Triple } from '../../core/engine.js' */
 /** @import { Step } from '../steps.js' */
 
 const slip = { kind: /** @type {const} */ ('slip'), linear: 0.1, angular: 0, seed: 1 };
@@ -37,55 +37,44 @@ export const disturbance = {
   blocks: [
     { kind: 'text', name: 'slip' },
     { kind: 'text', name: 'why' },
-    {
-      kind: 'quiz',
-      name: 'double',
-      quiz: {
-        shows: 'disturbance&drives=hand&gains=6.47346,0.19356,10.35782&under=slip,0.1,0,1',
-        watch: true,
-        answer({ engine, state, scene, paper, gains }) {
-          const { goal } = state.experiment;
-          const own = gainsOf(state, 'paper-ep', paper);
-          const before = farthest(
-            driveUnder(engine, state.experiment, own, scene.experiment.disturbance),
-            goal,
-          );
-          const after = farthest(scene.driving, goal);
-          const right = after > 0.75 * before ? 0 : after > 0.1 * before ? 1 : 2;
-          return { right, before, after, own, gains };
-        },
+    quiz('double', {
+      shows: 'disturbance&drives=hand&gains=6.47346,0.19356,10.35782&under=slip,0.1,0,1',
+      watch: true,
+      answer({ engine, state, scene, paper, gains }) {
+        const { goal } = state.experiment;
+        const own = gainsOf(state, 'paper-ep', paper);
+        const before = farthest(
+          driveUnder(engine, state.experiment, own, scene.experiment.disturbance),
+          goal,
+        );
+        const after = farthest(scene.driving, goal);
+        const right = after > 0.75 * before ? 0 : after > 0.1 * before ? 1 : 2;
+        return { right, before, after, own, gains };
       },
-    },
-    {
-      kind: 'quiz',
-      name: 'random',
-      quiz: {
-        shows: 'disturbance&drives=paper-ep&under=random,0.1,0,1',
-        watch: true,
-        order: [2, 0, 1],
-        answer({ engine, state, scene, gains }) {
-          const { goal } = state.experiment;
-          const steady = farthest(driveUnder(engine, state.experiment, gains, slip), goal);
-          const random = farthest(scene.driving, goal);
-          const right = random > 1.1 * steady ? 0 : random > 0.5 * steady ? 1 : 2;
-          return { right, steady, random };
-        },
+    }),
+    quiz('random', {
+      shows: 'disturbance&drives=paper-ep&under=random,0.1,0,1',
+      watch: true,
+      order: [2, 0, 1],
+      answer({ engine, state, scene, gains }) {
+        const { goal } = state.experiment;
+        const steady = farthest(driveUnder(engine, state.experiment, gains, slip), goal);
+        const random = farthest(scene.driving, goal);
+        const right = random > 1.1 * steady ? 0 : random > 0.5 * steady ? 1 : 2;
+        return { right, steady, random };
       },
-    },
+    }),
     { kind: 'text', name: 'theorem' },
     { kind: 'formula', formula: robustFormula },
     { kind: 'view', create: createTheoremNow },
     { kind: 'text', name: 'sets' },
     { kind: 'text', name: 'unknown' },
-    {
-      kind: 'tries',
-      tries: [
-        ['turning', 'disturbance&drives=paper-ep&under=slip,0.1,0.2,1'],
-        ['aside', 'disturbance&drives=paper-ep&under=slip,0.1,0.2,1&from=4,0,0deg'],
-        ['evolved', 'disturbance&generation=100&under=slip,0.1,0.2,1'],
-        ['huge', 'disturbance&drives=hand&gains=250,250,250&under=slip,0.1,0,1'],
-      ],
-    },
+    tries([
+      ['turning', 'disturbance&drives=paper-ep&under=slip,0.1,0.2,1'],
+      ['aside', 'disturbance&drives=paper-ep&under=slip,0.1,0.2,1&from=4,0,0deg'],
+      ['evolved', 'disturbance&generation=100&under=slip,0.1,0.2,1'],
+      ['huge', 'disturbance&drives=hand&gains=250,250,250&under=slip,0.1,0,1'],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

@@ -2,6 +2,7 @@
 import { gainsOf } from '../../run/drivers.js';
 import { createTallyLine } from '../tally-line.js';
 import { lab } from '../../words/index.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -14,33 +15,26 @@ export const drive = {
   blocks: [
     { kind: 'text', name: 'begin' },
     { kind: 'view', create: createTallyLine },
-    {
-      kind: 'quiz',
-      name: 'bolder',
-      quiz: {
-        shows: 'lab&drives=hand&gains=10,10,10&pin1=5,5,5~5,5,5',
-        watch: true,
-        order: [1, 2, 0],
-        // The drive that the prediction is about, beside a gentler one.
-        answer({ engine, state, scene }) {
-          const [gentle] = engine.drive(state.experiment, [[5, 5, 5]]);
-          const bold = scene.driving;
-          const faster = bold.finalTime < gentle.finalTime;
-          const cheaper = bold.cost.total < gentle.cost.total;
-          return { right: faster ? (cheaper ? 0 : 1) : 2, gentle, bold };
-        },
+    quiz('bolder', {
+      shows: 'lab&drives=hand&gains=10,10,10&pin1=5,5,5~5,5,5',
+      watch: true,
+      order: [1, 2, 0],
+      // The drive that the prediction is about, beside a gentler one.
+      answer({ engine, state, scene }) {
+        const [gentle] = engine.drive(state.experiment, [[5, 5, 5]]);
+        const bold = scene.driving;
+        const faster = bold.finalTime < gentle.finalTime;
+        const cheaper = bold.cost.total < gentle.cost.total;
+        return { right: faster ? (cheaper ? 0 : 1) : 2, gentle, bold };
       },
-    },
-    {
-      kind: 'tries',
-      tries: [
-        ['stops', 'lab&drives=hand&gains=3,0,0'],
-        ['onlySecond', 'lab&drives=hand&gains=0,5,0'],
-        ['noDrive', 'lab&drives=hand&gains=0,0,5'],
-        ['negative', 'lab&drives=hand&gains=-1,1,5'],
-        ['paper', 'lab&drives=paper-ep'],
-      ],
-    },
+    }),
+    tries([
+      ['stops', 'lab&drives=hand&gains=3,0,0'],
+      ['onlySecond', 'lab&drives=hand&gains=0,5,0'],
+      ['noDrive', 'lab&drives=hand&gains=0,0,5'],
+      ['negative', 'lab&drives=hand&gains=-1,1,5'],
+      ['paper', 'lab&drives=paper-ep'],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

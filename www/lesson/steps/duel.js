@@ -2,6 +2,7 @@
 import { lab } from '../../words/index.js';
 import { drivesUntil, generationsIn, judge, lowestOf, nextSeed, roundOf, winners } from '../duel.js';
 import { createDuelDrives, createDuelResult, createDuelStage, duelIn, priceInYard } from '../duel-view.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 import words from '../words/index.js';
 
@@ -18,27 +19,20 @@ export const duel = {
   blocks: [
     { kind: 'text', name: 'begin' },
     { kind: 'view', create: createDuelDrives },
-    {
-      kind: 'quiz',
-      name: 'ahead',
-      quiz: {
-        async answer(live) {
-          const locked = duelIn(live);
-          const first = locked.rounds[0] ?? (await roundOf(live.engine, locked, nextSeed(locked)));
-          const verdict = judge(locked, first);
-          return { right: winners.indexOf(verdict.winner), ...verdict };
-        },
+    quiz('ahead', {
+      async answer(live) {
+        const locked = duelIn(live);
+        const first = locked.rounds[0] ?? (await roundOf(live.engine, locked, nextSeed(locked)));
+        const verdict = judge(locked, first);
+        return { right: winners.indexOf(verdict.winner), ...verdict };
       },
-    },
+    }),
     { kind: 'view', create: createDuelResult },
-    {
-      kind: 'tries',
-      tries: [
-        ['sharp', 'lab&drives=hand&gains=12,12,6&weights.velocity=1,0.1'],
-        ['dear', 'lab&drives=hand&gains=1,1,1'],
-        ['luck', 'luck'],
-      ],
-    },
+    tries([
+      ['sharp', 'lab&drives=hand&gains=12,12,6&weights.velocity=1,0.1'],
+      ['dear', 'lab&drives=hand&gains=1,1,1'],
+      ['luck', 'luck'],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

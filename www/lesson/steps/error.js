@@ -1,6 +1,7 @@
 // Where the goal is, seen from the robot.
 import { errorFormula } from '../formulas.js';
 import { degreesText, signed } from '../../words/numbers.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -16,27 +17,20 @@ export const error = {
     { kind: 'text', name: 'three' },
     { kind: 'formula', formula: errorFormula },
     { kind: 'text', name: 'signs' },
-    {
-      kind: 'quiz',
-      name: 'largest',
-      quiz: {
-        shows: 'lab&drives=hand&gains=3,5,5&start=0,2,90deg',
-        time: 0,
-        answer({ engine, scene }) {
-          const { x, y, theta } = engine.samples(scene.experiment, [3, 5, 5]).at(0).error;
-          const difference = Math.abs(x) - Math.abs(y);
-          return { right: Math.abs(difference) < 0.005 ? 2 : difference > 0 ? 0 : 1, x, y, theta };
-        },
+    quiz('largest', {
+      shows: 'lab&drives=hand&gains=3,5,5&start=0,2,90deg',
+      time: 0,
+      answer({ engine, scene }) {
+        const { x, y, theta } = engine.samples(scene.experiment, [3, 5, 5]).at(0).error;
+        const difference = Math.abs(x) - Math.abs(y);
+        return { right: Math.abs(difference) < 0.005 ? 2 : difference > 0 ? 0 : 1, x, y, theta };
       },
-    },
-    {
-      kind: 'tries',
-      tries: [
-        ['beside', 'lab&drives=hand&gains=3,5,5&start=3,1,45deg'],
-        ['beyond', 'lab&drives=hand&gains=3,5,5&start=3,3,45deg'],
-        ['turned', 'lab&drives=hand&gains=3,5,5&start=2,2,-45deg'],
-      ],
-    },
+    }),
+    tries([
+      ['beside', 'lab&drives=hand&gains=3,5,5&start=3,1,45deg'],
+      ['beyond', 'lab&drives=hand&gains=3,5,5&start=3,3,45deg'],
+      ['turned', 'lab&drives=hand&gains=3,5,5&start=2,2,-45deg'],
+    ]),
     { kind: 'notice' },
   ],
   values: ({ sample }) => ({

@@ -5,6 +5,7 @@ import lesson from '../words/index.js';
 import { anatomyOf, chosenIn, placeByCost } from '../anatomy.js';
 import { gainFormula } from '../formulas.js';
 import { createNewborn } from '../newborn.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -24,52 +25,41 @@ export const generation = {
     { kind: 'formula', formula: gainFormula },
     { kind: 'text', name: 'drive' },
     { kind: 'text', name: 'rule' },
-    {
-      kind: 'quiz',
-      name: 'luck',
-      quiz: {
-        shows: 'generation&generation=1&phase=ranking&individual=25',
-        sight: 'part',
-        order: [1, 0, 3, 2],
-        answer(live) {
-          const anatomy = anatomyOf(live);
-          const fate = (/** @type {number} */ number) => ({
-            stays: anatomy.record.survivors.includes(number),
-            cost: anatomy.all[number].cost,
-            wins: anatomy.record.wins[number],
-            place: placeByCost(anatomy, number),
-          });
-          const [better, worse] = [fate(question.better), fate(question.worse)];
-          const right = better.stays ? (worse.stays ? 2 : 0) : worse.stays ? 1 : 3;
-          return { right, better, worse, bouts: anatomy.record.opponents[0].length };
-        },
+    quiz('luck', {
+      shows: 'generation&generation=1&phase=ranking&individual=25',
+      sight: 'part',
+      order: [1, 0, 3, 2],
+      answer(live) {
+        const anatomy = anatomyOf(live);
+        const fate = (/** @type {number} */ number) => ({
+          stays: anatomy.record.survivors.includes(number),
+          cost: anatomy.all[number].cost,
+          wins: anatomy.record.wins[number],
+          place: placeByCost(anatomy, number),
+        });
+        const [better, worse] = [fate(question.better), fate(question.worse)];
+        const right = better.stays ? (worse.stays ? 2 : 0) : worse.stays ? 1 : 3;
+        return { right, better, worse, bouts: anatomy.record.opponents[0].length };
       },
-    },
+    }),
     { kind: 'text', name: 'select', after: 'luck' },
-    {
-      kind: 'quiz',
-      name: 'best',
-      quiz: {
-        shows: 'lab&generation=60',
-        order: [0, 2, 1],
-        answer({ state }) {
-          const costs = state.history.slice(0, state.generation + 1).map(({ best }) => best.cost);
-          const steps = costs.slice(1).map((cost, i) => cost - costs[i]);
-          const rose = steps.filter((step) => step > 0).length;
-          const fell = steps.filter((step) => step < 0).length;
-          return { right: rose > 0 ? 0 : 2, rose, fell, generations: state.generation };
-        },
+    quiz('best', {
+      shows: 'lab&generation=60',
+      order: [0, 2, 1],
+      answer({ state }) {
+        const costs = state.history.slice(0, state.generation + 1).map(({ best }) => best.cost);
+        const steps = costs.slice(1).map((cost, i) => cost - costs[i]);
+        const rose = steps.filter((step) => step > 0).length;
+        const fell = steps.filter((step) => step < 0).length;
+        return { right: rose > 0 ? 0 : 2, rose, fell, generations: state.generation };
       },
-    },
-    {
-      kind: 'tries',
-      tries: [
-        ['lucky', 'generation&seed=3&generation=1&phase=tournament&individual=12', 'part'],
-        ['below', 'generation&generation=1&phase=drive&individual=34', 'part'],
-        ['bouts', 'generation&opponents=200&generation=1&phase=survivors', 'part'],
-        ['late', 'generation&generation=60&phase=drive'],
-      ],
-    },
+    }),
+    tries([
+      ['lucky', 'generation&seed=3&generation=1&phase=tournament&individual=12', 'part'],
+      ['below', 'generation&generation=1&phase=drive&individual=34', 'part'],
+      ['bouts', 'generation&opponents=200&generation=1&phase=survivors', 'part'],
+      ['late', 'generation&generation=60&phase=drive'],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

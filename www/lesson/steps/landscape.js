@@ -4,6 +4,7 @@ import { remember } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { lowestPoint } from '../lowest.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -27,52 +28,41 @@ export const landscape = {
   blocks: [
     { kind: 'text', name: 'map' },
     { kind: 'text', name: 'shape' },
-    {
-      kind: 'quiz',
-      name: 'turn',
-      quiz: {
-        shows: `${turned}&drives=paper-ep`,
-        async answer({ engine, state, gains }) {
-          const { preset, experiment } = state;
-          const [old, now] = await Promise.all(
-            [engine.experiment(preset), experiment].map((one) =>
-              lowestPoint(engine, { experiment: one, preset, x: 'kx', y: 'ktheta', gains }),
-            ),
-          );
-          const [left] = engine.drive(experiment, [old.gains]);
-          const stays = old.gains.every((gain, i) => gain === now.gains[i]);
-          const again = `${turned}&drives=hand&gains=${old.gains}`;
-          return { right: !left.arrived ? 2 : stays ? 0 : 1, old, now, left, again };
-        },
+    quiz('turn', {
+      shows: `${turned}&drives=paper-ep`,
+      async answer({ engine, state, gains }) {
+        const { preset, experiment } = state;
+        const [old, now] = await Promise.all(
+          [engine.experiment(preset), experiment].map((one) =>
+            lowestPoint(engine, { experiment: one, preset, x: 'kx', y: 'ktheta', gains }),
+          ),
+        );
+        const [left] = engine.drive(experiment, [old.gains]);
+        const stays = old.gains.every((gain, i) => gain === now.gains[i]);
+        const again = `${turned}&drives=hand&gains=${old.gains}`;
+        return { right: !left.arrived ? 2 : stays ? 0 : 1, old, now, left, again };
       },
-    },
-    {
-      kind: 'quiz',
-      name: 'ky',
-      quiz: {
-        shows: 'landscape&x=kx&y=ky&generation=100',
-        async answer({ engine, state, gains }) {
-          const { preset, experiment } = state;
-          const lowest = await lowestPoint(engine, { experiment, preset, x: 'kx', y: 'ky', gains });
-          const { most } = lowest;
-          const [kx, ky, ktheta] = lowest.gains;
-          const [middle, wall] = engine.drive(experiment, [
-            [kx, most / 2, ktheta],
-            [kx, -0.01, ktheta],
-          ]);
-          return { right: ky < 0.05 * most ? 1 : ky > 0.95 * most ? 2 : 0, lowest, middle, wall };
-        },
+    }),
+    quiz('ky', {
+      shows: 'landscape&x=kx&y=ky&generation=100',
+      async answer({ engine, state, gains }) {
+        const { preset, experiment } = state;
+        const lowest = await lowestPoint(engine, { experiment, preset, x: 'kx', y: 'ky', gains });
+        const { most } = lowest;
+        const [kx, ky, ktheta] = lowest.gains;
+        const [middle, wall] = engine.drive(experiment, [
+          [kx, most / 2, ktheta],
+          [kx, -0.01, ktheta],
+        ]);
+        return { right: ky < 0.05 * most ? 1 : ky > 0.95 * most ? 2 : 0, lowest, middle, wall };
       },
-    },
-    {
-      kind: 'tries',
-      tries: [
-        ['walked', 'landscape&generation=100'],
-        ['smooth', 'landscape&third=0'],
-        ['deep', 'landscape&x=kx&y=ky-log&generation=100'],
-        ['stuck', 'landscape&generation=200&goal.theta=0deg&seed=3'],
-      ],
-    },
+    }),
+    tries([
+      ['walked', 'landscape&generation=100'],
+      ['smooth', 'landscape&third=0'],
+      ['deep', 'landscape&x=kx&y=ky-log&generation=100'],
+      ['stuck', 'landscape&generation=200&goal.theta=0deg&seed=3'],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

@@ -3,6 +3,7 @@ import { remember } from '../../kit/memo.js';
 import { degreesText, fixed, signed } from '../../words/numbers.js';
 import { lawFormula } from '../formulas.js';
 import { createPushes } from '../pushes.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Engine, Triple } from '../../core/engine.js' */
@@ -66,35 +67,21 @@ export const law = {
     { kind: 'text', name: 'one' },
     { kind: 'text', name: 'written' },
     { kind: 'formula', formula: lawFormula },
-    {
-      kind: 'tries',
-      tries: [
-        ['onlyKx', byHand(kxAlone, below)],
-        ['onlyKt', byHand([0, 0, 5], below)],
-        ['onlyKy', byHand([0, 8, 0], below)],
-      ],
-    },
+    tries([
+      ['onlyKx', byHand(kxAlone, below)],
+      ['onlyKt', byHand([0, 0, 5], below)],
+      ['onlyKy', byHand([0, 8, 0], below)],
+    ]),
     { kind: 'text', name: 'each' },
-    {
-      kind: 'quiz',
-      name: 'beside',
-      quiz: { shows: byHand(withoutKy, below), watch: true, order: [2, 1, 0], answer: withoutKyFrom },
-    },
-    {
-      kind: 'quiz',
-      name: 'ahead',
-      quiz: { shows: byHand(withoutKy, 'start=0,0,0'), watch: true, answer: withoutKyFrom },
-    },
+    quiz('beside', { shows: byHand(withoutKy, below), watch: true, order: [2, 1, 0], answer: withoutKyFrom }),
+    quiz('ahead', { shows: byHand(withoutKy, 'start=0,0,0'), watch: true, answer: withoutKyFrom }),
     { kind: 'text', name: 'sideways' },
-    {
-      kind: 'tries',
-      tries: [
-        ['all', byHand(allThree, below)],
-        ['stuck', byHand(withoutKy, beside)],
-        ['shuffle', byHand(allThree, beside)],
-        ['unlimited', byHand(allThree, `${below}&limits.speed=off&limits.turnRate=off`)],
-      ],
-    },
+    tries([
+      ['all', byHand(allThree, below)],
+      ['stuck', byHand(withoutKy, beside)],
+      ['shuffle', byHand(allThree, beside)],
+      ['unlimited', byHand(allThree, `${below}&limits.speed=off&limits.turnRate=off`)],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

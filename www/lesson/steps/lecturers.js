@@ -16,7 +16,7 @@ export const demonstration = sheet('demonstration', [
   ['close', 'disturbance'],
 ]);
 
-export const plan = sheet('plan', [
+const plan = sheet('plan', [
   ['play', 'lesson&step=drive'],
   ['model', 'lesson&step=error'],
   ['theory', 'lesson&step=stability'],

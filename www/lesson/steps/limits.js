@@ -3,6 +3,7 @@ import { largest } from '../../kit/extent.js';
 import { remember } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { createAsked } from '../asked.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Samples, Triple } from '../../core/engine.js' */
@@ -22,11 +23,8 @@ function risesOf(samples) {
 
 /** The same gains without limits, with those of the paper's first drives, and with those of its last. */
 const runsWith = remember(
-  (
-    /** @type {Live['engine']} */ engine,
-    /** @type {Live['state']['experiment']} */ from,
-    /** @type {Triple} */ gains,
-  ) => {
+  /** @param {Live['engine']} engine @param {Live['state']['experiment']} from @param {Triple} gains */
+  (engine, from, gains) => {
     const { limits: velocity } = engine.experiment('velocity-limits');
     const { limits: acceleration } = engine.experiment('acceleration-limits');
     const none = { speed: null, turnRate: null, acceleration: null, turnAcceleration: null };
@@ -78,60 +76,45 @@ export const limits = {
   stage: { place: 'beside', pages: ['curves'], create: createAsked },
   blocks: [
     { kind: 'text', name: 'asked' },
-    {
-      kind: 'quiz',
-      name: 'free',
-      quiz: {
-        shows: `curves&drives=paper-ep&${unlimited}`,
-        watch: true,
-        order: [2, 0, 1],
-        answer(live) {
-          const { free, limited } = runsOf(live);
-          const ratio = free.run.cost.total / limited.run.cost.total;
-          return { right: ratio < 0.9 ? 0 : ratio < 1.1 ? 1 : 2, free, limited };
-        },
+    quiz('free', {
+      shows: `curves&drives=paper-ep&${unlimited}`,
+      watch: true,
+      order: [2, 0, 1],
+      answer(live) {
+        const { free, limited } = runsOf(live);
+        const ratio = free.run.cost.total / limited.run.cost.total;
+        return { right: ratio < 0.9 ? 0 : ratio < 1.1 ? 1 : 2, free, limited };
       },
-    },
+    }),
     { kind: 'text', name: 'theory', after: 'free' },
-    {
-      kind: 'quiz',
-      name: 'heals',
-      quiz: {
-        shows: `curves&view=stability&drives=paper-ep&${raised}`,
-        sight: 'part',
-        watch: true,
-        order: [0, 2, 1],
-        answer({ engine, paper }) {
-          const { raised: drives, starts } = risesFromEverywhere(engine, paper[0].gains);
-          const share = drives / starts;
-          return { right: share < 0.1 ? 0 : share < 0.5 ? 1 : 2, drives, starts };
-        },
+    quiz('heals', {
+      shows: `curves&view=stability&drives=paper-ep&${raised}`,
+      sight: 'part',
+      watch: true,
+      order: [0, 2, 1],
+      answer({ engine, paper }) {
+        const { raised: drives, starts } = risesFromEverywhere(engine, paper[0].gains);
+        const share = drives / starts;
+        return { right: share < 0.1 ? 0 : share < 0.5 ? 1 : 2, drives, starts };
       },
-    },
+    }),
     { kind: 'text', name: 'clipped', after: 'heals' },
-    {
-      kind: 'quiz',
-      name: 'brakes',
-      quiz: {
-        shows: 'curves&preset=acceleration-limits&drives=hand&gains=10,10,10',
-        watch: true,
-        answer(live) {
-          const { limited, sluggish } = runsOf(live);
-          const ratio = sluggish.run.finalTime / limited.run.finalTime;
-          return { right: ratio < 0.98 ? 0 : ratio < 1.3 ? 1 : 2, limited, sluggish };
-        },
+    quiz('brakes', {
+      shows: 'curves&preset=acceleration-limits&drives=hand&gains=10,10,10',
+      watch: true,
+      answer(live) {
+        const { limited, sluggish } = runsOf(live);
+        const ratio = sluggish.run.finalTime / limited.run.finalTime;
+        return { right: ratio < 0.98 ? 0 : ratio < 1.3 ? 1 : 2, limited, sluggish };
       },
-    },
-    {
-      kind: 'tries',
-      tries: [
-        ['raised', `curves&view=stability&drives=hand&gains=3,8,5&start=2.5,1.5,45deg`, 'part'],
-        ['figure4', 'lab&drives=paper-ep'],
-        ['figure5', 'curves&drives=paper-ep', 'part'],
-        ['figure6', 'lab&preset=acceleration-limits&drives=paper-ep'],
-        ['figure7', 'curves&preset=acceleration-limits&drives=paper-ep', 'part'],
-      ],
-    },
+    }),
+    tries([
+      ['raised', `curves&view=stability&drives=hand&gains=3,8,5&start=2.5,1.5,45deg`, 'part'],
+      ['figure4', 'lab&drives=paper-ep'],
+      ['figure5', 'curves&drives=paper-ep', 'part'],
+      ['figure6', 'lab&preset=acceleration-limits&drives=paper-ep'],
+      ['figure7', 'curves&preset=acceleration-limits&drives=paper-ep', 'part'],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

@@ -3,6 +3,7 @@ import { largest } from '../../kit/extent.js';
 import { fixed } from '../../words/numbers.js';
 import { asPrinted } from '../printed.js';
 import { createChoicesTable, createPaperTable } from '../paper-table.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Live } from '../page.js' */
@@ -24,36 +25,29 @@ export const paper = {
   figure: 'plane',
   blocks: [
     { kind: 'text', name: 'same' },
-    {
-      kind: 'quiz',
-      name: 'literal',
-      quiz: {
-        shows: 'curves&drives=paper-arbitrary',
-        watch: true,
-        order: [1, 0, 2],
-        answer(live) {
-          const [here, literal] = [runOf(live, 1).cost.total, asPrinted(live, 1)];
-          const ratio = literal / here;
-          return { right: ratio < 1.5 ? 0 : ratio < 5 ? 1 : 2, here, literal, there: live.paper[1].cost };
-        },
+    quiz('literal', {
+      shows: 'curves&drives=paper-arbitrary',
+      watch: true,
+      order: [1, 0, 2],
+      answer(live) {
+        const [here, literal] = [runOf(live, 1).cost.total, asPrinted(live, 1)];
+        const ratio = literal / here;
+        return { right: ratio < 1.5 ? 0 : ratio < 5 ? 1 : 2, here, literal, there: live.paper[1].cost };
       },
-    },
+    }),
     { kind: 'view', create: createPaperTable, isText: true },
     { kind: 'text', name: 'order' },
     { kind: 'view', create: createChoicesTable, isText: true },
-    {
-      kind: 'tries',
-      tries: [
-        ['speed', 'curves&preset=acceleration-limits&drives=paper-ep&tolerance.speed=0.05'],
-        ['horizon', 'lab&horizon=3&tolerance.position=0&tolerance.heading=0&generation=100'],
-        [
-          'shortCheap',
-          'lab&horizon=3&tolerance.position=0&tolerance.heading=0&generation=100&weights.velocity=0.1,0.1',
-        ],
-        ['weights', 'lab&drives=paper-ep&weights.velocity=2,2'],
-        ['figure7', 'curves&preset=acceleration-limits&drives=paper-arbitrary'],
+    tries([
+      ['speed', 'curves&preset=acceleration-limits&drives=paper-ep&tolerance.speed=0.05'],
+      ['horizon', 'lab&horizon=3&tolerance.position=0&tolerance.heading=0&generation=100'],
+      [
+        'shortCheap',
+        'lab&horizon=3&tolerance.position=0&tolerance.heading=0&generation=100&weights.velocity=0.1,0.1',
       ],
-    },
+      ['weights', 'lab&drives=paper-ep&weights.velocity=2,2'],
+      ['figure7', 'curves&preset=acceleration-limits&drives=paper-arbitrary'],
+    ]),
     { kind: 'text', name: 'figure7' },
     { kind: 'notice' },
   ],

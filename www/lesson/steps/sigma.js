@@ -4,6 +4,7 @@ import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { sigmaFormula } from '../formulas.js';
 import { createLineage } from '../lineage.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -22,51 +23,40 @@ export const sigma = {
     { kind: 'text', name: 'begin' },
     { kind: 'formula', formula: sigmaFormula },
     { kind: 'text', name: 'rates' },
-    {
-      kind: 'quiz',
-      name: 'small',
-      quiz: {
-        shows: 'lab&evolution.initialSigma=0.01&generation=60&curve=sigmas',
-        async answer({ engine, state }) {
-          const { experiment, generation, history } = state;
-          const usual = {
-            ...experiment,
-            evolution: { ...experiment.evolution, initialSigma: usualSigma },
-          };
-          const { cost } = await engine.surveys.evolve(usual, generation);
-          const own = history[generation].best.cost;
-          const right = Math.abs(own - cost) < same ? 1 : own < cost ? 0 : 2;
-          return { right, own, usual: cost, generation, sigma: experiment.evolution.initialSigma };
-        },
+    quiz('small', {
+      shows: 'lab&evolution.initialSigma=0.01&generation=60&curve=sigmas',
+      async answer({ engine, state }) {
+        const { experiment, generation, history } = state;
+        const usual = {
+          ...experiment,
+          evolution: { ...experiment.evolution, initialSigma: usualSigma },
+        };
+        const { cost } = await engine.surveys.evolve(usual, generation);
+        const own = history[generation].best.cost;
+        const right = Math.abs(own - cost) < same ? 1 : own < cost ? 0 : 2;
+        return { right, own, usual: cost, generation, sigma: experiment.evolution.initialSigma };
       },
-    },
-    {
-      kind: 'quiz',
-      name: 'further',
-      quiz: {
-        shows: 'lab&generation=300&curve=sigmas',
-        order: [0, 2, 1],
-        answer({ state }) {
-          const { history, generation } = state;
-          const half = Math.floor(generation / 2);
-          const [first, middle, last] = [0, half, generation].map((g) => history[g].best.cost);
-          const [before, after] = [first - middle, middle - last];
-          const right = after < same ? 2 : after < before / 2 ? 1 : 0;
-          const sigmas = history[generation].meanSigmas.map(words.sigmaText);
-          return { right, before, after, half, generation, sigmas };
-        },
+    }),
+    quiz('further', {
+      shows: 'lab&generation=300&curve=sigmas',
+      order: [0, 2, 1],
+      answer({ state }) {
+        const { history, generation } = state;
+        const half = Math.floor(generation / 2);
+        const [first, middle, last] = [0, half, generation].map((g) => history[g].best.cost);
+        const [before, after] = [first - middle, middle - last];
+        const right = after < same ? 2 : after < before / 2 ? 1 : 0;
+        const sigmas = history[generation].meanSigmas.map(words.sigmaText);
+        return { right, before, after, half, generation, sigmas };
       },
-    },
+    }),
     { kind: 'text', name: 'collapse' },
-    {
-      kind: 'tries',
-      tries: [
-        ['stuck', 'lab&seed=7&generation=300&curve=sigmas'],
-        ['none', 'lab&evolution.initialSigma=0&generation=60'],
-        ['large', 'lab&evolution.initialSigma=100&generation=100&curve=sigmas'],
-        ['late', 'generation&generation=300&phase=mutation&individual=0'],
-      ],
-    },
+    tries([
+      ['stuck', 'lab&seed=7&generation=300&curve=sigmas'],
+      ['none', 'lab&evolution.initialSigma=0&generation=60'],
+      ['large', 'lab&evolution.initialSigma=100&generation=100&curve=sigmas'],
+      ['late', 'generation&generation=300&phase=mutation&individual=0'],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

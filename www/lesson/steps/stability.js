@@ -5,6 +5,7 @@ import { createBowl } from '../bowl.js';
 import { createCancel } from '../cancel.js';
 import { chainFormula, errorRateFormula } from '../formulas-motion.js';
 import { lyapunovFormula, rateFormula } from '../formulas.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -28,53 +29,42 @@ export const stability = {
     { kind: 'text', name: 'left' },
     { kind: 'formula', formula: rateFormula },
     { kind: 'text', name: 'parts' },
-    {
-      kind: 'quiz',
-      name: 'negative',
-      quiz: {
-        shows: `curves&view=stability&drives=hand&gains=3,-1,5&${unlimited}`,
-        watch: true,
-        order: [2, 0, 1],
-        answer({ samples, scene }) {
-          const values = samples.map(({ lyapunov }) => lyapunov);
-          const [first, last, most] = [values[0], values[values.length - 1], largest(values)];
-          const { arrived } = scene.driving;
-          return { right: arrived ? 0 : last > first ? 2 : 1, first, last, most };
-        },
+    quiz('negative', {
+      shows: `curves&view=stability&drives=hand&gains=3,-1,5&${unlimited}`,
+      watch: true,
+      order: [2, 0, 1],
+      answer({ samples, scene }) {
+        const values = samples.map(({ lyapunov }) => lyapunov);
+        const [first, last, most] = [values[0], values[values.length - 1], largest(values)];
+        const { arrived } = scene.driving;
+        return { right: arrived ? 0 : last > first ? 2 : 1, first, last, most };
       },
-    },
+    }),
     { kind: 'text', name: 'before' },
-    {
-      kind: 'quiz',
-      name: 'kanayama',
-      quiz: {
-        shows: `curves&view=stability&law=kanayama&drives=hand&gains=3,1,5&${unlimited}`,
-        sight: 'robot',
-        watch: true,
-        order: [0, 2, 1],
-        answer({ scene }) {
-          const { driving, experiment } = scene;
-          const end = driving.time.length - 1;
-          const { goal } = experiment;
-          const away = Math.hypot(driving.x[end] - goal.x, driving.y[end] - goal.y);
-          const turned = largest(driving.angular.map(Math.abs));
-          return { right: driving.arrived ? 0 : away < 0.05 ? 1 : 2, away, turned };
-        },
+    quiz('kanayama', {
+      shows: `curves&view=stability&law=kanayama&drives=hand&gains=3,1,5&${unlimited}`,
+      sight: 'robot',
+      watch: true,
+      order: [0, 2, 1],
+      answer({ scene }) {
+        const { driving, experiment } = scene;
+        const end = driving.time.length - 1;
+        const { goal } = experiment;
+        const away = Math.hypot(driving.x[end] - goal.x, driving.y[end] - goal.y);
+        const turned = largest(driving.angular.map(Math.abs));
+        return { right: driving.arrived ? 0 : away < 0.05 ? 1 : 2, away, turned };
       },
-    },
-    {
-      kind: 'tries',
-      tries: [
-        ['other', `curves&view=stability&drives=hand&gains=3,1,5&${unlimited}&start=-1,-1,180deg`, 'part'],
-        ['negativeTurn', 'curves&view=stability&drives=hand&gains=3,1,-2'],
-        ['track', 'curves&view=stability&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5', 'robot'],
-        [
-          'kanayamaTracks',
-          'curves&view=stability&law=kanayama&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5',
-          'robot',
-        ],
+    }),
+    tries([
+      ['other', `curves&view=stability&drives=hand&gains=3,1,5&${unlimited}&start=-1,-1,180deg`, 'part'],
+      ['negativeTurn', 'curves&view=stability&drives=hand&gains=3,1,-2'],
+      ['track', 'curves&view=stability&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5', 'robot'],
+      [
+        'kanayamaTracks',
+        'curves&view=stability&law=kanayama&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5',
+        'robot',
       ],
-    },
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

@@ -12,6 +12,7 @@ import { createSwarm } from '../swarm.js';
 import shared from '../words/index.js';
 import { createWeights } from '../weights.js';
 import { yardOf } from '../yard.js';
+import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
 /** @import { Engine } from '../../core/engine.js' */
@@ -48,88 +49,69 @@ export const task = {
   stage: { place: 'instead', pages: ['lab'], after: 'share', create: createTaskStage },
   blocks: [
     { kind: 'text', name: 'good' },
-    {
-      kind: 'quiz',
-      name: 'share',
-      quiz: {
-        shows: 'lab&generation=100',
-        order: [1, 2, 3, 0],
-        // Who fails is seen to fail first.
-        ready: () => !filmRuns(),
-        async answer({ engine, state }) {
-          const found = await shareOfStarts(engine, state, state.population[0].gains);
-          // The middles of the choices: all, three quarters, half, one quarter.
-          const right = [1, 0.75, 0.5, 0.25].findIndex((middle) => found.share > middle - 0.125);
-          return { right: right < 0 ? 3 : right, ...found };
-        },
+    quiz('share', {
+      shows: 'lab&generation=100',
+      order: [1, 2, 3, 0],
+      // Who fails is seen to fail first.
+      ready: () => !filmRuns(),
+      async answer({ engine, state }) {
+        const found = await shareOfStarts(engine, state, state.population[0].gains);
+        // The middles of the choices: all, three quarters, half, one quarter.
+        const right = [1, 0.75, 0.5, 0.25].findIndex((middle) => found.share > middle - 0.125);
+        return { right: right < 0 ? 3 : right, ...found };
       },
-    },
+    }),
     { kind: 'text', name: 'beside', after: 'share' },
     { kind: 'text', name: 'asked', after: 'share' },
-    {
-      kind: 'quiz',
-      name: 'arbitrary',
-      quiz: {
-        shows: 'robustness&generation=100&drives=paper-arbitrary',
-        order: [2, 0, 1],
-        ready: ({ state }) => mapsAreDone(state),
-        async answer({ engine, state, paper }) {
-          const robots = /** @type {const} */ (['evolved', 'paper-arbitrary']).map((driver) =>
-            gainsOf(state, driver, paper),
-          );
-          const [own, other] = await Promise.all(robots.map((one) => shareOfStarts(engine, state, one)));
-          const [best, dear] = engine.drive(state.experiment, robots);
-          const right = other.share < 0.9 * own.share ? 0 : other.share > 1.1 * own.share ? 2 : 1;
-          return { right, own, other, best, dear };
-        },
+    quiz('arbitrary', {
+      shows: 'robustness&generation=100&drives=paper-arbitrary',
+      order: [2, 0, 1],
+      ready: ({ state }) => mapsAreDone(state),
+      async answer({ engine, state, paper }) {
+        const robots = /** @type {const} */ (['evolved', 'paper-arbitrary']).map((driver) =>
+          gainsOf(state, driver, paper),
+        );
+        const [own, other] = await Promise.all(robots.map((one) => shareOfStarts(engine, state, one)));
+        const [best, dear] = engine.drive(state.experiment, robots);
+        const right = other.share < 0.9 * own.share ? 0 : other.share > 1.1 * own.share ? 2 : 1;
+        return { right, own, other, best, dear };
       },
-    },
+    }),
     { kind: 'text', name: 'many', after: 'arbitrary' },
-    {
-      kind: 'quiz',
-      name: 'price',
-      quiz: {
-        shows: 'training&generation=100',
-        ...evolvesAll,
-        async answer({ engine, state }) {
-          const [one, many] = await trainedOn(engine, state, ['one', 'circle']);
-          const right = many.own < 0.99 * one.own ? 0 : many.own > 1.01 * one.own ? 2 : 1;
-          return { right, one, many };
-        },
+    quiz('price', {
+      shows: 'training&generation=100',
+      ...evolvesAll,
+      async answer({ engine, state }) {
+        const [one, many] = await trainedOn(engine, state, ['one', 'circle']);
+        const right = many.own < 0.99 * one.own ? 0 : many.own > 1.01 * one.own ? 2 : 1;
+        return { right, one, many };
       },
-    },
+    }),
     { kind: 'text', name: 'half', after: 'price' },
     { kind: 'view', create: createWeights, after: 'price' },
-    {
-      kind: 'quiz',
-      name: 'turning',
-      quiz: {
-        shows: `training&generation=100&${cheapTurns}`,
-        order: [1, 2, 0],
-        ...evolvesAll,
-        async answer({ engine, state }) {
-          const dear = { ...state, experiment: { ...state.experiment, weights: weightsOf(engine) } };
-          const [[before], [after]] = await Promise.all([
-            trainedOn(engine, dear, ['circle']),
-            trainedOn(engine, state, ['circle']),
-          ]);
-          const share = after.unseen.count / after.unseen.starts.length;
-          const right = after.unseen.count < before.unseen.count ? 0 : share < 0.9 ? 1 : 2;
-          return { right, before, after };
-        },
+    quiz('turning', {
+      shows: `training&generation=100&${cheapTurns}`,
+      order: [1, 2, 0],
+      ...evolvesAll,
+      async answer({ engine, state }) {
+        const dear = { ...state, experiment: { ...state.experiment, weights: weightsOf(engine) } };
+        const [[before], [after]] = await Promise.all([
+          trainedOn(engine, dear, ['circle']),
+          trainedOn(engine, state, ['circle']),
+        ]);
+        const share = after.unseen.count / after.unseen.starts.length;
+        const right = after.unseen.count < before.unseen.count ? 0 : share < 0.9 ? 1 : 2;
+        return { right, before, after };
       },
-    },
+    }),
     { kind: 'text', name: 'whole', after: 'turning' },
-    {
-      kind: 'tries',
-      tries: [
-        ['beside', 'robustness&generation=100&from=2,0,0deg'],
-        ['withKy', 'robustness&generation=100&drives=hand&gains=3.2,10,4.3&from=2,0,0deg'],
-        ['training', 'training&generation=100'],
-        ['cheap', 'training&generation=100&seed=3'],
-        ['both', 'training&generation=100&weights.velocity=0.1,0.1'],
-      ],
-    },
+    tries([
+      ['beside', 'robustness&generation=100&from=2,0,0deg'],
+      ['withKy', 'robustness&generation=100&drives=hand&gains=3.2,10,4.3&from=2,0,0deg'],
+      ['training', 'training&generation=100'],
+      ['cheap', 'training&generation=100&seed=3'],
+      ['both', 'training&generation=100&weights.velocity=0.1,0.1'],
+    ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],

@@ -18,7 +18,7 @@ import words from './words/index.js';
 import { curvesSlice } from './state.js';
 
 /** @typedef {{ name: string, gains: Triple, experiment: Experiment, run: Run, slot: number | null }} Column */
-/** @typedef {{ id: string, head: string, className?: string, texts: readonly string[] }} Row */
+/** @typedef {{ head: string, className?: string, texts: readonly string[] }} Row */
 /** @typedef {{ onName: (slot: number, text: string) => void, onUnpin: (slot: number) => void }} PinEvents */
 
 /** @param {HTMLElement} root @param {Tools} tools @returns {View} */
@@ -96,21 +96,21 @@ const headOf = ({ name, slot }) =>
   html`<th class=${slot === null ? 'driving' : ''} scope="col">${slot === null ? nothing : html`${createSwatch(styles[slot])}<br>`}${words.breakable(slot === null ? words.drivingColumn(name) : name)}</th>`;
 
 /** @param {Row} row */
-const rowOf = ({ id, head, className = '', texts }) =>
-  html`<tr data-row=${id}><th class=${className} scope="row">${head}</th>${texts.map((text) => html`<td>${text}</td>`)}</tr>`;
+const rowOf = ({ head, className = '', texts }) =>
+  html`<tr><th class=${className} scope="row">${head}</th>${texts.map((text) => html`<td>${text}</td>`)}</tr>`;
 
 /** @param {readonly Column[]} columns @returns {Row[]} */
 function resultRows(columns) {
-  /** @param {string} id @param {string} head @param {(column: Column) => string} text @param {string} [className] */
-  const row = (id, head, text, className) => ({ id, head, className, texts: columns.map(text) });
+  /** @param {string} head @param {(column: Column) => string} text @param {string} [className] */
+  const row = (head, text, className) => ({ head, className, texts: columns.map(text) });
   return [
-    row('total', lab.costSymbol, ({ run }) => lab.costText(run.cost.total), 'strong'),
+    row(lab.costSymbol, ({ run }) => lab.costText(run.cost.total), 'strong'),
     ...lab.costParts
       .filter(([part]) => part !== 'penalty' || columns.some(({ run }) => run.cost.penalty > 0))
-      .map(([part, head]) => row(part, head, ({ run }) => lab.partText(run.cost[part]), 'part')),
-    row('outcome', words.outcomeHead, ({ run }) => words.outcomeShort(run)),
-    row('finalTime', words.finalTimeHead, ({ run }) => words.finalTimeText(run)),
-    ...lab.gains.map(({ id, name }, i) => row(id, name, ({ gains }) => words.gainText(gains[i]), id)),
+      .map(([part, head]) => row(head, ({ run }) => lab.partText(run.cost[part]), 'part')),
+    row(words.outcomeHead, ({ run }) => words.outcomeShort(run)),
+    row(words.finalTimeHead, ({ run }) => words.finalTimeText(run)),
+    ...lab.gains.map(({ id, name }, i) => row(name, ({ gains }) => words.gainText(gains[i]), id)),
   ];
 }
 
@@ -133,13 +133,12 @@ function createSettingTexts(fields) {
     const rows = settingRows
       .filter(({ path }) => differs((experiment) => valueAt(experiment, path)))
       .map(({ path }) => ({
-        id: path,
         head: settingWords.settings[path].name,
         texts: experiments.map((experiment) => text(path, experiment)),
       }));
     // Those that evolution drives from beside the first.
     if (!differs(({ starts }) => JSON.stringify(starts.slice(1)))) return rows;
     const texts = experiments.map(({ starts }) => words.startsText(starts.length));
-    return [...rows, { id: 'starts', head: words.startsHead, texts }];
+    return [...rows, { head: words.startsHead, texts }];
   };
 }

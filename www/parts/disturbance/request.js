@@ -27,13 +27,8 @@ export function createSpec(engine, paper) {
       engine.startsOnCircle({ ...circle, x, y, count }),
   );
   const spec = remember(
-    /** @returns {Spec} */
-    (
-      /** @type {Experiment} */ experiment,
-      /** @type {Experiment['disturbance']} */ disturbance,
-      /** @type {Posture} */ start,
-      /** @type {Triple} */ gains,
-    ) => {
+    /** @param {Experiment} experiment @param {Experiment['disturbance']} disturbance @param {Posture} start @param {Triple} gains @returns {Spec} */
+    (experiment, disturbance, start, gains) => {
       const { goal, horizon, sampleTime } = experiment;
       const affordable = Math.floor((mostSamples * sampleTime) / horizon);
       const others = startsAround(goal.x, goal.y, Math.max(1, Math.min(circle.count, affordable)));

@@ -213,8 +213,7 @@ export function madeBy(anatomy, chosen, choose) {
   if (method === 'ep') return html``;
   const own = trialOf(anatomy, chosen);
   const donors = record.donors[own]?.map(
-    (donor, i) =>
-      html` <span class="donor"><i>${words.donorNames[i]}</i> ${link(anatomy, donor, choose)}</span>`,
+    (donor, i) => html` <span><i>${words.donorNames[i]}</i> ${link(anatomy, donor, choose)}</span>`,
   );
   return html`
     ${headline(anatomy, own + count, words.madeText(anatomy, own))}

@@ -5,7 +5,6 @@ import { forgets, hasPairs } from './phases.js';
 
 /** @typedef {{ width: number, height: number }} Size */
 /** @typedef {{ x: number, y: number }} Place */
-/** @typedef {ReturnType<typeof heightOf>} Height */
 
 export const margin = { left: 58, right: 8, top: 10, bottom: 22 };
 /** The row of those whose J is far above most. */

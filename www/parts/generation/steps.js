@@ -7,8 +7,6 @@ import { watch } from '../../kit/memo.js';
 import { pausesAt, playsPhases } from '../../run/pace.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
 
-/** @typedef {ReturnType<typeof createSteps>} Steps */
-
 /** Long enough to read what happens in a phase, and for a screen reader to say it. */
 const secondsOfPhase = 2;
 

@@ -85,12 +85,8 @@ export function createPage({ engine, store, actions, paper }) {
 function createSketches(engine, redraw) {
   const recorded = remember((/** @type {Statistics} */ { generation }) => engine.record(generation));
   const sketch = remember(
-    (
-      /** @type {Statistics} */ shown,
-      /** @type {State['experiment']} */ { evolution },
-      /** @type {Spec['x']} */ x,
-      /** @type {Spec['y']} */ y,
-    ) => {
+    /** @param {Statistics} shown @param {State['experiment']} experiment @param {Spec['x']} x @param {Spec['y']} y */
+    (shown, { evolution }, x, y) => {
       const [across, up] = [x, y].map(({ gain }) => gainNames.indexOf(gain));
       return sketchOf(evolution.method, recorded(shown), (gains) => [gains[across], gains[up]]);
     },

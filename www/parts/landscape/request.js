@@ -43,14 +43,8 @@ export const gainsAt = ({ x, y, third }, [across, up]) =>
 /** The landscape that a state asks for; the same object while nothing that matters has changed. @param {PaperResult[]} paper */
 export function createSpec(paper) {
   const spec = remember(
-    /** @returns {Spec} */
-    (
-      /** @type {Experiment} */ experiment,
-      /** @type {Preset} */ preset,
-      /** @type {AxisChoice} */ x,
-      /** @type {AxisChoice} */ y,
-      /** @type {number} */ third,
-    ) => ({ experiment, x, y, range: linearRange[preset], third }),
+    /** @param {Experiment} experiment @param {Preset} preset @param {AxisChoice} x @param {AxisChoice} y @param {number} third @returns {Spec} */
+    (experiment, preset, x, y, third) => ({ experiment, x, y, range: linearRange[preset], third }),
   );
   return (/** @type {State} */ state) => {
     const { x, y, third } = landscapeSlice.of(state);

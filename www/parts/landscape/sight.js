@@ -9,7 +9,7 @@ import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { watch } from '../../kit/memo.js';
-import { options, valueIn } from '../../kit/templates.js';
+import { options, selectAll, valueIn } from '../../kit/templates.js';
 import { lab, tables } from '../../words/index.js';
 import { outlines } from './points.js';
 import { thirdOf } from './request.js';
@@ -131,7 +131,7 @@ function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
       <input id="landscape-third" type="text" size="5" inputmode="decimal" autocomplete="off" spellcheck="false"
         aria-label=${words.thirdLabel(name)} aria-describedby="landscape-third-error"
         aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}
-        @focus=${(/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target).select()}
+        @focus=${selectAll}
         @change=${(/** @type {Event} */ event) => onThird(valueIn(event))}></label>
     <label class="check"><input id="landscape-follows" type="checkbox" .checked=${live(follows)}
       @change=${() => onFollows(!follows, value)}> <span>${texts.landscapeFollows}</span></label>

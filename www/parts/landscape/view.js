@@ -3,7 +3,7 @@
 /** @import { Sketch } from './method.js' */
 /** @import { Point } from './points.js' */
 /** @import { Landscape, Spec } from './request.js' */
-/** @import { Axis, CostScale } from './scale.js' */
+/** @import { CostScale } from './scale.js' */
 import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
 import { createLayer, strokeTwice } from '../../kit/canvas.js';

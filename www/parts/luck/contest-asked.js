@@ -8,7 +8,7 @@ import { isSameButSeed } from './same.js';
 
 /** @typedef {Pick<LuckState, 'others' | 'seeds' | 'budget'>} Asked */
 
-export const firstSeed = 1;
+const firstSeed = 1;
 /** As many as drive side by side in the lanes of the core. */
 const seedsOfPart = 8;
 

@@ -5,7 +5,15 @@
 /** @import { Grip } from './contest-handles.js' */
 /** @import { LuckState } from './state.js' */
 import { scaleLinear, scaleLog } from 'd3-scale';
-import { createChart, drawCurve, drawGrid, drawNumbersBelow, frameIn, pointsOf } from '../../kit/chart.js';
+import {
+  createChart,
+  drawCurve,
+  drawGrid,
+  drawNumbersBelow,
+  drawUpright,
+  frameIn,
+  pointsOf,
+} from '../../kit/chart.js';
 import { pointIn } from '../../kit/map.js';
 import { remember } from '../../kit/memo.js';
 import { drawAxisNames, drawName, gutterOf } from '../../kit/names.js';
@@ -107,15 +115,7 @@ function drawShares(context, frame, { x, ticks, drives, shares }, name) {
 /** The line up to which it is read. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {Scale} x @param {{ contest: Contest, standings: Standings }} there @returns {Grip} */
 function drawUntil(context, frame, x, { contest, standings: { budget } }) {
   const at = x(budget);
-  drawCurve(
-    context,
-    [
-      [at, frame.top],
-      [at, frame.bottom],
-    ],
-    { token: '--ink', width: 1, dash: [3, 3] },
-  );
-  context.setLineDash([]);
+  drawUpright(context, at, frame, { token: '--ink', width: 1, dash: [3, 3] });
   const text = words.drivesChoice(budget);
   return {
     x: at,

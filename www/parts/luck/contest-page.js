@@ -33,13 +33,9 @@ export function createContest(element, { engine, store }) {
     },
   };
   const standings = remember(
-    (
-      /** @type {Contest | null} */ contest,
-      /** @type {number | null} */ target,
-      /** @type {number | null} */ until,
-      /** @type {number | null} */ only,
-      /** @type {number} */ draw,
-    ) => (contest ? standingsOf(contest, { target, until, only, draw }) : null),
+    /** @param {Contest | null} contest @param {number | null} target @param {number | null} until @param {number | null} only @param {number} draw */
+    (contest, target, until, only, draw) =>
+      contest ? standingsOf(contest, { target, until, only, draw }) : null,
   );
   const changesSince = remember((/** @type {Contest} */ contest, /** @type {Experiment} */ experiment) =>
     isSameButSeed(contest.experiment, experiment) ? null : changesOf(contest.experiment, experiment),

@@ -3,6 +3,7 @@
 //
 // Bootstrap: B. Efron, R. J. Tibshirani, “An Introduction to the Bootstrap”, 1993, chapter 13 (percentile interval).
 /** @import { End } from './contest-statistics.js' */
+import { spread } from '../../kit/hash.js';
 import { compareEnds, expectedRunningTime, holm, rankSums } from './contest-statistics.js';
 
 const resamples = 1000;
@@ -17,9 +18,7 @@ function numbers(seed) {
   let count = Math.imul(seed, 0x9e3779b9);
   return () => {
     count = (count + 0x6d2b79f5) | 0;
-    let bits = Math.imul(count ^ (count >>> 16), 0x85ebca6b);
-    bits = Math.imul(bits ^ (bits >>> 13), 0xc2b2ae35);
-    return ((bits ^ (bits >>> 16)) >>> 0) / 2 ** 32;
+    return spread(count) / 2 ** 32;
   };
 }
 

@@ -7,24 +7,14 @@
 // Wong”, Journal of Educational and Behavioral Statistics 25(2), 2000.
 // Rank sums: H. B. Mann, D. R. Whitney, Annals of Mathematical Statistics 18(1), 1947; their variance with ties and the correction
 // for continuity as in E. L. Lehmann, “Nonparametrics”, 1975, section 1.4. Many lines: S. Holm, Scandinavian Journal of Statistics 6(2), 1979.
+import { bisectRight } from 'd3-array';
 
 /** How a search came down: at which drives its best J fell, and to what. @typedef {{ drives: ArrayLike<number>, costs: ArrayLike<number> }} Descent */
 /** A run as the ranks see it. @typedef {{ runtime: number, cost: number }} End */
 
-/** How many of the sorted numbers are not above a value. @param {ArrayLike<number>} sorted @param {number} value */
-function countUpTo(sorted, value) {
-  let [low, high] = [0, sorted.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (sorted[middle] <= value) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}
-
 /** The best J of the first so many drives; infinite before any was finite. @param {Descent} descent @param {number} drive */
 export function costAt({ drives, costs }, drive) {
-  const count = countUpTo(drives, drive);
+  const count = bisectRight(drives, drive);
   return count === 0 ? Infinity : costs[count - 1];
 }
 

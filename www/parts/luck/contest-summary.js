@@ -41,7 +41,7 @@ import { quartilesOf } from './statistics.js';
 export const margin = 0.002;
 
 /** @param {readonly Line[]} lines @returns {Lowest | null} */
-export function lowestOf(lines) {
+function lowestOf(lines) {
   /** @type {Lowest | null} */
   let lowest = null;
   for (const { name, trials } of lines)

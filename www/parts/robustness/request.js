@@ -24,14 +24,8 @@ export const isFine = ({ grid }) => grid.x.count === fine;
 /** The survey that somebody's gains ask for; the same object while nothing that matters has changed. @param {PaperResult[]} paper */
 export function createSpec(paper) {
   const spec = remember(
-    /** @returns {Spec} */
-    (
-      /** @type {Experiment} */ experiment,
-      /** @type {number} */ half,
-      /** @type {number} */ kx,
-      /** @type {number} */ ky,
-      /** @type {number} */ ktheta,
-    ) => ({ experiment, gains: [kx, ky, ktheta], half }),
+    /** @param {Experiment} experiment @param {number} half @param {number} kx @param {number} ky @param {number} ktheta @returns {Spec} */
+    (experiment, half, kx, ky, ktheta) => ({ experiment, gains: [kx, ky, ktheta], half }),
   );
   return (/** @type {State} */ state, /** @type {Driver} */ driver) =>
     spec(state.experiment, robustnessSlice.of(state).half, ...gainsOf(state, driver, paper));

@@ -1,8 +1,7 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
 /** @import { Posture } from '../../core/engine.js' */
-/** @import { Actions } from '../../run/actions/actions.js' */
 /** @import { State } from '../../run/state.js' */
-/** @import { Result, RowName } from './request.js' */
+/** @import { RowName } from './request.js' */
 /** @import { SetName } from './sets.js' */
 /** @import { TrainingState } from './state.js' */
 /** @import { Row } from './table.js' */
@@ -134,14 +133,8 @@ const chosenOf = (state) => {
 function createRows() {
   const changes = remember(changesOf);
   const rows = remember(
-    /** @returns {Row[]} */
-    (
-      /** @type {TrainingState['evolved']} */ evolved,
-      /** @type {TrainingState['given']} */ given,
-      /** @type {State['experiment']} */ experiment,
-      /** @type {boolean} */ byHand,
-      /** @type {boolean} */ withPaper,
-    ) => {
+    /** @param {TrainingState['evolved']} evolved @param {TrainingState['given']} given @param {State['experiment']} experiment @param {boolean} byHand @param {boolean} withPaper @returns {Row[]} */
+    (evolved, given, experiment, byHand, withPaper) => {
       const isOld = evolved !== null && changes(evolved.experiment, experiment).length > 0;
       const counts = { one: experiment.starts.length, circle: circleCount, grid: gridCount };
       const ofPaper = withPaper ? /** @type {const} */ (['paper-ep', 'paper-arbitrary']) : [];

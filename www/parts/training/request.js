@@ -1,5 +1,5 @@
 // Asking the workers: to evolve gains on each set of starts, and to drive all gains from starts that no evolution sees.
-/** @import { Engine, Experiment, PaperResult, Posture, Preset, Triple } from '../../core/engine.js' */
+/** @import { Engine, Experiment, PaperResult, Posture, Triple } from '../../core/engine.js' */
 /** @import { SurveyOptions } from '../../core/surveys.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
@@ -56,13 +56,8 @@ export async function testRobots(engine, { one, unseen }, experiment, robots, op
 /** What a state asks for; the same object while nothing that matters has changed. */
 const createSpec = () =>
   remember(
-    /** @returns {Spec} */
-    (
-      /** @type {Experiment} */ experiment,
-      /** @type {Triple} */ ep,
-      /** @type {Triple} */ arbitrary,
-      /** @type {Triple | null} */ hand,
-    ) => {
+    /** @param {Experiment} experiment @param {Triple} ep @param {Triple} arbitrary @param {Triple | null} hand @returns {Spec} */
+    (experiment, ep, arbitrary, hand) => {
       const robot = (/** @type {RowName} */ name, /** @type {Triple} */ gains) => ({
         name,
         gains,

@@ -28,7 +28,7 @@ const mostChange = 1e-9;
 export const isTracking = ({ referenceVelocity: { linear, angular } }) => linear !== 0 || angular !== 0;
 
 /** Samples until the horizon, as the core counts them: the first n with n · sampleTime ≥ horizon. @param {Experiment} experiment */
-export function samplesOf({ horizon, sampleTime }) {
+function samplesOf({ horizon, sampleTime }) {
   const n = Math.floor(horizon / sampleTime);
   return n * sampleTime < horizon ? n + 1 : n;
 }

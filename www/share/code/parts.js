@@ -40,7 +40,7 @@ export function driveGroups({ experiment, isTracking }, words) {
   ];
 }
 
-/** What the limits leave, in this order: the variable, the name of its limit, and of that of its change. @param {Controller} controller */
+/** Which of the limits there are, and whether any is. @param {Controller} controller */
 export function limitsOf({ experiment: { limits } }) {
   const { speed, turnRate, acceleration, turnAcceleration } = limits;
   return {

@@ -34,14 +34,17 @@ export const literal = (value, infinity) =>
 /** Korean letters are twice as wide. @param {string} text */
 const widthOf = (text) => Array.from(text).reduce((sum, letter) => sum + (letter >= '\u1100' ? 2 : 1), 0);
 
-/** Sentences as lines of a comment, each with its mark. @param {string} text @param {string} mark @param {number} [most] letters in a line */
-export function comment(text, mark, most = 88) {
+/** So many letters fit in a line of a comment. */
+const mostInLine = 88;
+
+/** Sentences as lines of a comment, each with its mark. @param {string} text @param {string} mark */
+export function comment(text, mark) {
   /** @type {string[]} */
   const lines = [];
   let line = '';
   for (const word of text.split(' ')) {
     const longer = line === '' ? word : `${line} ${word}`;
-    if (line !== '' && widthOf(longer) + widthOf(mark) > most) {
+    if (line !== '' && widthOf(longer) + widthOf(mark) > mostInLine) {
       lines.push(line);
       line = word;
     } else line = longer;

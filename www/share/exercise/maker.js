@@ -24,7 +24,7 @@ import {
   wayOf,
   withWay,
 } from '../../run/exercise.js';
-import { noTrial } from '../../run/state.js';
+import { nothingDone } from '../../run/state.js';
 import { nobody, undrawn } from '../../run/variant.js';
 import { exercise as exerciseWords } from '../../words/index.js';
 import { frameOf, isOnDisk } from '../frame-text.js';
@@ -147,15 +147,10 @@ function givenOf(state, draft, paper) {
 
 /** The task of the parking place, where it can be handed in. @param {Engine} engine @param {State} state @returns {Opened} */
 const parkedInLab = (engine, { pins, exercise, student }) => ({
+  ...nothingDone,
   page: 'lab',
-  lesson: 0,
   preset: parkPreset,
   experiment: createTask(engine).experiment(1),
-  generation: 0,
-  driver: 'evolved',
-  handGains: null,
-  found: 'hand',
-  trial: noTrial,
   pins,
   exercise,
   student,
@@ -210,5 +205,5 @@ const rowOf = (draft, group, onChoose) => html`
       wayOf(draft, group),
       (way) => onChoose(group, way),
     )}</fieldset>
-    ${isHiddenWithPaper(draft, group) ? html`<p class="muted maker-why">${texts.makerPaperInLesson}</p>` : nothing}
+    ${isHiddenWithPaper(draft, group) ? html`<p class="muted">${texts.makerPaperInLesson}</p>` : nothing}
   </div>`;

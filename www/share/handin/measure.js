@@ -4,18 +4,11 @@
 /** @import { Aim } from '../../run/aim.js' */
 import { remember } from '../../kit/memo.js';
 import { circle } from '../../parts/park/task.js';
-import { createSets } from '../../parts/training/sets.js';
+import { createSets, testOn } from '../../parts/training/sets.js';
 
 /** J, the mean over the starts of the experiment; from how many of them the robot parks; and what the aim wants, measured. @typedef {{ cost: number, parked: number, starts: number, value: number }} Measured */
 
 const setsOf = remember((/** @type {Engine} */ engine) => createSets(engine));
-
-/** A population of one, because who drives from many starts is not evolved on them. @param {Experiment} experiment @param {Experiment['starts']} starts @returns {Experiment} */
-const from = (experiment, starts) => ({
-  ...experiment,
-  starts,
-  evolution: { ...experiment.evolution, method: 'ep', population: 1 },
-});
 
 /** The starts that count for an aim; null: those of the experiment. @param {Engine} engine @param {Aim | null} aim @param {Experiment} experiment */
 function startsFor(engine, aim, experiment) {
@@ -29,11 +22,11 @@ function startsFor(engine, aim, experiment) {
 /** @param {Engine} engine @param {Aim | null} aim @param {Experiment} experiment @param {Triple} gains @param {SurveyOptions} [options] @returns {Promise<Measured>} */
 export async function measure(engine, aim, experiment, gains, options) {
   const apart = startsFor(engine, aim, experiment);
-  const own = from(experiment, experiment.starts);
+  const own = testOn(experiment, experiment.starts);
   /** @type {[Experiment, Triple][]} */
   const robots = [
     [own, gains],
-    ...(apart ? [/** @type {[Experiment, Triple]} */ ([from(experiment, apart), gains])] : []),
+    ...(apart ? [/** @type {[Experiment, Triple]} */ ([testOn(experiment, apart), gains])] : []),
   ];
   // One after the other: of a channel's jobs only the newest is done.
   const [cost] = await engine.surveys.costs([[own, gains]], options);

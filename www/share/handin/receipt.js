@@ -14,7 +14,7 @@ import { encoded, numberText } from '../../link/values.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { noPins } from '../../run/pins.js';
-import { drivesOf, noTrial } from '../../run/state.js';
+import { drivesOf, nothingDone, noTrial } from '../../run/state.js';
 import { nobody } from '../../run/variant.js';
 import { measure } from './measure.js';
 import { ownOf } from './own.js';
@@ -22,7 +22,7 @@ import { ownOf } from './own.js';
 /** Answers to the lesson's questions: the number of the choice, and whether the page found it right. @typedef {Readonly<Record<string, { choice: number, right: number | null }>>} Answers */
 /** @typedef {{ cost: number, parked: number, starts: number, drives: number, minutes: number, program: string, exercise: string, answers: string }} Told What a receipt says; the result of it is what whoever opens it computes again. */
 /** @typedef {Told & { who: string, link: string, gains: Triple, how: { driver: State['driver'], method: string, seed: number, generation: number }, measured: Measured, apart: readonly import('./own.js').Thing[], there: Measured, judged: Judged | null }} Receipt `there`: in the exercise as it was given, where it is judged; `apart`: what of the run is not as it has it. */
-/** What of a state says what is done. @typedef {Omit<import('../../link/keys.js').Linked, 'parts'> & Pick<State, 'population' | 'history' | 'work'>} Done */
+/** What of a state says what is done. @typedef {import('../../link/keys.js').Linked & Pick<State, 'population' | 'history' | 'work'>} Done */
 
 const version = '1';
 
@@ -33,15 +33,10 @@ export function exerciseLink(state, engine, links) {
   return links.linkOf(
     {
       ...state,
+      ...nothingDone,
       page: 'lab',
-      lesson: 0,
       preset,
       experiment: withoutFreeSeed(experiment, exercise, engine.experiment(preset)),
-      generation: 0,
-      driver: 'evolved',
-      handGains: null,
-      found: 'hand',
-      trial: noTrial,
       pins: noPins,
       slices: {},
       student: nobody,

@@ -11,7 +11,6 @@ export const curveChoices = [
   { value: 'sigmas', text: 'σ', hint: 'Mean step size of each gain' },
 ];
 export const sigmaTitle = 'Step sizes';
-export const sigmaAxis = 'mean σ';
 
 /** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */
 export const sigmaLabel = (first, shown, gains) =>

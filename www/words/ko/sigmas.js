@@ -11,7 +11,6 @@ export const curveChoices = [
   { value: 'sigmas', text: 'σ', hint: '이득마다의 평균 변이 폭' },
 ];
 export const sigmaTitle = '변이 폭';
-export const sigmaAxis = '평균 σ';
 
 /** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */
 export const sigmaLabel = (first, shown, gains) =>

@@ -33,12 +33,8 @@ export function createStability(root, { engine, store, actions }) {
     pins.map(({ experiment, gains }) => engine.stability(experiment, gains)),
   );
   const textsOf = remember(
-    (
-      /** @type {string} */ name,
-      /** @type {Stability} */ driving,
-      /** @type {Experiment} */ experiment,
-      /** @type {Triple} */ gains,
-    ) => {
+    /** @param {string} name @param {Stability} driving @param {Experiment} experiment @param {Triple} gains */
+    (name, driving, experiment, gains) => {
       const summary = summaryOf(driving, experiment, gains);
       return { label: words.pictureLabel(name, summary), note: words.noteText(summary) };
     },

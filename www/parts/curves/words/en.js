@@ -1,6 +1,5 @@
 // Every word of the curves.
-/** @import { Run, Statistics, Triple } from '../../../core/engine.js' */
-/** @import { Driver } from '../../../run/state.js' */
+/** @import { Run } from '../../../core/engine.js' */
 import { numberColumnsOf } from './common.js';
 import { isTracking } from '../../../core/reference.js';
 import { costText, fixed, threeDigits } from '../../../words/en/numbers.js';

@@ -1,6 +1,5 @@
 // Every word of the curves, in Korean.
-/** @import { Run, Statistics, Triple } from '../../../core/engine.js' */
-/** @import { Driver, State } from '../../../run/state.js' */
+/** @import { Run } from '../../../core/engine.js' */
 import { isTracking } from '../../../core/reference.js';
 import { numberColumnsOf } from './common.js';
 import { costText, fixed, threeDigits } from '../../../words/ko/numbers.js';

@@ -91,26 +91,9 @@ export const drivesText = (drives, most) => `${drives} of ${most} drives`;
 export const pointsText = (points, most) => `${points} of ${most} points`;
 
 /** The text of a receipt. @param {import('../receipt.js').Receipt} receipt */
-export function receiptText(
-  {
-    who,
-    program,
-    exercise,
-    cost,
-    parked,
-    starts,
-    apart,
-    there,
-    judged,
-    gains,
-    how,
-    drives,
-    minutes,
-    answers,
-    link,
-  },
-  address = link,
-) {
+export function receiptText(receipt, address = receipt.link) {
+  const { who, program, exercise, cost, parked, starts, drives, minutes, answers } = receipt;
+  const { apart, there, judged, gains, how } = receipt;
   const found =
     how.driver === 'evolved'
       ? `, found by ${how.method} with seed ${how.seed} in generation ${how.generation}`

@@ -92,26 +92,9 @@ export const drivesText = (drives, most) => `주행 ${most}회 중 ${drives}회`
 export const pointsText = (points, most) => `${most}점 만점에 ${points}점`;
 
 /** The text of a receipt. @param {import('../receipt.js').Receipt} receipt */
-export function receiptText(
-  {
-    who,
-    program,
-    exercise,
-    cost,
-    parked,
-    starts,
-    apart,
-    there,
-    judged,
-    gains,
-    how,
-    drives,
-    minutes,
-    answers,
-    link,
-  },
-  address = link,
-) {
+export function receiptText(receipt, address = receipt.link) {
+  const { who, program, exercise, cost, parked, starts, drives, minutes, answers } = receipt;
+  const { apart, there, judged, gains, how } = receipt;
   const found =
     how.driver === 'evolved'
       ? `, ${how.method}, 시드 ${how.seed}, ${how.generation}세대`
