@@ -2,6 +2,7 @@
 /** @import { Engine, Experiment } from '../../core/engine.js' */
 /** @import { Exercise } from '../../run/exercise.js' */
 /** @import { Student } from '../../run/variant.js' */
+import { remember } from '../../kit/memo.js';
 import { apartFrom } from '../../link/exercise.js';
 import { pathOf } from '../../link/experiment.js';
 import { drawnFor } from '../../run/variant.js';
@@ -13,10 +14,16 @@ import { drawnFor } from '../../run/variant.js';
 const thingOf = (name) =>
   name === 'seed' ? name : /** @type {keyof Experiment} */ (pathOf(name).split('.')[0]);
 
+/** The same as long as it is that of the same student: what is measured in it is measured once. */
+const drawnIn = remember(
+  /** @param {Engine} engine @param {Experiment} given @param {Exercise['vary']} vary @param {string} who */
+  (engine, given, vary, who) => engine.experiment(drawnFor(given, vary, who)),
+);
+
 /** @param {Engine} engine @param {Exercise} exercise @param {Student} student @param {Experiment} experiment Of the run. @returns {Own} */
 export function ownOf(engine, exercise, { who, base }, experiment) {
   if (!base) return { own: experiment, apart: [] };
-  const drawn = engine.experiment(drawnFor(base.experiment, exercise.vary, who));
+  const drawn = drawnIn(engine, base.experiment, exercise.vary, who);
   const apart = [...new Set(apartFrom(experiment, drawn, exercise).map(thingOf))];
   return { own: apart.length > 0 ? drawn : experiment, apart };
 }
