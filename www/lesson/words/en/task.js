@@ -64,7 +64,7 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
   tries: {
     beside: 'A start that fails: watch where it ends',
     withKy: 'The same start with {ky} = 10',
-    training: 'Press “Evolve all three”: one start, 32, 36, tested on 1000 others',
+    training: 'Evolve all three: one start, 32, 36, tested on 1000 others',
     cheap: 'The same with seed 3: evolve, and look at the grid',
     both: 'Driving at a tenth, too: {R} = 0.1, 0.1. Do you still reach all?',
   },
