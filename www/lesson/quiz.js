@@ -1,6 +1,7 @@
 // A question: predict first, then see. The right answer comes from the running program, after the press.
 import { html, render } from 'lit-html';
 import { create } from '../kit/elements.js';
+import { isStill } from '../kit/host.js';
 import { watch } from '../kit/memo.js';
 import words from './words/index.js';
 import { inline } from './prose.js';
@@ -28,6 +29,22 @@ import { inline } from './prose.js';
  */
 /** @typedef {{ question: string, choices: readonly string[], why: (outcome: any) => string }} QuizWords */
 
+/** What came below the edge comes into sight, as far as the choices that count stay there; a page around this frame stays where it is. @param {HTMLElement} element */
+function bringIntoSight(element) {
+  const choice = element.querySelector('.chosen, .right');
+  const article = element.closest('.lesson');
+  if (!choice || !article) return;
+  const { overflowY } = getComputedStyle(article);
+  const scroller = overflowY === 'visible' ? document.documentElement : article;
+  const edge = Math.min(innerHeight, article.getBoundingClientRect().bottom);
+  const room =
+    choice.getBoundingClientRect().top - Number.parseFloat(getComputedStyle(choice).scrollMarginTop);
+  const below = element.getBoundingClientRect().bottom + 8 - edge;
+  const isThere = room >= 0 && choice.getBoundingClientRect().bottom <= edge;
+  if (isThere && below > 0)
+    scroller.scrollBy({ top: Math.min(room, below), behavior: isStill() ? 'instant' : 'smooth' });
+}
+
 /**
  * @param {QuizWords} text @param {Quiz} quiz @param {(link: string) => string} hrefOf
  * @param {{ onAnswer: (choice: number) => void, onAgain: () => void }} events
@@ -41,6 +58,11 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
     element.querySelector('button')?.focus();
   };
   const changed = watch();
+  let isAsked = false;
+  const press = (/** @type {number} */ choice) => {
+    isAsked = true;
+    events.onAnswer(choice);
+  };
   return {
     element,
     /** @param {Answer | undefined} answer */
@@ -53,7 +75,7 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
         const mark = wrong ? words.wrong : i === right ? words.right : '';
         const look = `choice${i === right ? ' right' : ''}${wrong ? ' wrong' : ''}${chosen ? ' chosen' : ''}`;
         return html`<button type="button" class=${look} ?aria-disabled=${answer !== undefined}
-          @click=${() => events.onAnswer(i)}><span class="choice-mark">${mark}</span><span>${choices[i]}</span></button>`;
+          @click=${() => press(i)}><span class="choice-mark">${mark}</span><span>${choices[i]}</span></button>`;
       };
       const why =
         answer && right !== null
@@ -66,6 +88,8 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
           <button type="button" class="link" ?hidden=${right === null} @click=${again}>${words.askAgain}</button>`,
         element,
       );
+      if (isAsked && right !== null) bringIntoSight(element);
+      isAsked &&= right === null;
     },
   };
 }

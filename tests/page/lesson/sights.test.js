@@ -115,6 +115,25 @@ pageTest('on a telephone the figure turns to what a question, a try or a word op
   }
 });
 
+engineTest(
+  'on a telephone the answer of a question comes into sight, as what was pressed stays',
+  async (page) => {
+    await page.resize(390, 844);
+    await page.open('#lesson&step=error');
+    await page.evaluate(() => {
+      const last = /** @type {Element} */ (document.querySelector('.choice:last-child'));
+      scrollBy(0, last.getBoundingClientRect().bottom - innerHeight + 4);
+    });
+    await page.click('#quiz-largest .choice:last-child');
+    await page.until('the whole answer is over the lower edge, its choice under the figure', () => {
+      const [figure, chosen, end] = ['.figure', '.chosen', '.quiz .link:not([hidden])'].map((one) =>
+        document.querySelector(one)?.getBoundingClientRect(),
+      );
+      return figure && chosen && end && chosen.top >= figure.bottom && end.bottom <= innerHeight;
+    });
+  },
+);
+
 pageTest('on a telephone the bars of the law stand over the robot that they drive', async (page) => {
   await page.resize(390, 844);
   await page.open('#lesson&step=law');
