@@ -97,31 +97,13 @@ fn only_the_boundaries_know_javascript_a_clock_or_ambient_chance() {
     }
 }
 
+/// Functions whose bits differ between machines are forbidden in clippy.toml; this is one by its type.
 #[test]
-fn no_function_is_used_whose_bits_differ_between_machines() {
+fn no_index_is_drawn_that_is_as_wide_as_the_machine() {
     let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     for path in sources(&src) {
         let text = fs::read_to_string(&path).expect("a source");
-        for function in [
-            ".sin()",
-            ".cos()",
-            ".tan()",
-            ".sin_cos()",
-            ".atan2(",
-            ".asin()",
-            ".acos()",
-            ".exp()",
-            ".ln()",
-            ".log10()",
-            ".log2()",
-            ".powf(",
-            ".powi(",
-            ".hypot(",
-            ".mul_add(",
-            "usize>()",
-        ] {
-            assert!(!text.contains(function), "{} calls {function}", path.display());
-        }
+        assert!(!text.contains("usize>()"), "{} draws a usize", path.display());
     }
 }
 

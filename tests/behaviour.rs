@@ -19,7 +19,7 @@ fn the_first_limited_sample_respects_the_rest_at_the_start() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn without_limits_v_never_rises() {
+fn without_limits_and_with_ky_0_v_never_rises() {
     let mut random = Random::new(7);
     let mut experiment = Experiment { limits: Limits::NONE, ..velocity_limits() };
     experiment.sample_time = 1e-4;

@@ -222,7 +222,7 @@ fn wrong_arguments_are_refused_by_name() {
     let many = format!("new Float64Array({})", 3_000_000);
     assert_eq!(
         message(evaluate(e(), js(&many))),
-        "the number of gain triples must be at most 400000 with 1 starts and 1000 samples a run, \
+        "the number of gain triples must be at most 400000 with 1 start and 1000 samples a run, \
          but was 1000000"
     );
 }

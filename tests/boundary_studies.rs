@@ -80,7 +80,7 @@ fn surveys_give_arrays_and_refuse_by_name() {
     );
     assert_eq!(
         message(starts_on_circle(js("{x: 2, y: 2, radius: NaN, count: 32, seed: 1}"))),
-        "radius must be a number from -1000 to 1000 m, but was NaN"
+        "circle.radius must be a number from 0 to 1000 m, but was NaN"
     );
     assert_eq!(
         message(robustness(js("{}"), js("{gains: [1, 2, 3], x: 5}"))),

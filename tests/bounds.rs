@@ -32,7 +32,7 @@ fn a_map_of_more_starts_than_fit_in_the_memory_is_refused() {
     let grid = StartGrid { x: range, y: range, headings: 1024 };
     assert_refused(
         robustness(&setting, GAINS, &grid, [0, 300_000_000]),
-        "the number of starts must be at most 20000000 with 1 starts and 1 samples a run, but was 300000000",
+        "the number of starts must be at most 20000000 with 1 start and 1 samples a run, but was 300000000",
     );
     assert_refused(
         robustness(&setting, GAINS, &grid, [0, 4_129_777]),
@@ -77,7 +77,7 @@ fn seeds_are_counted_by_what_each_keeps() {
     let setting = lasting(0.01, |e| e.evolution.population = 1);
     assert_refused(
         seed_runs(&setting, [0, 150_000_000], 0),
-        "the number of drives must be at most 1000000 with 1 starts and 1 samples a run, but was 300000000",
+        "the number of drives must be at most 1000000 with 1 start and 1 samples a run, but was 300000000",
     );
     assert_refused(
         seed_runs(&setting, [0, 104_207], 0),
@@ -89,7 +89,7 @@ fn seeds_are_counted_by_what_each_keeps() {
     );
     assert_refused(
         seed_runs(&setting, [0, 1], LAST_GENERATION),
-        "the number of drives must be at most 1000000 with 1 starts and 1 samples a run, but was 1073741824",
+        "the number of drives must be at most 1000000 with 1 start and 1 samples a run, but was 1073741824",
     );
     assert_eq!(seed_runs(&setting, [7, 9], 3).map(|runs| runs.len()), Ok(2));
     assert_eq!(trials(&setting, [3_000_000, 3_000_002], 1).map(|trials| trials.len()), Ok(2));

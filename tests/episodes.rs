@@ -152,6 +152,14 @@ fn the_parts_are_the_integrals_of_the_trajectory() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn gains_of_0_have_a_penalty_of_0_and_not_of_minus_0() {
+    for k in [0.0, -0.0] {
+        let parts = cost(&velocity_limits(), Gains::new(k, k, k));
+        assert_eq!(parts.penalty.to_bits(), 0.0_f64.to_bits());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn doubled_weights_double_their_parts_and_no_other() {
     let mut random = Random::new(5);
     for _ in 0..100 {

@@ -253,10 +253,15 @@ fn a_record_drives_no_more_than_a_call_may() {
     long.evolution.opponents = 1;
     long.horizon = 1000.0;
     long.starts = vec![long.goal]; // where nothing is left to drive
-    let evolution = evolved(long.clone(), 650);
+    let mut evolution = evolved(long.clone(), 650);
     let one = 2000.0 * f64::from(long.samples());
     assert_eq!(one, 0.5 * MAX_WORK);
     assert_eq!(evolution.most_driven_again(), 2);
+    // Until their memory is all that they may have.
+    for _ in 650..1250 {
+        evolution.step();
+    }
+    assert_eq!(evolution.most_driven_again(), 4);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -6,7 +6,7 @@ use common::{Random, wild};
 use ep_locomotion::robot::{ErrorPosture, Gains, Law, Limits, Posture, Velocity};
 use ep_locomotion::run::{Outcome, Setting};
 use ep_locomotion::study::{
-    Axis, Evolution, Gain, Landscape, Range, StartGrid, error_parts, on_circle, remaining_errors,
+    Axis, Circle, Evolution, Gain, Landscape, Range, StartGrid, error_parts, remaining_errors,
     robustness, stability,
 };
 use ep_locomotion::theory::{ErrorParts, lyapunov_rate_bound, robust_gains, theorem_2_sets};
@@ -116,12 +116,12 @@ fn jobs_take_any_numbers_or_refuse_them_by_name() {
         let errors = [
             cells.costs(&setting, [0, 2]).err(),
             robustness(&setting, k, &grid, [0, 12]).err(),
-            on_circle(centre, x.to, 3, 1).err(),
+            Circle { x: centre.x, y: centre.y, radius: x.to, count: 3, seed: 1 }.starts().err(),
             remaining_errors(&setting, &k, y.to).err(),
         ];
         for error in errors.into_iter().flatten() {
             let told = error.to_string();
-            let names = ["x.", "y.", "x ", "y ", "radius ", "seconds "];
+            let names = ["landscape.", "grid.", "circle.", "seconds "];
             assert!(names.iter().any(|name| told.starts_with(name)), "{told}");
             refused += 1;
         }

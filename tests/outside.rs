@@ -5,7 +5,7 @@ mod common;
 use common::json::{Given, written};
 use common::{evolved, velocity_limits};
 use ep_locomotion::outside;
-use ep_locomotion::robot::{ErrorPosture, Gains, Law, Posture, Velocity};
+use ep_locomotion::robot::{ErrorPosture, Gains, Law, Velocity};
 use ep_locomotion::run::{Preset, Setting};
 use ep_locomotion::schema::{Column, Columns, InvalidInput, Plain};
 use ep_locomotion::study::{self, Axis, Circle, Gain, Landscape, PartOfGrid, Range, StartGrid};
@@ -179,7 +179,7 @@ fn a_survey_is_what_its_room_answers() {
 
     let given = json!({ "x": 1, "y": 2, "radius": 3, "count": 4, "seed": 5 });
     let starts = Circle::read(&Given(Some(&given))).and_then(|circle| circle.starts());
-    assert_eq!(starts, study::on_circle(Posture { x: 1.0, y: 2.0, theta: 0.0 }, 3.0, 4, 5));
+    assert_eq!(starts, Circle { x: 1.0, y: 2.0, radius: 3.0, count: 4, seed: 5 }.starts());
 }
 
 #[wasm_bindgen_test(unsupported = test)]

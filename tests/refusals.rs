@@ -6,6 +6,7 @@ use common::json::{Given, written};
 use ep_locomotion::robot::{DisturbanceKind, Law, Posture};
 use ep_locomotion::run::{Experiment, Preset, Setting};
 use ep_locomotion::schema::{Fields, Input};
+use ep_locomotion::search::Method;
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -87,9 +88,35 @@ fn rules_between_fields_are_told_in_words() {
             "evolution.population must be at most 400 with 1000 starts and 1000 samples a run, \
              but was 500",
         ),
+        (
+            |e| {
+                e.starts = vec![Posture::default(); 10_000];
+                e.horizon = 1000.0;
+                e.evolution.population = 1;
+            },
+            "starts must be at most 4000 postures with 100000 samples a run, but was 10000",
+        ),
+        (
+            |e| {
+                e.starts = vec![Posture::default(); 4000];
+                e.horizon = 1000.0;
+                e.evolution.method = Method::NelderMead;
+            },
+            "starts must be at most 1000 postures with 100000 samples a run, but was 4000",
+        ),
     ] {
         assert_eq!(refused(change), message);
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_population_that_a_method_does_not_have_is_not_counted() {
+    let mut experiment = Preset::VelocityLimits.experiment();
+    experiment.starts = vec![Posture::default(); 1000];
+    experiment.evolution.population = 2000;
+    assert!(Setting::new(experiment.clone()).is_err());
+    experiment.evolution.method = Method::NelderMead;
+    assert!(Setting::new(experiment).is_ok());
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -181,7 +181,7 @@ fn what_cannot_run_is_refused_by_name() {
     assert_eq!(refused([1, 2], 0), "drives must be a whole number from 1 to 536870911, but was 0");
     assert_eq!(
         refused([0, 52], 8000),
-        "the number of drives must be at most 400000 with 1 starts and 1000 samples a run, but was 416000"
+        "the number of drives must be at most 400000 with 1 start and 1000 samples a run, but was 416000"
     );
     assert_eq!(trials(&setting, [5, 5], 10).map(|trials| trials.len()), Ok(0));
 }

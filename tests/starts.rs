@@ -5,7 +5,7 @@ mod common;
 use common::{Random, assert_close, bits};
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Posture};
 use ep_locomotion::run::{Cost, Experiment, Outcome, Preset, Setting};
-use ep_locomotion::study::{Evolution, Range, StartGrid, fares, on_circle, robustness};
+use ep_locomotion::study::{Circle, Evolution, Range, StartGrid, fares, robustness};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const GRID: StartGrid = StartGrid {
@@ -38,15 +38,15 @@ fn the_starts_of_a_grid_are_its_postures_in_any_parts() {
     assert_eq!(part([0, 60]).as_deref(), Ok(all.as_slice()));
     assert_eq!(part([20, 22]).as_deref(), Ok(&all[20..22]));
     assert_eq!(part([60, 60]).as_deref(), Ok(&[][..]));
-    let expected = "part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [0, 61]";
+    let expected = "grid.part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [0, 61]";
     assert_eq!(part([0, 61]), Err(expected.into()));
     let large = StartGrid { headings: 1024, ..GRID };
     assert_eq!(large.postures([100, 10_100]).map(|starts| starts.len()), Ok(10_000));
     let refused = large.postures([100, 10_101]).expect_err("too many").to_string();
-    assert_eq!(refused, "part must be at most 10000 starts in one call, but was 10001");
+    assert_eq!(refused, "grid.part must be at most 10000 starts in one call, but was 10001");
     let empty = StartGrid { headings: 0, ..GRID };
     let refused = empty.postures([0, 0]).expect_err("no heading").to_string();
-    assert_eq!(refused, "headings must be a whole number from 1 to 1024, but was 0");
+    assert_eq!(refused, "grid.headings must be a whole number from 1 to 1024, but was 0");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -91,10 +91,14 @@ fn a_robot_fares_from_each_start_as_in_a_run_of_its_own() {
     }
 }
 
+fn on_circle(centre: Posture, radius: f64, count: u32, seed: u32) -> Vec<Posture> {
+    Circle { x: centre.x, y: centre.y, radius, count, seed }.starts().expect("valid")
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn starts_on_a_circle_are_as_far_from_its_centre_and_head_anywhere() {
     let centre = Posture { x: 2.0, y: -1.0, theta: 0.5 };
-    let starts = on_circle(centre, 2.5, 500, 3).expect("valid");
+    let starts = on_circle(centre, 2.5, 500, 3);
     let mut quadrants = [0; 4];
     for start in &starts {
         let distance = (start.x - centre.x).hypot(start.y - centre.y);
@@ -108,14 +112,14 @@ fn starts_on_a_circle_are_as_far_from_its_centre_and_head_anywhere() {
         assert_close(ahead, centre.x + x, 1e-12);
         assert_close(aside, centre.y + y, 1e-12);
     }
-    assert_eq!(starts, on_circle(centre, 2.5, 500, 3).expect("valid"));
-    assert_ne!(starts, on_circle(centre, 2.5, 500, 4).expect("valid"));
+    assert_eq!(starts, on_circle(centre, 2.5, 500, 3));
+    assert_ne!(starts, on_circle(centre, 2.5, 500, 4));
 }
 
 /// The share of a thousand starts that were never trained on from which these gains arrive.
 fn success(gains: Gains) -> f64 {
     let mut test = Preset::VelocityLimits.experiment();
-    test.starts = on_circle(test.goal, 2.83, 1000, 99).expect("valid");
+    test.starts = on_circle(test.goal, 2.83, 1000, 99);
     let setting = Setting::new(test).expect("valid");
     let arrived = (0..1000)
         .filter(|start| {
@@ -128,7 +132,7 @@ fn success(gains: Gains) -> f64 {
 #[wasm_bindgen_test(unsupported = test)]
 fn gains_evolved_on_many_starts_arrive_from_many_more_than_the_papers() {
     let mut training = Preset::VelocityLimits.experiment();
-    training.starts = on_circle(training.goal, 2.83, 32, 1).expect("valid");
+    training.starts = on_circle(training.goal, 2.83, 32, 1);
     let mut evolution = Evolution::new(Setting::new(training).expect("valid"));
     (0..40).for_each(|_| {
         evolution.step();

@@ -4,10 +4,15 @@ mod common;
 
 use ep_locomotion::robot::{Gains, Posture};
 use ep_locomotion::run::{Preset, Setting};
+use ep_locomotion::schema::InvalidInput;
 use ep_locomotion::study::{
-    Axis, Evolution, Gain, Landscape, Range, StartGrid, on_circle, robustness, seed_runs,
+    Axis, Circle, Evolution, Gain, Landscape, Range, StartGrid, robustness, seed_runs,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
+
+fn circle(x: f64, radius: f64, count: u32) -> Result<Vec<Posture>, InvalidInput> {
+    Circle { x, y: 0.0, radius, count, seed: 1 }.starts()
+}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_values_of_an_axis_begin_and_end_where_it_says() {
@@ -61,21 +66,33 @@ fn a_wrong_landscape_is_refused_by_name() {
         (
             (|l| l.x.from = f64::NAN) as fn(&mut Landscape),
             [0, 4],
-            "x.from must be a finite number, but was NaN",
+            "landscape.x.from must be a finite number, but was NaN",
         ),
         (
             |l| (l.y.to, l.y.log) = (0.0, true),
             [0, 4],
-            "y.to must be a number over 0 on a log axis, but was 0",
+            "landscape.y.to must be a number over 0 on a log axis, but was 0",
         ),
-        (|l| l.x.count = 0, [0, 4], "x.count must be a whole number from 1 to 1024, but was 0"),
+        (
+            |l| l.x.count = 0,
+            [0, 4],
+            "landscape.x.count must be a whole number from 1 to 1024, but was 0",
+        ),
         (
             |l| l.y.gain = Gain::X,
             [0, 4],
-            "y.gain must be another gain than x.gain, but was kx on both",
+            "landscape.y.gain must be another gain than x.gain, but was kx on both",
         ),
-        (|_| (), [3, 2], "rows must be [first, end] with 0 ≤ first ≤ end ≤ 4, but was [3, 2]"),
-        (|_| (), [0, 5], "rows must be [first, end] with 0 ≤ first ≤ end ≤ 4, but was [0, 5]"),
+        (
+            |_| (),
+            [3, 2],
+            "landscape.rows must be [first, end] with 0 ≤ first ≤ end ≤ 4, but was [3, 2]",
+        ),
+        (
+            |_| (),
+            [0, 5],
+            "landscape.rows must be [first, end] with 0 ≤ first ≤ end ≤ 4, but was [0, 5]",
+        ),
     ] {
         assert_eq!(refused(change, rows), message);
     }
@@ -136,16 +153,19 @@ fn wrong_surveys_are_refused_by_name() {
     };
     assert_eq!(
         grid(|grid| grid.x.to = 1e9),
-        "x.to must be a number from -1000 to 1000 m, but was 1000000000"
+        "grid.x.to must be a number from -1000 to 1000 m, but was 1000000000"
     );
-    assert_eq!(grid(|grid| grid.y.from = f64::NAN), "y.from must be a finite number, but was NaN");
+    assert_eq!(
+        grid(|grid| grid.y.from = f64::NAN),
+        "grid.y.from must be a finite number, but was NaN"
+    );
     assert_eq!(
         grid(|grid| grid.headings = 0),
-        "headings must be a whole number from 1 to 1024, but was 0"
+        "grid.headings must be a whole number from 1 to 1024, but was 0"
     );
     assert_eq!(
         robustness(&setting, k, &GRID, [3, 61]).expect_err("refused").to_string(),
-        "part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [3, 61]"
+        "grid.part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [3, 61]"
     );
     let large = StartGrid {
         x: Range { count: 1000, ..GRID.x },
@@ -158,29 +178,28 @@ fn wrong_surveys_are_refused_by_name() {
     let several = Setting::new(several).expect("valid");
     assert_eq!(
         robustness(&several, k, &large, [0, 400_001]).expect_err("refused").to_string(),
-        "the number of starts must be at most 400000 with 1 starts and 1000 samples a run, \
+        "the number of starts must be at most 400000 with 1 start and 1000 samples a run, \
          but was 400001"
     );
     assert_eq!(
         seed_runs(&setting, [0, 1000], 200).expect_err("refused").to_string(),
-        "the number of drives must be at most 400000 with 1 starts and 1000 samples a run, \
+        "the number of drives must be at most 400000 with 1 start and 1000 samples a run, \
          but was 8040000"
     );
     assert_eq!(
-        on_circle(Posture::default(), -1e4, 3, 1).expect_err("refused").to_string(),
-        "radius must be a number from -1000 to 1000 m, but was -10000"
+        circle(0.0, -1.0, 3).expect_err("refused").to_string(),
+        "circle.radius must be a number from 0 to 1000 m, but was -1"
     );
     assert_eq!(
-        on_circle(Posture::default(), 1.0, 0, 1).expect_err("refused").to_string(),
-        "count must be a whole number from 1 to 10000, but was 0"
+        circle(0.0, 1.0, 0).expect_err("refused").to_string(),
+        "circle.count must be a whole number from 1 to 10000, but was 0"
     );
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_largest_surveys_are_allowed_and_no_larger() {
-    let circle = |x, count| on_circle(Posture { x, ..Posture::default() }, 1000.0, count, 1);
-    assert_eq!(circle(-1000.0, 10_000).expect("valid").len(), 10_000);
-    assert!(circle(-1000.1, 1).is_err() && circle(0.0, 10_001).is_err());
+    assert_eq!(circle(-1000.0, 1000.0, 10_000).expect("valid").len(), 10_000);
+    assert!(circle(-1000.1, 1000.0, 1).is_err() && circle(0.0, 1000.0, 10_001).is_err());
 
     // Of a run with 1000 samples, 400,000 are allowed; a robot at its goal needs none.
     let mut resting = Preset::VelocityLimits.experiment();

@@ -53,7 +53,8 @@ class Experiment(TypedDict):
     #: The reference posture p_r.
     goal: Posture
     #: The reference velocity q_r. (0, 0) means parking; anything else means tracking: the reference moves from the
-    #: goal along its own arc, there is no arrival, and the run lasts until the horizon.
+    #: goal along its own arc, there is no arrival, and the run lasts until the horizon. That is our choice: all
+    #: experiments of the paper park.
     referenceVelocity: Velocity
     #: Seconds between two commands.
     sampleTime: float
@@ -209,7 +210,9 @@ class Run(TypedDict):
     outcome: Outcome
     #: Whether the robot arrived.
     arrived: bool
-    #: t_f in seconds: the arrival time, or the horizon.
+    #: t_f in seconds: the time of the sample at which the robot was seen to have arrived or to have left the finite
+    #: numbers, else the horizon. Where the horizon is not a whole number of samples, the last begins before it and ends
+    #: after it: an arrival there is up to one sample time later, and path and energy count that sample whole.
     finalTime: float
 
 
@@ -432,9 +435,8 @@ class LawTerms(TypedDict):
 
     #: What each gain asks for, and the reference velocity by itself: the command is their sum, up to rounding.
     command: CommandTerms
-    #: The parts of dV/dt on x_e, y_e and θ_e that the law promises for its command, m²/s, as in ``Stability``. Null where
-    #: nothing is promised.
-    promised: Optional[Posture]
+    #: What the law promises of dV/dt; null where nothing is promised.
+    promised: Optional[PromisedRate]
 
 
 class CommandTerms(TypedDict):
@@ -448,6 +450,17 @@ class CommandTerms(TypedDict):
     ktheta: Velocity
     #: What the reference velocity asks for.
     reference: Velocity
+
+
+class PromisedRate(TypedDict):
+    """The parts of dV/dt that a law promises for its command, in m²/s, as in ``Stability``."""
+
+    #: The part on x_e.
+    x: float
+    #: The part on y_e.
+    y: float
+    #: The part on θ_e.
+    theta: float
 
 
 class _StartGrid(TypedDict):
@@ -495,8 +508,8 @@ class SeedRun(TypedDict):
     best: List[float]
     #: The best individual in the end.
     champion: Individual
-    #: The best J that random search had found by then; it begins with the same population, and draws a new one from the
-    #: initial range for each generation.
+    #: The best J that random search had found by then with as many drives: it takes its draws from the initial range in
+    #: the order in which random search itself would, so that of evolutionary programming begins with the same population.
     random: List[float]
 
 

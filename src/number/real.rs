@@ -76,7 +76,8 @@ impl Real for f64 {
     }
 }
 
-/// The angle in (−π, π] that points the same way.
+/// The angle in (−π, π] that points the same way as this one, which is finite. The larger it is, the less of its direction is
+/// left in it: beyond 10¹⁵ rad nothing.
 pub fn wrap(angle: f64) -> f64 {
     let wrapped = angle - TAU * ((angle - PI) / TAU).ceil();
     // Rounding can leave it just outside.

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul, Sub};
 
-/// Up to this turn, in radians, polynomials give an arc to the last bit.
+/// Up to this turn, in radians, polynomials give an arc to within a few units in the last place.
 pub const SMALL_TURN: f64 = 1.0 / 14.0;
 
 /// [`Real::along_arc`](super::Real::along_arc) for |ω dt| < [`SMALL_TURN`]: four terms of each series, as polynomials in ω².

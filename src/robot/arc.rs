@@ -6,7 +6,8 @@ use crate::number::Real;
 /// The circular arc that a robot with a constant velocity (v, ω) describes in a time dt.
 ///
 /// It turns by ω dt and leads v sin(ω dt) / ω ahead, v (1 − cos(ω dt)) / ω aside: the exact solution of the
-/// kinematics (2), ẋ = v cos θ, ẏ = v sin θ, θ̇ = ω.
+/// kinematics (2), ẋ = v cos θ, ẏ = v sin θ, θ̇ = ω. That a velocity is held for a sample and its arc is exact is our choice;
+/// the paper names no method.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arc<S> {
     pub(super) velocity: Velocity<S>,

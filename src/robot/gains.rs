@@ -5,7 +5,9 @@ use crate::schema::{
     Allowed, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, too_many,
 };
 
-/// The three gains k = (kx, ky, kθ) that evolution looks for. Theorem 1 holds for positive ones.
+/// The three gains k = (kx, ky, kθ) that evolution looks for, in the units of the paper's law (5), for which Theorem 1 holds
+/// if they are positive. In Kanayama's rule kx in 1/s is on the distance ahead, ky in rad/m² on that aside, both seen from the
+/// robot, and kθ in rad/m on sin θ_e.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains<S = f64> {
     /// kx in 1/s, on x_e.

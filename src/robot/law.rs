@@ -16,7 +16,8 @@ words! { input
     }
 }
 
-/// Where |sin θ_e| or |cos θ_e| is smaller than this, the law divides by this instead, with their sign.
+/// Where |sin θ_e| or |cos θ_e| is smaller than this, the law divides by this instead, with their sign. The paper does not say
+/// what happens there; the guard and its size are our choice.
 pub const SMALLEST_DIVISOR: f64 = 1e-6;
 
 /// 1/s, with |s| never under [`SMALLEST_DIVISOR`].
@@ -97,13 +98,19 @@ impl Law {
     /// The terms of [`Law::command`], which is their sum, up to rounding.
     ///
     /// Both laws are linear in their gains: a term is what the command is with this gain alone, less what it is with none.
+    /// In the law (5) it is the same with the reference at rest, where there is nothing to take away, and no digit is lost.
     pub fn terms(self, e: &ErrorPosture, k: &Gains, r: Velocity) -> CommandTerms {
-        let reference = self.command(e, &Gains::new(0.0, 0.0, 0.0), r);
-        let term = |alone: Gains| {
-            let asked = self.command(e, &alone, r);
-            Velocity {
-                linear: asked.linear - reference.linear,
-                angular: asked.angular - reference.angular,
+        let asked = |k: Gains, r| self.command(e, &k, r);
+        let none = Gains::new(0.0, 0.0, 0.0);
+        let reference = asked(none, r);
+        let term = |alone: Gains| match self {
+            Law::ShimKim => asked(alone, Velocity::ZERO),
+            Law::Kanayama => {
+                let all = asked(alone, r);
+                Velocity {
+                    linear: all.linear - reference.linear,
+                    angular: all.angular - reference.angular,
+                }
             }
         };
         let gains =

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use crate::number::Real;
 use crate::robot::{ErrorPosture, Frame, Gains};
 use crate::schema::{Allowed, record, told};
 
@@ -21,6 +22,10 @@ record! { input (Copy)
 
 /// J = t_f + (p(t_f) − p_r)ᵀ W (p(t_f) − p_r) + ½ ∫ ((p − p_r)ᵀ(p − p_r) + qᵀ R q) dt + κ Σ max(0, −k_i),
 /// equation (9). Lower is better. A part that is not a number counts as infinite.
+///
+/// Our choices, for the paper is silent or says another thing: q is the velocity that is driven, after the limits and
+/// without the disturbance, where (9) prints the commanded q_m; the integrals are sums over the samples, each with the values
+/// at its beginning; angles count in radians, θ − θ_r in (−π, π]; the robot begins at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
     /// t_f in seconds.
@@ -92,6 +97,6 @@ impl Weights {
 
     /// κ Σ max(0, −k_i)
     pub(crate) fn penalty(&self, k: &Gains) -> f64 {
-        self.penalty * [k.x, k.y, k.theta].iter().map(|k| (-k).max(0.0)).sum::<f64>()
+        self.penalty * k.to_array().map(|k| 0.0_f64.at_least(-k)).iter().sum::<f64>()
     }
 }

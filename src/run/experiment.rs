@@ -35,7 +35,8 @@ record! { input
         /// The reference posture p_r.
         pub goal: Posture => "goal",
         /// The reference velocity q_r. (0, 0) means parking; anything else means tracking: the reference moves from the
-        /// goal along its own arc, there is no arrival, and the run lasts until the horizon.
+        /// goal along its own arc, there is no arrival, and the run lasts until the horizon. That is our choice: all
+        /// experiments of the paper park.
         pub reference_velocity: Velocity => "referenceVelocity",
         /// Seconds between two commands.
         pub sample_time: f64 => "sampleTime" in Allowed::within("s", 1e-5, 10.0),

@@ -3,7 +3,7 @@
 use super::cost::Cost;
 use super::experiment::Experiment;
 use super::rules::{Outcome, Robot, Rules};
-use super::work::Work;
+use super::work::{STARTS, Work};
 use crate::robot::{Frame, Gains, Posture, Velocity};
 use crate::schema::{Allowed, InvalidInput};
 
@@ -21,8 +21,10 @@ impl Setting {
     /// Validates an experiment; the error names the field that is wrong.
     pub fn new(experiment: Experiment) -> Result<Self, InvalidInput> {
         experiment.validate()?;
-        let (starts, count) = (experiment.starts.len(), experiment.evolution.population.into());
-        Work { field: "evolution.population", count, starts, bytes: 0.0 }.check(&experiment)?;
+        let (starts, evolution) = (experiment.starts.len(), &experiment.evolution);
+        let field = if evolution.is_by_population() { "evolution.population" } else { STARTS };
+        let count = evolution.most_trials().into();
+        Work { field, count, starts, bytes: 0.0 }.check(&experiment)?;
         let (samples, rules) = (experiment.samples(), Rules::new(&experiment));
         Ok(Self { rules, samples, goal: Frame::new(experiment.goal), experiment })
     }

@@ -43,7 +43,9 @@ record! {
         pub outcome: Outcome => "outcome",
         /// Whether the robot arrived.
         pub arrived: bool => "arrived",
-        /// t_f in seconds: the arrival time, or the horizon.
+        /// t_f in seconds: the time of the sample at which the robot was seen to have arrived or to have left the finite
+        /// numbers, else the horizon. Where the horizon is not a whole number of samples, the last begins before it and ends
+        /// after it: an arrival there is up to one sample time later, and path and energy count that sample whole.
         pub final_time: f64 => "finalTime",
     }
 }

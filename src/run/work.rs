@@ -1,6 +1,7 @@
 //! What one call may cost: the one place that says so.
 
 use super::experiment::Experiment;
+use crate::number::Real;
 use crate::schema::{InvalidInput, Text};
 
 /// Most samples that one call may have to drive: robots × starts × samples. It bounds how long a call can take.
@@ -18,10 +19,13 @@ pub const MAX_BYTES: f64 = 256.0 * 1024.0 * 1024.0;
 /// What a plain object takes outside, with its columns, beside the numbers in them.
 pub(crate) const BYTES_OF_AN_OBJECT: f64 = 2048.0;
 
+/// The field that is refused where no other can be small enough.
+pub(crate) const STARTS: &str = "starts";
+
 /// Something that a call does many times.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Work<'a> {
-    /// Of what the call has too many, if it has.
+    /// Of what the call has too many, if it has; [`STARTS`] where its number is not to choose.
     pub(crate) field: &'a str,
     /// How many times.
     pub(crate) count: f64,
@@ -46,10 +50,18 @@ impl Work<'_> {
         let Self { field, count, starts, bytes } = self;
         let refuse = |expected: Text| Err(InvalidInput::new(field, expected, count));
         if count * one > MAX_WORK {
-            let (most, starts) = ((MAX_WORK / one).floor(), starts.max(1));
-            let samples = e.samples();
+            let (most, samples) = ((MAX_WORK / one).floor(), e.samples());
+            let least = if field == STARTS { count } else { 1.0 };
+            if most < least {
+                // Only fewer starts help.
+                let most = (MAX_WORK * starts as f64 / (least * one)).floor();
+                let expected = Text::from("at most ") + most + " postures with ";
+                let expected = expected + format!("{samples} samples a run");
+                return Err(InvalidInput::new(STARTS, expected, format!("{starts}")));
+            }
+            let starts = if starts > 1 { format!("{starts} starts") } else { "1 start".into() };
             let most = Text::from("at most ") + most;
-            return refuse(most + format!(" with {starts} starts and {samples} samples a run"));
+            return refuse(most + format!(" with {starts} and {samples} samples a run"));
         }
         if count * bytes > MAX_BYTES {
             let most = (MAX_BYTES / bytes).floor();
@@ -65,10 +77,10 @@ impl Experiment {
     pub(crate) fn work_of_a_trial(&self) -> f64 {
         let bouts = f64::from(self.evolution.bouts());
         let generation = LEAST_GENERATION / f64::from(self.evolution.most_trials());
-        self.work_from(self.starts.len()).max(bouts).max(generation)
+        self.work_from(self.starts.len()).at_least(bouts).at_least(generation)
     }
 
     fn work_from(&self, starts: usize) -> f64 {
-        starts.max(1) as f64 * (self.horizon / self.sample_time).max(LEAST_SAMPLES)
+        starts.max(1) as f64 * (self.horizon / self.sample_time).at_least(LEAST_SAMPLES)
     }
 }

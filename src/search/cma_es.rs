@@ -10,7 +10,7 @@ use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use super::symmetric::{Matrix, UNIT, Vector, dot, eigen, plus, spectral};
 use super::tournament::in_order;
-use crate::number::{Purpose, stream};
+use crate::number::{Purpose, Real, stream};
 
 /// A normal distribution that moves to where trials cost less, and takes the shape of the steps that led there.
 ///
@@ -112,10 +112,10 @@ impl Rates {
         Self {
             effective,
             length,
-            damping: 1.0 + 2.0 * excess.max(0.0) + length,
+            damping: 1.0 + 2.0 * 0.0_f64.at_least(excess) + length,
             shape: (4.0 + effective / N) / (N + 4.0 + 2.0 * effective / N),
             rank_one,
-            rank_mu: rank_mu.min(1.0 - rank_one),
+            rank_mu: rank_mu.at_most(1.0 - rank_one),
             weights,
         }
     }
@@ -130,7 +130,7 @@ impl Normal {
     /// The roots of the eigenvalues of the covariance, and the eigenvectors.
     fn axes(&self) -> (Vector, [Vector; 3]) {
         let (values, vectors) = eigen(&self.covariance);
-        (values.map(|value| value.max(0.0).sqrt()), vectors)
+        (values.map(|value| 0.0_f64.at_least(value).sqrt()), vectors)
     }
 
     /// Draws y = C^½ z of a generation, one for each trial m + σ y.
@@ -143,7 +143,7 @@ impl Normal {
 
     /// The standard deviation of each gain.
     fn sigmas(&self) -> [f64; 3] {
-        [0, 1, 2].map(|j| self.sigma * self.covariance[j][j].max(0.0).sqrt())
+        [0, 1, 2].map(|j| self.sigma * 0.0_f64.at_least(self.covariance[j][j]).sqrt())
     }
 
     fn ellipse(&self) -> Ellipse {
@@ -186,7 +186,7 @@ impl Normal {
         };
         Self {
             mean: plus(self.mean, self.sigma, step),
-            sigma: self.sigma * libm::exp(growth.min(1.0)),
+            sigma: self.sigma * libm::exp(1.0_f64.at_most(growth)),
             covariance: [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i.min(j), i.max(j)))),
             length_path,
             shape_path,
@@ -247,6 +247,10 @@ mod tests {
         assert!(rates.weights.is_sorted_by(|a, b| a > b) && rates.weights.len() == 3);
         assert!((rates.effective - 2.2548).abs() < 1e-4, "{}", rates.effective);
         assert!((rates.length - 0.41491).abs() < 1e-4, "{}", rates.length);
+        assert!((rates.damping - 1.41491).abs() < 1e-4, "{}", rates.damping);
+        assert!((rates.shape - 0.55880).abs() < 1e-4, "{}", rates.shape);
+        assert!((rates.rank_one - 0.09641).abs() < 1e-4, "{}", rates.rank_one);
+        assert!((rates.rank_mu - 0.05124).abs() < 1e-4, "{}", rates.rank_mu);
         // Three normal draws are √(8/π) long in the mean.
         let mean = (8.0 / core::f64::consts::PI).sqrt();
         assert!((EXPECTED_LENGTH / mean - 1.0).abs() < 1e-3, "{EXPECTED_LENGTH}");

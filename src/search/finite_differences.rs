@@ -6,6 +6,7 @@ use super::plan::Plan;
 use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use super::symmetric::{UNIT, Vector, dot, plus};
+use crate::number::Real;
 
 /// Descent from a draw of the initial range: a probe beside it in each gain tells the slope, and steps down the slope are
 /// tried, each half as long as the one before, until J falls.
@@ -60,7 +61,7 @@ impl Search for FiniteDifferences {
                 if is_better || self.length < SHORTEST {
                     self.slope = None;
                 }
-                self.length = self.length.max(SHORTEST);
+                self.length = self.length.at_least(SHORTEST);
                 brood.survived_by(&|number| (number == 1) == is_better)
             }
         };

@@ -6,6 +6,7 @@ use super::plan::{Motion, Plan};
 use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use super::symmetric::{UNIT, Vector, plus};
+use crate::number::Real;
 
 /// Four corners, of which the worst is to be replaced.
 ///
@@ -141,9 +142,9 @@ impl NelderMead {
     fn is_small(&self) -> bool {
         let [lowest, others @ ..] = self.simplex();
         let edge = |corner: &Vector| {
-            (0..3).fold(0.0, |largest: f64, j| largest.max((corner[j] - lowest[j]).abs()))
+            (0..3).fold(0.0, |largest: f64, j| largest.at_least((corner[j] - lowest[j]).abs()))
         };
-        let largest = others.iter().map(edge).fold(0.0, f64::max);
+        let largest = others.iter().map(edge).fold(0.0, f64::at_least);
         // Also where no corner has a cost, for then not even the best is finite.
         largest <= SMALLEST || !self.found.population[0].cost.is_finite()
     }

@@ -117,14 +117,24 @@ impl EvolutionSettings {
         Err(InvalidInput::new("evolution.population", expected, self.population))
     }
 
+    /// Most trials in a generation of a method that has a number of its own.
+    fn own_trials(&self) -> Option<u32> {
+        match self.method {
+            Method::Ep | Method::Random | Method::De | Method::CmaEs => None,
+            Method::NelderMead => Some(4),
+            Method::FiniteDifferences => Some(3),
+            Method::OnePlusOneEs | Method::OneAtATime => Some(1),
+        }
+    }
+
+    /// Whether a generation has as many trials as the population members.
+    pub(crate) fn is_by_population(&self) -> bool {
+        self.own_trials().is_none()
+    }
+
     /// Most trials in a generation.
     pub(crate) fn most_trials(&self) -> u32 {
-        match self.method {
-            Method::Ep | Method::Random | Method::De | Method::CmaEs => self.population,
-            Method::NelderMead => 4,
-            Method::FiniteDifferences => 3,
-            Method::OnePlusOneEs | Method::OneAtATime => 1,
-        }
+        self.own_trials().unwrap_or(self.population)
     }
 
     /// How many bouts of the tournament each solution has.

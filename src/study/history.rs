@@ -20,8 +20,10 @@ pub struct Evolution {
     hash: Hash,
 }
 
-/// The memory that snapshots may take before every second one is dropped.
+/// The memory that snapshots may take before every second one is dropped, if what is between two can be driven again in one
+/// call; and the memory that they may take at all.
 const SNAPSHOT_BYTES: usize = 32 << 20;
+const MOST_SNAPSHOT_BYTES: usize = 64 << 20;
 
 /// What a snapshot takes besides its population.
 const SNAPSHOT_BASE: usize = 512;
@@ -102,7 +104,8 @@ impl Evolution {
 
     /// One generation in full; the error says which there are.
     ///
-    /// It drives again what is no longer known: at most [`MAX_WORK`] samples, or one generation.
+    /// It drives again what is no longer known: at most [`MAX_WORK`] samples, or one generation; more only where a history is
+    /// so long that its memory asks for it.
     pub fn record(&self, generation: u32) -> Result<GenerationRecord, InvalidInput> {
         let number = self.validate(generation)?;
         let mut search = match number {
@@ -120,8 +123,9 @@ impl Evolution {
         Ok(self.search_after(self.validate(generation)?).population().to_vec())
     }
 
-    /// 16 hexadecimal digits over every number of the history: FNV-1a over the little-endian bytes of each generation's
-    /// number, parents, offspring, opponents, wins and survivors. Two runs with the same hash are the same to the bit.
+    /// 16 hexadecimal digits over the numbers that decide a history: FNV-1a over the little-endian bytes of each generation's
+    /// number, parents, offspring, opponents, wins and survivors. Two runs that differ in a bit of them differ in it, but for
+    /// one chance in 2⁶⁴.
     pub fn hash(&self) -> String {
         self.hash.digits()
     }
@@ -172,7 +176,8 @@ impl Evolution {
         }
     }
 
-    /// Drops every second snapshot when they take much memory, unless driving again what is between two then takes too long.
+    /// Drops every second snapshot when they take much memory, though as long as there is some left not if driving again what
+    /// is between two then takes too long.
     fn thin_out(&mut self) {
         let snapshot = SNAPSHOT_BASE + size_of_val(self.search.population());
         let bytes = self.snapshots.len() * snapshot;
@@ -180,7 +185,7 @@ impl Evolution {
         let generation =
             f64::from(experiment.evolution.most_trials()) * experiment.work_of_a_trial();
         let again = 2.0 * f64::from(self.snapshot_interval) * generation;
-        if bytes > SNAPSHOT_BYTES && again <= MAX_WORK {
+        if bytes > SNAPSHOT_BYTES && (again <= MAX_WORK || bytes > MOST_SNAPSHOT_BYTES) {
             let mut keep = false;
             self.snapshots.retain(|_| {
                 keep = !keep;

@@ -132,13 +132,13 @@ impl Landscape {
 
     /// J of the cells in rows [first, end), row by row. The error names the field that is wrong.
     pub fn costs(&self, setting: &Setting, rows: [u32; 2]) -> Result<Vec<f64>, InvalidInput> {
-        self.x.validate("x")?;
-        self.y.validate("y")?;
+        self.x.validate("landscape.x")?;
+        self.y.validate("landscape.y")?;
         if self.x.gain == self.y.gain {
-            let found = format!("{} on both", ["kx", "ky", "ktheta"][self.y.gain as usize]);
-            return Err(InvalidInput::new("y.gain", "another gain than x.gain", found));
+            let found = format!("{} on both", self.y.gain.word());
+            return Err(InvalidInput::new("landscape.y.gain", "another gain than x.gain", found));
         }
-        let [first, end] = validate_part("rows", rows, self.y.count)?;
+        let [first, end] = validate_part("landscape.rows", rows, self.y.count)?;
         let cells = f64::from(end - first) * f64::from(self.x.count);
         let starts = setting.experiment().starts.len();
         // The most cells that two axes have take a third of the memory that there may be.

@@ -28,5 +28,5 @@ pub use remaining::{
 pub use robustness::{fares, robustness};
 pub use seeds::{SeedRun, SeedRuns, seed_runs};
 pub use stability::{Stability, StabilitySample, stability};
-pub use starts::{Circle, GridOfRobot, MAX_AXIS_COUNT, PartOfGrid, Range, StartGrid, on_circle};
+pub use starts::{Circle, GridOfRobot, MAX_AXIS_COUNT, PartOfGrid, Range, StartGrid};
 pub use trials::{Champion, Trial, Trials, trials};

@@ -20,7 +20,7 @@ pub fn robustness(
     part: [u32; 2],
 ) -> Result<Vec<RunEnd>, InvalidInput> {
     grid.validate()?;
-    let [first, end] = validate_part("part", part, grid.most())?;
+    let [first, end] = validate_part("grid.part", part, grid.most())?;
     let count = f64::from(end - first);
     Work { field: "the number of starts", count, starts: 1, bytes: BYTES_OF_A_START }
         .check(setting.experiment())?;

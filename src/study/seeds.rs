@@ -1,6 +1,7 @@
 //! Evolution with many seeds, beside random search.
 
 use super::part::validate_part;
+use crate::number::Real;
 use crate::robot::Gains;
 use crate::run::{BYTES_OF_AN_OBJECT, Setting, Work};
 use crate::schema::{Allowed, Column, InvalidInput, Place, Source, read_whole, record};
@@ -31,8 +32,8 @@ record! {
         pub best: Column => "best",
         /// The best individual in the end.
         pub champion: Individual => "champion",
-        /// The best J that random search had found by then; it begins with the same population, and draws a new one from the
-        /// initial range for each generation.
+        /// The best J that random search had found by then with as many drives: it takes its draws from the initial range in
+        /// the order in which random search itself would, so that of evolutionary programming begins with the same population.
         pub random: Column => "random",
     }
 }
@@ -107,7 +108,7 @@ impl Race {
     /// Notes what both have found.
     fn driven(&mut self, brood: Brood, evolved: &[f64], drawn: &[f64]) {
         let drawn = if drawn.is_empty() { evolved } else { drawn };
-        self.lowest = drawn.iter().copied().fold(self.lowest, f64::min);
+        self.lowest = drawn.iter().copied().fold(self.lowest, f64::at_most);
         self.drawn.push(self.lowest);
         self.search.tell(&self.settings, brood, evolved);
         self.best.push(self.search.best().cost);

@@ -9,18 +9,18 @@ use crate::number::{Purpose, stream, wrap};
 use crate::robot::{Gains, METRES, Posture, Triples};
 use crate::run::MAX_STARTS;
 use crate::schema::{
-    Allowed, InvalidInput, Place, Plain, Source, read_object, read_whole, record, told,
+    Allowed, Input, InvalidInput, Place, Plain, Source, read_object, read_whole, record, told,
 };
 
 record! { required (Copy)
     /// Where start postures stand on a circle: its centre and radius in metres.
     pub struct Circle {
         /// x of the centre.
-        pub x: f64 => "x",
+        pub x: f64 => "x" in METRES,
         /// y of the centre.
-        pub y: f64 => "y",
+        pub y: f64 => "y" in METRES,
         /// How far they are from it.
-        pub radius: f64 => "radius",
+        pub radius: f64 => "radius" in Allowed::within("m", 0.0, METRES.max),
         /// How many.
         pub count: u32 => "count" in Allowed::whole(1, MAX_STARTS),
         /// The seed of their headings.
@@ -29,40 +29,26 @@ record! { required (Copy)
 }
 
 impl Circle {
+    const PLACE: Place<'static> = Place::Named("circle");
+
     /// A circle.
     pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
         let none = Self { x: 0.0, y: 0.0, radius: 0.0, count: 0, seed: 0 };
-        read_whole(none, given, Place::Named("circle"), &Allowed::ANY)
+        read_whole(none, given, Self::PLACE, &Allowed::ANY)
     }
 
     /// Postures evenly on the circle, each with a random heading. The error names the field that is wrong.
     pub fn starts(&self) -> Result<Vec<Posture>, InvalidInput> {
+        self.check(Self::PLACE, &Allowed::ANY)?;
         let Self { x, y, radius, count, seed } = *self;
-        on_circle(Posture { x, y, theta: 0.0 }, radius, count, seed)
+        let mut rng = stream(seed, Purpose::Starts, 0);
+        let posture = |i| {
+            let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(count));
+            let theta = wrap(TAU * rng.random::<f64>());
+            Posture { x: x + radius * cos, y: y + radius * sin, theta }
+        };
+        Ok((0..count).map(posture).collect())
     }
-}
-
-/// `count` postures evenly on a circle around `centre`, each with a random heading.
-///
-/// The radius is in metres. The error names the number that is wrong.
-pub fn on_circle(
-    centre: Posture,
-    radius: f64,
-    count: u32,
-    seed: u32,
-) -> Result<Vec<Posture>, InvalidInput> {
-    let Posture { x, y, .. } = centre;
-    for (name, value) in [("x", x), ("y", y), ("radius", radius)] {
-        METRES.check(name, value)?;
-    }
-    Allowed::whole(1, MAX_STARTS).check("count", count.into())?;
-    let mut rng = stream(seed, Purpose::Starts, 0);
-    let posture = |i| {
-        let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(count));
-        let theta = wrap(TAU * rng.random::<f64>());
-        Posture { x: x + radius * cos, y: y + radius * sin, theta }
-    };
-    Ok((0..count).map(posture).collect())
 }
 
 record! { required (Copy)
@@ -113,7 +99,8 @@ pub struct StartGrid {
 impl StartGrid {
     /// How many postures there are.
     pub fn count(&self) -> u64 {
-        u64::from(self.x.count) * u64::from(self.y.count) * u64::from(self.headings)
+        let positions = u64::from(self.x.count) * u64::from(self.y.count);
+        positions.saturating_mul(self.headings.into())
     }
 
     /// The same where it is small enough to be numbered.
@@ -136,22 +123,22 @@ impl StartGrid {
     /// The postures with index in [first, end); the error says how many are allowed.
     pub fn postures(&self, part: [u32; 2]) -> Result<Vec<Posture>, InvalidInput> {
         self.validate()?;
-        let [first, end] = validate_part("part", part, self.most())?;
+        let [first, end] = validate_part("grid.part", part, self.most())?;
         if end - first > MAX_STARTS {
             let expected = format!("at most {MAX_STARTS} starts in one call");
-            return Err(InvalidInput::new("part", expected, end - first));
+            return Err(InvalidInput::new("grid.part", expected, end - first));
         }
         Ok((first..end).map(|index| self.posture(index)).collect())
     }
 
     pub(crate) fn validate(&self) -> Result<(), InvalidInput> {
-        for (name, range) in [("x", self.x), ("y", self.y)] {
+        for (name, range) in [("grid.x", self.x), ("grid.y", self.y)] {
             range.validate(name)?;
             for (end, value) in [("from", range.from), ("to", range.to)] {
                 METRES.check(format!("{name}.{end}"), value)?;
             }
         }
-        AXIS_COUNT.check("headings", self.headings.into())
+        AXIS_COUNT.check("grid.headings", self.headings.into())
     }
 }
 

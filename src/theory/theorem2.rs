@@ -1,6 +1,7 @@
 //! Theorem 2: the gains that a bounded disturbance asks for, and the errors that it can leave.
 
 use super::lyapunov::lyapunov_rate_parts;
+use crate::number::Real;
 use crate::robot::{ErrorPosture, Gains, Velocity};
 
 /// The gains that Theorem 2 asks for at an error posture when the disturbance is bounded by |δ1| ≤ ε1, |δ2| ≤ ε2:
@@ -48,7 +49,11 @@ impl ErrorParts {
 
     /// The larger of each part.
     pub(crate) fn max(self, other: Self) -> Self {
-        Self { x: self.x.max(other.x), y: self.y.max(other.y), theta: self.theta.max(other.theta) }
+        Self {
+            x: self.x.at_least(other.x),
+            y: self.y.at_least(other.y),
+            theta: self.theta.at_least(other.theta),
+        }
     }
 
     pub(crate) const ZERO: Self = Self { x: 0.0, y: 0.0, theta: 0.0 };

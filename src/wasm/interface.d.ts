@@ -13,7 +13,8 @@ export interface Experiment {
   goal: Posture;
   /**
    * The reference velocity q_r. (0, 0) means parking; anything else means tracking: the reference moves from the
-   * goal along its own arc, there is no arrival, and the run lasts until the horizon.
+   * goal along its own arc, there is no arrival, and the run lasts until the horizon. That is our choice: all
+   * experiments of the paper park.
    */
   referenceVelocity: Velocity;
   /** Seconds between two commands. */
@@ -173,7 +174,11 @@ export interface Run {
   outcome: Outcome;
   /** Whether the robot arrived. */
   arrived: boolean;
-  /** t_f in seconds: the arrival time, or the horizon. */
+  /**
+   * t_f in seconds: the time of the sample at which the robot was seen to have arrived or to have left the finite
+   * numbers, else the horizon. Where the horizon is not a whole number of samples, the last begins before it and ends
+   * after it: an arrival there is up to one sample time later, and path and energy count that sample whole.
+   */
   finalTime: number;
 }
 /** The cost J of equation (9) and its parts. Lower is better; Infinity if the run left the finite numbers. */
@@ -395,11 +400,8 @@ export interface Range {
 export interface LawTerms {
   /** What each gain asks for, and the reference velocity by itself: the command is their sum, up to rounding. */
   command: CommandTerms;
-  /**
-   * The parts of dV/dt on x_e, y_e and θ_e that the law promises for its command, m²/s, as in `Stability`. Null where
-   * nothing is promised.
-   */
-  promised: Posture | null;
+  /** What the law promises of dV/dt; null where nothing is promised. */
+  promised: PromisedRate | null;
 }
 /** What each gain asks for, and the reference velocity by itself: the command is their sum, up to rounding. */
 export interface CommandTerms {
@@ -411,6 +413,15 @@ export interface CommandTerms {
   ktheta: Velocity;
   /** What the reference velocity asks for. */
   reference: Velocity;
+}
+/** The parts of dV/dt that a law promises for its command, in m²/s, as in `Stability`. */
+export interface PromisedRate {
+  /** The part on x_e. */
+  x: number;
+  /** The part on y_e. */
+  y: number;
+  /** The part on θ_e. */
+  theta: number;
 }
 /** The starts of a grid, and the gains of the robot that drives from them. */
 export interface StartGrid {
@@ -448,8 +459,8 @@ export interface SeedRun {
   /** The best individual in the end. */
   champion: Individual;
   /**
-   * The best J that random search had found by then; it begins with the same population, and draws a new one from the
-   * initial range for each generation.
+   * The best J that random search had found by then with as many drives: it takes its draws from the initial range in
+   * the order in which random search itself would, so that of evolutionary programming begins with the same population.
    */
   random: Float64Array;
 }

@@ -194,13 +194,12 @@ impl Evolution {
         Ok(plain(&self.0.statistics(self.numbered(generation)?)?))
     }
 
-    /// One generation in full.
+    /// One generation in full; the newest if left out.
     #[wasm_bindgen(unchecked_return_type = "GenerationRecord")]
     pub fn record(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "number")] generation: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] generation: JsValue,
     ) -> Result<JsValue> {
-        number(&Given::of(generation.clone()), "generation")?;
         Ok(plain(&self.0.record(self.numbered(generation)?)?))
     }
 

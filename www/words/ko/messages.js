@@ -19,7 +19,7 @@ const demands = [
   [/^\[low, high\] with low under high$/, '[작은 값, 큰 값] 순서의 두 수'],
   [/^0 or more for a random disturbance$/, '무작위 외란에서는 0 이상의 수'],
   [
-    /^at most (\S+) with (\S+) starts and (\S+) samples a run$/,
+    /^at most (\S+) with (\S+) starts? and (\S+) samples a run$/,
     '출발점 $2개, 주행당 샘플 $3개에서는 최대 $1',
   ],
   [/^('.+') or ('.+')$/, '$1, $2 가운데 하나'],
