@@ -287,7 +287,8 @@ class Statistics(TypedDict):
 
     #: The generation's number.
     generation: float
-    #: Drives since the start, one for each individual and start posture.
+    #: Drives since the start, one for each individual and start posture. ``trials``, and whoever compares methods, counts
+    #: an individual once, from however many starts it drives.
     evaluations: float
     #: The individual with the lowest cost of all that were driven until now.
     best: Individual

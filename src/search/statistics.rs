@@ -9,7 +9,8 @@ record! { (Copy)
     pub struct Statistics {
         /// The generation's number.
         pub generation: u32 => "generation",
-        /// Drives since the start, one for each individual and start posture.
+        /// Drives since the start, one for each individual and start posture. `trials`, and whoever compares methods, counts
+        /// an individual once, from however many starts it drives.
         pub evaluations: f64 => "evaluations",
         /// The individual with the lowest cost of all that were driven until now.
         pub best: Individual => "best",

@@ -250,7 +250,10 @@ export interface Individual {
 export interface Statistics {
   /** The generation's number. */
   generation: number;
-  /** Drives since the start, one for each individual and start posture. */
+  /**
+   * Drives since the start, one for each individual and start posture. `trials`, and whoever compares methods, counts
+   * an individual once, from however many starts it drives.
+   */
   evaluations: number;
   /** The individual with the lowest cost of all that were driven until now. */
   best: Individual;

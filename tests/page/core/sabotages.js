@@ -56,7 +56,7 @@ const withRecord = (change) =>
     const recordOf = evolution.record.bind(evolution);
     evolution.record = (generation) => {
       const record = recordOf(generation);
-      if (generation > 0) change(record);
+      if (record.generation > 0) change(record);
       return record;
     };
   });
