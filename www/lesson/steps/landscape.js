@@ -71,6 +71,8 @@ export const landscape = {
     const { result } = landscapeSlice.of(state);
     return {
       drives: result ? lab.grouped(result.costs.length) : '…',
+      grid: result ? lab.grouped(result.count ** 3) : '…',
+      side: result ? String(result.count) : '…',
       floor: result ? fixed(100 * floorShare(result.costs), 0) : '…',
       generation: String(generation),
       spent: lab.grouped(history[generation].evaluations),

@@ -30,7 +30,8 @@ export const stability = {
     { kind: 'formula', formula: rateFormula },
     { kind: 'text', name: 'parts' },
     quiz('negative', {
-      shows: `curves&view=stability&drives=hand&gains=3,-1,5&${unlimited}`,
+      // So often that the robot does what the law promises.
+      shows: `curves&view=stability&drives=hand&gains=3,-0.5,5&${unlimited}&sampleTime=0.0005&horizon=2`,
       watch: true,
       order: [2, 0, 1],
       answer({ samples, scene }) {

@@ -14,7 +14,7 @@ export const generation = {
     name: (number, _isParent) => String(number),
   },
   texts: {
-    begin: `You tried one set of gains after another. Evolution keeps {=count} sets at a time: a *population* of robots, drawn at random in the beginning. Then it repeats four moves; each round is a *generation*. The numbers in the text are those of the robot chosen in the figure; press any other.`,
+    begin: `You tried one set of gains after another. Evolution keeps {=count} sets at a time: a *population* of robots, drawn at random in the beginning. (All chance here comes from one number, the *seed*: with the same seed everything happens again, with another one luck is another.) Then it repeats four moves; each round is a *generation*. The numbers in the text are those of the robot chosen in the figure; press any other.`,
     mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: a *step size* {s} times a draw {N} from the standard normal distribution (the bell curve), which is rarely beyond −2 or 2.`,
     drive: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* All offspring drive, above the figure. {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.`,
     rule: `*3. Tournament.* All {=all} robots, parents and offspring, meet {=bouts} others each, drawn at random *with replacement*: a robot may meet the same opponent twice, but never itself. It wins a bout unless its opponent has the lower J.

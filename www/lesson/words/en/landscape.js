@@ -11,6 +11,8 @@ export const landscape = {
 The white dots are the population. *Press Run* and watch it walk: the line is the path of its best robot. It is in generation {=generation} now, after {=spent} drives. And it *never sees the map*. Evolution knows {J} only where one of its robots stands.`,
     shape: `Three things deserve a name. The *valley* is dark: {=floor}\u00a0% of this map cost at most 5 % more than its lowest point (four short strokes mark it), so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes through zero just at a sample, one huge command costs energy.
 
+Why search at all, if one can drive the whole map? Because it is a map of *two* gains. A grid as fine over all three would be {=grid} drives, and each further gain would cost {=side} times as many again.
+
 A method that follows the slope stumbles over edges and ripples, and may stop in a *local optimum*: a place that is better than all around it, but not the best. Evolution needs no slope: it only compares. That makes it sturdy, not infallible.`,
     next: `Here evolution finds what there is to find, the lowest point of *one* landscape, which belongs to one start and one goal. Has the robot learned to park, or only to park from there? Step 12 asks. First: which part of the method did the work?`,
   },

@@ -38,7 +38,7 @@ Do speed limits close that gap? From the paper’s own start it looks so: with t
       choices: ['In fewer than 10', 'In 10 to 50', 'In more than half'],
       /** @param {{ drives: number, starts: number }} outcome */
       why: ({ drives, starts }) =>
-        `In ${drives} of ${starts}. The drive on the plane is one of them: look at the red marks under V.`,
+        `In ${drives} of ${starts}. The drive on the plane, from yet another start, is such a one: look at the red marks under V.`,
     },
     brakes: {
       question:
@@ -58,7 +58,7 @@ Do speed limits close that gap? From the paper’s own start it looks so: with t
   },
   notice: [
     'With acceleration limits the speed begins at 0 and climbs along a straight line: no command can start the wheels at once.',
-    'In Figure 7 the dotted robot turns far beyond its goal and back. It never arrives.',
+    'In our Figure 7 the dotted robot turns far beyond its goal and back, and never arrives. The paper’s does not turn so far: step 14 tells what differs.',
     'Where the full line lies on the faint one, the law itself drives; elsewhere the limit does.',
   ],
 };

@@ -33,7 +33,8 @@ export const stability = {
   },
   quizzes: {
     negative: {
-      question: '{ky} is set to −1, the other two stay above zero. What becomes of {V}?',
+      question:
+        '{ky} is set to −0.5, the other two stay above zero, and for two seconds the law decides 2000 times a second. What becomes of {V}?',
       choices: [
         'It still falls to zero, only later',
         'It stops falling before zero',
@@ -41,7 +42,7 @@ export const stability = {
       ],
       /** @param {{ first: number, last: number, most: number }} outcome */
       why: ({ first, last, most }) =>
-        `V begins at ${heightText(first)} and ends at ${heightText(last)}; the highest is ${heightText(most)}. With ky below zero the orange part is above zero: it pushes the robot up the wall, and the farther it is to the side, the harder, with the fourth power.`,
+        `V begins at ${heightText(first)} and ends at ${heightText(last)}; the highest is ${heightText(most)}. With ky below zero the orange part is above zero: it pushes the robot up the wall, and the farther it is to the side, the harder, with the fourth power. At first the other two are stronger. As xe and θe shrink they fade, and the orange part is left.`,
     },
     kanayama: {
       question:

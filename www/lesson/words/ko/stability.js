@@ -32,7 +32,8 @@ export const stability = {
   },
   quizzes: {
     negative: {
-      question: '{ky}를 −1로 하고 나머지 둘은 0보다 크게 둡니다. {V}는 어떻게 됩니까?',
+      question:
+        '{ky}를 −0.5로 하고 나머지 둘은 0보다 크게 둡니다. 법칙은 2초 동안 1초에 2000번 명령을 정합니다. {V}는 어떻게 됩니까?',
       choices: [
         '그래도 0까지 줄어든다. 다만 더 늦게',
         '0이 되기 전에 줄어들기를 멈춘다',
@@ -40,7 +41,7 @@ export const stability = {
       ],
       /** @param {{ first: number, last: number, most: number }} outcome */
       why: ({ first, last, most }) =>
-        `V의 값은 처음 ${heightText(first)}, 마지막 ${heightText(last)}, 가장 클 때 ${heightText(most)}입니다. ky가 0보다 작으면 주황색 부분이 0보다 커져 로봇을 벽 위로 밀어 올립니다. 옆으로 벗어난 거리의 네제곱으로 강해집니다.`,
+        `V의 값은 처음 ${heightText(first)}, 마지막 ${heightText(last)}, 가장 클 때 ${heightText(most)}입니다. ky가 0보다 작으면 주황색 부분이 0보다 커져 로봇을 벽 위로 밀어 올립니다. 옆으로 벗어난 거리의 네제곱으로 강해집니다. 처음에는 다른 두 부분이 더 강하지만, xe와 θe가 작아지면 그 둘은 사라지고 주황색 부분만 남습니다.`,
     },
     kanayama: {
       question:
