@@ -183,7 +183,7 @@ fn a_record_adds_up() {
         assert_eq!(record.parents, population);
         let costs: Vec<f64> = (0..40).map(|number| record.solution(number).cost).collect();
         for (parent, (draws, offspring)) in
-            record.parents.iter().zip(record.mutations.iter().zip(&record.offspring))
+            record.parents.iter().zip(record.making.mutations.iter().zip(&record.offspring))
         {
             let child = draws.offspring(parent);
             assert_eq!((child.gains, child.sigmas), (offspring.gains, offspring.sigmas));

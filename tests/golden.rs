@@ -160,7 +160,7 @@ fn value_stability_of_the_random_streams() {
     let setting = Setting::new(seeded(Preset::VelocityLimits, known.seed)).expect("valid");
     let first = GenerationRecord::initial(&setting);
     let second = GenerationRecord::next(&setting, first.population(), 1);
-    let draws = second.mutations[0];
+    let draws = second.making.mutations[0];
     assert_eq!(first.parents[0].gains.to_array(), known.parent);
     assert_eq!(draws.gains, known.gains);
     assert_eq!(draws.common, known.common);

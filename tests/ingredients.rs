@@ -71,7 +71,7 @@ fn cauchys_steps_have_its_quartiles_and_shift_no_other_draw() {
     };
     let (cauchy, gaussian) = (step(Step::Cauchy), step(Step::Gaussian));
     let mut draws: Vec<f64> =
-        cauchy.iter().flat_map(|r| &r.mutations).flat_map(|m| m.gains).collect();
+        cauchy.iter().flat_map(|r| &r.making.mutations).flat_map(|m| m.gains).collect();
     draws.sort_by(f64::total_cmp);
     // tan(π (p − ½)), each within four standard errors.
     for (share, quantile) in [(0.1, -3.0777), (0.25, -1.0), (0.5, 0.0), (0.75, 1.0), (0.9, 3.0777)]
@@ -83,7 +83,7 @@ fn cauchys_steps_have_its_quartiles_and_shift_no_other_draw() {
             "{share} {under}"
         );
     }
-    for (a, b) in cauchy[0].mutations.iter().zip(&gaussian[0].mutations) {
+    for (a, b) in cauchy[0].making.mutations.iter().zip(&gaussian[0].making.mutations) {
         assert_eq!((a.common, a.sigmas), (b.common, b.sigmas));
         assert_ne!(a.gains, b.gains);
     }
@@ -119,8 +119,8 @@ fn a_crossed_parent_has_each_gain_and_its_sigma_of_one_of_two() {
     let mut crossed = 0;
     for record in &records(&evolution)[1..] {
         for own in 0..20 {
-            let (parent, base) = (record.parents[own], record.bases[own]);
-            let Some(&partner) = record.donors[own].first() else {
+            let (parent, base) = (record.parents[own], record.making.bases[own]);
+            let Some(&partner) = record.making.donors[own].first() else {
                 assert_eq!(base, parent);
                 continue;
             };
@@ -131,13 +131,13 @@ fn a_crossed_parent_has_each_gain_and_its_sigma_of_one_of_two() {
                 let pair = |i: &Individual| (i.gains.to_array()[j], i.sigmas[j]);
                 assert!(pair(&base) == pair(&parent) || pair(&base) == pair(&partner));
             }
-            let child = record.mutations[own].offspring(&base);
+            let child = record.making.mutations[own].offspring(&base);
             assert_eq!(child.gains, record.offspring[own].gains);
         }
     }
     assert!((340..460).contains(&crossed), "{crossed} of 800");
     let of_two = evolved(searched_by(|e| (e.crossover, e.population) = (1.0, 2)), 3);
-    assert!(records(&of_two)[1..].iter().all(|record| record.donors == [[1], [0]]));
+    assert!(records(&of_two)[1..].iter().all(|record| record.making.donors == [[1], [0]]));
     assert!(
         evolved(searched_by(|e| (e.crossover, e.population) = (1.0, 1)), 3).newest().best.cost
             > 0.0

@@ -43,7 +43,9 @@ fn what_a_method_goes_by_next_it_goes_by_in_the_next_generation() {
 fn a_trial_of_differential_evolution_has_each_gain_from_the_mutant_or_the_member() {
     let mut kept = 0;
     for record in &records(Method::De, |_| ())[1..] {
-        for (own, (donors, mutant)) in record.donors.iter().zip(&record.bases).enumerate() {
+        for (own, (donors, mutant)) in
+            record.making.donors.iter().zip(&record.making.bases).enumerate()
+        {
             let [a, b, c] = [0, 1, 2].map(|i| gains(&record.parents, donors[i] as usize));
             let mutant = mutant.gains.to_array();
             assert_eq!(mutant, by_gain(|j| a[j] + 0.5 * (b[j] - c[j])));
@@ -62,7 +64,7 @@ fn the_mean_of_cma_es_moves_to_the_trials_by_their_weights() {
         let Plan { ellipse: Some(before), weights, .. } = &record.plan else {
             panic!("no ellipse")
         };
-        assert_eq!(record.ellipse.as_ref(), Some(before));
+        assert_eq!(record.making.ellipse.as_ref(), Some(before));
         assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-12 && weights.len() == 10);
         let ranked = record.population();
         let mean = before.mean.to_array();
@@ -174,7 +176,7 @@ fn finite_differences_tell_the_slope_and_step_down_it() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_axes_of_an_ellipse_spread_each_gain_by_its_sigma() {
     for record in records(Method::CmaEs, |_| ()) {
-        let ellipse = record.ellipse.as_ref().expect("an ellipse");
+        let ellipse = record.making.ellipse.as_ref().expect("an ellipse");
         let sigmas = record.tried()[0].sigmas;
         let spread = by_gain(|j| ellipse.axes.iter().map(|axis| axis[j] * axis[j]).sum());
         assert_near(spread, sigmas.map(|sigma| sigma * sigma));

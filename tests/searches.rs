@@ -99,7 +99,7 @@ fn each_member_of_differential_evolution_only_gets_better() {
             let stays = record.survivors.contains(&(own as u32));
             let replaced = record.survivors.contains(&(own as u32 + 20));
             assert_eq!([stays, replaced], [trial.cost > parent.cost, trial.cost <= parent.cost]);
-            let [a, b, c] = record.donors[own][..] else { panic!("three donors") };
+            let [a, b, c] = record.making.donors[own][..] else { panic!("three donors") };
             assert!(a != b && b != c && c != a && ![a, b, c].contains(&(own as u32)));
             let [a, b, c, k] = [a, b, c, own as u32].map(|n| record.solution(n).gains.to_array());
             let mutant = [0, 1, 2].map(|j| a[j] + 0.5 * (b[j] - c[j]));

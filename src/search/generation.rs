@@ -12,9 +12,10 @@ use crate::schema::told;
 pub struct Making {
     /// The draws that made each offspring of evolutionary programming.
     pub mutations: Vec<Mutation>,
-    /// For each new solution the numbers of the other parents in it.
+    /// For each new solution the numbers of the other parents in it; empty where there are none.
     pub donors: Vec<Vec<u32>>,
-    /// What each mutation began with, where parents are crossed; the mutants of differential evolution.
+    /// What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution, before
+    /// they are crossed; else empty.
     pub bases: Vec<Individual>,
     /// The distribution of CMA-ES.
     pub ellipse: Option<Ellipse>,
@@ -31,15 +32,8 @@ pub struct GenerationRecord {
     pub parents: Vec<Individual>,
     /// One offspring of each parent, in their order; of other methods than evolutionary programming, whatever was tried.
     pub offspring: Vec<Individual>,
-    /// The draws that made each offspring.
-    pub mutations: Vec<Mutation>,
-    /// For each offspring the numbers of the other parents in it; empty where there are none.
-    pub donors: Vec<Vec<u32>>,
-    /// What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution,
-    /// before they are crossed; else empty.
-    pub bases: Vec<Individual>,
-    /// The distribution from which CMA-ES drew the offspring.
-    pub ellipse: Option<Ellipse>,
+    /// What made the offspring.
+    pub making: Making,
     /// Whom each of the 2N solutions met, and how many bouts it won; empty without a tournament.
     pub tournament: Tournament,
     /// The numbers of all, best ranked first.
@@ -63,15 +57,15 @@ told! {
         /// One offspring of each parent, in their order; of other methods than evolutionary programming, whatever was tried.
         "offspring" => |record| &record.offspring,
         /// The draws behind each offspring of evolutionary programming.
-        "mutations" => |record| &record.mutations,
+        "mutations" => |record| &record.making.mutations,
         /// For each offspring the numbers of the other parents in it: with whom its parent was crossed, or a, b and c of
         /// a + F (b − c) in differential evolution. Empty where a method crosses nothing.
-        "donors" => |record| &record.donors,
+        "donors" => |record| &record.making.donors,
         /// What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution, before
         /// they are crossed; else empty.
-        "bases" => |record| &record.bases,
+        "bases" => |record| &record.making.bases,
         /// The distribution from which CMA-ES drew the offspring; null for other methods.
-        "ellipse" => |record| record.ellipse.as_ref(),
+        "ellipse" => |record| record.making.ellipse.as_ref(),
         /// For each of the 2N solutions, whom it met in the tournament; empty without one.
         "opponents" => |record| &record.tournament.opponents,
         /// For each of the 2N solutions, how many bouts it won.
@@ -164,16 +158,12 @@ impl Brood {
         tournament: Tournament,
     ) -> GenerationRecord {
         let Self { generation, parents, offspring, making } = self;
-        let Making { mutations, donors, bases, ellipse } = making;
         let survivors = ranking[..count].to_vec();
         GenerationRecord {
             generation,
             parents,
             offspring,
-            mutations,
-            donors,
-            bases,
-            ellipse,
+            making,
             tournament,
             ranking,
             survivors,
