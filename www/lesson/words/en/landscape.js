@@ -44,7 +44,7 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
   tries: {
     walked: 'A hundred generations later',
     smooth: 'The same map with {ky} = 0: no ripples',
-    deep: '{ky} upwards, as a logarithm: how small does it get?',
+    deep: '{ky} upwards, as a logarithm: the path leaves the map at the bottom. How small {ky} is stands under it',
     stuck: 'The goal at 0°, seed 3: stuck in a gorge',
   },
   notice: [

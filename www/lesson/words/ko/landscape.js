@@ -43,7 +43,7 @@ export const landscape = {
   tries: {
     walked: '100세대 뒤',
     smooth: '{ky} = 0인 같은 지도: 잔물결이 없다',
-    deep: '위로 {ky}, 로그 축: 얼마나 작아지는가?',
+    deep: '위로 {ky}, 로그 축: 길이 지도 아래로 벗어난다. {ky}가 얼마나 작아졌는지는 지도 아래에 있다',
     stuck: '목표 0°, 시드 3: 협곡에 갇히다',
   },
   notice: [
