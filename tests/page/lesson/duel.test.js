@@ -195,22 +195,20 @@ pageTest('drive, lock in, predict; every number is the core’s', async (page) =
 pageTest('a drag is one trial, however far it goes', async (page) => {
   await page.open('#lesson&step=9');
   await page.until('the robots', () => document.getElementById('swarm-parked'));
-  await page.evaluate(async () => {
-    const slider = /** @type {HTMLInputElement} */ (document.getElementById('slider-ky'));
-    const frame = () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-    const send = (/** @type {Event} */ event) => slider.dispatchEvent(event);
-    send(new PointerEvent('pointerdown', { bubbles: true }));
-    for (const value of [2, 3, 4, 5, 6]) {
-      slider.value = String(value);
-      send(new Event('input', { bubbles: true }));
-      await frame();
-    }
-    send(new PointerEvent('pointerup', { bubbles: true }));
-    send(new Event('change', { bubbles: true }));
-    await frame();
-  });
+  // A slider that has the focus loses it where the drag begins.
+  await drive(page, 'kx', 1);
   assert.equal(await textOf(page, 'duel-drives'), '1');
-  assert.equal(await textOf(page, 'duel-best'), shown(evaluate(contest, [1, 6, 1])[0]));
+  await page.drag(
+    '#slider-ky',
+    Array.from({ length: 8 }, (_, i) => ({ x: 100 + 20 * i, y: 12 })),
+    120,
+  );
+  await drawn(page);
+  const ky = Number(await page.evaluate(() => document.querySelector('input#slider-ky')?.value));
+  assert.ok(ky > 1);
+  assert.equal(await textOf(page, 'duel-drives'), '2');
+  const best = Math.min(...evaluate(contest, [1.01, 1, 1, 1.01, ky, 1]));
+  assert.equal(await textOf(page, 'duel-best'), shown(best));
 });
 
 pageTest('answers, trials and a locked duel outlast a reload of the tab', async (page) => {
