@@ -43,12 +43,15 @@ const tallyIn = (live) => tallyOf(progressSlice.of(live.state).tally, contestOf(
 /** What is locked in, or what the prediction locks in. @param {Live} live @returns {Duel} */
 export const duelIn = (live) => progressSlice.of(live.state).duel ?? lockedIn(tallyIn(live), contestOf(live));
 
-/** All 32 robots: with your gains, or with those of evolution. @param {Tools} tools @param {any} _words @returns {Block} */
+/** All 32 robots: with your gains, or with those of evolution until something else drives. @param {Tools} tools @param {any} _words @returns {Block} */
 export function createDuelStage(tools, _words) {
+  const changed = watch();
   return createSwarm(tools, shared.swarm, (live) => {
     const { engine, state, paper } = live;
+    const drivesOn = changed(state.driver, state.handGains, state.experiment);
     const { duel, sees } = progressSlice.of(state);
-    const champion = sees === 'evolution' && duel ? duel.rounds.at(-1)?.champion : null;
+    if (drivesOn && sees !== 'you') update(tools.store, { sees: 'you' });
+    const champion = sees === 'evolution' && !drivesOn && duel ? duel.rounds.at(-1)?.champion : null;
     const gains = champion ?? gainsOf(state, state.driver, paper);
     const yard = yardOf(engine).drive(state.experiment, gains);
     return yard && { name: champion ? shared.swarm.evolution(gains) : shared.swarm.own(gains), yard };
@@ -74,12 +77,10 @@ export function createDuelDrives({ store }, { duel: words }) {
       if (!changed(duel, tally, population, experiment)) return;
       const { costs } = duel ?? tally;
       const best = lowestOf(costs);
-      const beaten = marksOf(live).filter(({ cost }) => best < cost);
-      const status = duel
-        ? isDuelOf(duel, experiment)
-          ? words.locked
-          : words.elsewhere
-        : words.enough(costs.length);
+      const isHere = !duel || isDuelOf(duel, experiment);
+      // J of another task compares with none of this one.
+      const beaten = isHere ? marksOf(live).filter(({ cost }) => best < cost) : [];
+      const status = !isHere ? words.elsewhere : duel ? words.locked : words.enough(costs.length);
       const lock = () => update(store, { duel: lockedIn(tally, experiment) });
       element.classList.toggle('locked', duel !== null);
       render(

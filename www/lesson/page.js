@@ -99,7 +99,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
 }
 
 /** What is pressed in the text opens within the page, and what it is about comes into sight. @param {HTMLElement} article @param {Tools} tools */
-function followLinks(article, { go, look, store }) {
+function followLinks(article, { go, look, store, actions, engine }) {
   article.addEventListener('click', (event) => {
     const link = event.target instanceof Element ? event.target.closest('a') : null;
     if (!link || event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
@@ -112,7 +112,9 @@ function followLinks(article, { go, look, store }) {
     for (const block of steps[store.get().lesson - 1]?.blocks ?? []) {
       const pressed = block.kind === 'tries' && block.tries.find(([name]) => name === link.dataset.try);
       if (!pressed) continue;
-      if (pressed[2]) look(pressed[2]);
+      const [, , sight, time] = pressed;
+      if (sight) look(sight);
+      if (time) actions.standAt(time(engine, store.get()));
       block.begins?.(store);
     }
   });

@@ -2,7 +2,8 @@
 import { stepNames } from './path.js';
 import * as every from './steps/all.js';
 
-/** @import { Triple } from '../core/engine.js' */
+/** @import { Engine, Triple } from '../core/engine.js' */
+/** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
 /** @import { Sight } from './sights.js' */
 /** @import { Formula } from './notation.js' */
@@ -11,7 +12,7 @@ import * as every from './steps/all.js';
 /** @import { StepName } from './path.js' */
 /** In the place of the plane, beside it or under it, while one of these parts is open, or any; with `after` once somebody has predicted that question. @typedef {{ create: (tools: Tools, words: any) => Block, place: 'instead' | 'beside' | 'under', pages?: readonly string[], after?: string }} Stage */
 /** What a drive came to: in the experiment with this text. @typedef {{ experiment: string, gains: Triple, cost: number, arrived: boolean }} Priced */
-/** It may be about one sight of the figure. @typedef {readonly [name: string, link: string, sight?: Sight]} Try */
+/** It may be about one sight of the figure, and about one moment of the drive: there the robots’ clock then stands, in seconds. @typedef {readonly [name: string, link: string, sight?: Sight, time?: (engine: Engine, state: State) => number]} Try */
 /** What one reads and does, in this order. Texts, tries and questions are named as in the words of the step; a view may be a text that needs nobody to press it. With `after` it is not there before that question of the step is answered; `begins` is what a press sets going. */
 /**
  * @typedef {({ kind: 'text', name: string }

@@ -72,26 +72,32 @@ function record(store, { experiment, gains, cost, arrived }) {
 
 /** What a hand does with the gains: while it holds a slider, or a key of it, it has not moved yet. @param {Store} store */
 function watchHand(store) {
-  let held = false;
+  /** The slider. @type {EventTarget | null} */
+  let held = null;
   let moved = false;
   const isOfGains = (/** @type {EventTarget | null} */ target) =>
     target instanceof HTMLInputElement && target.closest('#gains') !== null;
   const on = (/** @type {string[]} */ types, /** @type {(event: Event) => void} */ act) => {
     for (const type of types) addEventListener(type, act, { capture: true });
   };
-  on(['pointerdown', 'keydown'], ({ target }) => {
-    held = isOfGains(target) && /** @type {HTMLInputElement} */ (target).type === 'range';
-  });
-  on(['pointerup', 'pointercancel', 'keyup', 'blur'], () => {
+  const letGo = () => {
     if (held) store.redraw();
-    held = false;
+    held = null;
+  };
+  on(['pointerdown', 'keydown'], ({ target }) => {
+    held = isOfGains(target) && /** @type {HTMLInputElement} */ (target).type === 'range' ? target : null;
+  });
+  on(['pointerup', 'pointercancel', 'keyup'], letGo);
+  // Of the slider or of the window: where a press begins, whatever had the focus before loses it.
+  on(['blur'], ({ target, currentTarget }) => {
+    if (target === held || target === currentTarget) letGo();
   });
   on(['input', 'change'], ({ target, type }) => {
     const isTyping = /** @type {HTMLInputElement} */ (target).type === 'text' && type === 'input';
     if (isOfGains(target) && !isTyping) moved = true;
   });
   return {
-    hasMoved: () => moved && !held,
+    hasMoved: () => moved && held === null,
     rest() {
       moved = false;
     },

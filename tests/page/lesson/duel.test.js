@@ -14,6 +14,7 @@ import { marksOf } from '../../../www/lesson/marks.js';
 import { duel as step } from '../../../www/lesson/steps/duel.js';
 import { noTally } from '../../../www/lesson/state.js';
 import { taskText } from '../../../www/lesson/tally.js';
+import { swarm } from '../../../www/lesson/words/en.js';
 import { duel as words } from '../../../www/lesson/words/en/duel.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evaluate, seedRuns, shown } from '../harness/core.js';
@@ -178,6 +179,22 @@ pageTest('drive, lock in, predict; every number is the core’s', async (page) =
     (parked) => document.getElementById('swarm-parked')?.textContent === parked,
     String(champion?.parked),
   );
+  const named = () => page.evaluate(() => document.querySelector('.swarm-name')?.textContent);
+  assert.equal(await named(), swarm.evolution(evolvedBest(1, 20).gains));
+  await drive(page, 'ky', 1);
+  assert.equal(await named(), swarm.own([1.05, 1.03, 1.04]), 'who drives on sees that');
+  await page.click('#duel-watch');
+  await page.until(
+    'evolution’s robots again',
+    (name) => document.querySelector('.swarm-name')?.textContent === name,
+    swarm.evolution(evolvedBest(1, 20).gains),
+  );
+  await page.click('[data-try="sharp"]');
+  await page.until(
+    'the robots of the try',
+    (name) => document.querySelector('.swarm-name')?.textContent === name,
+    swarm.own([12, 12, 6]),
+  );
   await page.click('#duel-again');
   await page.until('the second seed', () =>
     document.querySelector('#duel-table caption')?.textContent?.startsWith('Seed 2.'),
@@ -195,22 +212,20 @@ pageTest('drive, lock in, predict; every number is the core’s', async (page) =
 pageTest('a drag is one trial, however far it goes', async (page) => {
   await page.open('#lesson&step=9');
   await page.until('the robots', () => document.getElementById('swarm-parked'));
-  await page.evaluate(async () => {
-    const slider = /** @type {HTMLInputElement} */ (document.getElementById('slider-ky'));
-    const frame = () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-    const send = (/** @type {Event} */ event) => slider.dispatchEvent(event);
-    send(new PointerEvent('pointerdown', { bubbles: true }));
-    for (const value of [2, 3, 4, 5, 6]) {
-      slider.value = String(value);
-      send(new Event('input', { bubbles: true }));
-      await frame();
-    }
-    send(new PointerEvent('pointerup', { bubbles: true }));
-    send(new Event('change', { bubbles: true }));
-    await frame();
-  });
+  // A slider that has the focus loses it where the drag begins.
+  await drive(page, 'kx', 1);
   assert.equal(await textOf(page, 'duel-drives'), '1');
-  assert.equal(await textOf(page, 'duel-best'), shown(evaluate(contest, [1, 6, 1])[0]));
+  await page.drag(
+    '#slider-ky',
+    Array.from({ length: 8 }, (_, i) => ({ x: 100 + 20 * i, y: 12 })),
+    120,
+  );
+  await drawn(page);
+  const ky = Number(await page.evaluate(() => document.querySelector('input#slider-ky')?.value));
+  assert.ok(ky > 1);
+  assert.equal(await textOf(page, 'duel-drives'), '2');
+  const best = Math.min(...evaluate(contest, [1.01, 1, 1, 1.01, ky, 1]));
+  assert.equal(await textOf(page, 'duel-best'), shown(best));
 });
 
 pageTest('answers, trials and a locked duel outlast a reload of the tab', async (page) => {
@@ -240,6 +255,7 @@ pageTest('answers, trials and a locked duel outlast a reload of the tab', async 
     (text) => document.getElementById('duel-status')?.textContent === text,
     words.duel.elsewhere,
   );
+  assert.equal(await textOf(page, 'duel-beaten'), '', 'J of one task compares with none of another');
   await page.click('#duel-new');
   await drawn(page);
   assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));

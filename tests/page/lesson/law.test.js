@@ -84,10 +84,14 @@ test('in the drive from the paper’s start the kx term of ω steers back to the
   assert.ok(farthest.error.y * kx > 0);
 });
 
+/** @param {readonly Sample[]} all */
+const fastestOf = (all) =>
+  all.reduce((a, b) => (Math.abs(b.command.angular) > Math.abs(a.command.angular) ? b : a));
+
 test('with all three it arrives, and what the law asks for is far beyond the limits', () => {
   const { all } = seen(linkOf(step, 'all'));
   assert.equal(all[all.length - 1].outcome, 'arrived');
-  const most = all.reduce((a, b) => (Math.abs(b.command.angular) > Math.abs(a.command.angular) ? b : a));
+  const most = fastestOf(all);
   assert.ok(Math.abs(most.command.angular) > 1000);
   assert.equal(Math.abs(most.velocity.angular), 2 * Math.PI);
 });
@@ -153,6 +157,48 @@ pageTest('the bars are the core’s numbers at the robot’s clock, and follow a
   const without = samples(opened(linkOf(step, 'all')).experiment, [3, 0, 5]);
   assert.deepEqual(await barsAt(page, 0.6), rowsOf(without[60], [3, 0, 5]));
 });
+
+pageTest(
+  'the try without limits stands where the law asks for the fastest turn, which is said, and drives on',
+  async (page) => {
+    await page.open('#lesson&step=3');
+    const { all } = seen(linkOf(step, 'all'));
+    const told = await page.until('the text has its numbers', () =>
+      ['most', 'at'].map((name) => document.querySelector(`#lesson [data-value="${name}"]`)?.textContent),
+    );
+    const fastest = fastestOf(all);
+    assert.deepEqual(told, [signed(fastest.command.angular, 0), fastest.time.toFixed(2)]);
+
+    const free = seen(linkOf(step, 'unlimited')).all;
+    const largest = fastestOf(free);
+    assert.equal(largest.velocity.angular, largest.command.angular);
+    await page.click('[data-try="unlimited"]');
+    const shown = signed(largest.command.angular, 2);
+    await page.until(
+      'its bar',
+      (text) =>
+        [...document.querySelectorAll('#pushes .of-left .push-value')].some(
+          (one) => one.textContent === text,
+        ),
+      shown,
+    );
+    const cut = await page.evaluate(() =>
+      [...document.querySelectorAll('#pushes .push-value')]
+        .filter((one) => one.scrollWidth > one.clientWidth)
+        .map((one) => one.textContent),
+    );
+    assert.deepEqual(cut, []);
+    const clock = () =>
+      page.evaluate(() => Number(/** @type {HTMLInputElement} */ (document.getElementById('scrub')).value));
+    assert.equal(await clock(), largest.time);
+    await page.click('#play');
+    await page.until(
+      'it drives on',
+      (time) => Number(/** @type {HTMLInputElement} */ (document.getElementById('scrub')).value) > time,
+      largest.time,
+    );
+  },
+);
 
 pageTest('a term lights up its slider, its bars and its errors; another law shows no terms', async (page) => {
   await page.open('#lesson&step=3');

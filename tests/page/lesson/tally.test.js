@@ -7,12 +7,15 @@ import { liveOf } from './live.js';
 
 /** @typedef {import('../../../www/lesson/page.js').Live} Live */
 
-test('what counts is a drive with other gains than the link opened, made in this experiment', (t) => {
+/** Hands and gains without a page. @param {import('node:test').TestContext} t */
+function createHands(t) {
   /** @type {Map<string, ((event: object) => void)[]>} */
   const heard = new Map();
   class Input {
-    type = 'text';
     closest = () => this;
+    constructor(type = 'text') {
+      this.type = type;
+    }
   }
   const globals = /** @type {any} */ (globalThis);
   globals.HTMLInputElement = Input;
@@ -32,16 +35,31 @@ test('what counts is a drive with other gains than the link opened, made in this
     redraw() {},
   });
   const tally = createTally(store);
+  /** An event that the window hears. @param {string} type @param {object} target */
+  const fire = (type, target) => {
+    for (const act of heard.get(type) ?? []) act({ type, target, currentTarget: globals });
+  };
   /** How many there are after a frame. @param {Partial<Live['state']>} [patch] @param {boolean} [isTyped] */
   const counted = (patch, isTyped = true) => {
-    if (isTyped) for (const act of heard.get('change') ?? []) act({ target: new Input(), type: 'change' });
+    if (isTyped) fire('change', new Input());
     live = { ...live, state: { ...live.state, ...patch } };
     tally.count(live, /** @type {any} */ ({}));
     return progressSlice.of(live.state).tally.drives;
   };
-  /** @param {number} kx @returns {Partial<Live['state']>} */
-  const by = (kx) => ({ handGains: [kx, 1, 5], gainErrors: ['', '', ''] });
+  return {
+    counted,
+    fire,
+    window: globals,
+    createSlider: () => new Input('range'),
+    experiment: live.state.experiment,
+  };
+}
 
+/** @param {number} kx @returns {Partial<Live['state']>} */
+const by = (kx) => ({ handGains: [kx, 1, 5], gainErrors: ['', '', ''] });
+
+test('what counts is a drive with other gains than the link opened, made in this experiment', (t) => {
+  const { counted, experiment: first } = createHands(t);
   assert.equal(counted({}), 0, 'what the link opened');
   assert.equal(counted({ gainErrors: ['no number', '', ''] }), 0, 'what was refused');
   assert.equal(counted(by(4)), 1);
@@ -49,11 +67,38 @@ test('what counts is a drive with other gains than the link opened, made in this
   assert.equal(counted(by(3)), 2, 'back to what the link opened');
   assert.equal(counted({ gainErrors: ['no number', '', ''] }), 2);
   assert.equal(counted({ ...by(6), page: 'curves' }), 2, 'where nothing counts');
-  const experiment = structuredClone(live.state.experiment);
+  const experiment = structuredClone(first);
   assert.equal(
     counted({ ...by(7), page: 'lab', experiment }, false),
     2,
     'moved before, in another experiment',
   );
   assert.equal(counted(by(8)), 3);
+});
+
+test('what a slider passes through does not count, whatever had the focus before; where it is let go does', (t) => {
+  const { counted, fire, window, createSlider } = createHands(t);
+  const [before, slider] = [createSlider(), createSlider()];
+  let drives = 0;
+  /** Holds the slider, and counts nothing. @param {string} press @param {number[]} passed */
+  const hold = (press, passed) => {
+    fire(press, slider);
+    fire('blur', before);
+    for (const kx of passed) {
+      fire('input', slider);
+      assert.equal(counted(by(kx), false), drives, `${press}, at ${kx}`);
+    }
+  };
+  for (const [press, end, target] of /** @type {const} */ ([
+    ['pointerdown', 'pointerup', slider],
+    ['pointerdown', 'pointercancel', slider],
+    ['keydown', 'keyup', slider],
+    ['pointerdown', 'blur', slider],
+    ['pointerdown', 'blur', window],
+  ])) {
+    hold(press, [4, 5, 6 + drives]);
+    fire(end, target);
+    drives += 1;
+    assert.equal(counted({}, false), drives, `${press}, ${end}`);
+  }
 });

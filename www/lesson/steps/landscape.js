@@ -9,7 +9,8 @@ import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
 
-const turned = 'landscape&generation=60&goal.theta=90deg';
+/** The map with which the step opens, with another goal. */
+const turned = `${path.landscape}&goal.theta=90deg`;
 
 /** As dear as this times the lowest point is still the floor of the valley. */
 const floor = 1.05;
@@ -29,12 +30,13 @@ export const landscape = {
     { kind: 'text', name: 'map' },
     { kind: 'text', name: 'shape' },
     quiz('turn', {
-      shows: `${turned}&drives=paper-ep`,
+      shows: turned,
       async answer({ engine, state, gains }) {
         const { preset, experiment } = state;
+        const third = landscapeSlice.of(state).third ?? gains[1];
         const [old, now] = await Promise.all(
           [engine.experiment(preset), experiment].map((one) =>
-            lowestPoint(engine, { experiment: one, preset, x: 'kx', y: 'ktheta', gains }),
+            lowestPoint(engine, { experiment: one, preset, x: 'kx', y: 'ktheta', third }),
           ),
         );
         const [left] = engine.drive(experiment, [old.gains]);
@@ -47,7 +49,8 @@ export const landscape = {
       shows: 'landscape&x=kx&y=ky&generation=100',
       async answer({ engine, state, gains }) {
         const { preset, experiment } = state;
-        const lowest = await lowestPoint(engine, { experiment, preset, x: 'kx', y: 'ky', gains });
+        const third = gains[2];
+        const lowest = await lowestPoint(engine, { experiment, preset, x: 'kx', y: 'ky', third });
         const { most } = lowest;
         const [kx, ky, ktheta] = lowest.gains;
         const [middle, wall] = engine.drive(experiment, [

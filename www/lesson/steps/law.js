@@ -6,7 +6,7 @@ import { createPushes } from '../pushes.js';
 import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
 
-/** @import { Engine, Triple } from '../../core/engine.js' */
+/** @import { Engine, Experiment, Triple } from '../../core/engine.js' */
 /** @import { Live } from '../page.js' */
 /** @import { Step } from '../steps.js' */
 
@@ -25,18 +25,23 @@ const allThree = [3, 8, 5];
 /** @param {Triple} gains @param {string} rest */
 const byHand = (gains, rest) => `lab&drives=hand&gains=${gains.join(',')}&${rest}`;
 
+/** The fastest turn that the law asks for. @param {Engine} engine @param {Experiment} experiment @param {Triple} gains */
+const fastestTurn = (engine, experiment, gains) =>
+  engine
+    .samples(experiment, gains)
+    .map((one) => one)
+    .reduce((a, b) => (Math.abs(b.command.angular) > Math.abs(a.command.angular) ? b : a));
+
 /** Where the step's own drives end, and what they ask for on the way. */
 const numbersOf = remember((/** @type {Engine} */ engine) => {
   const experiment = engine.experiment({ starts: [start] });
   const { error } = engine.samples(experiment, kxAlone).at(-1);
-  const most = engine
-    .samples(experiment, allThree)
-    .map((one) => one)
-    .reduce((a, b) => (Math.abs(b.command.angular) > Math.abs(a.command.angular) ? b : a));
+  const most = fastestTurn(engine, experiment, allThree);
   return {
     side: fixed(Math.abs(error.y), 2),
     turned: degreesText(Math.abs(error.theta)),
     most: signed(Math.abs(most.command.angular), 0),
+    at: fixed(most.time, 2),
     leaves: signed(Math.abs(most.velocity.angular), 2),
   };
 });
@@ -80,7 +85,12 @@ export const law = {
       ['all', byHand(allThree, below)],
       ['stuck', byHand(withoutKy, beside)],
       ['shuffle', byHand(allThree, beside)],
-      ['unlimited', byHand(allThree, `${below}&limits.speed=off&limits.turnRate=off`)],
+      [
+        'unlimited',
+        byHand(allThree, `${below}&limits.speed=off&limits.turnRate=off`),
+        'stage',
+        (engine, { experiment }) => fastestTurn(engine, experiment, allThree).time,
+      ],
     ]),
     { kind: 'notice' },
     { kind: 'text', name: 'next' },

@@ -10,7 +10,7 @@ export const law = {
 A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. They stand beside these words. Grey: beyond what the wheels can do.`,
     written: `Stop the clock where the bars are long, and move a slider. The formula says the same: point at a term, and its slider, its bars and its errors light up.`,
     each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. (Two more terms of {w} contain {ye}: the next step shows what they cancel.) Now two gains together.`,
-    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from this start the gains 3, 8, 5 ask for up to {=most} rad/s, and the limits leave {=leaves}.`,
+    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from this start the gains 3, 8, 5 ask for {=most} rad/s after {=at} s, and the limits leave {=leaves}.`,
     next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and at every instant the wheels do what is asked.`,
   },
   pushes: {
@@ -53,11 +53,12 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
     all: 'All three: 3, 8, 5',
     stuck: 'Start beside the goal with {ky} = 0: nothing moves',
     shuffle: 'The same with {ky} = 8: it shuffles over, as one does in a parking space',
-    unlimited: 'All three on wheels without limits: look at the bar of {w}',
+    unlimited:
+      'All three on wheels without limits: the clock stops where {w} is largest. Look at its bar, then let the robot drive on',
   },
   notice: [
     'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',
-    'A bar with an arrow leaves the picture: then the limits drive, not the law.',
+    'A bar with an arrow leaves the picture: then the limits drive, where there are any, and not the law.',
     'In {w} each gain has a term, in {v} only two.',
     'What to do at sin {te} = 0 the paper does not say. Here its size is never taken as less than 0.000001.',
   ],

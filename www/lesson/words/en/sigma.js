@@ -59,6 +59,6 @@ Nobody judges {s} itself. Steps of a good length make good offspring, and these 
   },
   notice: [
     'At the beginning the curves rise, though {s} is halved as often as doubled: doubling adds more to a mean than halving takes away.',
-    'With this seed the step of {ky} collapses first. The best {ky} is close to 0, and J charges every gain below 0 heavily.',
+    'With seed 1 the step of {ky} collapses first. The best {ky} is close to 0, and J charges every gain below 0 heavily.',
   ],
 };
