@@ -7,7 +7,7 @@ import { byId, write } from '../kit/elements.js';
 import { remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
 import { gainsOf } from '../run/drivers.js';
-import { pausesAt } from '../run/pace.js';
+import { isReached, pausesAt } from '../run/pace.js';
 import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
 import { labSlice } from './state.js';
@@ -133,6 +133,8 @@ function evolutionNote({ history, generation, evolving, until, restart, experime
   if (history.length === 1) return strings.restartText(restart, population, isPapers);
   if (generation < history.length - 1 && !evolving)
     return strings.recordedText(generation, history.length - 1);
+  if (!evolving && until.kind === 'cost' && isReached(until, shown))
+    return strings.reachedText(until.value, shown);
   if (!evolving && pausesAt(until, shown)) return strings.restText(generation);
   return strings.progressText(history[0], shown);
 }

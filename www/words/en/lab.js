@@ -241,6 +241,10 @@ export function progressText(first, newest) {
 /** @param {number} generation */
 export const restText = (generation) => `Paused at generation ${generation}. Run goes on.`;
 
+/** @param {number} value Below which J was to come. @param {Statistics} statistics */
+export const reachedText = (value, { generation, best }) =>
+  `The best J of generation ${generation}, ${costText(best.cost)}, is below ${sixDigits(value)}. Run goes on.`;
+
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
   `Generation ${statistics.generation}: best J ${costText(statistics.best.cost)}`;

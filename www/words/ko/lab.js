@@ -236,6 +236,10 @@ export function progressText(first, newest) {
 export const restText = (generation) =>
   `${generation}세대에서 멈추었습니다. “진화 시작”을 누르면 이어집니다.`;
 
+/** @param {number} value Below which J was to come. @param {Statistics} statistics */
+export const reachedText = (value, { generation, best }) =>
+  `${generation}세대의 최소 J(${costText(best.cost)})가 ${sixDigits(value)}보다 작습니다. “진화 시작”을 누르면 이어집니다.`;
+
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
   `${statistics.generation}세대: 최소 J ${costText(statistics.best.cost)}`;
