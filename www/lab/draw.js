@@ -63,7 +63,7 @@ export function createDraw(views, engine, paper, turn) {
           gains: gainsOf(state, driver, paper),
           errors: state.gainErrors,
           range: sliderRange[preset],
-          note: strings.gainsNote(driver, isOneDrive(state) ? history[generation].best.cost : null),
+          note: gainsNote(state),
         }),
       notes: () =>
         views.notes.draw({
@@ -105,6 +105,13 @@ function drawCurve(views, state, scene) {
   const paper = isOneDrive(state) ? (scene.paperEp?.cost.total ?? null) : null;
   if (isCost) views.curve.draw({ history, generation, paper, theme });
   else views.sigmas.draw({ history, generation, theme });
+}
+
+/** @param {State} state */
+function gainsNote(state) {
+  const { driver, found, history, generation, versions } = state;
+  if (driver === 'hand' && found !== 'hand' && versions.past.at(-1)?.hand) return strings.gainsReplaced;
+  return strings.gainsNote(driver, isOneDrive(state) ? history[generation].best.cost : null);
 }
 
 /** @param {State} state */

@@ -1,31 +1,12 @@
 // What the controls do, without the controls.
 import assert from 'node:assert/strict';
 import { breathe } from '../../../www/kit/loop.js';
-import { links } from '../../../www/lesson/links.js';
-import { places } from '../../../www/parts/parts.js';
-import { createActions } from '../../../www/run/actions/actions.js';
-import { atEnd } from '../../../www/run/clock.js';
-import { firstState, noErrors } from '../../../www/run/first.js';
+import { noErrors } from '../../../www/run/first.js';
 import { lastGeneration, pausesAt } from '../../../www/run/pace.js';
 import { asked } from '../../../www/run/state.js';
-import { createStore } from '../../../www/run/store.js';
-import { createEngine, experiment } from '../harness/core.js';
+import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
-
-/** A page on which a link was opened. @param {string} link */
-function pageOf(link) {
-  const engine = createEngine();
-  const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});
-  const means = { engine, store, paper: engine.paper(), finalTime: () => 1, isStill: () => true, places };
-  const actions = createActions(means);
-  const open = (/** @type {string} */ text) => {
-    actions.openLinked(links.openLink(text, engine).opened, []);
-    // On a slow machine a link comes only a part of its way at once.
-    actions.evolve(() => store.get().catchingUp !== null);
-  };
-  open(link);
-  return { store, actions, open };
-}
+import { pageOf } from './page-of.js';
 
 test('whatever it waits for, evolution pauses at the last generation that a link and a file can say', () => {
   const statistics = /** @type {any} */ ({ generation: lastGeneration, best: { cost: 8 } });
