@@ -289,11 +289,7 @@ pageTest('a dot names its seed; opened in the lab, that seed ends at the same J'
   await page.until('the lab is open', () => document.body.dataset.open === 'lab');
   assert.equal(await page.text('#seed'), String(seed));
   assert.equal((await read(page)).driver, 'evolved');
-  await page.until(
-    'it is where the seeds ended',
-    (last) => document.getElementById('generation')?.textContent === last,
-    String(generations),
-  );
+  await page.until('the seed has run', () => document.getElementById('generation')?.textContent === '50');
   const { cost, gains, generation } = await read(page);
   const { champion } = runs[seed - 1];
   assert.deepEqual([generation, cost, gains], ['50', shown(champion.cost), shownGains(champion.gains)]);
