@@ -7,7 +7,7 @@ import { byId, write } from '../kit/elements.js';
 import { remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
 import { gainsOf } from '../run/drivers.js';
-import { pausesAt } from '../run/pace.js';
+import { isReached, pausesAt } from '../run/pace.js';
 import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
 import { labSlice } from './state.js';
@@ -63,7 +63,7 @@ export function createDraw(views, engine, paper, turn) {
           gains: gainsOf(state, driver, paper),
           errors: state.gainErrors,
           range: sliderRange[preset],
-          note: strings.gainsNote(driver, isOneDrive(state) ? history[generation].best.cost : null),
+          note: gainsNote(state),
         }),
       notes: () =>
         views.notes.draw({
@@ -108,6 +108,13 @@ function drawCurve(views, state, scene) {
 }
 
 /** @param {State} state */
+function gainsNote(state) {
+  const { driver, found, history, generation, versions } = state;
+  if (driver === 'hand' && found !== 'hand' && versions.past.at(-1)?.hand) return strings.gainsReplaced;
+  return strings.gainsNote(driver, isOneDrive(state) ? history[generation].best.cost : null);
+}
+
+/** @param {State} state */
 function evolutionOf(state) {
   const { page: open, evolving, generation, history, pace, until, untilError, computing } = state;
   const note = evolutionNote(state);
@@ -133,6 +140,8 @@ function evolutionNote({ history, generation, evolving, until, restart, experime
   if (history.length === 1) return strings.restartText(restart, population, isPapers);
   if (generation < history.length - 1 && !evolving)
     return strings.recordedText(generation, history.length - 1);
+  if (!evolving && until.kind === 'cost' && isReached(until, shown))
+    return strings.reachedText(until.value, shown);
   if (!evolving && pausesAt(until, shown)) return strings.restText(generation);
   return strings.progressText(history[0], shown);
 }

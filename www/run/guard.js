@@ -26,6 +26,7 @@ export const groupOf = {
   setUntil: 'run',
   newSeed: 'seed',
   useSeed: 'seed',
+  showSeed: 'seed',
   togglePlay: 'clock',
   scrub: 'clock',
   setSpeed: 'clock',

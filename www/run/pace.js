@@ -19,6 +19,10 @@ export const playsPhases = ({ evolving, catchingUp, pace }) =>
 /** The next generation at which it usually pauses. @param {number} generation */
 export const nextRest = (generation) => usualUntil.value * (Math.floor(generation / usualUntil.value) + 1);
 
+/** Whether what it is to go on to is there. @param {Until} until @param {Statistics} statistics */
+export const isReached = ({ kind, value }, { generation, best }) =>
+  kind === 'cost' ? best.cost < value : kind === 'generation' && generation >= value;
+
 /** Whether evolution is to pause at this generation; what has no end pauses where a link and a file can still say it. @param {Until} until @param {Statistics} statistics */
 export const pausesAt = ({ kind, value }, { generation, best }) =>
   kind === 'cost'

@@ -3,7 +3,7 @@
 /** @import { SheetTools } from './load.js' */
 /** @import { Picture } from './pictures.js' */
 import './style.css';
-import { html } from 'lit-html';
+import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { whenThere } from '../core/pending.js';
 import { copy } from '../kit/copy.js';
@@ -14,9 +14,11 @@ import { selectAll } from '../kit/templates.js';
 import { messageOf } from '../words/errors.js';
 import { opening } from '../words/index.js';
 import { sizes } from '../embed/frame.js';
+import { createTask, inLab } from '../parts/park/task.js';
 import { driveCsv, driveOrigin, generationsCsv } from './csv.js';
 import { fingerprintOf } from './code/fingerprint.js';
 import { createMaker } from './exercise/maker.js';
+import { withoutAnswer } from './handin/work.js';
 import { frameOf, isOnDisk } from './frame-text.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
 import { pngOf } from './png.js';
@@ -48,7 +50,9 @@ export function createKeep(tools, sheet) {
     draw();
   };
 
-  const show = (text = words.fingerprint(engine.hash(), store.get().history.length - 1)) => {
+  const fingerprint = () =>
+    parkedOf(tools) ? '' : words.fingerprint(engine.hash(), store.get().history.length - 1);
+  const show = (text = fingerprint()) => {
     pictures = picturesOnScreen();
     say(text);
     sheet.open();
@@ -102,22 +106,36 @@ export function createKeep(tools, sheet) {
       input.value = '';
       if (chosen) open(chosen);
     },
+    leave: () => sheet.dialog.close(),
     takeCode: insteadOfIt(openCode),
     check: insteadOfIt(openChecks),
   };
 
   const draw = () => {
     const frameText = frameOf(store.get(), linkNow(), frame.size);
-    sheet.draw(contentOf({ address: address(), frame, frameText, pictures, status }, on));
+    const park = parkedOf(tools);
+    sheet.draw(contentOf({ address: address(), frame, frameText, pictures, status, park }, on));
   };
 
   return { start, open, drawMaker: maker.draw };
 }
 
+/** In Park, where the lab's run is out of sight: what is there instead, and the lab's link of it, if anybody has tried. @param {SheetTools} tools */
+function parkedOf({ engine, store, links }) {
+  const state = store.get();
+  if (state.page !== withoutAnswer) return null;
+  const run = inLab(state, createTask(engine).experiment);
+  return { run, link: run && links.linkOf(run, engine.experiment) };
+}
+
 /** What is saved as a file, each with the name of the run. @param {SheetTools} tools @param {HTMLDialogElement} dialog @param {() => string} address @param {(text: string) => void} say */
-function createSaving({ engine, store, links, sceneOf }, dialog, address, say) {
+function createSaving(tools, dialog, address, say) {
+  const { engine, store, links, sceneOf } = tools;
   const origin = () => words.origin(engine.version(), address());
-  const name = () => words.fileName(store.get().experiment.evolution.seed, store.get().generation);
+  const name = () => {
+    const { experiment, generation } = parkedOf(tools)?.run ?? store.get();
+    return words.fileName(experiment.evolution.seed, generation);
+  };
   const saveCsv = (/** @type {string} */ what, /** @type {string} */ content) =>
     download(`${name()}-${what}.csv`, 'text/csv', content);
   const saveDrive = () => {
@@ -146,20 +164,21 @@ function createSaving({ engine, store, links, sceneOf }, dialog, address, say) {
 }
 
 /**
- * @typedef {Record<'copyLink' | 'copyFrame' | 'makeExercise' | 'collect' | 'saveRun' | 'saveGenerations' | 'saveDrive' | 'takeCode' | 'check', () => void>
+ * @typedef {Record<'leave' | 'copyLink' | 'copyFrame' | 'makeExercise' | 'collect' | 'saveRun' | 'saveGenerations' | 'saveDrive' | 'takeCode' | 'check', () => void>
  *   & { chooseFrame: (value: string) => void, choose: (event: Event) => void, savePicture: (picture: Picture, kind: typeof kinds[number]) => void }} Events
  */
 
-/** @param {{ address: string, frame: typeof frames[number], frameText: string, pictures: readonly Picture[], status: string }} shown @param {Events} on */
-const contentOf = ({ address, frame, frameText, pictures, status }, on) => html`
+/** @param {{ address: string, frame: typeof frames[number], frameText: string, pictures: readonly Picture[], status: string, park: ReturnType<typeof parkedOf> | null }} shown @param {Events} on */
+const contentOf = ({ address, frame, frameText, pictures, status, park }, on) => html`
   <h3>${texts.keepLink}</h3>
-  <p class="muted">${texts.keepLinkHelp}</p>
+  <p class="muted">${park ? texts.keepParkHelp : texts.keepLinkHelp}</p>
   <div class="bar">
     <input id="keep-link" type="text" readonly aria-label=${texts.keepLink} .value=${live(address)} @focus=${selectAll}>
     <button id="keep-copy" type="button" class="primary" @click=${on.copyLink}>${texts.keepCopy}</button>
   </div>
+  ${park ? toLab(park.link, on) : nothing}
   <h3>${texts.embedTitle}</h3>
-  <p class="muted">${texts.embedHelp}</p>
+  <p class="muted">${park ? texts.embedParkHelp : texts.embedHelp}</p>
   <div class="bar">
     <fieldset id="embed-size" class="segmented">${choicesOf('embed-size', words.sizeLegend, frames, frame.value, on.chooseFrame)}</fieldset>
     <button id="embed-copy" type="button" @click=${on.copyFrame}>${texts.embedCopy}</button>
@@ -173,15 +192,11 @@ const contentOf = ({ address, frame, frameText, pictures, status }, on) => html`
     <button id="keep-exercise" type="button" @click=${on.makeExercise}>${texts.keepExercise}</button>
     <button id="keep-collect" type="button" @click=${on.collect}>${texts.keepCollect}</button>
   </div>
-  <h3>${texts.keepCodeTitle}</h3>
-  <p class="muted">${texts.keepCodeHelp}</p>
-  <div class="bar">
-    <button id="keep-code" type="button" @click=${on.takeCode}>${texts.keepCode}</button>
-  </div>
+  ${park ? nothing : code(on)}
   <h3>${texts.keepFile}</h3>
   <p class="muted">${texts.keepFileHelp}</p>
   <div class="bar">
-    <button id="keep-save" type="button" @click=${on.saveRun}>${texts.keepSave}</button>
+    ${park ? nothing : html`<button id="keep-save" type="button" @click=${on.saveRun}>${texts.keepSave}</button>`}
     <button id="keep-open" type="button" @click=${() => document.getElementById('keep-file')?.click()}>${texts.keepOpen}</button>
     <input id="keep-file" type="file" accept="application/json,.json" hidden @change=${on.choose}>
   </div>
@@ -195,10 +210,27 @@ const contentOf = ({ address, frame, frameText, pictures, status }, on) => html`
             @click=${() => on.savePicture(picture, kind)}>${words.kindName(kind[0])}</button>`,
       )}</li>`,
   )}</ul>
+  ${park ? nothing : tables(on)}
+  <p id="keep-status" class="keep-status" role="status">${status}</p>
+  <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>`;
+
+/** @param {string | null} link @param {Events} on */
+const toLab = (link, on) => html`
+  <p id="keep-park" class="muted">${link ? texts.keepParkFound : texts.keepParkEmpty}
+    ${link ? html`<a id="keep-lab" href="#${link}" @click=${on.leave}>${texts.keepParkLab}</a>` : nothing}</p>`;
+
+/** @param {Events} on */
+const code = (on) => html`
+  <h3>${texts.keepCodeTitle}</h3>
+  <p class="muted">${texts.keepCodeHelp}</p>
+  <div class="bar">
+    <button id="keep-code" type="button" @click=${on.takeCode}>${texts.keepCode}</button>
+  </div>`;
+
+/** @param {Events} on */
+const tables = (on) => html`
   <h3>${texts.keepTables}</h3>
   <div class="bar">
     <button id="keep-generations" type="button" @click=${on.saveGenerations}>${texts.keepGenerations}</button>
     <button id="keep-drive" type="button" @click=${on.saveDrive}>${texts.keepDrive}</button>
-  </div>
-  <p id="keep-status" class="keep-status" role="status">${status}</p>
-  <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>`;
+  </div>`;

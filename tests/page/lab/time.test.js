@@ -88,6 +88,13 @@ pageTest('evolution stops at the first J below the one that is asked for', async
   await page.click('#run');
   await rests(page);
   assert.deepEqual(await readEvolution(page), expected(generation));
+  const { cost } = evolution.statistics().best;
+  const said = `The best J of generation ${generation}, ${cost.toFixed(3)}, is below 7.9. Run goes on.`;
+  assert.equal(await page.text('#evolution-note'), said);
+  await choose(page, 'pace', 'fastest');
+  await page.click('#run');
+  await page.until('it goes on', () => document.getElementById('generation')?.textContent === '100');
+  assert.deepEqual(await readEvolution(page), expected(100));
 });
 
 pageTest('as fast as it goes it comes to the same generation 100', async (page) => {

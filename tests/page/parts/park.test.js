@@ -91,6 +91,12 @@ engineTest(
     await page.open('');
     assert.equal(await page.evaluate(() => document.body.dataset.open), 'park');
     assert.equal(await (await page.element('#park-evolve')).isEnabled(), false);
+    const why = () =>
+      page.evaluate(() => {
+        const id = document.getElementById('park-evolve')?.getAttribute('aria-describedby');
+        return document.getElementById(id ?? '')?.textContent ?? '';
+      });
+    assert.match(await why(), /^First move a slider/);
     await page.setPace(8);
     await slide(page, 'kx', 5);
     await slide(page, 'ky', 5);
@@ -159,6 +165,51 @@ pageTest('the evolution that was seen is opened in the lab, with the same best r
     () => /** @type {HTMLInputElement} */ (document.getElementById('gain-ky')).value,
   );
   assert.equal(Number(shown), Number(gains[1].toFixed(3)));
+});
+
+/** What Share offers, once its sheet is there. @param {Page} page */
+async function shared(page) {
+  await page.click('#keep-button');
+  return page.until('Share is there', () => {
+    const sheet = document.getElementById('keep');
+    return (
+      sheet?.querySelector('#keep-link') && {
+        said: sheet.textContent ?? '',
+        link: /** @type {HTMLInputElement} */ (sheet.querySelector('#keep-link')).value.split('#')[1],
+        lab: sheet.querySelector('#keep-lab')?.getAttribute('href') ?? null,
+        ofLab: sheet.querySelectorAll('#keep-code, #keep-save, #keep-generations, #keep-drive').length,
+      }
+    );
+  });
+}
+
+pageTest('Share says that Park is in no link, and leads to what was found here in the lab', async (page) => {
+  await page.open('#park');
+  const { said, ...before } = await shared(page);
+  assert.deepEqual(before, { link: 'park', lab: null, ofLab: 0 });
+  assert.ok(said.includes('What was tried here is not in it') && !said.includes('Fingerprint'), said);
+  await page.click('#keep-close');
+  await slide(page, 'ky', 3);
+  const byHand = await shared(page);
+  assert.match(byHand.lab ?? '', /^#lab&.*drives=hand&gains=[\d.]+,3,[\d.]+/);
+  await page.click('#keep-close');
+  await page.setPace(8);
+  await page.click('#park-evolve');
+  await page.until('it has come to its end', () => document.getElementById('park-lab'));
+  const evolved = await shared(page);
+  assert.equal(
+    evolved.lab,
+    await page.evaluate(() => document.getElementById('park-lab')?.getAttribute('href')),
+  );
+  assert.equal(evolved.ofLab, 0);
+  await page.click('#keep-lab');
+  await page.until('the lab is open', () => document.body.dataset.open === 'lab');
+  await page.until(
+    'the generation is there',
+    (number) => document.getElementById('generation')?.textContent === number,
+    String(bred(1).generation),
+  );
+  assert.equal((await shared(page)).ofLab, 4);
 });
 
 pageTest(

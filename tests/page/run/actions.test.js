@@ -1,31 +1,12 @@
 // What the controls do, without the controls.
 import assert from 'node:assert/strict';
 import { breathe } from '../../../www/kit/loop.js';
-import { links } from '../../../www/lesson/links.js';
-import { places } from '../../../www/parts/parts.js';
-import { createActions } from '../../../www/run/actions/actions.js';
-import { atEnd } from '../../../www/run/clock.js';
-import { firstState, noErrors } from '../../../www/run/first.js';
+import { noErrors } from '../../../www/run/first.js';
 import { lastGeneration, pausesAt } from '../../../www/run/pace.js';
 import { asked } from '../../../www/run/state.js';
-import { createStore } from '../../../www/run/store.js';
-import { createEngine, experiment } from '../harness/core.js';
+import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
-
-/** A page on which a link was opened. @param {string} link */
-function pageOf(link) {
-  const engine = createEngine();
-  const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});
-  const means = { engine, store, paper: engine.paper(), finalTime: () => 1, isStill: () => true, places };
-  const actions = createActions(means);
-  const open = (/** @type {string} */ text) => {
-    actions.openLinked(links.openLink(text, engine).opened, []);
-    // On a slow machine a link comes only a part of its way at once.
-    actions.evolve(() => store.get().catchingUp !== null);
-  };
-  open(link);
-  return { store, actions, open };
-}
+import { pageOf } from './page-of.js';
 
 test('whatever it waits for, evolution pauses at the last generation that a link and a file can say', () => {
   const statistics = /** @type {any} */ ({ generation: lastGeneration, best: { cost: 8 } });
@@ -213,15 +194,64 @@ test('each press on back leads one generation back, also while one is being comp
   assert.equal(store.get().generation, 1);
 });
 
-test('past the generation that it was to stop at, evolution pauses as usual, and says so', () => {
-  const { store, actions } = pageOf('lab&generation=6');
-  actions.setUntil('generation', '8');
-  const run = () => {
-    actions.toggleEvolution();
-    let left = 200;
-    actions.evolve(() => left-- > 0);
-    return store.get().generation;
+test('a seed is shown at its generation, and what has evolved from it stays', async () => {
+  const { store, actions } = pageOf('lab&generation=3');
+  const seen = async () => {
+    actions.evolve(() => store.get().catchingUp !== null);
+    await actions.whenIdle();
+    const { experiment: now, generation, history, evolving } = store.get();
+    return [now.evolution.seed, generation, history.length - 1, evolving];
   };
+  const [first] = store.get().history;
+  actions.showSeed(1, 12);
+  assert.deepEqual(await seen(), [1, 12, 12, false]);
+  actions.showSeed(1, 5);
+  assert.deepEqual(await seen(), [1, 5, 12, false]);
+  assert.equal(store.get().history[0], first);
+  actions.showSeed(7, 8);
+  assert.deepEqual(await seen(), [7, 8, 8, false]);
+  assert.notDeepEqual(store.get().history[0], first);
+  // In what is being set.
+  actions.changeSetting('evolution.population', many, false);
+  actions.showSeed(7, 1);
+  await actions.whenIdle();
+  while (store.get().catchingUp) await seen();
+  assert.deepEqual([store.get().population.length, ...(await seen())], [many, 7, 1, 1, false]);
+});
+
+/** Presses Run, and says where evolution pauses. @param {ReturnType<typeof pageOf>} page */
+function runOf({ store, actions }) {
+  actions.toggleEvolution();
+  let left = 200;
+  actions.evolve(() => left-- > 0);
+  return store.get().generation;
+}
+
+test('past the J that it was to come below, evolution pauses as usual', () => {
+  const page = pageOf('lab');
+  const { store, actions } = page;
+  actions.setUntil('cost', '8');
+  const reached = runOf(page);
+  assert.ok(reached < 100);
+  assert.deepEqual(
+    store.get().history.map(({ best }) => best.cost < 8),
+    [...Array(reached).fill(false), true],
+  );
+  assert.equal(runOf(page), 100);
+  assert.deepEqual(store.get().until, { kind: 'every', value: 100 });
+  // Asked for where it is reached already, and from before.
+  actions.setUntil('cost', '8');
+  assert.equal(runOf(page), 200);
+  actions.setUntil('cost', '8');
+  actions.showGeneration(0);
+  assert.equal(runOf(page), reached);
+});
+
+test('past the generation that it was to stop at, evolution pauses as usual, and says so', () => {
+  const page = pageOf('lab&generation=6');
+  const { store, actions } = page;
+  actions.setUntil('generation', '8');
+  const run = () => runOf(page);
   assert.equal(run(), 8);
   assert.equal(store.get().until.value, 8);
   // From before it, it is where evolution stops again.

@@ -74,3 +74,22 @@ engineTest('an arrow key that is held is one step of undo, each press another', 
   await chord(page, Key.CONTROL, 'z');
   assert.deepEqual((await read(page)).goal, goal);
 });
+
+pageTest(
+  'gains from the landscape take the place of those by hand, which one step of undo brings back',
+  async (page) => {
+    await page.open('#landscape&generation=3&drives=hand&gains=3,1,5');
+    const { gains } = await read(page);
+    await page.focus('#landscape-map');
+    await page.press(Key.ARROW_RIGHT, Key.ENTER);
+    await page.click('#page-lab');
+    await page.until('others drive', () =>
+      document.getElementById('gains-note')?.textContent?.includes('Ctrl+Z'),
+    );
+    assert.notDeepEqual((await read(page)).gains, gains);
+    await chord(page, Key.CONTROL, 'z');
+    const back = await read(page);
+    assert.deepEqual([back.gains, back.driver, back.generation], [gains, 'hand', '3']);
+    assert.doesNotMatch(await page.text('#gains-note'), /Ctrl/);
+  },
+);

@@ -110,8 +110,8 @@ function createEvents(store, actions, requests, choose) {
     update: (patch) => luckSlice.update(store, patch),
     onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
     onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
-    onOpen: (seed) => {
-      actions.useSeed(seed);
+    onOpen: (seed, generation) => {
+      actions.showSeed(seed, generation);
       actions.chooseDriver('evolved');
       actions.openPage('lab');
     },

@@ -17,7 +17,7 @@ import { isSameButSeed } from './same.js';
  * @property {(patch: Partial<LuckState>) => void} update
  * @property {() => void} onRun
  * @property {(rank: number) => void} onRank
- * @property {(seed: number) => void} onOpen
+ * @property {(seed: number, generation: number) => void} onOpen
  * @property {() => void} onTable
  */
 
@@ -87,7 +87,7 @@ function seedInQuestion(result, index, fresh, { onRank, onOpen }) {
           @input=${(/** @type {Event} */ event) => onRank(Number(valueIn(event)))}>
         <span class="muted">${texts.luckUnluckiest}</span></label>
       <p id="luck-readout" class="luck-readout">${readout}</p>
-      <button id="luck-open" type="button" .hidden=${!fresh} @click=${() => onOpen(seed)}>${words.openSeed(seed)}</button>
+      <button id="luck-open" type="button" .hidden=${!fresh} @click=${() => onOpen(seed, result?.generations ?? 0)}>${words.openSeed(seed)}</button>
     </div>`;
 }
 

@@ -4,15 +4,15 @@
 import './style.css';
 import { render } from 'lit-html';
 import { create, followSize } from '../../kit/elements.js';
-import { remember, watch } from '../../kit/memo.js';
+import { watch } from '../../kit/memo.js';
 import { isFree } from '../../run/guard.js';
 import { createSection } from '../section.js';
 import { isOver, parkedBy } from './film.js';
 import { createParkPicture } from './picture.js';
 import { createPlay } from './play.js';
-import { heading, linkToLab, sight } from './sight.js';
+import { heading, sight } from './sight.js';
 import { parkSlice } from './state.js';
-import { createTask, mostGain } from './task.js';
+import { createTask, inLab, mostGain } from './task.js';
 import words from './words/index.js';
 
 /** @param {Tools} tools @returns {Page} */
@@ -33,7 +33,6 @@ export function createPage({ engine, store, paper, links }) {
   const size = followSize(plane, play.request);
 
   const changed = watch();
-  const linkOf = remember((/** @type {State} */ state) => links.linkOf(state, engine.experiment));
   return {
     element,
     draw(state) {
@@ -58,7 +57,8 @@ export function createPage({ engine, store, paper, links }) {
       };
       if (!changed(state.slices.park, parked, model.over, model.isFree, model.isOwn)) return;
       plane.setAttribute('aria-label', words.picture(parked, model.count));
-      const lab = linkToLab(state, task.experiment(model.seed), model.bred, linkOf);
+      const found = inLab(state, task.experiment);
+      const lab = found && links.linkOf(found, engine.experiment);
       render(heading(model), head);
       render(sight(model, { ...play.on, lesson: links.linkOfStep(1), lab }), side);
     },

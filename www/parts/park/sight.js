@@ -1,12 +1,10 @@
 // What stands beside the parking place: what to do, how many have parked, three sliders, and what evolution found.
 /** @import { Experiment, Triple } from '../../core/engine.js' */
-/** @import { State } from '../../run/state.js' */
 /** @import { Bred, ParkState } from './state.js' */
 import { html, nothing, svg } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { styled, valueIn } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
-import { preset } from './task.js';
 import words from './words/index.js';
 
 /** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, moved: boolean, isFree: boolean, isOwn: boolean, parked: number, over: boolean, count: number, most: number, population: number, tolerance: Experiment['tolerance'] }} Model `isFree`: the sliders can be moved; `isOwn`: the robots drive with the sliders' gains. */
@@ -31,12 +29,12 @@ export function sight(model, on) {
       <span class="muted">${newest && !evolving && over ? '' : seen}</span></p>
     <fieldset id="park-gains" aria-label=${words.sliders}>${lab.gains.map((gain, i) => rowOf(gain, i, model, on))}</fieldset>
     <p class="park-bar">
-      <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree}
+      <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree} aria-describedby=${bred.length > 0 ? nothing : 'park-hint'}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
       <button id="park-again" type="button" .disabled=${evolving || !over} @click=${on.again}>${words.again}</button>
     </p>
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
-    ${bred.length > 0 ? climb(model) : html`<p class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
+    ${bred.length > 0 ? climb(model) : html`<p id="park-hint" class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
     ${over && !evolving && parked < count ? html`<p class="muted">${words.missed(model.tolerance)}</p>` : nothing}
     ${newest && !evolving ? comparison(model, newest) : nothing}
     ${newest && !evolving ? html`<p class="park-on"><a id="park-lesson" href="#${on.lesson}">${words.how}</a> ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
@@ -85,18 +83,4 @@ function comparison({ best, gains, count }, found) {
     <thead><tr><td></td>${lab.gains.map(({ letter, index }) => html`<th scope="col"><i>${letter}</i><sub>${index}</sub></th>`)}<th scope="col">${words.parkedColumn}</th></tr></thead>
     <tbody>${row(words.bestByHand, mine.gains, mine.parked)}${row(words.evolved, found.gains, found.parked)}</tbody>
   </table>`;
-}
-
-/** The lab with the evolution that was seen, as far as it came. @param {State} state @param {Experiment} experiment @param {readonly Bred[]} bred @param {(state: State) => string} linkOf */
-export function linkToLab(state, experiment, bred, linkOf) {
-  const found = bred.at(-1);
-  if (!found) return null;
-  return linkOf({
-    ...state,
-    page: 'lab',
-    preset,
-    experiment,
-    generation: found.generation,
-    driver: 'evolved',
-  });
 }

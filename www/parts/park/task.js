@@ -1,11 +1,14 @@
 // What there is to do: to park from every start of a circle; turning is cheap.
 /** @import { Engine, Experiment, PaperResult, Run, Triple } from '../../core/engine.js' */
+/** @import { State } from '../../run/state.js' */
+
+import { parkSlice } from './state.js';
 
 /** A robot's drive, and how far its wheels have rolled at each sample, in metres. @typedef {{ run: Run, left: Float64Array, right: Float64Array }} Drive */
 
 /** Around the goal. */
 export const circle = { x: 2, y: 2, radius: 2.83, count: 32, seed: 1 };
-export const preset = 'velocity-limits';
+export const preset = /** @type {const} */ ('velocity-limits');
 /** Where the sliders end, which begin at 0: no hand parks all with them. */
 export const mostGain = 12;
 /** Between the wheels, in metres: as the robots are drawn. */
@@ -37,6 +40,15 @@ export function createTask(engine) {
       return gains.map((_, i) => runs.map((run) => withWheels(run[i])));
     },
   };
+}
+
+/** The lab with what was found here: by evolution, as far as it came, else by hand; null where nobody has tried. @param {State} state @param {(seed: number) => Experiment} experimentOf @returns {State | null} */
+export function inLab(state, experimentOf) {
+  const { bred, gains, seed } = parkSlice.of(state);
+  const run = { ...state, page: 'lab', preset, experiment: experimentOf(seed) };
+  const found = bred.at(-1);
+  if (found) return { ...run, generation: found.generation, driver: 'evolved' };
+  return gains && { ...run, generation: 0, driver: 'hand', handGains: gains, found: 'hand' };
 }
 
 /** With these the sliders begin where the paper's are hidden. @type {Triple} */

@@ -7,14 +7,18 @@ import { lab as words } from '../../words/index.js';
 import { advanceRobot, atEnd, fromStart } from '../clock.js';
 import { gainsOf } from '../drivers.js';
 import { noErrors } from '../first.js';
+import { afterHand } from '../undo.js';
 
 /** @param {Basis} basis */
 export function createDrive({ engine, store, paper, attempt, shown, driveAgain }) {
   /** @param {readonly number[]} gains @param {Found} [found] */
   const driveByHand = (gains, found = 'hand') => {
     const handGains = /** @type {Triple} */ (gains);
-    engine.check(store.get().experiment, handGains);
-    store.update({ handGains, found, driver: 'hand', gainErrors: noErrors, message: '' });
+    const before = store.get();
+    engine.check(before.experiment, handGains);
+    const givesWay = found !== 'hand' && before.found === 'hand' && before.handGains !== null;
+    const versions = givesWay ? afterHand(before) : before.versions;
+    store.update({ handGains, found, driver: 'hand', gainErrors: noErrors, message: '', versions });
   };
 
   /** @param {number} index @param {string} error */

@@ -6,7 +6,7 @@ import { lab as words } from '../../words/index.js';
 import { atEnd, fromStart } from '../clock.js';
 import { isFree } from '../guard.js';
 import { asked } from '../state.js';
-import { lastGeneration, paces, pausesAt, playsPhases, usualUntil } from '../pace.js';
+import { isReached, lastGeneration, paces, pausesAt, playsPhases, usualUntil } from '../pace.js';
 
 /** Milliseconds of a frame in which a run catches up. */
 const atOnce = 30;
@@ -20,7 +20,7 @@ export function createEvolution(basis, openPage) {
   return {
     ...generations,
     ...play,
-    ...createSeeds(basis),
+    ...createSeeds(basis, generations.catchUp),
 
     forward: () => onceBegun(() => forward()),
 
@@ -157,8 +157,8 @@ function createPlay({ store, places, isStill, forget }, openPage) {
   };
 }
 
-/** Over again. @param {Basis} basis */
-function createSeeds({ engine, store, attempt, begin, shown }) {
+/** Over again. @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
+function createSeeds({ engine, store, attempt, begin, onceBegun, shown }, catchUp) {
   /** @param {number} seed */
   const useSeed = (seed) => {
     store.update({ evolving: false });
@@ -172,6 +172,12 @@ function createSeeds({ engine, store, attempt, begin, shown }) {
   return {
     useSeed,
 
+    /** A generation of the evolution with a seed, which may be the one that is there. @param {number} seed @param {number} generation */
+    showSeed(seed, generation) {
+      if (asked(store.get()).experiment.evolution.seed !== seed) useSeed(seed);
+      onceBegun(() => catchUp(generation, generation));
+    },
+
     newSeed: () => useSeed(engine.randomSeed()),
 
     reset() {
@@ -184,8 +190,6 @@ function createSeeds({ engine, store, attempt, begin, shown }) {
 /** From where evolution goes on. @param {State} state */
 const generationNow = ({ computing, generation }) => (computing?.next ? 0 : generation);
 
-/** A generation that has passed is no end: from there on evolution pauses as it usually does. @param {State} state */
-const untilAhead = (state) =>
-  state.until.kind === 'generation' && state.until.value <= generationNow(state)
-    ? { until: usualUntil, untilError: '' }
-    : {};
+/** What has been reached is no end: from there on evolution pauses as it usually does. @param {State} state */
+const untilAhead = ({ until, computing, history, generation }) =>
+  !computing?.next && isReached(until, history[generation]) ? { until: usualUntil, untilError: '' } : {};

@@ -1,14 +1,15 @@
 // What is asked of the robot: start and goal, limits, and every other setting, with the way back.
 /** @import { Posture, Preset } from '../../core/engine.js' */
 /** @import { Value } from '../paths.js' */
-/** @import { Next, Restart } from '../state.js' */
+/** @import { Next, Restart, State } from '../state.js' */
 /** @import { Basis } from './basis.js' */
 import { Pending } from '../../core/pending.js';
 import { isLost, messageOf } from '../../words/errors.js';
 import { settings as words } from '../../words/index.js';
+import { noErrors } from '../first.js';
 import { valueAt, withValue } from '../paths.js';
 import { asked, endsOf, noTrial } from '../state.js';
-import { afterDrag, redone, undone } from '../undo.js';
+import { afterDrag, isOfNow, redone, undone } from '../undo.js';
 import { drawnFor } from '../variant.js';
 
 /** @typedef {'start' | 'goal'} End */
@@ -17,19 +18,22 @@ import { drawnFor } from '../variant.js';
 const isSame = (a, b) => a.x === b.x && a.y === b.y && a.theta === b.theta;
 
 /** @param {Basis} basis */
-export function createExperiments(basis) {
-  const { engine, store, attempt, nextOf, tryToBegin, begin, shown, settle } = basis;
-
-  /** @param {Next} next @param {Restart} restart */
-  const beginSettled = (next, restart) =>
+const createSettled =
+  ({ attempt, tryToBegin, settle }) =>
+  (/** @type {Next} */ next, /** @type {Restart} */ restart, /** @type {Partial<State>} */ patch = {}) =>
     attempt(
       () => {
-        tryToBegin(next, restart);
+        tryToBegin(next, restart, patch);
         settle();
       },
       { what: 'begin', next },
     );
 
+/** @param {Basis} basis */
+export function createExperiments(basis) {
+  const { engine, store, attempt, nextOf, tryToBegin, begin, shown, settle } = basis;
+
+  const beginSettled = createSettled(basis);
   /** A posture or a setting is let go. @param {Restart} restart */
   const release = (restart) => {
     const before = store.get();
@@ -44,8 +48,15 @@ export function createExperiments(basis) {
     const now = asked(store.get());
     const step = stepOf(now);
     if (!step || now.dragging) return;
-    const { preset, experiment } = step.version;
-    beginSettled(nextOf(experiment, { preset, versions: step.versions }), restart);
+    const { version, versions } = step;
+    const { preset, experiment, hand } = version;
+    const patch = hand && { ...hand, gainErrors: noErrors };
+    // Other gains alone begin nothing.
+    if (patch && !store.get().computing?.next && isOfNow(now, version)) {
+      store.update({ ...patch, versions });
+      return settle();
+    }
+    beginSettled(nextOf(experiment, { preset, versions }), restart, patch);
   };
 
   /** @param {string} path @param {string} text */

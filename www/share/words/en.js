@@ -7,6 +7,12 @@ export const texts = {
   keepLink: 'Link',
   keepLinkHelp: 'Opens this very run anywhere: the same robots, the same evolution, the same view.',
   keepCopy: 'Copy link',
+  keepParkHelp: 'Opens Park as it is at first, for whoever wants to try. What was tried here is not in it.',
+  keepParkFound:
+    'What was found here can be shared as a run of the lab: as a link, as code for a robot, as a file, as tables.',
+  keepParkEmpty:
+    'What is found here, by hand or by evolution, can be shared from the lab, which is offered here then.',
+  keepParkLab: 'Open it in the lab',
   keepFile: 'File',
   keepSave: 'Save the run',
   keepOpen: 'Open a run',
@@ -19,6 +25,8 @@ export const texts = {
   embedTitle: 'Embed',
   embedHelp:
     'Puts this view into another page, as it is now: a course page, a blog, slides. It stands still until someone uses it.',
+  embedParkHelp:
+    'Puts Park into another page, as it is at first: a course page, a blog, slides. It stands still until someone uses it.',
   embedText: 'The text to paste',
   embedCopy: 'Copy',
   embedDisk: 'This page was opened from a disk: put its file beside the page into which you paste this.',

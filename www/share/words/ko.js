@@ -7,6 +7,11 @@ export const texts = {
   keepLink: '링크',
   keepLinkHelp: '어디서나 바로 이 실행을 엽니다. 로봇도 진화도 화면도 같습니다.',
   keepCopy: '링크 복사',
+  keepParkHelp: '누구나 해 볼 수 있도록 처음 상태의 주차를 엽니다. 여기서 해 본 것은 담기지 않습니다.',
+  keepParkFound:
+    '여기서 찾은 것은 실험실의 실행으로 나눌 수 있습니다. 링크, 로봇에 쓸 코드, 파일, 표가 거기에 있습니다.',
+  keepParkEmpty: '직접 또는 진화로 찾은 것은 실험실에서 나눌 수 있습니다. 찾은 뒤에는 여기서 열 수 있습니다.',
+  keepParkLab: '실험실에서 열기',
   keepFile: '파일',
   keepSave: '실험 저장',
   keepOpen: '실험 열기',
@@ -19,6 +24,8 @@ export const texts = {
   embedTitle: '삽입',
   embedHelp:
     '지금 보이는 화면을 강의 페이지, 블로그, 슬라이드 같은 다른 페이지에 넣습니다. 조작하기 전까지는 움직이지 않습니다.',
+  embedParkHelp:
+    '처음 상태의 주차를 강의 페이지, 블로그, 슬라이드 같은 다른 페이지에 넣습니다. 조작하기 전까지는 움직이지 않습니다.',
   embedText: '붙여 넣을 코드',
   embedCopy: '복사',
   embedDisk: '이 페이지는 디스크에서 열었습니다. 코드를 붙여 넣을 페이지와 같은 폴더에 이 파일을 두십시오.',

@@ -25,6 +25,9 @@ export const focused = [
   ['Alt + arrows', 'move or turn start or goal by small steps'],
   ['Enter', 'press a button; on a map: drive what is under the cursor'],
   ['Esc', 'close what is open'],
-  ['Ctrl + Z, Ctrl + Shift + Z', 'undo and redo a change of the experiment'],
+  [
+    'Ctrl + Z, Ctrl + Shift + Z',
+    'undo and redo a change of the experiment, or gains that took the place of yours',
+  ],
   ['?', 'this sheet'],
 ];

@@ -5,6 +5,7 @@ import { isTracking } from '../../core/reference.js';
 import { costText, degrees, fixed, grouped, postureText, sixDigits } from './numbers.js';
 
 export * from '../common/lab.js';
+export * from './computing.js';
 export * from './numbers.js';
 
 /** Texts of elements with data-text, labels of elements with data-label. */
@@ -241,6 +242,10 @@ export function progressText(first, newest) {
 /** @param {number} generation */
 export const restText = (generation) => `Paused at generation ${generation}. Run goes on.`;
 
+/** @param {number} value Below which J was to come. @param {Statistics} statistics */
+export const reachedText = (value, { generation, best }) =>
+  `The best J of generation ${generation}, ${costText(best.cost)}, is below ${sixDigits(value)}. Run goes on.`;
+
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
   `Generation ${statistics.generation}: best J ${costText(statistics.best.cost)}`;
@@ -271,6 +276,8 @@ export const gainsNote = (driver, evolved) =>
     'paper-arbitrary': 'chosen without evolution',
   })[driver];
 
+export const gainsReplaced = 'Ctrl+Z brings yours back';
+
 /** @param {string} name */
 export const gainSliderLabel = (name) => `${name}, slider`;
 /** @param {string} name */
@@ -280,21 +287,3 @@ export const gainInputLabel = (name) => `${name}, value`;
 export const notANumber = (name, was) => `${name} must be a number, for example 3.5; it was “${was}”.`;
 /** @param {string} name @param {string} message */
 export const gainRefused = (name, message) => `${name} was refused: ${message}`;
-
-/** @param {'begin' | 'generation' | 'recorded'} what @param {number} generation @param {number | null} newest Up to which evolution catches up. */
-export const computingText = (what, generation, newest) =>
-  what === 'begin'
-    ? 'The new evolution is being computed.'
-    : newest !== null
-      ? `Evolution catches up: generation ${generation} of ${newest}.`
-      : what === 'generation'
-        ? `Generation ${generation + 1} is being computed.`
-        : 'A recorded generation is being computed again.';
-
-export const stopComputing = 'Stop (Esc)';
-
-/** @param {number | null} generation The one that evolution has come to; null when it was to begin anew. */
-export const stoppedText = (generation) =>
-  generation === null
-    ? 'Stopped: what was here before stays.'
-    : `Stopped at generation ${generation}: what has been computed stays.`;

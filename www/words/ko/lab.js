@@ -5,6 +5,7 @@ import { isTracking } from '../../core/reference.js';
 import { costText, degrees, fixed, grouped, postureText, sixDigits } from './numbers.js';
 
 export * from '../common/lab.js';
+export * from './computing.js';
 export * from './numbers.js';
 
 /** Texts of elements with data-text, labels of elements with data-label. */
@@ -236,6 +237,10 @@ export function progressText(first, newest) {
 export const restText = (generation) =>
   `${generation}세대에서 멈추었습니다. “진화 시작”을 누르면 이어집니다.`;
 
+/** @param {number} value Below which J was to come. @param {Statistics} statistics */
+export const reachedText = (value, { generation, best }) =>
+  `${generation}세대의 최소 J(${costText(best.cost)})가 ${sixDigits(value)}보다 작습니다. “진화 시작”을 누르면 이어집니다.`;
+
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
   `${statistics.generation}세대: 최소 J ${costText(statistics.best.cost)}`;
@@ -267,6 +272,8 @@ export const gainsNote = (driver, evolved) =>
     'paper-arbitrary': '진화 없이 정한 이득',
   })[driver];
 
+export const gainsReplaced = 'Ctrl+Z로 내 이득 되찾기';
+
 /** @param {string} name */
 export const gainSliderLabel = (name) => `${name}, 슬라이더`;
 /** @param {string} name */
@@ -276,21 +283,3 @@ export const gainInputLabel = (name) => `${name}, 값`;
 export const notANumber = (name, was) => `${name}: 수를 입력해야 합니다(예: 3.5). 입력값: “${was}”.`;
 /** @param {string} name @param {string} message */
 export const gainRefused = (name, message) => `${name}: 이 값은 쓸 수 없습니다. ${message}`;
-
-/** @param {'begin' | 'generation' | 'recorded'} what @param {number} generation @param {number | null} newest Up to which evolution catches up. */
-export const computingText = (what, generation, newest) =>
-  what === 'begin'
-    ? '새 진화를 계산하고 있습니다.'
-    : newest !== null
-      ? `진화를 따라잡고 있습니다: ${newest}세대 가운데 ${generation}세대.`
-      : what === 'generation'
-        ? `${generation + 1}세대를 계산하고 있습니다.`
-        : '기록된 세대를 다시 계산하고 있습니다.';
-
-export const stopComputing = '중지 (Esc)';
-
-/** @param {number | null} generation The one that evolution has come to; null when it was to begin anew. */
-export const stoppedText = (generation) =>
-  generation === null
-    ? '중지했습니다. 이전 상태가 그대로 남습니다.'
-    : `${generation}세대에서 중지했습니다. 계산한 것은 그대로 남습니다.`;

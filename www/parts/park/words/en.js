@@ -42,7 +42,7 @@ export const evolve = 'Let evolution try';
 export const stop = 'Stop';
 export const otherSeed = 'Evolve again, another seed';
 export const again = 'Drive again';
-export const first = 'Move a slider: all robots drive again at once.';
+export const first = 'First move a slider: all robots drive again at once. Then evolution may try.';
 /** @param {number} population */
 export const ready = (population) =>
   `Stuck? Evolution starts from ${population} random robots and knows nothing else.`;

@@ -41,7 +41,8 @@ export const evolve = '진화에 맡기기';
 export const stop = '멈추기';
 export const otherSeed = '다른 시드로 다시 진화';
 export const again = '다시 주행';
-export const first = '슬라이더를 움직이면 모든 로봇이 곧바로 다시 주행합니다.';
+export const first =
+  '먼저 슬라이더를 움직이십시오. 모든 로봇이 곧바로 다시 주행합니다. 그다음 진화에 맡길 수 있습니다.';
 /** @param {number} population */
 export const ready = (population) =>
   `막혔습니까? 진화는 무작위 로봇 ${population}대로 시작하고, 그 밖에는 아무것도 모릅니다.`;

@@ -1,0 +1,23 @@
+// The state and the actions of a page, without the page.
+import { links } from '../../../www/lesson/links.js';
+import { places } from '../../../www/parts/parts.js';
+import { createActions } from '../../../www/run/actions/actions.js';
+import { atEnd } from '../../../www/run/clock.js';
+import { firstState } from '../../../www/run/first.js';
+import { createStore } from '../../../www/run/store.js';
+import { createEngine } from '../harness/core.js';
+
+/** A page on which a link was opened. @param {string} link */
+export function pageOf(link) {
+  const engine = createEngine();
+  const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});
+  const means = { engine, store, paper: engine.paper(), finalTime: () => 1, isStill: () => true, places };
+  const actions = createActions(means);
+  const open = (/** @type {string} */ text) => {
+    actions.openLinked(links.openLink(text, engine).opened, []);
+    // On a slow machine a link comes only a part of its way at once.
+    actions.evolve(() => store.get().catchingUp !== null);
+  };
+  open(link);
+  return { store, actions, open };
+}
