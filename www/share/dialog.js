@@ -200,5 +200,5 @@ const contentOf = ({ address, frame, frameText, pictures, status }, on) => html`
     <button id="keep-generations" type="button" @click=${on.saveGenerations}>${texts.keepGenerations}</button>
     <button id="keep-drive" type="button" @click=${on.saveDrive}>${texts.keepDrive}</button>
   </div>
-  <p id="keep-status" class="keep-status" role="status">${status}</p>
-  <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>`;
+  <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>
+  <p id="keep-status" class="keep-status" role="status">${status}</p>`;
