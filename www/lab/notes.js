@@ -6,7 +6,7 @@ import { createSwatch } from '../kit/swatch.js';
 import { styles } from '../run/pins.js';
 import { isTracking } from '../core/reference.js';
 import { html, render } from 'lit-html';
-import { byId } from '../kit/elements.js';
+import { byId, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
@@ -31,7 +31,10 @@ import { lab as strings } from '../words/index.js';
 export function createNotes({ onRestore }) {
   const legendChanged = watch();
   const posturesChanged = watch();
-  const restChanged = watch();
+  const textChanged = watch();
+  const historyChanged = watch();
+  const bestChanged = watch();
+  const handChanged = watch();
   const planeText = byId('plane-text');
   const say = createAnnouncer(byId('announcer'));
 
@@ -43,23 +46,41 @@ export function createNotes({ onRestore }) {
       if (legendChanged(driving, others, comparison, chosen, driver, found, history, generation, scene.pins))
         render(legendOf(model), byId('legend'));
       if (posturesChanged(start, goal, moved, tried)) render(posturesOf(model, onRestore), byId('postures'));
-      const silent = !planeText.textContent;
+      const shownAt = model.atRest ? time : null;
       if (
-        (model.atRest || silent) &&
-        restChanged(driving, others, scene.pins, history, generation, time, start, goal)
-      ) {
-        planeText.textContent = strings.planeText(
-          chosen?.name ?? strings.driverName(driver, generation, found),
+        textChanged(
           driving,
+          others,
+          chosen,
+          driver,
+          found,
+          scene.pins,
+          history,
+          generation,
+          shownAt,
           start,
           goal,
-          strings.clockText(time, driving.finalTime),
-          others.length ? othersText(scene, model.population) : '',
-          pins.map(({ name }, i) => strings.comparisonText(name, scene.pins[i])),
+        )
+      )
+        write(
+          planeText,
+          strings.planeText(
+            chosen?.name ?? strings.driverName(driver, generation, found),
+            driving,
+            start,
+            goal,
+            shownAt === null ? '' : strings.clockText(shownAt, driving.finalTime),
+            others.length ? othersText(scene, model.population) : '',
+            pins.map(({ name }, i) => strings.comparisonText(name, scene.pins[i])),
+          ),
         );
+      if (historyChanged(history))
         byId('curve').setAttribute('aria-label', strings.curveLabel(history[0], history[history.length - 1]));
-      }
-      say(strings.announcement(history[generation]));
+      if (bestChanged(history[generation])) say(strings.announcement(history[generation]));
+      // What is said of a run elsewhere on the page is not said twice.
+      const isByHand = driver === 'hand' && found === 'hand' && !chosen && !tried;
+      if (handChanged(isByHand && driving) && isByHand)
+        say(strings.handAnnouncement(driving), settlingMilliseconds);
     },
   };
 }
@@ -99,20 +120,26 @@ function othersText({ others, chosen }, population) {
     : strings.othersText({ others: others.length, population, arrived });
 }
 
-/** Speaks the newest sentence, at most every two seconds. @param {HTMLElement} region */
+const pauseMilliseconds = 2000;
+/** After the last step of a slider. */
+const settlingMilliseconds = 1000;
+
+/** Speaks the newest sentence, at most every two seconds, or once no other has come for as long as it is to wait. @param {HTMLElement} region */
 function createAnnouncer(region) {
-  const pauseMilliseconds = 2000;
   let newest = '';
-  let waiting = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
   const speak = () => {
-    waiting = false;
+    timer = undefined;
     if (region.textContent === newest) return;
     region.textContent = newest;
-    waiting = true;
-    setTimeout(speak, pauseMilliseconds);
+    timer = setTimeout(speak, pauseMilliseconds);
   };
-  return (/** @type {string} */ sentence) => {
+  return (/** @type {string} */ sentence, wait = 0) => {
     newest = sentence;
-    if (!waiting) speak();
+    if (wait > 0) {
+      clearTimeout(timer);
+      timer = setTimeout(speak, wait);
+    } else if (timer === undefined) speak();
   };
 }

@@ -211,8 +211,8 @@ const contentOf = ({ address, frame, frameText, pictures, status, park }, on) =>
       )}</li>`,
   )}</ul>
   ${park ? nothing : tables(on)}
-  <p id="keep-status" class="keep-status" role="status">${status}</p>
-  <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>`;
+  <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>
+  <p id="keep-status" class="keep-status" role="status">${status}</p>`;
 
 /** @param {string | null} link @param {Events} on */
 const toLab = (link, on) => html`

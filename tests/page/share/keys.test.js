@@ -162,3 +162,32 @@ engineTest('where a key writes Korean, it is known by its place', async (page) =
   });
   assert.deepEqual(await readEvolution(page), expected(1));
 });
+
+pageTest('what has the focus in Share is never under what is said at its foot', async (page) => {
+  /** @type {string[]} */
+  const covered = [];
+  for (const size of /** @type {const} */ ([
+    [1440, 900],
+    [640, 360],
+  ])) {
+    await page.resize(...size);
+    await page.open();
+    await page.click('#keep-button');
+    await page.until('the fingerprint is told', () => document.getElementById('keep-status')?.textContent);
+    await page.focus('#keep-exercise');
+    for (let i = 0; i < 12; i += 1) {
+      await page.press(Key.TAB);
+      const under = await page.evaluate(() => {
+        const focused = document.activeElement;
+        if (!focused?.closest('dialog')) return '';
+        const { left, top, width, height } = focused.getBoundingClientRect();
+        const isSeen = [0.1, 0.9].every((part) =>
+          focused.contains(document.elementFromPoint(left + width / 2, top + part * height)),
+        );
+        return isSeen ? '' : focused.id || focused.ariaLabel;
+      });
+      if (under) covered.push(`${under} at ${size.join(' × ')}`);
+    }
+  }
+  assert.deepEqual(covered, []);
+});

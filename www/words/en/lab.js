@@ -174,9 +174,9 @@ export const headingLabel = (name, posture) =>
 
 export const planeLabel = 'The plane, with the robots driving from start to goal';
 
-/** @param {string} name @param {Run} run @param {Posture} start @param {Posture} goal @param {string} time @param {string} others @param {string[]} pins */
+/** `time` is empty while the clock runs. @param {string} name @param {Run} run @param {Posture} start @param {Posture} goal @param {string} time @param {string} others @param {string[]} pins */
 export const planeText = (name, run, start, goal, time, others, pins) =>
-  `Driving: ${name}, from ${postureText(start)} to ${postureText(goal)}; it ${outcomeText(run)}. Shown at ${time}. ${others}${pins.length > 0 ? ` Pinned: ${pins.join('; ')}.` : ''}`;
+  `Driving: ${name}, from ${postureText(start)} to ${postureText(goal)}; it ${outcomeText(run)}.${time && ` Shown at ${time}.`} ${others}${pins.length > 0 ? ` Pinned: ${pins.join('; ')}.` : ''}`;
 
 /** @param {number} time @param {number} finalTime */
 export const clockText = (time, finalTime) => `${fixed(time, 2)} of ${fixed(finalTime, 2)} s`;
@@ -249,6 +249,9 @@ export const reachedText = (value, { generation, best }) =>
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
   `Generation ${statistics.generation}: best J ${costText(statistics.best.cost)}`;
+
+/** @param {Run} run */
+export const handAnnouncement = (run) => `J ${costText(run.cost.total)}, ${outcomeText(run)}`;
 
 export const bestLine = 'best';
 export const medianLine = 'median';

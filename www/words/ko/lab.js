@@ -170,9 +170,9 @@ export const headingLabel = (name, posture) =>
 
 export const planeLabel = '출발점에서 목표로 로봇이 주행하는 평면';
 
-/** @param {string} name @param {Run} run @param {Posture} start @param {Posture} goal @param {string} time @param {string} others @param {string[]} pins */
+/** `time` is empty while the clock runs. @param {string} name @param {Run} run @param {Posture} start @param {Posture} goal @param {string} time @param {string} others @param {string[]} pins */
 export const planeText = (name, run, start, goal, time, others, pins) =>
-  `주행: ${name}. 출발 ${postureText(start)}, 목표 ${postureText(goal)}. 결과: ${outcomeText(run)}. 표시 시각: ${time}. ${others}${pins.length > 0 ? ` 고정한 주행: ${pins.join('; ')}.` : ''}`;
+  `주행: ${name}. 출발 ${postureText(start)}, 목표 ${postureText(goal)}. 결과: ${outcomeText(run)}.${time && ` 표시 시각: ${time}.`} ${others}${pins.length > 0 ? ` 고정한 주행: ${pins.join('; ')}.` : ''}`;
 
 /** @param {number} time @param {number} finalTime */
 export const clockText = (time, finalTime) => `${fixed(time, 2)} / ${fixed(finalTime, 2)}초`;
@@ -244,6 +244,9 @@ export const reachedText = (value, { generation, best }) =>
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
   `${statistics.generation}세대: 최소 J ${costText(statistics.best.cost)}`;
+
+/** @param {Run} run */
+export const handAnnouncement = (run) => `J ${costText(run.cost.total)}, ${outcomeText(run)}`;
 
 export const bestLine = '최우수';
 export const medianLine = '중앙값';

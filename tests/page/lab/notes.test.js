@@ -1,0 +1,56 @@
+// What the pictures and the gains say to who cannot see them.
+import assert from 'node:assert/strict';
+import { Key, pageTest } from '../harness/browsers.js';
+import { evolve, experiment, shown, simulate } from '../harness/core.js';
+import { arrival, read } from '../harness/reading.js';
+
+const velocityLimits = experiment('velocity-limits');
+
+/** What is said of the plane and of the curve now, and whether the robots drive. @param {import('../harness/browsers.js').Page} page */
+const said = (page) =>
+  page.evaluate(() => ({
+    plane: document.getElementById('plane-text')?.textContent ?? '',
+    curve: document.getElementById('curve')?.getAttribute('aria-label') ?? '',
+    drives: document.querySelector('#play.playing') !== null,
+  }));
+
+pageTest('what is said of the pictures is true also while robots drive', async (page) => {
+  await arrival(page);
+  await page.setPace(0.01);
+  await page.click('#play');
+  await page.focus('#one-generation');
+  await page.press(Key.ENTER, Key.ENTER, Key.ENTER);
+  const third = await said(page);
+  assert.ok(third.drives);
+  assert.match(third.plane, /best of generation 3\b/);
+  assert.doesNotMatch(third.plane, /Shown at/);
+  assert.ok(
+    third.curve.includes('over 3 generations') && third.curve.includes(evolve(velocityLimits, 3).median),
+  );
+
+  await page.focus('#slider-kx');
+  await page.press(Key.ARROW_RIGHT);
+  assert.match((await said(page)).plane, /Driving: your gains/);
+  await page.focus('#scrub');
+  await page.press(Key.HOME);
+  assert.match((await said(page)).plane, /Shown at 0\.00 of/);
+});
+
+pageTest('a gain that is moved by keys is told with its J, once it stands', async (page) => {
+  await page.evaluate(() => {
+    const region = /** @type {HTMLElement} */ (document.getElementById('announcer'));
+    /** @type {string[]} */
+    const heard = [];
+    new MutationObserver(() => heard.push(region.textContent ?? '')).observe(region, { childList: true });
+    Object.assign(window, { heard });
+  });
+  await page.focus('#slider-kx');
+  await page.press(...Array(5).fill(Key.ARROW_RIGHT));
+  const gains = /** @type {[number, number, number]} */ ((await read(page)).gains.map(Number));
+  const { cost, finalTime } = simulate(velocityLimits, gains);
+  const heard = await page.until('J is told', () => {
+    const all = /** @type {{ heard: string[] }} */ (/** @type {unknown} */ (window)).heard;
+    return all.some((text) => text.startsWith('J ')) && all;
+  });
+  assert.deepEqual(heard, [`J ${shown(cost.total)}, arrives after ${finalTime.toFixed(2)} s`]);
+});

@@ -1,0 +1,68 @@
+// In the reader's own colours, and where more contrast is asked for, nothing loses what it says by its colour.
+import assert from 'node:assert/strict';
+import { pageTest } from '../harness/browsers.js';
+import { endSurrounding, follow, surround } from './surround.js';
+
+/** The grounds of what a selector finds that shows its ground alone. @param {import('../harness/browsers.js').Page} page @param {string} selector @param {string} [pseudo] */
+const groundsOf = (page, selector, pseudo) =>
+  page.evaluate(
+    (wanted, before) =>
+      [...document.querySelectorAll(wanted)]
+        .filter((element) => element.checkVisibility())
+        .map((element) => {
+          const { backgroundColor, backgroundImage } = getComputedStyle(element, before);
+          return `${backgroundColor} ${backgroundImage}`;
+        }),
+    selector,
+    pseudo,
+  );
+
+/** @param {readonly string[]} grounds */
+const differ = (grounds) => {
+  assert.ok(grounds.length > 1);
+  assert.equal(new Set(grounds).size, grounds.length, `${grounds}`);
+};
+
+pageTest("colours that mean something outlast the reader's own", async (page) => {
+  if (page.engine !== 'chromium') return;
+  try {
+    await surround(page, [1440, 900], { 'forced-colors': 'active' });
+    await page.open('#lab&v=1&generation=3');
+    differ(await groundsOf(page, '.cost-segment'));
+    differ(await groundsOf(page, '.cost-parts li', '::before'));
+    differ([...new Set(await groundsOf(page, '#drives span'))]);
+    assert.equal(
+      await page.evaluate(
+        () =>
+          getComputedStyle(/** @type {Element} */ (document.getElementById('slider-kx'))).forcedColorAdjust,
+      ),
+      'none',
+    );
+    await follow(page, 'generation&v=1&generation=3');
+    differ(await groundsOf(page, '.generation-key .key', '::before'));
+    await follow(page, 'robustness&v=1');
+    await page.until('the shades are there', () => document.querySelector('.legend-bar'));
+    assert.match((await groundsOf(page, '.legend-bar'))[0], /gradient/);
+  } finally {
+    await endSurrounding(page);
+  }
+});
+
+pageTest('where more contrast is asked for, the edges of controls are as dark as letters', async (page) => {
+  if (page.engine !== 'chromium') return;
+  const edges = () =>
+    page.evaluate(() => {
+      const [edge, letters] = ['#one-generation', '#gains-note'].map((one) =>
+        getComputedStyle(/** @type {Element} */ (document.querySelector(one))),
+      );
+      return [edge.borderTopColor, letters.color];
+    });
+  const [usual, letters] = await edges();
+  assert.notEqual(usual, letters);
+  try {
+    await surround(page, [1440, 900], { 'prefers-contrast': 'more' });
+    assert.deepEqual(await edges(), [letters, letters]);
+  } finally {
+    await endSurrounding(page);
+  }
+});
