@@ -130,8 +130,8 @@ export const ranked = (rank, generation) => `ranked ${rank} in generation ${gene
 
 /** Of which draws there is one, and of which one a gain. */
 export const commonText = {
-  gaussian: ': N is drawn once, Nᵢ and Nᵢ′ for each gain',
-  cauchy: ': N is drawn once, Cᵢ and Nᵢ′ for each gain',
+  gaussian: ': N drawn once, Nᵢ and Nᵢ′ per gain',
+  cauchy: ': N drawn once, Cᵢ and Nᵢ′ per gain',
 };
 export const crossedWith = 'crossed with ';
 /** @param {readonly string[]} gains */
