@@ -84,16 +84,31 @@ export function drawAxisNames(context, frame, { x, y }) {
   if (y) drawName(context, { text: y, x: frame.left - 50, y: frame.top + high / 2 });
 }
 
+/** So far above the lower end of a chart the lowest name beside it leaves that of the axis alone. */
+const aboveAxis = 5;
+
+/** Moves names apart at the side of a chart. @param {{ y: number }[]} places @param {Frame} frame */
+export const spreadBeside = (places, { top, bottom }) => spread(places, top, bottom - aboveAxis);
+
 /**
- * Moves names apart that would lie on each other, as little up as down, and keeps them between two heights.
+ * Moves names apart that would lie on each other, as little up as down, keeps them between two heights and leaves the others alone.
  * @param {{ y: number }[]} places @param {number} top @param {number} bottom
  */
 export function spread(places, top, bottom) {
   const sorted = [...places].sort((a, b) => a.y - b.y);
-  const wanted = sorted.map(({ y }) => y);
-  for (let i = 1; i < sorted.length; i += 1) sorted[i].y = Math.max(wanted[i], sorted[i - 1].y + labelHeight);
-  const pushed = sorted.reduce((sum, { y }, i) => sum + y - wanted[i], 0) / sorted.length;
-  const up = Math.min(pushed, sorted[0].y - top);
-  const over = Math.max(0, sorted[sorted.length - 1].y - up - bottom);
-  for (const place of sorted) place.y -= up + over;
+  /** Those that push each other, by where the first of all would be. @type {{ mean: number, count: number }[]} */
+  const groups = [];
+  for (const [i, { y }] of sorted.entries()) {
+    let group = { mean: y - i * labelHeight, count: 1 };
+    for (let above = groups.at(-1); above && above.mean > group.mean; above = groups.at(-1)) {
+      groups.pop();
+      const count = above.count + group.count;
+      group = { mean: (above.mean * above.count + group.mean * group.count) / count, count };
+    }
+    groups.push(group);
+  }
+  const lowest = bottom - (sorted.length - 1) * labelHeight;
+  const means = groups.flatMap(({ mean, count }) => Array(count).fill(mean));
+  for (const [i, place] of sorted.entries())
+    place.y = Math.min(Math.max(means[i], top), lowest) + i * labelHeight;
 }

@@ -34,6 +34,7 @@ export function createDraw(views, engine, paper, turn) {
     const { pins, theme } = state;
     views.plane.draw({ view, scene, ...ends, pins, pays: state.page === 'curves', time, theme });
     views.handles.draw({ view, ...ends });
+    byId('postures').classList.toggle('left', isUnderNotes(view, ends));
   };
 
   /** @param {State} state @param {Scene} scene @param {number} time @returns {Record<string, () => void>} */
@@ -88,6 +89,17 @@ export function createDraw(views, engine, paper, turn) {
     const time = Math.min(state.robot.time, scene.driving.finalTime);
     for (const [name, drawOne] of Object.entries(drawings(state, scene, time))) turn(name, drawOne);
   };
+}
+
+/** The room of the two postures in words, at the lower edge. */
+const notes = { width: 230, height: 140 };
+
+/** Whether start or goal would stand under them in the right corner, and neither in the left. @param {import('../kit/transform.js').View} view @param {ReturnType<typeof endsOf>} ends */
+function isUnderNotes(view, { start, goal }) {
+  const low = [start, goal]
+    .filter(({ y }) => view.screenY(y) > view.height - notes.height)
+    .map(({ x }) => view.screenX(x));
+  return low.some((px) => px > view.width - notes.width) && low.every((px) => px > notes.width);
 }
 
 /** Whether evolution counts the drive that is seen, and not the mean over many. @param {State} state */

@@ -17,7 +17,7 @@ import {
   within,
 } from '../kit/chart.js';
 import { extentOf } from '../kit/extent.js';
-import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
+import { drawAxisNames, drawNames, gutterOf, isNarrow, spreadBeside } from '../kit/names.js';
 import { lab as strings } from '../words/index.js';
 import { createColumns } from './columns.js';
 
@@ -113,7 +113,7 @@ function drawLineNames(context, size, { x, y, frame }, { history, paper }) {
     ...(paper === null ? [] : [{ text: nameOf(strings.paperLine, paper), x: right, y: height(paper) }]),
   ];
   const together = isNarrow(size) || end > right - 60 ? [names] : [names.slice(0, 2), names.slice(2)];
-  for (const group of together) if (group.length > 0) spread(group, frame.top, frame.bottom);
+  for (const group of together) if (group.length > 0) spreadBeside(group, frame);
   drawNames(context, size, frame, names);
   drawAxisNames(context, frame, {
     x: isNarrow(size) ? undefined : strings.generationAxis,

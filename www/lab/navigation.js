@@ -6,10 +6,18 @@ import { lesson as lessonWords, lab as strings } from '../words/index.js';
 
 /** Where the links have no room beside each other, the one of the open page is in sight. @param {HTMLElement} nav */
 function showCurrent(nav) {
+  showMore(nav);
   const link = nav.querySelector('[aria-current]');
   if (!link || nav.scrollWidth <= nav.clientWidth) return;
   const [at, all] = [link, nav].map((element) => element.getBoundingClientRect());
   nav.scrollLeft += at.left + at.width / 2 - (all.left + all.width / 2);
+}
+
+/** On which sides there are links out of sight: there the row fades. @param {HTMLElement} nav */
+function showMore(nav) {
+  const hidden = nav.scrollWidth - nav.clientWidth - nav.scrollLeft;
+  nav.classList.toggle('more-before', nav.scrollLeft > 1);
+  nav.classList.toggle('more-after', hidden > 1);
 }
 
 /** Of those that name the pages they belong to. @param {Iterable<Element>} elements @param {string} page */
@@ -38,6 +46,7 @@ export function createPages(pages, nav, tagline, onOpen, onLesson) {
   };
   const changed = watch();
   followSize(nav, () => showCurrent(nav));
+  nav.addEventListener('scroll', () => showMore(nav), { passive: true });
   return {
     /** @param {string} open @param {number} lesson @param {number} population */
     draw(open, lesson, population) {

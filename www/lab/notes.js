@@ -1,14 +1,14 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
-/** @import { Posture, Statistics } from '../core/engine.js' */
+/** @import { Experiment, Posture, Run, Statistics } from '../core/engine.js' */
 /** @import { Scene } from '../run/scene.js' */
 /** @import { Driver } from '../run/state.js' */
 import { createSwatch } from '../kit/swatch.js';
-import { styles } from '../run/pins.js';
+import { differenceOf, styles } from '../run/pins.js';
 import { isTracking } from '../core/reference.js';
 import { html, render } from 'lit-html';
 import { byId, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
-import { lab as strings } from '../words/index.js';
+import { lab as strings, pins as pinWords } from '../words/index.js';
 
 /**
  * @typedef {object} NotesModel
@@ -71,7 +71,7 @@ export function createNotes({ onRestore }) {
             goal,
             shownAt === null ? '' : strings.clockText(shownAt, driving.finalTime),
             others.length ? othersText(scene, model.population) : '',
-            pins.map(({ name }, i) => strings.comparisonText(name, scene.pins[i])),
+            pinTextsOf(pins, scene.pins, scene.experiment),
           ),
         );
       if (historyChanged(history))
@@ -93,11 +93,14 @@ function legendOf({ scene, driver, found, generation, population, pins }) {
     <li class="solid">${chosen?.name ?? strings.driverName(driver, generation, found)}</li>
     <li class="thin" .hidden=${others.length === 0}>${othersText(scene, population)}</li>
     <li class="dashed" .hidden=${comparisonDriver === driver && !withoutDisturbance && !chosen}>${withoutDisturbance ? strings.withoutDisturbance : strings.comparisonText(rival, comparison)}</li>
-    ${pins.map(
-      ({ slot, name }, i) =>
-        html`<li class="pin">${createSwatch(styles[slot])}${strings.comparisonText(name, scene.pins[i])}</li>`,
+    ${pinTextsOf(pins, scene.pins, scene.experiment).map(
+      (text, i) => html`<li class="pin">${createSwatch(styles[pins[i].slot])}${text}</li>`,
     )}`;
 }
+
+/** With what they drove in that is not what drives now. @param {NotesModel['pins']} pins @param {readonly Run[]} runs @param {Experiment} now */
+export const pinTextsOf = (pins, runs, now) =>
+  pins.map(({ name, experiment }, i) => pinWords.pinText(name, runs[i], differenceOf(experiment, now)));
 
 /** @param {NotesModel} model @param {() => void} onRestore */
 function posturesOf({ start, goal, moved, tried }, onRestore) {

@@ -14,7 +14,7 @@ import {
   within,
 } from '../kit/chart.js';
 import { extentOf } from '../kit/extent.js';
-import { drawAxisNames, drawNames, gutterOf, isNarrow, spread } from '../kit/names.js';
+import { drawAxisNames, drawNames, gutterOf, isNarrow, spreadBeside } from '../kit/names.js';
 import { sigmas as words, lab } from '../words/index.js';
 import { createColumns } from './columns.js';
 import { drawShown, generationScale } from './fitness.js';
@@ -95,7 +95,7 @@ function drawLineNames(context, size, { x, y, frame }, newest) {
     x: Math.min(x(newest.generation) + 10, frame.right + 6),
     y: Math.min(Math.max(y(newest.meanSigmas[i]) || frame.bottom, frame.top), frame.bottom - 8),
   }));
-  spread(names, frame.top, frame.bottom);
+  spreadBeside(names, frame);
   drawNames(context, size, frame, names);
   if (!isNarrow(size)) drawAxisNames(context, frame, { x: lab.generationAxis });
 }

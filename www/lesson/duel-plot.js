@@ -13,7 +13,7 @@ import {
   wholeTicks,
   within,
 } from '../kit/chart.js';
-import { drawAxisNames, drawName, spread } from '../kit/names.js';
+import { drawAxisNames, drawName, spreadBeside } from '../kit/names.js';
 import { colour } from '../kit/palette.js';
 import { drawMark } from '../kit/swatch.js';
 import { drivesUntil, generationAt, generationsIn, longestOf, lowestOf } from './duel.js';
@@ -137,7 +137,7 @@ function drawLineNames(context, { y, frame }, columns, { names, drivesAxis, cost
     const height = Math.min(Math.max(y(end), frame.top), frame.bottom);
     return [{ text: names[name], y: height, token, isStrong: name === 'you' }];
   });
-  if (places.length > 0) spread(places, frame.top, frame.bottom);
+  if (places.length > 0) spreadBeside(places, frame);
   for (const place of places) drawName(context, { ...place, x: frame.right + 6 });
   drawAxisNames(context, frame, { x: drivesAxis, y: costSymbol });
 }

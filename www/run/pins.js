@@ -1,5 +1,6 @@
 // Runs that stay on screen to be compared with. Each has a hue, a dash and a mark of its own for as long as it is pinned.
 /** @import { Experiment, Triple } from '../core/engine.js' */
+/** @import { Difference } from '../words/common/kinds.js' */
 import { pins as words } from '../words/index.js';
 
 /** @typedef {{ experiment: Experiment, gains: Triple }} Driven What a run follows from. */
@@ -42,6 +43,23 @@ export const pinOf = (pins, { experiment, gains }) =>
 
 /** @param {Experiment} a @param {Experiment} b */
 const isSame = (a, b) => a === b || JSON.stringify(a) === JSON.stringify(b);
+
+/** What decides over a drive and its J beside the gains. @param {Experiment} experiment @returns {Record<Difference, unknown>} */
+const partsOf = ({ evolution, starts, goal, limits, weights, ...settings }) => ({
+  limits,
+  goal,
+  start: starts[0],
+  weights,
+  settings,
+});
+
+/** What keeps two drives from being compared by their gains alone: `settings` is anything else, or more than one. @param {Experiment} a @param {Experiment} b @returns {Difference | null} */
+export function differenceOf(a, b) {
+  const [own, other] = [partsOf(a), partsOf(b)];
+  const parts = /** @type {Difference[]} */ (Object.keys(own));
+  const found = parts.filter((part) => JSON.stringify(own[part]) !== JSON.stringify(other[part]));
+  return found.length > 1 ? 'settings' : (found[0] ?? null);
+}
 
 /** @param {Pins} pins @param {string} name */
 function unused(pins, name) {

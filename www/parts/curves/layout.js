@@ -23,8 +23,11 @@ const shares = /** @type {readonly [PlotName, number][]} */ ([
   ['angular', 0.9],
   ['cost', 1.5],
 ]);
-/** Where there is no room for all. @type {readonly PlotName[]} */
-const foremost = ['position', 'linear', 'cost'];
+/** Where there is no room for all: what there is to compare with the paper's figure, or what there is to see of any drive. @type {Record<'figure' | 'any', readonly PlotName[]>} */
+const foremost = {
+  figure: ['position', 'theta', 'linear', 'angular'],
+  any: ['position', 'linear', 'cost'],
+};
 const roomForAll = 260;
 /** So many of its spans they may reach beyond it; a costly one would leave no room for the parts of J. */
 const reachOf = (/** @type {PlotName} */ name) => (name === 'cost' ? 1 : 2);
@@ -42,11 +45,13 @@ export const curvesOf = {
 
 /**
  * @param {{ width: number, height: number }} size @param {Run} driving @param {readonly Run[]} others @param {Experiment['limits']} limits
+ * @param {boolean} [isFigure] Whether the paper has a figure of it.
  * @returns {Layout}
  */
-export function layoutOf({ width, height }, driving, others, limits) {
+export function layoutOf({ width, height }, driving, others, limits, isFigure = false) {
   const [left, right] = [margin.left, width - margin.right];
-  const shown = height < roomForAll ? shares.filter(([name]) => foremost.includes(name)) : shares;
+  const first = foremost[isFigure ? 'figure' : 'any'];
+  const shown = height < roomForAll ? shares.filter(([name]) => first.includes(name)) : shares;
   const free = height - margin.top - margin.bottom - gap * (shown.length - 1);
   const all = shown.reduce((sum, [, share]) => sum + share, 0);
   let top = margin.top;

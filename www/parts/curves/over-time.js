@@ -9,6 +9,7 @@ import { paidUntil } from '../../core/paid.js';
 import { followPointer } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
+import { pinTextsOf } from '../../lab/notes.js';
 import { sampleBefore } from '../../lab/track.js';
 import { isFree } from '../../run/guard.js';
 import { lab } from '../../words/index.js';
@@ -50,6 +51,7 @@ export function createOverTime(root, { engine, store, actions }) {
         scene.comparison,
         state.pins,
         scene.pins,
+        scene.experiment,
       );
       const isPaper = state.driver === 'paper-ep' && isPapers(state.experiment, state.preset);
       const note = isPaper ? words.figureNote(state.preset === 'velocity-limits' ? '5' : '7') : '';
@@ -62,6 +64,7 @@ export function createOverTime(root, { engine, store, actions }) {
         pins: state.pins,
         pinned: scene.pins,
         limits: scene.experiment.limits,
+        isFigure: isPaper,
         time,
         size: picture.size(),
         theme: state.theme,
@@ -90,15 +93,14 @@ const readingsOf = (run, i) =>
 const rivalOf = ({ generation, found }, { withoutDisturbance, comparisonDriver }) =>
   withoutDisturbance ? lab.withoutDisturbance : lab.driverName(comparisonDriver, generation, found);
 
-/** The picture in words. @param {string} name @param {Run} run @param {string} rival @param {Run} comparison @param {State['pins']} pins @param {readonly Run[]} pinned */
-function described(name, run, rival, comparison, pins, pinned) {
-  const other = (/** @type {string} */ who, /** @type {Run} */ one) =>
-    `${lab.comparisonText(who, one)}, ${lab.outcomeText(one)}`;
+/** The picture in words. @param {string} name @param {Run} run @param {string} rival @param {Run} comparison @param {State['pins']} pins @param {readonly Run[]} pinned @param {Experiment} experiment */
+function described(name, run, rival, comparison, pins, pinned, experiment) {
+  const told = (/** @type {string} */ text, /** @type {Run} */ one) => `${text}, ${lab.outcomeText(one)}`;
   return words.pictureLabel(
     name,
     run,
     lab.outcomeText(run),
-    other(rival, comparison),
-    pins.map((pin, i) => other(pin.name, pinned[i])),
+    told(lab.comparisonText(rival, comparison), comparison),
+    pinTextsOf(pins, pinned, experiment).map((text, i) => told(text, pinned[i])),
   );
 }

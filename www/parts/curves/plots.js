@@ -33,6 +33,7 @@ import { createReady } from './ready.js';
  * @property {Pins} pins
  * @property {Run[]} pinned One for each pin.
  * @property {Experiment['limits']} limits
+ * @property {boolean} isFigure Whether the paper has a figure of it.
  * @property {number} time
  * @property {{ width: number, height: number }} size
  * @property {number} theme
@@ -67,12 +68,12 @@ export function createPlots({ lines, cursor }) {
   return {
     /** @param {PlotsModel} model */
     draw(model) {
-      const { driving, comparison, pinned, limits, time, size, theme } = model;
+      const { driving, comparison, pinned, limits, isFigure, time, size, theme } = model;
       if (size.width === 0) return;
       curvesReady([driving, comparison, ...pinned]);
       partsReady([driving]);
-      if (linesChanged(driving, comparison, pinned, limits, size, theme) || !layout) {
-        layout = layoutOf(size, driving, [comparison, ...pinned], limits);
+      if (linesChanged(driving, comparison, pinned, limits, isFigure, size, theme) || !layout) {
+        layout = layoutOf(size, driving, [comparison, ...pinned], limits, isFigure);
         const { time: scale, plots } = layout;
         const drawn = layout;
         under.draw(size, (context) => {

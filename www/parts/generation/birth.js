@@ -19,10 +19,10 @@ export function birthOf({ record: { parents, offspring, mutations, donors, bases
   return { parent, other: donors[pair]?.[0] ?? null, base: bases[pair] ?? parent, child, draws };
 }
 
-/** k + σ N @param {Birth} birth @param {number} i */
+/** kᵢ + σᵢ Nᵢ @param {Birth} birth @param {number} i */
 export const movedGain = ({ base, draws }, i) => base.gains[i] + base.sigmas[i] * draws.gains[i];
 
-/** σ e^(τ′N + τNᵢ): the offspring's own unless that was raised, for no two exponentials have the same last bit. @param {Birth} birth @param {number} i @param {Rates} rates */
+/** σᵢ e^(τ′N + τNᵢ′): the offspring's own unless that was raised, for no two exponentials have the same last bit. @param {Birth} birth @param {number} i @param {Rates} rates */
 export function grownSigma({ base, child, draws }, i, { own, common }) {
   const grown = base.sigmas[i] * Math.exp(common * draws.common + own * draws.sigmas[i]);
   return child.sigmas[i] > grown * (1 + 1e-9) ? grown : child.sigmas[i];

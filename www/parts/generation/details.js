@@ -62,7 +62,7 @@ const contents = {
         class="rule muted">${gain[step]}<span class="gap"></span>${sigma}<sup>${exponent}</sup></span></p>
       ${birth.other === null ? nothing : crossing(anatomy, birth, birth.other, choose)}
       ${gainRows(Math.min(...birth.base.sigmas) < longBelow ? 'gain-rows long' : 'gain-rows', row)}
-      ${commonEquation(birth, rates)}
+      ${commonEquation(birth, rates, step)}
       ${rulesOf(anatomy)}`;
   },
 
@@ -140,32 +140,52 @@ function crossing(anatomy, { parent, base }, other, choose) {
   return html`<p class="donors"><span>${words.crossedWith}${link(anatomy, other, choose)}${words.givenText(given)}</span></p>`;
 }
 
-/** k + σ N = k′ @param {Birth} birth @param {number} i */
+/** kᵢ + σᵢ Nᵢ = kᵢ′ @param {Birth} birth @param {number} i */
 function gainEquation(birth, i) {
   const { base, child, draws } = birth;
   const sigma = base.sigmas[i];
-  const step = `${words.sigmaText(sigma)} × ${words.bracketed(words.drawText(draws.gains[i]))}`;
-  const gain = (/** @type {number} */ value) => words.gainText(value, sigma);
-  const sum = words.becomes(gain(movedGain(birth, i)), gain(child.gains[i]));
-  return html`<p class="equation">${symbol('k', i)} ${gain(base.gains[i])} + ${step} = ${sum}</p>`;
+  const moved = words.gainText(movedGain(birth, i), sigma);
+  const [from, wide, draw] = words.addingUp(
+    [
+      (more) => words.gainText(base.gains[i], sigma, more),
+      (more) => words.sigmaWith(sigma, more),
+      (more) => words.drawText(draws.gains[i], more),
+    ],
+    (k, σ, n) => k + σ * n,
+    moved,
+  );
+  const sum = words.becomes(moved, words.gainText(child.gains[i], sigma));
+  return html`<p class="equation">${symbol('k', i)} ${from} + ${wide} × ${words.bracketed(draw)} = ${sum}</p>`;
 }
 
-/** σ e^(τ′N + τNᵢ) = σ′, where τ′N is the same for all three. @param {Birth} birth @param {number} i @param {Rates} rates */
+/** σᵢ e^(τ′N + τNᵢ′) = σᵢ′, where τ′N is the same for all three. @param {Birth} birth @param {number} i @param {Rates} rates */
 function sigmaEquation(birth, i, rates) {
   const { base, child, draws } = birth;
-  const own = `${words.drawText(rates.own)} × ${words.bracketed(words.drawText(draws.sigmas[i]))}`;
-  const exponent = `${words.drawText(rates.common * draws.common)} + ${own}`;
-  const product = words.becomes(
-    words.sigmaText(grownSigma(birth, i, rates)),
-    words.sigmaText(child.sigmas[i]),
+  const grown = words.sigmaText(grownSigma(birth, i, rates));
+  const [from, common, rate, draw] = words.addingUp(
+    [
+      (more) => words.sigmaWith(base.sigmas[i], more),
+      (more) => words.drawText(rates.common * draws.common, more),
+      (more) => words.drawText(rates.own, more),
+      (more) => words.drawText(draws.sigmas[i], more),
+    ],
+    (σ, c, τ, n) => σ * Math.exp(c + τ * n),
+    grown,
   );
-  return html`<p class="equation">${symbol('σ', i)} ${words.sigmaText(base.sigmas[i])} × e<sup>${exponent}</sup> = ${product}</p>`;
+  const exponent = `${common} + ${rate} × ${words.bracketed(draw)}`;
+  const product = words.becomes(grown, words.sigmaText(child.sigmas[i]));
+  return html`<p class="equation">${symbol('σ', i)} ${from} × e<sup>${exponent}</sup> = ${product}</p>`;
 }
 
-/** @param {Birth} birth @param {Rates} rates */
-function commonEquation({ draws: { common } }, rates) {
-  const product = `${words.drawText(rates.common)} × ${words.bracketed(words.drawText(common))}`;
-  return html`<p class="common muted">${words.drawText(rates.common * common)} = ${product}${words.commonText}</p>`;
+/** τ′N @param {Birth} birth @param {Rates} rates @param {Anatomy['step']} step */
+function commonEquation({ draws: { common } }, rates, step) {
+  const product = words.drawText(rates.common * common);
+  const [rate, draw] = words.addingUp(
+    [(more) => words.drawText(rates.common, more), (more) => words.drawText(common, more)],
+    (τ, n) => τ * n,
+    product,
+  );
+  return html`<p class="common muted">${product} = ${rate} × ${words.bracketed(draw)}${words.commonText[step]}</p>`;
 }
 
 /** @param {Anatomy} anatomy @param {number} rank @param {number} own @param {(number: number) => void} choose */

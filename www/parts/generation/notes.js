@@ -56,9 +56,8 @@ export function notesOf(model, places, size) {
       ? tournamentMarks(model, places)
       : orderOf(anatomy, phase).map((number) => places[number]);
   for (const number of new Set([...named, chosen])) {
-    const isLow = places[number].y < 34 || (ranking && number === upset?.fallen);
-    const below = isLow || isFreerBelow(places[number], marks, size);
-    notes.push(nameAt(places[number], below, size, words.nameOf(anatomy, number)));
+    const isLow = ranking && number === upset?.fallen;
+    notes.push(nameAt(places[number], marks, size, isLow, words.nameOf(anatomy, number)));
   }
   return notes;
 }
@@ -70,22 +69,46 @@ const tournamentMarks = ({ anatomy, chosen }, places) =>
     besideBout(places[opponent], places[chosen]),
   ]);
 
-/** How far a name reaches to both sides, and up or down. */
-const [reach, [nearest, farthest]] = [54, [6, 34]];
+/** Roughly, in pixels: letters, and syllables of Korean. @param {string} name */
+const widthOf = (name) => Array.from(name).reduce((sum, one) => sum + (one > '\u1100' ? 13 : 8), 0);
 
-/** Whether a name has more room below its mark than above. @param {Place} own @param {Place[]} marks @param {Size} size */
-function isFreerBelow(own, marks, { height }) {
-  if (own.y + farthest > height - margin.bottom) return false;
-  const beside = marks.filter(({ x }) => Math.abs(x - own.x) < reach);
-  /** @param {number} side */
-  const onSide = (side) =>
-    beside.filter(({ y }) => side * (y - own.y) > nearest && side * (y - own.y) < farthest).length;
-  return onSide(1) < onSide(-1);
+/** @typedef {{ x: number, y: number, side: 'begin' | 'middle' | 'end' }} Writing Where it is written, and which part of it stands there. */
+
+/** Above and below the mark, to its right and left, and above and below what stands there. @param {Place} own @param {Size} size @returns {Writing[]} */
+function writingsBeside({ x, y }, { width }) {
+  const side = x > width - 50 ? 'end' : x < margin.left + 40 ? 'begin' : 'middle';
+  const line = (/** @type {number} */ down) => ({
+    x: x + { end: 9, begin: -9, middle: 0 }[side],
+    y: y + down,
+    side: /** @type {Writing['side']} */ (side),
+  });
+  return [
+    line(-15),
+    line(24),
+    { x: x + 15, y: y + 4, side: 'begin' },
+    { x: x - 15, y: y + 4, side: 'end' },
+    line(-31),
+    line(40),
+  ];
 }
 
-/** @param {Place} place @param {boolean} below Its mark, instead of above. @param {Size} size @param {string} name */
-function nameAt({ x, y }, below, size, name) {
-  const side = x > size.width - 50 ? 'end' : x < margin.left + 40 ? 'begin' : 'middle';
-  const beside = { end: 9, begin: -9, middle: 0 }[side];
-  return svg('text', { x: x + beside, y: below ? y + 24 : y - 15, class: `name ${side}` }, name);
+/** Where it covers the fewest others. @param {Place} own @param {Place[]} marks @param {Size} size @param {boolean} isLow Not above the mark. @param {string} name */
+function nameAt(own, marks, size, isLow, name) {
+  const width = widthOf(name);
+  const leftOf = (/** @type {Writing} */ { x, side }) =>
+    x - { end: width, begin: 0, middle: width / 2 }[side];
+  const writings = writingsBeside(own, size);
+  const free = writings.filter((one) => {
+    const left = leftOf(one);
+    if (left < margin.left - 9 || left + width > size.width + 9) return false;
+    return one.y >= (isLow ? own.y : 19) && one.y <= size.height - margin.bottom - 10;
+  });
+  const covered = free.map((one) => {
+    const left = leftOf(one);
+    const isCovered = (/** @type {Place} */ { x, y }) =>
+      x > left - 7 && x < left + width + 7 && y > one.y - 16 && y < one.y + 9;
+    return marks.filter(isCovered).length;
+  });
+  const { x, y, side } = free[covered.indexOf(Math.min(...covered))] ?? writings[1];
+  return svg('text', { x, y, class: `name ${side}` }, name);
 }

@@ -49,13 +49,16 @@ export function placesOf(anatomy, phase, size) {
   const pairs = columnsOf(size, columns);
   const ranked = columnsOf(size, phase === 'ranking' ? anatomy.ranked : all.length);
   const aside = pairedAside(size, columns);
-  const byPair = (/** @type {number} */ number) =>
-    number < count ? pairs.x(number) - aside : pairs.x(number - count) + aside;
+  /** Before there is an offspring its parent stands alone, in the middle. @param {number} number */
+  const byPair = (number) => {
+    const apart = phase === 'parents' ? 0 : aside;
+    return number < count ? pairs.x(number) - apart : pairs.x(number - count) + apart;
+  };
   return all.map(({ cost }, number) => {
     if (phase === 'ranking') return { x: ranked.x(ranks[number]), y: y(cost) };
     if (phase === 'survivors') {
       const place = ranks[number];
-      return { x: place < staying ? pairs.x(place) - aside : ranked.x(place), y: y(cost) };
+      return { x: place < staying ? pairs.x(place) : ranked.x(place), y: y(cost) };
     }
     // Before its drive an offspring has no J: it waits beside its parent.
     const undriven = phase === 'parents' || phase === 'mutation';

@@ -2,7 +2,7 @@
 /** @import { Frame } from '../../kit/chart.js' */
 /** @import { Standings } from './contest-summary.js' */
 import { colour } from '../../kit/palette.js';
-import { drawName, spread } from '../../kit/names.js';
+import { drawName, spreadBeside } from '../../kit/names.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
 import words from './words/index.js';
@@ -36,7 +36,7 @@ export function drawNamesAt(context, frame, standings, heights) {
     drawMark(context, style.mark, frame.right, at, { fill: colour(style.token), edge });
   // Where there is no room beside the lines, their marks say whose they are.
   if (context.canvas.clientWidth - frame.right < roomForNames) return;
-  spread(places, frame.top, frame.bottom);
+  spreadBeside(places, frame);
   for (const { text, y, style } of places)
     drawName(context, { text, x: frame.right + 8, y, token: style.token });
 }

@@ -18,7 +18,7 @@ import {
   within,
 } from '../../kit/chart.js';
 import { extentOf } from '../../kit/extent.js';
-import { drawAxisNames, drawName, spread } from '../../kit/names.js';
+import { drawAxisNames, drawName, spreadBeside } from '../../kit/names.js';
 import words from './words/index.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
@@ -180,7 +180,7 @@ function drawLineNames(context, axes, model) {
           ]
         : []),
     ];
-    spread(places, frame.top, frame.bottom);
+    spreadBeside(places, frame);
     for (const place of places) drawName(context, { ...place, x: frame.right - 4, align: 'right' });
   }
   const token = '--ink';

@@ -7,5 +7,6 @@
 /** @typedef {'gains' | 'drives' | 'paper' | 'postures' | 'run' | 'seed' | 'clock' | 'settings' | 'parts' | 'lesson' | 'share'} Group */
 /** @typedef {'free' | 'locked' | 'hidden'} Way */
 /** @typedef {'cost' | 'sigmas'} LabCurve */
+/** @typedef {'limits' | 'goal' | 'start' | 'weights' | 'settings'} Difference */
 
 export {};

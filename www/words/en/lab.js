@@ -76,18 +76,18 @@ export const taglines = (population) => ({
   lab: `${population} robots, each with three random gains, drive to the goal. Evolution keeps what drives well.`,
   park: 'Robots at 32 starts, one parking place, three numbers: park them all, or let evolution try.',
   generation:
-    'One generation, step by step: who had whom as a child, how each drove, whom each met in the tournament, who stays.',
+    'One generation, step by step: who had whom as a child, how each drove, whom each met, who stays.',
   curves:
     'The drive against time, as in the paper’s Figures 5 and 7, J as it is paid, and the Lyapunov function.',
   landscape:
     'Every point is a robot with gains of its own, its colour the cost of its drive. Drag the goal: the valley moves.',
   robustness:
-    'The same gains from everywhere: where does the robot arrive, and where not? Click a place and watch it drive from there.',
+    'The same gains from everywhere: where does the robot arrive? Click a place to watch it from there.',
   training:
-    'Gains that were evolved on one start have learned that start. Evolve on many, and test on starts that evolution never saw.',
+    'Gains evolved on one start have learned that start. Evolve on many, test on starts never seen before.',
   disturbance:
-    'The ground pushes, the wheels slip: how far from the goal does the robot stay, and what does Theorem 2 promise?',
-  luck: 'The same search with many seeds: how much of a good result is luck, and which of its parts, or which rival, does better?',
+    'The ground pushes, the wheels slip: how far off does the robot stay, and what does Theorem 2 promise?',
+  luck: 'The same search with many seeds: how much of a result is luck, and which part or rival does better?',
 });
 
 export const endTrial = 'Back to its own start';

@@ -1,7 +1,7 @@
 // Every word of the pinned runs.
-/** @import { Triple } from '../../core/engine.js' */
+/** @import { Run, Triple } from '../../core/engine.js' */
 /** @import { Driver } from '../common/kinds.js' */
-import { foundName } from './lab.js';
+import { comparisonText, foundName } from './lab.js';
 import { fixed } from './numbers.js';
 
 export * from '../common/pins.js';
@@ -11,6 +11,18 @@ export const unpinThis = 'Unpin this run';
 /** @param {string} name */
 export const pinnedAs = (name) => `pinned as “${name}”`;
 export const noRoom = 'Four runs are pinned: unpin one first.';
+
+/** Beside its J. @type {Record<import('../common/kinds.js').Difference, string>} */
+const others = {
+  limits: 'other limits',
+  goal: 'other goal',
+  start: 'other start',
+  weights: 'other weights',
+  settings: 'other settings',
+};
+/** @param {string} name @param {Run} run @param {import('../common/kinds.js').Difference | null} difference Of its settings from those that drive now. */
+export const pinText = (name, run, difference) =>
+  comparisonText(name, run) + (difference ? ` (${others[difference]})` : '');
 
 /** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../common/kinds.js').Found }} of */
 export const pinName = (driver, { generation, seed, gains, found }) =>

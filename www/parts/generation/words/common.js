@@ -14,18 +14,32 @@ export function costWriter({ all }) {
 export const digitsFor = (size) =>
   size > 0 && Number.isFinite(size) ? Math.min(12, Math.max(3, 2 - Math.floor(Math.log10(size)))) : 3;
 
-/** @param {number} value @param {number} [change] The size of what changes it. */
-export const gainText = (value, change = Math.abs(value)) =>
+/** @param {number} value @param {number} [change] The size of what changes it. @param {number} [more] So many digits more than usual. */
+export const gainText = (value, change = Math.abs(value), more = 0) =>
   value === 0 || (Math.abs(value) >= 1e-6 && Math.abs(value) < 1e5)
-    ? fixed(value, digitsFor(change))
+    ? fixed(value, digitsFor(change) + more)
     : powerText(value);
 
 /** A strategy parameter, which may become very small. @param {number} value */
-export const sigmaText = (value) =>
-  value >= 0.001 && value < 1000 ? fixed(value, digitsFor(value)) : powerText(value);
+export const sigmaText = (value) => sigmaWith(value, 0);
+/** @param {number} value @param {number} more So many digits more than usual. */
+export const sigmaWith = (value, more) =>
+  value >= 0.001 && value < 1000 ? fixed(value, digitsFor(value) + more) : powerText(value);
 
-/** A draw from N(0, 1), or a rate. @param {number} value */
-export const drawText = (value) => fixed(value, 3);
+/** A draw from N(0, 1), or a rate. @param {number} value @param {number} [more] So many digits more than usual. */
+export const drawText = (value, more = 0) => fixed(value, 3 + more);
+
+/**
+ * The numbers of an equation, with as many digits as it takes that they come, as written, to what is written behind them.
+ * @param {readonly ((more: number) => string)[]} numbers @param {(...values: number[]) => number} come @param {string} result
+ */
+export function addingUp(numbers, come, result) {
+  const digits = result.split('.')[1]?.length ?? 0;
+  const told = [0, 1, 2, 3, 4, 5, 6].map((more) => numbers.map((write) => write(more)));
+  const isRight = (/** @type {string[]} */ texts) =>
+    fixed(come(...texts.map((text) => Number(text.replace('−', '-')))), digits) === result;
+  return told.find(isRight) ?? told[0];
+}
 
 /** What is made of a number that may not be taken as it is. @param {string} from @param {string} to */
 export const becomes = (from, to) => (from === to ? from : `${from} → ${to}`);
@@ -42,9 +56,9 @@ export const aboveText = (cost, digits) => `${fixed(cost, digits)} ↑`;
 export const won = '✓';
 export const lost = '✗';
 export const formula = {
-  gain: { gaussian: 'k′ = k + σ N', cauchy: 'k′ = k + σ C' },
-  sigma: 'σ′ = σ e',
-  exponent: 'τ′N + τNᵢ',
+  gain: { gaussian: 'kᵢ′ = kᵢ + σᵢ Nᵢ', cauchy: 'kᵢ′ = kᵢ + σᵢ Cᵢ' },
+  sigma: 'σᵢ′ = σᵢ e',
+  exponent: 'τ′N + τNᵢ′',
 };
 
 /** The three others in a trial of differential evolution. */
