@@ -97,7 +97,7 @@ test('whatever else is wrong is refused, and nothing is lost by it', options, ()
     [
       'ep.evaluate({"horizon": 1e5, "sampleTime": 1}, [[1, 2, 3]] * 5000)',
       'ValueError',
-      /at most 4000 with 1 starts/,
+      /at most 4000 with 1 start and/,
     ],
     ['ep.Evolution({}).step(0)', 'ValueError', /^generations must be a whole number from 1, but was 0$/],
     ['ep.Evolution({}).step(1.5)', 'ValueError', /^generations must be a whole number from 1, but was 1\.5$/],
