@@ -73,14 +73,17 @@ export function ticksOn(scale, space, { factors = [1, 2, 2.5, 5], least = 0 } = 
 /** Whole numbers, as generations are. @param {Scale} scale */
 export const wholeTicks = (scale) => ticksOn(scale, 56, { factors: [1, 2, 5], least: 1 });
 
+/** Digits after the point that mean anything. */
+const mostDigits = 15;
+
 /** As many digits as the step needs, at every tick. @param {readonly number[]} ticks */
 export function sameDigits(ticks) {
   const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
   if (step >= 1000) return ticks.map((tick) => (tick === 0 ? '0' : `${tick / 1000}k`));
-  const digits =
-    [0, 1, 2, 3, 4, 5].find(
-      (count) => Math.abs(step * 10 ** count - Math.round(step * 10 ** count)) < 1e-6,
-    ) ?? 6;
+  let digits = Math.min(mostDigits, Math.max(0, -Math.floor(Math.log10(Math.abs(step)) + 1e-9)));
+  // How far apart they are is not known to the last bit.
+  const isWhole = (/** @type {number} */ value) => Math.abs(value - Math.round(value)) < 1e-3;
+  while (digits < mostDigits && !isWhole(step * 10 ** digits)) digits += 1;
   return ticks.map((tick) => tick.toFixed(digits));
 }
 

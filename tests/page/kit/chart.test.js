@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { scaleLinear } from 'd3-scale';
-import { pointsOf } from '../../../www/kit/chart.js';
+import { pointsOf, sameDigits, ticksOn } from '../../../www/kit/chart.js';
 import { extentOf, largest, outlineOf } from '../../../www/kit/extent.js';
 import { test } from '../harness/once.js';
 
@@ -131,4 +131,19 @@ test('a column reaches from its least finite number to its largest, however long
   const many = Array.from({ length: 300_000 }, (_, i) => Math.sin(i));
   assert.deepEqual(extentOf([many], [-2, 0.5]), [-2, largest(many)]);
   assert.deepEqual(extentOf([]), [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY]);
+});
+
+test('the numbers of an axis are their ticks, however near together these are', () => {
+  const ends = fc.double({ min: -100, max: 100, noNaN: true });
+  fc.assert(
+    fc.property(ends, fc.integer({ min: -9, max: 2 }), (low, power) => {
+      const high = low + 10 ** power;
+      const ticks = ticksOn(scaleLinear([low, high], [0, 400]), 50);
+      const step = ticks[1] - ticks[0];
+      for (const [i, text] of sameDigits(ticks).entries())
+        assert.ok(Math.abs(Number(text) - ticks[i]) < 1e-3 * step, `${text} for ${ticks[i]}`);
+    }),
+  );
+  assert.deepEqual(sameDigits([0, 0.25, 0.5]), ['0.00', '0.25', '0.50']);
+  assert.deepEqual(sameDigits([0, 20, 40]), ['0', '20', '40']);
 });

@@ -221,7 +221,9 @@ pageTest('a drag is one trial, however far it goes', async (page) => {
     120,
   );
   await drawn(page);
-  const ky = Number(await page.evaluate(() => document.querySelector('input#slider-ky')?.value));
+  const ky = Number(
+    await page.evaluate(() => /** @type {HTMLInputElement} */ (document.getElementById('slider-ky')).value),
+  );
   assert.ok(ky > 1);
   assert.equal(await textOf(page, 'duel-drives'), '2');
   const best = Math.min(...evaluate(contest, [1.01, 1, 1, 1.01, ky, 1]));

@@ -1,6 +1,5 @@
 import assert from 'node:assert/strict';
 import { generationSlice } from '../../../www/parts/generation/state.js';
-import { lineageOf } from '../../../www/lesson/lineage.js';
 import { sigma as step } from '../../../www/lesson/steps/sigma.js';
 import { sigma as words } from '../../../www/lesson/words/en/sigma.js';
 import { sigma as korean } from '../../../www/lesson/words/ko/sigma.js';
@@ -53,84 +52,6 @@ test('how σ changes, by how much, and how often it is halved or doubled at most
   }
   assert.ok(Math.abs(within / all - 2 / 3) < 0.05, `${within / all}`);
   assert.ok(Math.abs(smaller / all - 0.5) < 0.02, `${smaller / all}`);
-});
-
-test('a lineage is a chain of births that ends with the best, and begins among the first', () => {
-  for (const seed of [1, 2, 3]) {
-    const evolution = new Evolution(withSeed(seed));
-    const best = Array.from({ length: 61 }, (_, g) => {
-      if (g > 0) evolution.step();
-      return evolution.statistics().best.cost;
-    });
-    for (const generation of [0, 1, 2, 30, 60]) {
-      const family = lineageOf((g) => evolution.record(g), generation);
-      const [first] = family;
-      assert.equal(first.born, 0);
-      assert.ok(
-        evolution.record(0).parents.some(({ gains }) => String(gains) === String(first.individual.gains)),
-      );
-      assert.equal(family.at(-1)?.individual.cost, best[generation]);
-      for (const [i, { born, individual }] of family.slice(1).entries()) {
-        const { parents, offspring } = evolution.record(born);
-        const pair = offspring.findIndex(({ gains }) => String(gains) === String(individual.gains));
-        assert.deepEqual(parents[pair], family[i].individual);
-      }
-    }
-  }
-});
-
-pageTest(
-  'the family of the best robot is in sight, with as many bells of each gain as it has members',
-  async (page) => {
-    await page.open('#lesson&step=8');
-    const { title, hills, captions } = await page.until('the picture', () => {
-      const picture = document.getElementById('lineage');
-      const columns = [...(picture?.querySelectorAll('figure') ?? [])];
-      return (
-        columns.length === 3 && {
-          title: picture?.querySelector('.lineage-title')?.textContent ?? '',
-          hills: columns.map((column) => column.querySelectorAll('.hill').length),
-          captions: columns.map((column) => column.querySelector('figcaption .muted')?.textContent),
-        }
-      );
-    });
-    const evolution = new Evolution(usual);
-    for (let g = 1; g <= 60; g++) evolution.step();
-    const family = lineageOf((g) => evolution.record(g), 60);
-    const [first, last] = [family[0], family[family.length - 1]].map(({ individual }) => individual.sigmas);
-    assert.equal(title, words.lineage.title(60, family.length));
-    assert.deepEqual(
-      hills,
-      [0, 1, 2].map(() => family.length),
-    );
-    assert.deepEqual(
-      captions,
-      [0, 1, 2].map((i) => words.lineage.sigma(first[i], last[i])),
-    );
-  },
-);
-
-pageTest('the bells of a family are of the distribution from which it was drawn', async (page) => {
-  for (const [step, density] of /** @type {const} */ ([
-    ['gaussian', (/** @type {number} */ draw) => Math.exp(-0.5 * draw * draw)],
-    ['cauchy', (/** @type {number} */ draw) => 1 / (1 + draw * draw)],
-  ])) {
-    await page.open(`#lab&v=1&evolution.step=${step}&generation=12&lesson=8`);
-    const outline = await page.until('a hill', () =>
-      document.querySelector('#lineage .hill')?.getAttribute('d'),
-    );
-    const heights = outline
-      .slice(1)
-      .split('L')
-      .map((point) => -Number(point.split(' ')[1]));
-    const [middle, end] = [heights[(heights.length - 1) / 2], heights[0]];
-    for (const [i, height] of heights.entries()) {
-      const draw = 3 * ((2 * i) / (heights.length - 1) - 1);
-      const share = (height - end) / (middle - end);
-      const expected = (density(draw) - density(3)) / (1 - density(3));
-      assert.ok(Math.abs(share - expected) < 0.01, `${step}, ${draw}: ${share}, not ${expected}`);
-    }
-  }
 });
 
 test('too short a step gets nowhere, too long a step misses', () => {

@@ -182,6 +182,37 @@ pageTest('the rule of mutation stands in one line', async (page) => {
   assert.ok(rule.height < 30 && exponent.top < rule.top + rule.height / 2, JSON.stringify([rule, exponent]));
 });
 
+pageTest(
+  'where evolution has nearly ended the axis of J is whole, and its numbers stand apart',
+  async (page) => {
+    await page.resize(1366, 768);
+    await page.open('#generation&v=1&generation=300&phase=mutation&individual=0&lesson=8');
+    const { texts, left } = await page.until('the axis', () => {
+      const axis = [...document.querySelectorAll('.generation-picture .axis text')];
+      const figure = document.querySelector('.generation-picture')?.getBoundingClientRect();
+      return (
+        figure &&
+        axis.some((one) => one.textContent?.startsWith('×10')) && {
+          left: figure.left,
+          texts: axis.map((one) => {
+            const { left, right, top, bottom } = one.getBoundingClientRect();
+            return { text: one.textContent ?? '', left, right, top, bottom };
+          }),
+        }
+      );
+    });
+    assert.ok(texts.some(({ text }) => /^\+\d(\.\d)?$/.test(text)));
+    const numbers = texts.filter(({ text }) => /^[+×]|best|↑/.test(text));
+    for (const [i, one] of numbers.entries()) {
+      assert.ok(one.left >= left, JSON.stringify(one));
+      for (const other of numbers.slice(i + 1))
+        assert.ok(one.bottom - other.top < 5 || other.bottom - one.top < 5, JSON.stringify([one, other]));
+    }
+    const index = await page.evaluate(() => document.querySelector('.rule sup sub')?.textContent);
+    assert.equal(index, 'i', 'an index of the formula’s own font, which is not cut');
+  },
+);
+
 pageTest('who wants less motion sees none from one phase to the next', async (page) => {
   await openAt(page, 1);
   await go(page, 'drive');

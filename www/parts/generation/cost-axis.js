@@ -16,11 +16,13 @@ export function drawCostAxis(layer, { anatomy, phase }, size) {
   const [low, high] = height.scale.domain();
   const room = Math.max(2, Math.floor(size.height / 48));
   const step = tickStep(low, high, room);
-  // Where evolution has nearly ended J itself would need too many digits.
+  // Where evolution has nearly ended J itself would need too many digits: how far from the best, in parts of a power of ten.
   const narrow = step < 1e-4;
-  const ticks = narrow ? ticksOf(0, high - low, room).map((tick) => low + tick) : ticksOf(low, high, room);
+  const power = Math.floor(Math.log10(high - low));
+  const beyond = narrow ? ticksOf(0, high - low, room) : [];
+  const ticks = narrow ? beyond.map((tick) => low + tick) : ticksOf(low, high, room);
   const texts = narrow
-    ? ticks.map((tick, i) => words.beyondBest(i === 0 ? 0 : tick - low))
+    ? sameDigits(beyond.map((tick) => tick / 10 ** power)).map(words.beyondBest)
     : sameDigits(ticks);
   const digits = narrow ? 3 : (texts[0]?.split('.')[1] ?? '').length;
   const line = (/** @type {number} */ y) => svg('line', { x1: margin.left, x2: right, y1: y, y2: y });
@@ -28,18 +30,23 @@ export function drawCostAxis(layer, { anatomy, phase }, size) {
     svg('text', { x: margin.left - 8, y: y + 4, class: 'end' }, text);
   const { above } = height;
   const first = above ? above.line + 14 : 0;
+  const head = margin.top + (above ? 36 : 4);
+  const firstText = narrow ? head + 10 : first;
   layer.replaceChildren(
     ...ticks.flatMap((tick) =>
       height.scale(tick) > first ? [line(Math.round(height.scale(tick)) + 0.5)] : [],
     ),
-    ...ticks.flatMap((tick, i) => (height.scale(tick) > first ? [label(height.scale(tick), texts[i])] : [])),
+    ...ticks.flatMap((tick, i) =>
+      height.scale(tick) > firstText ? [label(height.scale(tick), texts[i])] : [],
+    ),
     ...(above
       ? [
           svg('line', { x1: margin.left, x2: right, y1: above.line, y2: above.line, class: 'limit' }),
-          label(above.y, words.aboveText(above.limit, digits)),
+          svg('text', { x: 0, y: above.y + 4 }, words.aboveText(above.limit, digits)),
         ]
       : []),
-    svg('text', { x: 0, y: margin.top + (above ? 36 : 4), class: 'symbol' }, words.costAxis),
+    svg('text', { x: 0, y: head, class: 'symbol' }, words.costAxis),
+    ...(narrow ? [svg('text', { x: 14, y: head }, words.costUnit(power))] : []),
     ...across({ anatomy, phase }, size),
     ...(phase === 'ranking' ? weights(anatomy, size) : []),
   );

@@ -56,10 +56,10 @@ const contents = {
       ${bell(birth.draws.gains[i], step)}
       ${gainEquation(birth, i)}
       ${sigmaEquation(birth, i, rates)}`;
-    const { gain, sigma, exponent } = words.formula;
+    const { gain, sigma, exponent, index } = words.formula;
     return html`
       <p class="headline"><span>${link(anatomy, pair, choose)} → ${link(anatomy, pair + count, choose)}</span><span
-        class="rule muted">${gain[step]}<span class="gap"></span>${sigma}<sup>${exponent}</sup></span></p>
+        class="rule muted">${gain[step]}<span class="gap"></span>${sigma}<sup>${exponent}<sub>${index}</sub></sup></span></p>
       ${birth.other === null ? nothing : crossing(anatomy, birth, birth.other, choose)}
       ${gainRows(Math.min(...birth.base.sigmas) < longBelow ? 'gain-rows long' : 'gain-rows', row)}
       ${commonEquation(birth, rates, step)}

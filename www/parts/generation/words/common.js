@@ -1,6 +1,6 @@
 // Of the generation part, what is the same in every language.
 /** @import { Anatomy } from '../record.js' */
-import { costText, fixed, powerText } from '../../../words/numbers.js';
+import { costText, fixed, powerOfTen, powerText } from '../../../words/numbers.js';
 
 /** How J is written in a generation: with as many digits as tell most of its individuals apart. @param {Anatomy} anatomy @returns {(cost: number) => string} */
 export function costWriter({ all }) {
@@ -51,6 +51,8 @@ export const cameFrom = (to, from) => (to === from ? to : `${to} ← ${from}`);
 export const bracketed = (text) => (text.startsWith('−') ? `(${text})` : text);
 
 export const costAxis = 'J';
+/** Of what its numbers are multiples. @param {number} power */
+export const costUnit = (power) => `×${powerOfTen(power, 0)}`;
 /** @param {number} cost @param {number} digits */
 export const aboveText = (cost, digits) => `${fixed(cost, digits)} ↑`;
 export const won = '✓';
@@ -58,7 +60,8 @@ export const lost = '✗';
 export const formula = {
   gain: { gaussian: 'kᵢ′ = kᵢ + σᵢ Nᵢ', cauchy: 'kᵢ′ = kᵢ + σᵢ Cᵢ' },
   sigma: 'σᵢ′ = σᵢ e',
-  exponent: 'τ′N + τNᵢ′',
+  exponent: 'τ′N + τN′',
+  index: 'i',
 };
 
 /** The three others in a trial of differential evolution. */

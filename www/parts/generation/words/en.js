@@ -2,7 +2,7 @@
 /** @import { Anatomy, Phase } from '../record.js' */
 import { costWriter, digitsFor } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-en.js';
-import { costText, fixed, powerText } from '../../../words/en/numbers.js';
+import { costText, fixed } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 export * from './methods-en.js';
@@ -116,8 +116,8 @@ export function chosenText(anatomy, phase, number) {
   }
 }
 
-/** The axis of J where it is too narrow for J itself. @param {number} value */
-export const beyondBest = (value) => (value === 0 ? 'best' : `+${powerText(value, 2)}`);
+/** The axis of J where it is too narrow for J itself. @param {string} text how far, from the best on @param {number} i */
+export const beyondBest = (text, i) => (i === 0 ? 'best' : `+${text}`);
 export const winsAxis = 'wins';
 export const pairAxis = 'pair';
 export const robotAxis = 'robot';

@@ -2,7 +2,7 @@
 /** @import { Anatomy, Phase } from '../record.js' */
 import { costWriter, digitsFor } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-ko.js';
-import { costText, fixed, powerText } from '../../../words/ko/numbers.js';
+import { costText, fixed } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 export * from './methods-ko.js';
@@ -108,8 +108,8 @@ export function chosenText(anatomy, phase, number) {
   }
 }
 
-/** The axis of J where it is too narrow for J itself. @param {number} value */
-export const beyondBest = (value) => (value === 0 ? '최우수' : `+${powerText(value, 2)}`);
+/** The axis of J where it is too narrow for J itself. @param {string} text how far, from the best on @param {number} i */
+export const beyondBest = (text, i) => (i === 0 ? '최우수' : `+${text}`);
 export const winsAxis = '승';
 export const pairAxis = '쌍';
 export const robotAxis = '로봇';

@@ -1,0 +1,156 @@
+// The family of the best robot: who descends from whom, and how it is drawn.
+import assert from 'node:assert/strict';
+import { lineageOf, numbersBelow } from '../../../www/lesson/lineage.js';
+import { sigma as words } from '../../../www/lesson/words/en/sigma.js';
+import { pageTest } from '../harness/browsers.js';
+import { Evolution, experiment } from '../harness/core.js';
+import { opened } from './links.js';
+import { tryOf } from './live.js';
+import { test } from '../harness/once.js';
+
+const usual = experiment('velocity-limits');
+
+test('a lineage is a chain of births that ends with the best, and begins among the first', () => {
+  for (const seed of [1, 2, 3]) {
+    const evolution = new Evolution({ ...usual, evolution: { ...usual.evolution, seed } });
+    const best = Array.from({ length: 61 }, (_, g) => {
+      if (g > 0) evolution.step();
+      return evolution.statistics().best.cost;
+    });
+    for (const generation of [0, 1, 2, 30, 60]) {
+      const family = lineageOf((g) => evolution.record(g), generation);
+      const [first] = family;
+      assert.equal(first.born, 0);
+      assert.ok(
+        evolution.record(0).parents.some(({ gains }) => String(gains) === String(first.individual.gains)),
+      );
+      assert.equal(family.at(-1)?.individual.cost, best[generation]);
+      for (const [i, { born, individual }] of family.slice(1).entries()) {
+        const { parents, offspring } = evolution.record(born);
+        const pair = offspring.findIndex(({ gains }) => String(gains) === String(individual.gains));
+        assert.deepEqual(parents[pair], family[i].individual);
+      }
+    }
+  }
+});
+
+test('the numbers below a family are those of their places, and none touches another', () => {
+  for (const range of /** @type {[number, number][]} */ ([
+    [6.9, 8.9],
+    [-193, 207],
+    [-4.6, 5.2],
+    [5.57, 6.01],
+    [7.43, 7.47],
+    [-1e6, 1e6],
+  ]))
+    for (const wide of [93, 145, 201, 600]) {
+      const numbers = numbersBelow(range, wide);
+      assert.ok(numbers.length > 1, `${range}, ${wide}`);
+      /** At most, in the widest font of a system. @param {string} text */
+      const half = (text) => (8.3 * text.length) / 2;
+      for (const [i, { at, text }] of numbers.entries()) {
+        const value = Number(text.replace('−', '-').replace('k', 'e3'));
+        const place = (value - range[0]) / (range[1] - range[0]);
+        assert.ok(Math.abs(at - place) < 1e-3, `${text} at ${at}`);
+        assert.ok(Math.min(at, 1 - at) * wide + 5 > half(text), `${text} leaves ${wide} pixels`);
+        const before = numbers[i - 1];
+        if (before) assert.ok((at - before.at) * wide > half(text) + half(before.text) + 5);
+      }
+    }
+});
+
+pageTest(
+  'the family of the best robot is in sight, with as many bells of each gain as it has members',
+  async (page) => {
+    await page.open('#lesson&step=8');
+    const { title, hills, captions } = await page.until('the picture', () => {
+      const picture = document.getElementById('lineage');
+      const columns = [...(picture?.querySelectorAll('figure') ?? [])];
+      return (
+        columns.length === 3 && {
+          title: picture?.querySelector('.lineage-title')?.textContent ?? '',
+          hills: columns.map((column) => column.querySelectorAll('.hill').length),
+          captions: columns.map((column) => column.querySelector('figcaption .muted')?.textContent),
+        }
+      );
+    });
+    const evolution = new Evolution(usual);
+    for (let g = 1; g <= 60; g++) evolution.step();
+    const family = lineageOf((g) => evolution.record(g), 60);
+    const [first, last] = [family[0], family[family.length - 1]].map(({ individual }) => individual.sigmas);
+    assert.equal(title, words.lineage.title(60, family.length));
+    assert.deepEqual(
+      hills,
+      [0, 1, 2].map(() => family.length),
+    );
+    assert.deepEqual(
+      captions,
+      [0, 1, 2].map((i) => words.lineage.sigma(first[i], last[i])),
+    );
+  },
+);
+
+pageTest('the numbers below a family stand apart, also on a telephone', async (page) => {
+  for (const [width, height] of [
+    [1366, 768],
+    [390, 844],
+  ]) {
+    await page.open('#lesson&step=8');
+    await page.resize(width, height);
+    for (const link of [tryOf('sigma', 'none'), tryOf('sigma', 'large'), tryOf('sigma', 'stuck')]) {
+      await page.evaluate(
+        (hash) => {
+          location.hash = `${hash}&lesson=8`;
+        },
+        link.replace('&', '&v=1&'),
+      );
+      const { generation } = opened(link);
+      const rows = await page.until(
+        `the numbers of ${link}`,
+        (last) => {
+          const all = [...document.querySelectorAll('#lineage .lineage-ticks')];
+          const title = document.querySelector('.lineage-title')?.textContent ?? '';
+          return (
+            title.includes(`generation ${last}`) &&
+            all.length === 3 &&
+            all.every((row) => row.childElementCount > 1) &&
+            all.map((row) =>
+              [...row.children].map((one) => {
+                const { left, right } = one.getBoundingClientRect();
+                return { left, right, text: one.textContent };
+              }),
+            )
+          );
+        },
+        generation,
+      );
+      const all = rows.flat();
+      for (const [i, one] of all.entries())
+        if (i > 0) assert.ok(one.left > all[i - 1].right, `${link}, ${width}: ${JSON.stringify(all)}`);
+      for (const row of rows) assert.equal(new Set(row.map(({ text }) => text)).size, row.length);
+    }
+  }
+});
+
+pageTest('the bells of a family are of the distribution from which it was drawn', async (page) => {
+  for (const [step, density] of /** @type {const} */ ([
+    ['gaussian', (/** @type {number} */ draw) => Math.exp(-0.5 * draw * draw)],
+    ['cauchy', (/** @type {number} */ draw) => 1 / (1 + draw * draw)],
+  ])) {
+    await page.open(`#lab&v=1&evolution.step=${step}&generation=12&lesson=8`);
+    const outline = await page.until('a hill', () =>
+      document.querySelector('#lineage .hill')?.getAttribute('d'),
+    );
+    const heights = outline
+      .slice(1)
+      .split('L')
+      .map((point) => -Number(point.split(' ')[1]));
+    const [middle, end] = [heights[(heights.length - 1) / 2], heights[0]];
+    for (const [i, height] of heights.entries()) {
+      const draw = 3 * ((2 * i) / (heights.length - 1) - 1);
+      const share = (height - end) / (middle - end);
+      const expected = (density(draw) - density(3)) / (1 - density(3));
+      assert.ok(Math.abs(share - expected) < 0.01, `${step}, ${draw}: ${share}, not ${expected}`);
+    }
+  }
+});
