@@ -175,7 +175,7 @@ async function start(engine) {
   byId('plane-robots').setAttribute('aria-label', words.planeLabel);
   createKeys(openChecks);
   byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get().history)));
-  address = createAddress({ ...tools, actions, firstPage });
+  address = createAddress({ ...tools, actions, slices: places.slices, firstPage });
   await open();
   frame = createFrame(run, seen);
   takeInstead();

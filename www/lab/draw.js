@@ -135,7 +135,11 @@ function evolutionOf(state) {
 }
 
 /** @param {Scene} scene @param {State} state */
-function costNote({ comparison, comparisonDriver, paperEp }, { driver, generation, found }) {
+function costNote(scene, { driver, history, generation, found }) {
+  const { comparison, comparisonDriver, paperEp } = scene;
+  const { length: starts } = scene.experiment.starts;
+  // From one of many starts others may be better.
+  if (driver === 'evolved' && starts > 1) return strings.meanNote(starts, history[generation].best.cost);
   if (driver === 'paper-ep')
     return strings.costNote(strings.driverName('paper-arbitrary', 0, 'hand'), comparison.cost.total);
   if (paperEp) return strings.costNote(strings.driverName('paper-ep', 0, 'hand'), paperEp.cost.total);

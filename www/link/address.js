@@ -3,8 +3,10 @@
 /** @import { Actions } from '../run/actions/actions.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
+/** @import { Slice } from '../run/store.js' */
 /** @import { Links } from './link.js' */
 import { isEmbedded } from '../kit/host.js';
+import { takeAlong, takeUp } from './crossing.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { withExercise } from './link.js';
 import { watch } from '../kit/memo.js';
@@ -15,8 +17,8 @@ import { language, languageOfAddress } from '../words/language.js';
 /** Browsers refuse an address that changes more often. */
 const pauseMilliseconds = 400;
 
-/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, firstPage: string }} parts `firstPage`: what is opened where an address asks for nothing. */
-export function createAddress({ engine, store, actions, links, firstPage }) {
+/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, slices: readonly Slice<any>[], firstPage: string }} parts `slices`: of all parts; `firstPage`: what is opened where an address asks for nothing. */
+export function createAddress({ engine, store, actions, links, slices, firstPage }) {
   const { pages, linkOf, linkOfStep } = links;
   const changed = watch();
   /** The host's “back” is not for what happens within a frame. */
@@ -27,12 +29,18 @@ export function createAddress({ engine, store, actions, links, firstPage }) {
   let place = { page: '', lesson: 0 };
 
   const open = () => {
+    const asked = location.hash.slice(1);
+    const spoken = languageOfAddress();
     // The words are chosen when the page loads.
-    if (languageOfAddress() !== language) return location.reload();
-    written = location.hash.slice(1);
-    const { opened, problems } = links.openLink(written || firstPage, engine, whoAsked());
+    if (spoken !== language) {
+      if (asked === linkOf(store.get(), engine.experiment, spoken)) takeAlong(store.get(), slices);
+      return location.reload();
+    }
+    written = asked;
+    const { opened: run, problems } = links.openLink(written || firstPage, engine, whoAsked());
+    const { opened, newest } = takeUp(run);
     place = placeOf(opened);
-    actions.openLinked(opened, problems);
+    actions.openLinked(opened, problems, newest);
   };
 
   const isElsewhere = (/** @type {State} */ state) =>

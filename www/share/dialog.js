@@ -216,7 +216,8 @@ const contentOf = ({ address, frame, frameText, pictures, status, park }, on) =>
 
 /** @param {string | null} link @param {Events} on */
 const toLab = (link, on) => html`
-  <p id="keep-park" class="muted">${link ? texts.keepParkFound : texts.keepParkEmpty}
+  <h3>${texts.keepParkTitle}</h3>
+  <p class="muted">${link ? texts.keepParkFound : texts.keepParkEmpty}
     ${link ? html`<a id="keep-lab" href="#${link}" @click=${on.leave}>${texts.keepParkLab}</a>` : nothing}</p>`;
 
 /** @param {Events} on */

@@ -28,7 +28,7 @@ function bred(seed) {
   const evolution = new Evolution({ ...task, evolution: { ...task.evolution, seed } });
   let { generation, best, evaluations } = evolution.statistics();
   while (parked(best.gains) < 32) ({ generation, best, evaluations } = evolution.step());
-  return { generation, gains: best.gains, evaluations };
+  return { generation, gains: best.gains, cost: best.cost, evaluations };
 }
 
 /** @param {boolean} arrived @param {number} finalTime @returns {Drive} */
@@ -155,7 +155,7 @@ pageTest('the evolution that was seen is opened in the lab, with the same best r
   await page.until('it has come to its end', () => document.getElementById('park-lab'));
   await page.click('#park-lab');
   await page.until('the lab is open', () => document.body.dataset.open === 'lab');
-  const { generation, gains } = bred(1);
+  const { generation, gains, cost } = bred(1);
   await page.until(
     'the generation is there',
     (number) => document.getElementById('generation')?.textContent === number,
@@ -165,6 +165,8 @@ pageTest('the evolution that was seen is opened in the lab, with the same best r
     () => /** @type {HTMLInputElement} */ (document.getElementById('gain-ky')).value,
   );
   assert.equal(Number(shown), Number(gains[1].toFixed(3)));
+  // From the first start alone others may be better.
+  assert.equal(await page.text('#cost-note'), `mean over all 32 starts: ${cost.toFixed(3)}`);
 });
 
 /** What Share offers, once its sheet is there. @param {Page} page */

@@ -65,4 +65,5 @@ export const luckSlice = createSlice(
     message: '',
   }),
   ['targetError', 'reading', 'until', 'only', 'draw'],
+  ['contest', 'count', 'generations', 'result', 'chosen'],
 );

@@ -24,7 +24,11 @@ export function createPlay(engine, store, paper, task) {
   );
   const handFilm = (/** @type {Triple} */ [kx, ky, ktheta]) => byHand(kx, ky, ktheta);
   const gainsNow = () => slice().gains ?? (hidesPaper(store.get()) ? anyGains : firstGains(paper));
-  const { film, show, request } = createProjector(handFilm(gainsNow()), store, ended);
+  const filmNow = () => {
+    const found = slice().bred.at(-1);
+    return found ? filmOf(task.drive([found.gains])[0], [], 'hand') : handFilm(gainsNow());
+  };
+  const { film, show, request } = createProjector(filmNow(), store, ended);
   const isOf = (/** @type {Triple} */ gains) => film().drives === handFilm(gains).drives;
 
   /** One generation more, as a film. */

@@ -17,4 +17,6 @@ import { createSlice } from '../../run/store.js';
 export const parkSlice = createSlice(
   'park',
   /** @type {ParkState} */ ({ gains: null, best: null, bred: [], evolving: false, seed: 1, message: '' }),
+  [],
+  ['gains', 'best', 'bred', 'seed'],
 );

@@ -32,4 +32,6 @@ export const trainingSlice = createSlice(
     wanted: false,
     byHand: null,
   }),
+  [],
+  ['generations', 'chosen', 'evolved', 'spread', 'byHand'],
 );

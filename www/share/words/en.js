@@ -8,10 +8,10 @@ export const texts = {
   keepLinkHelp: 'Opens this very run anywhere: the same robots, the same evolution, the same view.',
   keepCopy: 'Copy link',
   keepParkHelp: 'Opens Park as it is at first, for whoever wants to try. What was tried here is not in it.',
+  keepParkTitle: 'What is found here',
   keepParkFound:
-    'What was found here can be shared as a run of the lab: as a link, as code for a robot, as a file, as tables.',
-  keepParkEmpty:
-    'What is found here, by hand or by evolution, can be shared from the lab, which is offered here then.',
+    'It can be shared as a run of the lab: as a link, as code for a robot, as a file, as tables.',
+  keepParkEmpty: 'Move a slider, or let evolution try: what comes of it can be shared as a run of the lab.',
   keepParkLab: 'Open it in the lab',
   keepFile: 'File',
   keepSave: 'Save the run',

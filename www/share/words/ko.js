@@ -8,9 +8,9 @@ export const texts = {
   keepLinkHelp: '어디서나 바로 이 실행을 엽니다. 로봇도 진화도 화면도 같습니다.',
   keepCopy: '링크 복사',
   keepParkHelp: '누구나 해 볼 수 있도록 처음 상태의 주차를 엽니다. 여기서 해 본 것은 담기지 않습니다.',
-  keepParkFound:
-    '여기서 찾은 것은 실험실의 실행으로 나눌 수 있습니다. 링크, 로봇에 쓸 코드, 파일, 표가 거기에 있습니다.',
-  keepParkEmpty: '직접 또는 진화로 찾은 것은 실험실에서 나눌 수 있습니다. 찾은 뒤에는 여기서 열 수 있습니다.',
+  keepParkTitle: '여기서 찾은 것',
+  keepParkFound: '실험실의 실행으로 나눌 수 있습니다. 링크, 로봇에 쓸 코드, 파일, 표가 거기에 있습니다.',
+  keepParkEmpty: '슬라이더를 움직이거나 진화에 맡기면, 그 결과를 실험실의 실행으로 나눌 수 있습니다.',
   keepParkLab: '실험실에서 열기',
   keepFile: '파일',
   keepSave: '실험 저장',

@@ -135,6 +135,9 @@ export const outcomeText = (run) =>
 /** @param {string} name @param {number} cost */
 export const costNote = (name, cost) => `${name} here: ${costText(cost)}`;
 
+/** @param {number} starts @param {number} cost */
+export const meanNote = (starts, cost) => `mean over all ${starts} starts: ${costText(cost)}`;
+
 /** @param {number} value */
 export const partText = (value) => (value < 100 ? fixed(value, 2) : costText(value));
 
@@ -279,7 +282,7 @@ export const gainsNote = (driver, evolved) =>
     'paper-arbitrary': 'chosen without evolution',
   })[driver];
 
-export const gainsReplaced = 'Ctrl+Z brings yours back';
+export const gainsReplaced = 'Undo (Ctrl+Z) brings yours back';
 
 /** @param {string} name */
 export const gainSliderLabel = (name) => `${name}, slider`;

@@ -130,6 +130,9 @@ export const outcomeText = (run) =>
 /** @param {string} name @param {number} cost */
 export const costNote = (name, cost) => `같은 조건, ${name}: ${costText(cost)}`;
 
+/** @param {number} starts @param {number} cost */
+export const meanNote = (starts, cost) => `출발점 ${starts}개 모두의 평균: ${costText(cost)}`;
+
 /** @param {number} value */
 export const partText = (value) => (value < 100 ? fixed(value, 2) : costText(value));
 
@@ -275,7 +278,7 @@ export const gainsNote = (driver, evolved) =>
     'paper-arbitrary': '진화 없이 정한 이득',
   })[driver];
 
-export const gainsReplaced = 'Ctrl+Z로 내 이득 되찾기';
+export const gainsReplaced = '되돌리기(Ctrl+Z)로 내 이득 되찾기';
 
 /** @param {string} name */
 export const gainSliderLabel = (name) => `${name}, 슬라이더`;

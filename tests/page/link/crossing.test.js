@@ -1,0 +1,91 @@
+// A change of language loads the page again: what was found stays.
+import assert from 'node:assert/strict';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { read } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** Presses the link to Korean, and waits for the page. @param {Page} page */
+async function toKorean(page) {
+  await page.click('#language');
+  await page.until(
+    'the page is in Korean',
+    () => document.documentElement.lang === 'ko' && document.documentElement.dataset.ready === 'true',
+  );
+}
+
+/** The numbers in an element, which stand in another order in another language. @param {Page} page @param {string} selector */
+const numbersIn = async (page, selector) =>
+  ((await page.text(selector)).replaceAll('−', '-').match(/-?\d+(?:\.\d+)?/g) ?? []).sort();
+
+/** @param {Page} page @param {string} id @param {string} value */
+const set = (page, id, value) =>
+  page.evaluate(
+    (control, to) => {
+      const input = /** @type {HTMLInputElement} */ (document.getElementById(control));
+      input.value = to;
+      for (const type of ['input', 'change']) input.dispatchEvent(new Event(type, { bubbles: true }));
+    },
+    id,
+    value,
+  );
+
+engineTest('what was found is there in the other language too', async (page) => {
+  /** @type {readonly [part: string, find: () => Promise<unknown>, found: string][]} */
+  const finds = [
+    ['park', () => set(page, 'park-ky', '3').then(() => page.click('#park-evolve')), '.park-table tbody'],
+    [
+      'luck',
+      async () => {
+        await set(page, 'luck-count', '20');
+        await set(page, 'luck-generations', '50');
+        await page.click('#luck-run');
+      },
+      '#luck-readout',
+    ],
+    [
+      'training',
+      async () => {
+        await set(page, 'training-generations', '50');
+        await page.click('#training-evolve');
+      },
+      '#training-circle.chosen',
+    ],
+  ];
+  for (const [part, find, found] of finds) {
+    await page.open(`#${part}&v=1&generation=12`);
+    await page.setPace(8);
+    await page.until('it is open', (name) => document.body.dataset.open === name, part);
+    await find();
+    await page.until(
+      'it is found',
+      (selector) => document.querySelector(selector)?.textContent?.trim(),
+      found,
+    );
+    const before = await numbersIn(page, found);
+    assert.ok(before.length > 0, part);
+    await toKorean(page);
+    await page.until(
+      'it is there',
+      (selector) => document.querySelector(selector)?.textContent?.trim(),
+      found,
+    );
+    assert.deepEqual(await numbersIn(page, found), before, part);
+    // Once: who loads the page again begins again.
+    assert.equal(await page.evaluate(() => history.state), null);
+  }
+});
+
+pageTest('generations after the one that is shown are there in the other language too', async (page) => {
+  await page.open('#lab&v=1&generation=12');
+  await page.focus('#timeline');
+  await page.press(Key.HOME);
+  await page.until('it is back', () => document.getElementById('generation')?.textContent === '0');
+  await toKorean(page);
+  const { generation } = await read(page);
+  assert.equal(generation, '0');
+  assert.equal(
+    await page.evaluate(() => /** @type {HTMLInputElement} */ (document.getElementById('timeline')).max),
+    '12',
+  );
+});
