@@ -4,6 +4,7 @@ import fc from 'fast-check';
 import { scaleLinear } from 'd3-scale';
 import { pointsOf, sameDigits, ticksOn } from '../../../www/kit/chart.js';
 import { extentOf, largest, outlineOf } from '../../../www/kit/extent.js';
+import { labelHeight, spread } from '../../../www/kit/names.js';
 import { test } from '../harness/once.js';
 
 const frame = { left: 40, right: 140, top: 10, bottom: 210 };
@@ -62,6 +63,28 @@ test('of many samples the points reach as high and as low as all do, and are few
       assert.deepEqual(points.at(-1), [x(last), y(values[last])]);
     }),
     { numRuns: 60 },
+  );
+});
+
+test('names that would lie on each other are moved apart, as little as it takes, and the others stay', () => {
+  const heights = fc.array(fc.double({ min: -50, max: 250, noNaN: true }), { minLength: 1, maxLength: 8 });
+  fc.assert(
+    fc.property(heights, (wanted) => {
+      const places = wanted.map((y) => ({ y, was: y }));
+      spread(places, 0, 200);
+      const sorted = [...places].sort((a, b) => a.y - b.y);
+      for (const [i, { y }] of sorted.entries()) {
+        assert.ok(y >= -1e-9 && y <= 200 + 1e-9, `${y}`);
+        if (i > 0) assert.ok(y - sorted[i - 1].y >= labelHeight - 1e-9);
+      }
+      assert.ok(sorted.every(({ was }, i) => i === 0 || was >= sorted[i - 1].was));
+    }),
+  );
+  const places = [{ y: 8 }, { y: 150 }, { y: 197 }, { y: 200 }];
+  spread(places, 0, 200);
+  assert.deepEqual(
+    places.map(({ y }) => y),
+    [8, 150, 183, 200],
   );
 });
 

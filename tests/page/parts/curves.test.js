@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { layoutOf } from '../../../www/parts/curves/layout.js';
 import { Evolution } from '../harness/core.js';
+import { test } from '../harness/once.js';
 import { coloured, numberOf, pixelsOf, textOf } from '../harness/reading.js';
 import {
   arbitrary,
@@ -13,6 +15,43 @@ import {
   table,
   velocityLimits,
 } from './curves-page.js';
+
+test('where there is no room for all rows, those of the paper’s figure stand above its words', () => {
+  const rows = (/** @type {number} */ height, /** @type {boolean} */ isFigure) =>
+    layoutOf({ width: 600, height }, ep, [arbitrary], velocityLimits.limits, isFigure).plots.map(
+      ({ name }) => name,
+    );
+  const all = ['position', 'theta', 'linear', 'angular', 'cost'];
+  for (const isFigure of [true, false]) assert.deepEqual(rows(320, isFigure), all);
+  // The last is not in the paper's.
+  assert.deepEqual(rows(240, true), all.slice(0, 4));
+  assert.deepEqual(rows(240, false), ['position', 'linear', 'cost']);
+});
+
+pageTest('whoever drives by hand finds the gains beside the curves', async (page) => {
+  await openCurves(page);
+  const inSight = (/** @type {boolean} */ wanted) =>
+    page.until(
+      `sliders ${wanted}`,
+      (yes) => document.getElementById('gains')?.checkVisibility() === yes,
+      wanted,
+    );
+  await inSight(false);
+  await page.click('#drives-hand');
+  await inSight(true);
+  for (const [width, height] of /** @type {const} */ ([
+    [1280, 720],
+    [1024, 768],
+  ])) {
+    await page.resize(width, height);
+    await page.until(
+      'nothing lies below the page',
+      () => document.documentElement.scrollHeight <= innerHeight,
+    );
+    assert.deepEqual(await page.obstacles(), []);
+  }
+  assert.deepEqual(await page.problems(), []);
+});
 
 pageTest('the numbers of the run are those of the core', async (page) => {
   await openCurves(page);

@@ -3,6 +3,8 @@ import assert from 'node:assert/strict';
 import { bell } from '../../../www/parts/generation/bell.js';
 import { ratesOf } from '../../../www/parts/generation/birth.js';
 import { detailsOf } from '../../../www/parts/generation/details.js';
+import { writingOf } from '../../../www/parts/generation/notes.js';
+import { columnsOf, placesOf } from '../../../www/parts/generation/places.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { generationTable } from '../../../www/parts/generation/table.js';
 import * as en from '../../../www/parts/generation/words/en.js';
@@ -77,6 +79,36 @@ test('what is written of a mutation is true, whatever it is made of: each equati
     }
     assert.equal(arrows > 0, change.belowZero !== undefined || change.sigmaFloor !== undefined, `${arrows}`);
   }
+});
+
+test('who has no offspring beside it stands above its own number', () => {
+  const size = { width: 493, height: 180 };
+  for (const generation of [1, 4]) {
+    const anatomy = anatomyOf({}, generation);
+    const { x } = columnsOf(size, anatomy.columns);
+    const [parents, mutation, survivors] = /** @type {const} */ (['parents', 'mutation', 'survivors']).map(
+      (phase) => placesOf(anatomy, phase, size),
+    );
+    for (let number = 0; number < anatomy.count; number += 1) {
+      assert.equal(parents[number].x, x(number));
+      assert.ok(mutation[number].x < x(number) && x(number) < mutation[number + anatomy.count].x);
+      assert.equal(survivors[anatomy.ranking[number]].x, x(number));
+    }
+  }
+});
+
+test('the name of the chosen one goes to a side where it covers no other', () => {
+  const size = { width: 493, height: 180 };
+  const own = { x: 200, y: 90 };
+  const [above, below, right] = [{ x: 220, y: 72 }, { x: 190, y: 112 }, { x: 240, y: 90 }]; // biome-ignore format: three marks
+  const at = (/** @type {{ x: number, y: number }[]} */ ...others) =>
+    writingOf(own, [own, ...others], size, false, 'robot 2');
+  assert.ok(at().y < own.y);
+  assert.ok(at(above).y > own.y);
+  const beside = at(above, below);
+  assert.ok(beside.side === 'begin' && beside.x > own.x);
+  assert.equal(at(above, below, right).side, 'end');
+  assert.ok(writingOf(own, [own], size, true, 'robot 2').y > own.y);
 });
 
 test('where an arrow may stand its rule is written, and where the draws are Cauchy’s the formula says so', () => {

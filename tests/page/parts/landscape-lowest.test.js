@@ -2,9 +2,10 @@ import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { lowestOf } from '../../../www/parts/landscape/lowest.js';
 import { placeNames } from '../../../www/parts/landscape/names.js';
-import { linearRange } from '../../../www/parts/landscape/request.js';
+import { isInSlice, linearRange } from '../../../www/parts/landscape/request.js';
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
-import { noteText } from '../../../www/parts/landscape/told.js';
+import { legendOf, noteText } from '../../../www/parts/landscape/told.js';
+import words from '../../../www/parts/landscape/words/index.js';
 import { engineTest } from '../harness/browsers.js';
 import { evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -70,6 +71,7 @@ test('names stay on the map, and one that has a free side covers no mark', () =>
     fc.property(somewhere, fc.array(somewhere, { maxLength: 3 }), (own, others) => {
       const spots = [own, ...others].map(({ x, y }) => /** @type {Spot} */ ([x, y, 8]));
       const [place] = placeNames(frame, [{ ...own, name: 'name', width: 60 }], spots);
+      assert.ok(place);
       assert.ok(place.left >= frame.left && place.left + place.width <= frame.right);
       assert.ok(place.top >= frame.top && place.top <= frame.bottom - 17);
       const isFar = others.every(({ x, y }) => Math.hypot(x - own.x, y - own.y) > 120);
@@ -84,11 +86,40 @@ test('names stay on the map, and one that has a free side covers no mark', () =>
 test('a name beside which somebody stands goes to another side', () => {
   const named = { x: 200, y: 150, name: 'name', width: 60 };
   const [free] = placeNames(frame, [named], [[200, 150, 8]]);
-  assert.ok(free.left > 200);
+  assert.ok(free && free.left > 200);
   const [moved] = placeNames(frame, [named], [[200, 150, 8], [240, 150, 8]]); // biome-ignore format: two marks
-  assert.ok(moved.left + moved.width < 200);
-  const two = placeNames(frame, [named, { ...named, x: 205 }], []);
-  assert.ok(two[0].top !== two[1].top || Math.abs(two[0].left - two[1].left) >= 60);
+  assert.ok(moved && moved.left + moved.width < 200);
+});
+
+test('no name lies on another: where there is no side left, the later ones give way', () => {
+  fc.assert(
+    fc.property(fc.array(somewhere, { minLength: 2, maxLength: 8 }), (points) => {
+      const named = points.map((one) => ({ ...one, name: 'name', width: 60 }));
+      const places = placeNames(frame, named, []);
+      assert.ok(places[0]);
+      for (const [i, a] of places.entries())
+        for (const b of places.slice(i + 1))
+          assert.ok(!a || !b || Math.abs(a.top - b.top) >= 17 || Math.abs(a.left - b.left) >= 60);
+    }),
+  );
+  const crowd = Array(6).fill({ x: 200, y: 150, name: 'name', width: 60 });
+  const kept = placeNames(frame, crowd, []).map((place) => place !== null);
+  assert.deepEqual(kept, [true, true, true, true, false, false]);
+});
+
+test('what is not in the slice is told to be paler, and what is in it is not', () => {
+  const map = mapOf(velocityLimits, paperKy);
+  const [own, other] = [paperGains('velocity-limits', 'ep'), paperGains('velocity-limits', 'arbitrary')];
+  assert.equal(isInSlice(map.spec, own), true);
+  assert.equal(isInSlice(map.spec, other), false);
+  const told = (/** @type {typeof own[]} */ ...gains) =>
+    legendOf(
+      /** @type {any} */ ({ experiment: velocityLimits, population: [] }),
+      map.spec,
+      gains.map((one) => ({ gains: one })),
+    );
+  assert.ok(told(own, other).includes(words.paler('ky')), told(own, other));
+  assert.ok(!told(own).includes(words.paler('ky')), told(own));
 });
 
 engineTest(
@@ -100,7 +131,7 @@ engineTest(
         `the lowest point at J ${cost}`,
         (wanted) => {
           const text = document.getElementById('landscape-lowest')?.innerText ?? '';
-          return text.includes(`J ${wanted} `) && text;
+          return text.includes(`in this slice: J ${wanted} `) && text;
         },
         cost,
       );

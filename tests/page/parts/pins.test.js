@@ -1,7 +1,9 @@
 // Runs that are pinned, beside the one that drives.
 import assert from 'node:assert/strict';
+import { differenceOf } from '../../../www/run/pins.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, paperGains, shown, simulate } from '../harness/core.js';
+import { test } from '../harness/once.js';
 import { coloured, pixelsOf, textOf } from '../harness/reading.js';
 import { comparison, ep, layoutOn, openCurves, show, toEnd, velocityLimits } from './curves-page.js';
 
@@ -65,6 +67,40 @@ pageTest('a pinned run can be renamed, but not to nothing', async (page) => {
   await rename(Key.BACK_SPACE);
   assert.match(await textOf(page, '#pins-message'), /name/);
   assert.equal((await comparison(page)).names[1], 'kim');
+});
+
+test('of a pin is told in what else than the gains it differs', () => {
+  const { limits } = experiment('acceleration-limits');
+  const goal = { ...velocityLimits.goal, x: 1 };
+  const weights = { ...velocityLimits.weights, penalty: 1 };
+  const starts = [{ x: 1, y: 0, theta: 0 }];
+  const evolution = { ...velocityLimits.evolution, seed: 7 };
+  for (const [change, difference] of /** @type {const} */ ([
+    [{}, null],
+    [{ evolution }, null],
+    [{ starts: velocityLimits.starts.concat(starts) }, null],
+    [{ starts }, 'start'],
+    [{ limits }, 'limits'],
+    [{ goal, evolution }, 'goal'],
+    [{ weights }, 'weights'],
+    [{ goal, limits }, 'settings'],
+    [{ horizon: 5 }, 'settings'],
+  ])) {
+    const other = /** @type {typeof velocityLimits} */ ({ ...velocityLimits, ...change });
+    assert.equal(differenceOf(velocityLimits, other), difference, JSON.stringify(change));
+  }
+});
+
+pageTest('the legend says of a pin that it drove within other limits', async (page) => {
+  await openCurves(page);
+  await page.click('#pin');
+  const legend = () => page.evaluate(() => document.querySelector('#legend .pin')?.textContent);
+  assert.match(String(await legend()), /^paper’s EP, J 7\.935$/);
+  await page.click('#preset-acceleration-limits');
+  await page.until('it says so', () =>
+    document.querySelector('#legend .pin')?.textContent?.endsWith('paper’s EP, J 7.935 (other limits)'),
+  );
+  assert.deepEqual(await page.problems(), []);
 });
 
 pageTest('the comparison names the settings that differ, and only those', async (page) => {

@@ -68,10 +68,15 @@ for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
             return Math.hypot(a.left - b.left, a.top - b.top, a.right - b.right, a.bottom - b.bottom);
           }),
           // Else what is rubbed out of the upper canvas is rubbed out of the lower one when Chromium prints.
+          // A mouse is of no use there; and who reads it wants the gains of whom is shown.
+          hints: all('#tagline, #gains-note, .hint').length,
+          gains: all('.driver').length === all('#gains').length,
           groups: all('main canvas').every((canvas) => Number(getComputedStyle(canvas).opacity) < 1),
         };
       });
       assert.deepEqual(seen.controls, []);
+      assert.equal(seen.hints, 0);
+      assert.equal(seen.gains, true);
       assert.ok(seen.excess <= 0, `${seen.excess} px too wide`);
       // Park has limits of its own.
       for (const chosen of [lab.pages[part], ...(part === 'park' ? [] : ['Velocity limits'])])

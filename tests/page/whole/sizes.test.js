@@ -54,6 +54,49 @@ pageTest('with letters twice as large nothing leads out of a telephone’s width
   }
 });
 
+pageTest('the links to the parts and the plane stay where they are from part to part', async (page) => {
+  for (const link of ['#lab', '#lab&v=1&lang=ko']) {
+    await page.open(link);
+    await page.resize(1280, 720);
+    const tops = [];
+    for (const part of pageNames.filter((name) => name !== 'park')) {
+      await openPart(page, part);
+      await excess(page);
+      tops.push(
+        await page.evaluate(() =>
+          ['pages', 'plane'].map((id) =>
+            Math.round(document.getElementById(id)?.getBoundingClientRect().top ?? 0),
+          ),
+        ),
+      );
+    }
+    for (const [i, top] of tops.entries()) assert.deepEqual(top, tops[0], `${link}: part ${i}`);
+  }
+});
+
+pageTest('where the links to the parts go on out of sight, their row fades there', async (page) => {
+  await page.open('#lab');
+  const at = (/** @type {string} */ what, /** @type {boolean} */ before, /** @type {boolean} */ after) =>
+    page.until(
+      what,
+      (isBefore, isAfter) => {
+        const { classList } = /** @type {HTMLElement} */ (document.getElementById('pages'));
+        return classList.contains('more-before') === isBefore && classList.contains('more-after') === isAfter;
+      },
+      before,
+      after,
+    );
+  await at('all in sight at first', false, false);
+  await page.resize(500, 800);
+  await at('more after the first', false, true);
+  await page.click('#page-landscape');
+  await at('more on both sides', true, true);
+  await page.click('#page-luck');
+  await at('more before the last', true, false);
+  await page.resize(1440, 900);
+  await at('all in sight again', false, false);
+});
+
 /** Types what cannot be used, and waits until the page says so. @param {Page} page @param {string} id @param {string} letter @param {string} message */
 async function refuse(page, id, letter, message) {
   await page.focus(`#${id}`);

@@ -69,12 +69,15 @@ function namesOf({ name, scale, limit }, run) {
   const last = run.time.length - 1;
   if (name === 'cost')
     return [
-      ...parts.map(([part, token, column], i) => {
-        const below = i === 0 ? 0 : parts[i - 1][2](run)[last];
-        const text = lab.costParts.find(([one]) => one === part)?.[1] ?? '';
-        return { text, token, font: textFont, y: scale((below + column(run)[last]) / 2) };
-      }),
       { text: lab.costSymbol, token: '--ink', font: symbolFont, y: scale(run.cost.total) },
+      // From the top, also where several have come to lie at one edge.
+      ...parts
+        .map(([part, token, column], i) => {
+          const below = i === 0 ? 0 : parts[i - 1][2](run)[last];
+          const text = lab.costParts.find(([one]) => one === part)?.[1] ?? '';
+          return { text, token, font: textFont, y: scale((below + column(run)[last]) / 2) };
+        })
+        .reverse(),
     ];
   const ends = curvesOf[name].map((column, i) => ({
     text: words.symbols[name][i],

@@ -57,7 +57,9 @@ export function notesOf(model, places, size) {
       : orderOf(anatomy, phase).map((number) => places[number]);
   for (const number of new Set([...named, chosen])) {
     const isLow = ranking && number === upset?.fallen;
-    notes.push(nameAt(places[number], marks, size, isLow, words.nameOf(anatomy, number)));
+    const name = words.nameOf(anatomy, number);
+    const { x, y, side } = writingOf(places[number], marks, size, isLow, name);
+    notes.push(svg('text', { x, y, class: `name ${side}` }, name));
   }
   return notes;
 }
@@ -92,8 +94,8 @@ function writingsBeside({ x, y }, { width }) {
   ];
 }
 
-/** Where it covers the fewest others. @param {Place} own @param {Place[]} marks @param {Size} size @param {boolean} isLow Not above the mark. @param {string} name */
-function nameAt(own, marks, size, isLow, name) {
+/** Where a name covers the fewest other marks. @param {Place} own @param {Place[]} marks @param {Size} size @param {boolean} isLow Not above the mark. @param {string} name @returns {Writing} */
+export function writingOf(own, marks, size, isLow, name) {
   const width = widthOf(name);
   const leftOf = (/** @type {Writing} */ { x, side }) =>
     x - { end: width, begin: 0, middle: width / 2 }[side];
@@ -109,6 +111,5 @@ function nameAt(own, marks, size, isLow, name) {
       x > left - 7 && x < left + width + 7 && y > one.y - 16 && y < one.y + 9;
     return marks.filter(isCovered).length;
   });
-  const { x, y, side } = free[covered.indexOf(Math.min(...covered))] ?? writings[1];
-  return svg('text', { x, y, class: `name ${side}` }, name);
+  return free[covered.indexOf(Math.min(...covered))] ?? writings[1];
 }

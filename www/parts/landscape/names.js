@@ -31,20 +31,19 @@ const isCovered = ({ left, top, width }, [x, y, radius]) =>
 const overlap = (a, b) =>
   a.left < b.left + b.width && b.left < a.left + a.width && Math.abs(a.top - b.top) < high;
 
-/** One after the other; what covers least is taken, the first of those that cover as little. @param {Frame} frame @param {readonly Named[]} named @param {readonly Spot[]} spots @returns {Place[]} */
+/** One after the other; what covers least is taken, the first of those that cover as little. A name gives way that would lie on one before. @param {Frame} frame @param {readonly Named[]} named @param {readonly Spot[]} spots @returns {(Place | null)[]} */
 export function placeNames(frame, named, spots) {
   /** @type {Place[]} */
   const taken = [];
-  for (const one of named) {
-    const places = around(one).map((place) => within(frame, place));
-    const covers = places.map(
-      (place) =>
-        spots.filter((spot) => isCovered(place, spot)).length +
-        taken.filter((other) => overlap(place, other)).length,
-    );
-    taken.push(places[covers.indexOf(Math.min(...covers))]);
-  }
-  return taken;
+  return named.map((one) => {
+    const free = around(one)
+      .map((place) => within(frame, place))
+      .filter((place) => !taken.some((other) => overlap(place, other)));
+    const covers = free.map((place) => spots.filter((spot) => isCovered(place, spot)).length);
+    const place = free[covers.indexOf(Math.min(...covers))] ?? null;
+    if (place) taken.push(place);
+    return place;
+  });
 }
 
 /** The middle of a name's height. @param {Place} place */

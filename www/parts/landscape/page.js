@@ -44,7 +44,7 @@ export function createPage({ engine, store, actions, paper }) {
   };
   const show = createSight(element, store, lowestIn);
   const first = store.get();
-  show(first, specOf(first), null, first.population[0].gains);
+  show(first, specOf(first), null, first.population[0].gains, []);
   const map = createMapIn(element, redraw);
   const size = followSize(byIdIn(element, 'landscape-map'), redraw);
 
@@ -76,7 +76,7 @@ export function createPage({ engine, store, actions, paper }) {
       requests.follow(spec, state.dragging);
       map.draw(model);
       const gains = cursor ? gainsUnder(spec, cursor) : gainsOf(state, state.driver, paper);
-      show(state, spec, cursor ? read(state.experiment, gains) : scene.driving, gains);
+      show(state, spec, cursor ? read(state.experiment, gains) : scene.driving, gains, model.points);
     },
   };
 }

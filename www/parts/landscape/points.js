@@ -19,27 +19,34 @@ export const outlines = {
   sight: 'M-11 0H-5M5 0H11M0-11V-5M0 5V11',
 };
 
-/** Whole also at the edge, where a gain is 0. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {readonly (Point & { place: readonly [number, number] })[]} points @param {readonly (readonly [number, number])[]} best What no name covers besides the marks. */
+/** How much is seen of a mark that is not in the slice. */
+export const pale = 0.5;
+
+/** Whole also at the edge, where a gain is 0. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {readonly (Point & { place: readonly [number, number], isPale: boolean })[]} points @param {readonly (readonly [number, number])[]} best What no name covers besides the marks. */
 export function drawPoints(context, frame, points, best) {
   context.save();
   context.lineJoin = 'round';
-  for (const { place, mark } of points) drawPoint(context, place, mark);
+  for (const { place, mark, isPale } of points) {
+    context.globalAlpha = isPale ? pale : 1;
+    drawPoint(context, place, mark);
+  }
+  context.globalAlpha = 1;
   context.font = strongFont;
   context.textAlign = 'left';
   context.textBaseline = 'middle';
   // The names of the pins are in the legend, beside the same marks.
   const named = points
     .filter(({ mark }) => typeof mark === 'string')
+    // The last that was put there has its name first; that of the lowest stands below the map too.
+    .reverse()
     .map(({ name, place: [x, y] }) => ({ x, y, name, width: context.measureText(name).width }));
   const spots = [...points.map(({ place }) => place), ...best].map(
     ([x, y]) => /** @type {const} */ ([x, y, 8]),
   );
-  for (const [i, place] of placeNames(frame, named, spots).entries())
-    fillTextWithHalo(context, named[i].name, place.left, middleOf(place), {
-      fill: light,
-      halo: dark,
-      width: 4,
-    });
+  for (const [i, place] of placeNames(frame, named, spots).entries()) {
+    const look = { fill: light, halo: dark, width: 4 };
+    if (place) fillTextWithHalo(context, named[i].name, place.left, middleOf(place), look);
+  }
   context.restore();
 }
 

@@ -4,6 +4,7 @@
 /** @import { Store } from '../../run/store.js' */
 /** @import { LandscapeState } from './state.js' */
 import { messageOf } from '../../words/errors.js';
+import { threeDigits } from '../../words/numbers.js';
 import { gainNames, landscapeSlice } from './state.js';
 import { createRefining } from '../../core/refine.js';
 import { once, remember } from '../../kit/memo.js';
@@ -39,6 +40,9 @@ export const gainsAt = ({ x, y, third }, [across, up]) =>
   /** @type {[number, number, number]} */ (
     gainNames.map((name) => (name === x.gain ? across : name === y.gain ? up : third))
   );
+
+/** Whether a point is in the slice that the map shows, as far as the gains are written; of others only the place is seen. @param {Pick<Spec, 'x' | 'y' | 'third'>} spec @param {Triple} gains */
+export const isInSlice = (spec, gains) => threeDigits(gains[thirdOf(spec)]) === threeDigits(spec.third);
 
 /** The landscape that a state asks for; the same object while nothing that matters has changed. @param {PaperResult[]} paper */
 export function createSpec(paper) {

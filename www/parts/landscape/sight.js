@@ -15,7 +15,7 @@ import { outlines } from './points.js';
 import { thirdOf } from './request.js';
 import { landscapeSlice } from './state.js';
 import { landscapeTable } from './table.js';
-import { lowestText, noteText, readoutOf } from './told.js';
+import { legendOf, lowestText, noteText, readoutOf } from './told.js';
 import words from './words/index.js';
 
 const { texts } = words;
@@ -28,19 +28,19 @@ const choices = [false, true].flatMap((log) =>
 export function createSight(element, store, lowestIn) {
   const on = createEvents(store);
   const changed = watch();
-  /** @param {State} state @param {Spec} spec @param {Run | null} run @param {Triple} gains */
-  return (state, spec, run, gains) => {
+  /** @param {State} state @param {Spec} spec @param {Run | null} run @param {Triple} gains @param {readonly { gains: Triple }[]} points */
+  return (state, spec, run, gains, points) => {
     const own = landscapeSlice.of(state);
     const isTyping = document.activeElement?.id === 'landscape-third';
-    const { driver, found, generation } = state;
-    if (changed(own, spec, run, state.population, driver, found, generation, isTyping))
+    const { driver, found, generation, pins, handGains } = state;
+    if (changed(own, spec, run, state.population, driver, found, generation, pins, handGains, isTyping))
       render(
         sight(
           own,
           {
             spec,
             isTyping,
-            method: words.methodSketch(state.experiment.evolution.method),
+            legend: legendOf(state, spec, points),
             readout: run ? readoutOf(state, spec, run, gains) : '',
             lowest: lowestIn(state),
           },
@@ -83,8 +83,8 @@ function createEvents(store) {
   };
 }
 
-/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string, lowest: Lowest | null, method: string }} shown @param {Events} on */
-function sight(landscape, { spec, isTyping, readout, lowest, method }, on) {
+/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string, lowest: Lowest | null, legend: string }} shown @param {Events} on */
+function sight(landscape, { spec, isTyping, readout, lowest, legend }, on) {
   return html`
     <div class="heading">
       <h2 id="landscape-title">${texts.landscapeTitle}</h2>
@@ -96,7 +96,7 @@ function sight(landscape, { spec, isTyping, readout, lowest, method }, on) {
       <label>↑ ${axisChoice('y', landscape, texts.landscapeUp, on)}</label>
       ${thirdGain(landscape, spec.third, isTyping, on)}
     </div>
-    ${method ? html`<p id="landscape-method" class="muted">${method}</p>` : nothing}
+    ${legend ? html`<p id="landscape-method" class="muted">${legend}</p>` : nothing}
     <div id="landscape-map" class="map layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
       aria-label=${words.mapLabel} aria-describedby="landscape-readout">
       <canvas id="landscape-picture" aria-hidden="true"></canvas>

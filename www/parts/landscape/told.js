@@ -6,6 +6,7 @@
 /** @import { LandscapeState } from './state.js' */
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
+import { isInSlice, thirdOf } from './request.js';
 import { landscapeSlice } from './state.js';
 import { countOutside } from './view.js';
 
@@ -29,6 +30,15 @@ export function readoutOf(state, spec, run, gains) {
     words.readout(who, gainsText(gains), run, lab.outcomeText(run), experiment.starts.length > 1),
     ...(outside > 0 ? [words.outside(outside)] : []),
   ].join('. ');
+}
+
+/** What the marks are, beside their names. @param {State} state @param {Spec} spec @param {readonly { gains: Triple }[]} points Those that have names. */
+export function legendOf({ experiment, population }, spec, points) {
+  const isProjected = [...population, ...points].some(({ gains }) => !isInSlice(spec, gains));
+  const third = lab.gains[thirdOf(spec)].name;
+  return [words.methodSketch(experiment.evolution.method), ...(isProjected ? [words.paler(third)] : [])].join(
+    ' ',
+  );
 }
 
 /** @param {Lowest} lowest */

@@ -18,9 +18,9 @@ import { drawSymbol } from '../../kit/names.js';
 import { fixed } from '../../words/numbers.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
-import { endsOfAxis } from './request.js';
+import { endsOfAxis, isInSlice } from './request.js';
 import { isOn } from './lowest.js';
-import { drawPoints } from './points.js';
+import { drawPoints, pale } from './points.js';
 import { createAxis, createCostScale } from './scale.js';
 import { drawSketch } from './sketch.js';
 
@@ -95,6 +95,7 @@ export function createMap({ picture, marks, legend }, onResize) {
           spec.x,
           spec.y,
           spec.range,
+          spec.third,
           population,
           sketch,
           path,
@@ -219,11 +220,16 @@ function drawMarks(context, { frame, x, y }, { spec, population, hasSigmas, sket
   context.lineWidth = 1;
   context.strokeStyle = dark;
   context.fillStyle = light;
-  for (const { gains } of [...population].reverse()) disc(context, place(gains), 3.5);
+  for (const { gains } of [...population].reverse()) {
+    context.globalAlpha = isInSlice(spec, gains) ? 1 : pale;
+    disc(context, place(gains), 3.5);
+  }
+  context.globalAlpha = population.length > 0 && !isInSlice(spec, population[0].gains) ? pale : 1;
   context.fillStyle = dark;
   context.strokeStyle = light;
   context.lineWidth = 2;
   if (population.length > 0) disc(context, place(population[0].gains), 6);
+  context.globalAlpha = 1;
 
   if (cursor) {
     context.strokeStyle = light;
@@ -242,7 +248,7 @@ function drawMarks(context, { frame, x, y }, { spec, population, hasSigmas, sket
   drawPoints(
     context,
     frame,
-    held.map((point) => ({ ...point, place: place(point.gains) })),
+    held.map((point) => ({ ...point, place: place(point.gains), isPale: !isInSlice(spec, point.gains) })),
     best,
   );
 }

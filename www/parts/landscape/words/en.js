@@ -37,7 +37,7 @@ export const readout = (who, gains, run, outcome, isOneOfMany) =>
 /** At its mark on the map. */
 export const lowest = 'lowest';
 /** @param {string} gains @param {number} cost */
-export const lowestText = (gains, cost) => `Lowest point here: J ${costText(cost)} at ${gains}`;
+export const lowestText = (gains, cost) => `Lowest in this slice: J ${costText(cost)} at ${gains}`;
 
 /** @param {number} count */
 export const outside = (count) =>
@@ -49,14 +49,19 @@ export const hand = 'by hand';
 
 /** What is drawn of a method, beside its robots. @type {Readonly<Partial<Record<import('../../../core/engine.js').Experiment['evolution']['method'], string>>>} */
 const sketches = {
+  ep: 'Line: the best of each generation. Crosses: one σ.',
+  random: 'Line: the best of each generation.',
   'cma-es':
     'The ellipses are the distribution that these robots were drawn from, at one and at two standard deviations.',
-  de: 'Lines lead from a robot to what was tried: that robot, moved by the difference of two others (dashed). Solid: it took a place.',
+  de: 'Lines lead from a robot to its trial: moved by the difference of two others (dashed). Solid: it took a place.',
   'nelder-mead': 'The lines are the simplex. Dashed: what was tried in the place of its worst corner.',
   'one-plus-one-es': 'The line is the step that was tried.',
   'one-at-a-time': 'The line is the step that was tried.',
   'finite-differences':
     'The lines are the steps that were tried: three short ones for the slope, or one down it.',
 };
+/** Marks that are not in the slice. @param {string} name Of the gain that is on no axis. */
+export const paler = (name) => `Paler: another ${name}.`;
+
 /** @param {import('../../../core/engine.js').Experiment['evolution']['method']} method */
 export const methodSketch = (method) => sketches[method] ?? '';
