@@ -4,7 +4,7 @@
 /** @import { Bred, ParkState } from './state.js' */
 import { html, nothing, svg } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { styled, valueIn } from '../../kit/templates.js';
+import { styled, unless, valueIn } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
 import { preset } from './task.js';
 import words from './words/index.js';
@@ -33,7 +33,7 @@ export function sight(model, on) {
     <p class="park-bar">
       <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
-      <button id="park-again" type="button" .disabled=${evolving || !over} @click=${on.again}>${words.again}</button>
+      <button id="park-again" type="button" aria-disabled=${String(evolving || !over)} @click=${unless(evolving || !over, on.again)}>${words.again}</button>
     </p>
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
     ${bred.length > 0 ? climb(model) : html`<p class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}

@@ -10,7 +10,7 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
-import { options, valueIn } from '../../kit/templates.js';
+import { options, unless, valueIn } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import words from './words/index.js';
@@ -173,6 +173,7 @@ function sight(state, rows, titles, { choose, evolve, spread: onSpread, update }
   const { experiment } = state;
   const { evolved, spread, message, cancelled, progress, generations } = trainingSlice.of(state);
   const runs = progress !== null;
+  const hasNoSeeds = runs || !evolved || spread !== null;
   const changes = evolved ? changesOf(evolved.experiment, experiment) : [];
   const status = [
     message ? words.failed(message, evolved !== null) : '',
@@ -197,8 +198,8 @@ function sight(state, rows, titles, { choose, evolve, spread: onSpread, update }
           generations,
         )}
       </select>
-      <button id="training-seeds" type="button" title=${words.seedsHint(seedCount)} .disabled=${runs || !evolved || spread !== null}
-        @click=${onSpread}>${words.seedsButton(seedCount)}</button>
+      <button id="training-seeds" type="button" title=${words.seedsHint(seedCount)} aria-disabled=${String(hasNoSeeds)}
+        @click=${unless(hasNoSeeds, onSpread)}>${words.seedsButton(seedCount)}</button>
       <progress id="training-progress" max="1" class=${runs ? '' : 'visually-hidden'}
         aria-label=${texts.trainingProgress} .value=${progress ?? 0}></progress>
     </div>

@@ -7,6 +7,7 @@ import './style.css';
 import { html, nothing } from 'lit-html';
 import { byId, create } from '../../kit/elements.js';
 import { fillTable, mostRows } from '../../kit/table.js';
+import { unless } from '../../kit/templates.js';
 import { isEmpty } from '../../run/exercise.js';
 import { createCharts, legendOf } from './chart.js';
 import { createChecking } from './checking.js';
@@ -182,7 +183,7 @@ function contentOf(view, table, on) {
 function pager(count, first, show) {
   const last = Math.min(first + mostRows, count);
   return html`
-    <button id="collect-before" type="button" .disabled=${first === 0} @click=${() => show(first - mostRows)}>${texts.before}</button>
-    <button id="collect-after" type="button" .disabled=${last === count} @click=${() => show(first + mostRows)}>${texts.after}</button>
+    <button id="collect-before" type="button" aria-disabled=${String(first === 0)} @click=${unless(first === 0, () => show(first - mostRows))}>${texts.before}</button>
+    <button id="collect-after" type="button" aria-disabled=${String(last === count)} @click=${unless(last === count, () => show(first + mostRows))}>${texts.after}</button>
     <span class="muted">${words.rowsText(first + 1, last, count)}</span>`;
 }
