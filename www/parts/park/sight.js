@@ -48,10 +48,10 @@ function rowOf({ id, name, letter, index: sub }, index, { gains, evolving, most 
   const value = gains[index];
   return html`<div class="gain ${id}">
     <label for="park-${id}">${letter}<sub>${sub}</sub></label>
-    <input id="park-${id}" type="range" step="0.1" aria-label=${lab.gainSliderLabel(name)} min="0" max=${most}
+    <input id="park-${id}" type="range" step="0.1" aria-label=${name} min="0" max=${most}
       .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * value) / most}%`)}
       @input=${(/** @type {Event} */ event) => on.slide(index, Number(valueIn(event)))}>
-    <output for="park-${id}">${words.gain(value)}</output>
+    <span class="park-gain">${words.gain(value)}</span>
   </div>`;
 }
 

@@ -245,9 +245,6 @@ export const restText = (generation) => `Paused at generation ${generation}. Run
 export const announcement = (statistics) =>
   `Generation ${statistics.generation}: best J ${costText(statistics.best.cost)}`;
 
-/** @param {Run} run */
-export const handAnnouncement = (run) => `J ${costText(run.cost.total)}, ${outcomeText(run)}`;
-
 export const bestLine = 'best';
 export const medianLine = 'median';
 export const paperLine = 'paper’s EP';
@@ -274,8 +271,6 @@ export const gainsNote = (driver, evolved) =>
     'paper-arbitrary': 'chosen without evolution',
   })[driver];
 
-/** @param {string} name */
-export const gainSliderLabel = (name) => `${name}, slider`;
 /** @param {string} name */
 export const gainInputLabel = (name) => `${name}, value`;
 

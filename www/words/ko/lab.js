@@ -240,9 +240,6 @@ export const restText = (generation) =>
 export const announcement = (statistics) =>
   `${statistics.generation}세대: 최소 J ${costText(statistics.best.cost)}`;
 
-/** @param {Run} run */
-export const handAnnouncement = (run) => `J ${costText(run.cost.total)}, ${outcomeText(run)}`;
-
 export const bestLine = '최우수';
 export const medianLine = '중앙값';
 export const paperLine = '논문 EP';
@@ -270,8 +267,6 @@ export const gainsNote = (driver, evolved) =>
     'paper-arbitrary': '진화 없이 정한 이득',
   })[driver];
 
-/** @param {string} name */
-export const gainSliderLabel = (name) => `${name}, 슬라이더`;
 /** @param {string} name */
 export const gainInputLabel = (name) => `${name}, 값`;
 
