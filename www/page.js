@@ -6,6 +6,7 @@ import { tryNow } from './core/pending.js';
 import { createEmbed, sayFailed } from './embed/page.js';
 import { takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
+import { createFocusKeeper } from './kit/focus.js';
 import { isEmbedded, isStill } from './kit/host.js';
 import { createAccumulator, createApart, createFrameLoop } from './kit/loop.js';
 import { createComputing } from './lab/computing.js';
@@ -33,6 +34,9 @@ import { isLost, messageOf } from './words/errors.js';
 import { lab as words } from './words/index.js';
 import { fitnessTable } from './lab/fitness-table.js';
 import { showTable } from './lab/table-sheet.js';
+
+/** Not what arrow keys move. */
+const pressable = 'a, button:not(:disabled, .handle)';
 
 /** To the questions of the lesson. @param {State} state */
 const answersOf = (state) => progressSlice.of(state).answers;
@@ -91,6 +95,7 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
   });
   const computingLine = createComputing(tools.actions);
   const pinButton = createPinButton(tools, seenScene);
+  const keepFocus = createFocusKeeper(pressable);
 
   return {
     made,
@@ -117,6 +122,7 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
       turn('embed', () => embed?.draw(state));
       turn('share', () => share.draw(state));
       turn('pins', () => pinButton.draw(state, scene));
+      keepFocus();
     },
   };
 }

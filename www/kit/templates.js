@@ -20,6 +20,11 @@ export const styled = (name, value) =>
 /** @param {Event} event Of a field. */
 export const selectAll = ({ target }) => /** @type {HTMLInputElement} */ (target).select();
 
+/** Of a button that keeps the focus while it can do nothing: it is `aria-disabled`, for a disabled one would lose it. @param {boolean} isIdle @param {() => void} act */
+export const unless = (isIdle, act) => () => {
+  if (!isIdle) act();
+};
+
 /** @param {() => void} act @returns {(event: KeyboardEvent) => void} */
 export const onEnter = (act) => (event) => {
   if (event.key === 'Enter' && !event.isComposing) act();

@@ -4,7 +4,7 @@
 import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { watch } from '../kit/memo.js';
-import { options, selectAll, styled, valueIn } from '../kit/templates.js';
+import { options, selectAll, styled, unless, valueIn } from '../kit/templates.js';
 import { nextRest, paces } from '../run/pace.js';
 import { lab as strings, texts } from '../words/index.js';
 
@@ -80,8 +80,8 @@ function evolutionBar(model, actions, { onKind, onValue }) {
   return html`
     <fieldset id="evolution-clock" class="bar" aria-label=${texts.evolutionClock}>
       <button id="run" type="button" class="primary" @click=${() => actions.toggleEvolution()}>${evolving ? strings.pauseEvolution : strings.run}</button>
-      <button id="one-back" type="button" class="icon" aria-label=${texts.oneBack} .disabled=${timeline === 0}
-        @click=${() => actions.oneBack()}>
+      <button id="one-back" type="button" class="icon" aria-label=${texts.oneBack} aria-disabled=${String(timeline === 0)}
+        @click=${unless(timeline === 0, actions.oneBack)}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>
       </button>
       <button id="one-generation" type="button" @click=${() => actions.oneGeneration()}>${texts.oneGeneration}</button>

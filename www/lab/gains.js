@@ -84,7 +84,8 @@ export function createRow(gain, index, events, unit = '') {
       render(
         html`
           <label for="gain-${id}">${gain.letter}<sub>${gain.index}</sub></label>
-          <input id="slider-${id}" type="range" step="0.01" aria-label=${strings.gainSliderLabel(gain.name)}
+          <input id="slider-${id}" type="range" step="0.01" aria-label=${gain.name}
+            aria-valuetext=${unit ? `${text} ${unit}` : nothing}
             .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${from} ${to}
             @pointerdown=${on.hold} @keydown=${on.key} @input=${on.slide} @change=${events.onSlid}>
           <input id="gain-${id}" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"

@@ -80,7 +80,10 @@ export function createNotes({ onRestore }) {
       // What is said of a run elsewhere on the page is not said twice.
       const isByHand = driver === 'hand' && found === 'hand' && !chosen && !tried;
       if (handChanged(isByHand && driving) && isByHand)
-        say(strings.handAnnouncement(driving), settlingMilliseconds);
+        say(
+          `J ${strings.costText(driving.cost.total)}, ${strings.outcomeText(driving)}`,
+          settlingMilliseconds,
+        );
     },
   };
 }

@@ -5,6 +5,7 @@ import { create } from '../kit/elements.js';
 import { once } from '../kit/memo.js';
 import { createSheet } from '../kit/sheet.js';
 import { fillTable, mostRows } from '../kit/table.js';
+import { unless } from '../kit/templates.js';
 import { opening, tables as words } from '../words/index.js';
 
 const { texts } = words;
@@ -47,7 +48,7 @@ function pager(table, rows, first) {
     rows.parentElement?.scrollTo(0, 0);
   };
   return html`
-    <button id="table-before" type="button" .disabled=${first === 0} @click=${show(first - mostRows)}>${texts.tableBefore}</button>
-    <button id="table-after" type="button" .disabled=${last === table.count} @click=${show(first + mostRows)}>${texts.tableAfter}</button>
+    <button id="table-before" type="button" aria-disabled=${String(first === 0)} @click=${unless(first === 0, show(first - mostRows))}>${texts.tableBefore}</button>
+    <button id="table-after" type="button" aria-disabled=${String(last === table.count)} @click=${unless(last === table.count, show(first + mostRows))}>${texts.tableAfter}</button>
     <p class="muted" role="status">${words.rowsText(first + 1, last, table.count)}</p>`;
 }

@@ -40,7 +40,7 @@ export function createStep(article, step, number, tools) {
     keyed(
       number,
       html`${head(number, tools.go)}
-        <h2 id="lesson-title">${titleOf(number)}</h2>
+        <h2 id="lesson-title" tabindex="-1">${titleOf(number)}</h2>
         ${blocks.map(({ element }) => element)} ${foot(number)}`,
     ),
     article,
@@ -142,13 +142,15 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go, 
 /** @param {number} number */
 const titleOf = (number) => first.titles[stepNames[number - 1]];
 
+/** @param {number} number */
+export const nameOf = (number) => (number > pathLength ? titleOf(number) : `${number}  ${titleOf(number)}`);
+
 /** Where one is, and a way to every step. @param {number} number @param {Tools['go']} go */
 function head(number, go) {
   const options = (/** @type {number} */ from, /** @type {number} */ to) =>
     stepNames.slice(from, to).map((_, i) => {
       const one = from + i + 1;
-      const text = one > pathLength ? titleOf(one) : `${one}  ${titleOf(one)}`;
-      return html`<option value=${one} ?selected=${one === number}>${text}</option>`;
+      return html`<option value=${one} ?selected=${one === number}>${nameOf(one)}</option>`;
     });
   return html`<div class="lesson-head">
     <p class="muted">${number > pathLength ? words.besidePath : words.stepOf(number, pathLength)}</p>

@@ -2,7 +2,7 @@
 import { byId, followSize } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';
-import { createStep } from './blocks.js';
+import { createStep, nameOf } from './blocks.js';
 import { createErrorPosture } from './error-posture.js';
 import { createLit } from './lit.js';
 import { createKeepsake, createPlace } from './keepsake.js';
@@ -10,6 +10,7 @@ import { settle } from './settle.js';
 import { createSights } from './sights.js';
 import { steps } from './steps.js';
 import { progressSlice } from './state.js';
+import { texts } from '../words/index.js';
 import { createStage, stageOf } from './stage.js';
 import { createTally } from './tally.js';
 import './error-posture.css';
@@ -66,6 +67,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       const place = stageOf(step, state)?.place;
       if (headChanged(lesson, state.page, place)) {
         document.body.toggleAttribute('data-lesson', lesson > 0);
+        document.title = step ? `${nameOf(lesson)} · ${texts.pageTitle}` : texts.pageTitle;
         document.body.dataset.figure = !step ? '' : state.page === 'lab' ? step.figure : 'part';
         article.hidden = !step;
         sights.open(step, state.page, place);
@@ -75,7 +77,9 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       if (!step) return;
       const isNew = stepChanged(lesson);
       if (isNew) {
-        blocks = createStep(article, step, lesson, tools);
+        followFocus(article, () => {
+          blocks = createStep(article, step, lesson, tools);
+        });
         if (step.time !== undefined) actions.standAt(step.time);
       }
       const live = {
@@ -96,6 +100,15 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       keepsake.follow(progressSlice.of(store.get()));
     },
   };
+}
+
+/** Who led from one step to another is at the title of the new one, or goes on in the list. @param {HTMLElement} article @param {() => void} make Takes the place of the step before. */
+function followFocus(article, make) {
+  const before = document.activeElement;
+  const isWithin = document.hasFocus() && article.contains(before);
+  make();
+  if (isWithin)
+    byId(before?.id === 'lesson-step' ? 'lesson-step' : 'lesson-title').focus({ preventScroll: true });
 }
 
 /** What is pressed in the text opens within the page, and what it is about comes into sight. @param {HTMLElement} article @param {Tools} tools */

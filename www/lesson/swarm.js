@@ -6,6 +6,7 @@ import { createLayer } from '../kit/canvas.js';
 import { create, followSize } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { colour } from '../kit/palette.js';
+import { unless } from '../kit/templates.js';
 import { boxAround } from '../kit/transform.js';
 import { lab } from '../words/index.js';
 import { createFilm } from './film.js';
@@ -75,7 +76,7 @@ export function createSwarm({ store }, words, seenIn) {
           <p class="swarm-count"><span>${words.parked}</span>
             <strong id="swarm-parked">${parked}</strong> <span>${words.ofStarts(starts)}</span></p>
           <p class="swarm-cost"><span>${words.mean}</span> <strong id="swarm-cost">${lab.costText(yard.cost)}</strong></p>
-          <button type="button" class="link" @click=${again} ?disabled=${!film.isOver}>${words.again}</button>`,
+          <button type="button" class="link" @click=${unless(!film.isOver, again)} aria-disabled=${String(!film.isOver)}>${words.again}</button>`,
         head,
       );
       layer.draw(size, (context) => drawYard(context, viewOf(yard, size), yard, time));

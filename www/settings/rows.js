@@ -222,7 +222,7 @@ function createSlider({ path, slider: range, symbol }, hasZero, onSlide, onSlid)
     // While it is dragged it stands where the pointer is, which other numbers may be nearest to.
     if (pending === null && scale.number(position) !== shown)
       position = Number.isNaN(shown) ? scale.min : scale.position(shown);
-    return html`<input id="${id}-slider" type="range" class=${symbol?.colour ?? ''} aria-label=${words.sliderLabel(words.settings[path].name)}
+    return html`<input id="${id}-slider" type="range" class=${symbol?.colour ?? ''} aria-label=${words.settings[path].name}
       min=${scale.min} max=${scale.max} step=${scale.step} aria-valuetext=${text} .disabled=${isOff}
       .value=${live(String(position))} ${styled('--from', percent(Math.min(zero, position)))} ${styled('--to', percent(Math.max(zero, position)))}
       @input=${on.input} @change=${on.change} @keydown=${on.press} @keyup=${on.release} @blur=${on.release}>`;

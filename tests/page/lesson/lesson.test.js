@@ -13,7 +13,7 @@ import {
 import { noProgress, noTally } from '../../../www/lesson/state.js';
 import { steps } from '../../../www/lesson/steps.js';
 import { en as english, ko as korean } from '../harness/words.js';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { driven, engine, linkOf, opened, samples } from './links.js';
 import { answered } from './live.js';
 import { test } from '../harness/once.js';
@@ -239,6 +239,29 @@ pageTest('the lesson leads on and back, and a link of it opens there again', asy
   const hash = await page.until('the link', () => location.hash.includes('lesson=1') && location.hash);
   await page.open(hash);
   await stands(en.titles.drive);
+});
+
+pageTest('the focus and the title of the page go with the step', async (page) => {
+  await page.open('#lesson');
+  const usual = () => page.evaluate(() => document.title);
+  const stands = (/** @type {string} */ title, /** @type {string} */ id) =>
+    page.until(
+      `${title}, where the focus is on ${id}`,
+      (wanted, focused) => document.title.startsWith(wanted) && document.activeElement?.id === focused,
+      title,
+      id,
+    );
+  await page.focus('.step-on');
+  await page.press(Key.ENTER);
+  await stands(`2 ${en.titles.error}`, 'lesson-title');
+  await page.focus('#lesson-step');
+  await page.press(Key.ARROW_DOWN);
+  await stands(`3 ${en.titles.law}`, 'lesson-step');
+  await page.press(Key.ARROW_DOWN);
+  await stands(`4 ${en.titles.stability}`, 'lesson-step');
+  await page.click('#page-lab');
+  await page.until('the lesson is closed', () => document.getElementById('lesson')?.hidden);
+  assert.equal(await usual(), english.lab.texts.pageTitle);
 });
 
 engineTest('a symbol that is pointed at lights up in formula and picture', async (page) => {

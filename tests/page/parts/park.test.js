@@ -79,7 +79,7 @@ async function counted(page) {
   await page.until(
     'the film has ended',
     () =>
-      document.querySelector('#park-again:not(:disabled)') &&
+      document.querySelector('#park-again[aria-disabled="false"]') &&
       document.querySelector('#park .primary, #park-lesson'),
   );
   return Number(await page.text('#park-count'));

@@ -17,6 +17,11 @@ pageTest(
     );
     await page.click('#collect-check');
     await checked(page, names.length);
+    const [histogram, gains] = await page.evaluate(() =>
+      ['collect-histogram', 'collect-gains'].map((id) => document.getElementById(id)?.ariaLabel ?? ''),
+    );
+    assert.match(histogram, /: 5, from J [\d.]+ to [\d.]+, half of them at most [\d.]+$/);
+    assert.match(gains, /: kx from 3\.00 to 3\.40, kθ from 4\.50 to 4\.50$/);
     await page.focus('[data-sort="cost"]');
     for (const sorted of ['ascending', 'descending']) {
       await page.press(Key.ENTER);

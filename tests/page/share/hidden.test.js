@@ -165,7 +165,7 @@ pageTest('a control that its view frees while it is locked stays locked', async 
     kx.dispatchEvent(new Event('input', { bubbles: true }));
   });
   await page.until('the slider has moved', () =>
-    document.querySelector('output[for="park-kx"]')?.textContent?.startsWith('5'),
+    document.querySelector('#park-kx ~ .park-gain')?.textContent?.startsWith('5'),
   );
   assert.equal(await evolve(), true);
   await page.evaluate(() => {

@@ -166,11 +166,11 @@ engineTest('where a key writes Korean, it is known by its place', async (page) =
 pageTest('what has the focus in Share is never under what is said at its foot', async (page) => {
   /** @type {string[]} */
   const covered = [];
-  for (const size of /** @type {const} */ ([
+  for (const [width, height] of [
     [1440, 900],
     [640, 360],
-  ])) {
-    await page.resize(...size);
+  ]) {
+    await page.resize(width, height);
     await page.open();
     await page.click('#keep-button');
     await page.until('the fingerprint is told', () => document.getElementById('keep-status')?.textContent);
@@ -186,7 +186,7 @@ pageTest('what has the focus in Share is never under what is said at its foot', 
         );
         return isSeen ? '' : focused.id || focused.ariaLabel;
       });
-      if (under) covered.push(`${under} at ${size.join(' × ')}`);
+      if (under) covered.push(`${under} at ${width} × ${height}`);
     }
   }
   assert.deepEqual(covered, []);

@@ -10,6 +10,7 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { choicesOf } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';
+import { unless } from '../../kit/templates.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { playsPhases } from '../../run/pace.js';
 import words from './words/index.js';
@@ -77,6 +78,7 @@ export function createPage({ engine, store, actions }) {
 function contentOf(model, hurries, { steps, onTable, ...context }) {
   const { anatomy, phase } = model;
   const initial = isInitial(anatomy.record);
+  const isFirst = initial && phase === 'parents';
   return html`
     <div class="heading">
       <h2 id="generation-title">${words.title(anatomy.record.generation)}</h2>
@@ -90,7 +92,7 @@ function contentOf(model, hurries, { steps, onTable, ...context }) {
     <fieldset id="generation-step" class="bar generation-step" aria-label=${words.texts.generationStep}>
       <p id="generation-sentence" aria-live=${hurries ? 'off' : 'polite'}>${words.sentence(anatomy, phase)}</p>
       <button id="generation-back" type="button" class="icon" aria-label=${words.texts.generationBack}
-        .disabled=${initial && phase === 'parents'} @click=${steps.back}>
+        aria-disabled=${String(isFirst)} @click=${unless(isFirst, steps.back)}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>
       </button>
       <button id="generation-next" type="button" @click=${steps.next}>${words.next}<span>${whereNext(anatomy, phase)}</span></button>

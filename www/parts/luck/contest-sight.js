@@ -42,6 +42,7 @@ export function contestSight(state, standings, stale, isTyping, on) {
     ${bar(luck, on)}
     ${entrants(luck, on)}
     <p id="contest-status" class="luck-status" role="status">${statusText(luck, stale)}</p>
+    <p id="contest-said" class="visually-hidden" role="status">${contest && !contestRuns && !contest.cancelled ? `${noteText(luck)}. ${sentences.join(' ')}` : ''}</p>
     ${contest ? nothing : html`<p id="contest-finding" class="luck-finding">${words.contestInvitation(luck, state.experiment.starts.length)}</p>`}
     <fieldset id="contest-reading" class="segmented small" .hidden=${!standings?.lowest}>
       ${choicesOf('contest-reading', texts.reading, words.readings, luck.reading, (reading) => on.update({ reading }))}
@@ -125,7 +126,7 @@ function fewerSeeds({ draw, contestRuns }, { count, seeds }, { update }) {
     <div class="bar contest-fewer">
       <label class="bar"><span>${texts.fewer}</span>
         <input id="contest-only" type="range" min="1" max=${seeds} .value=${live(String(count))} .disabled=${contestRuns} aria-valuetext=${words.seedsText(count, seeds)} @input=${change}></label>
-      <output id="contest-count" for="contest-only">${words.seedsText(count, seeds)}</output>
+      <span id="contest-count">${words.seedsText(count, seeds)}</span>
       <button id="contest-others" type="button" class="link" .disabled=${contestRuns || count === seeds} @click=${() => update({ draw: draw + 1 })}>${texts.otherSeeds}</button>
     </div>`;
 }

@@ -43,7 +43,7 @@ export function sight(state, index, fresh, on) {
     </div>
     ${bar(luck, on)}
     <p id="luck-status" class="luck-status" role="status">${statusText(state, fresh)}</p>
-    <p id="luck-finding" class="luck-finding">${finding}</p>
+    <p id="luck-finding" class="luck-finding" aria-live=${result || luck.progress !== null ? 'polite' : 'off'}>${finding}</p>
     <div class="heading luck-legend">
       <p class="muted" data-picture="luck-curve" data-name=${texts.luckCurvePicture}>${texts.luckCurve}</p>
       <label class="check muted"><input id="luck-log" type="checkbox" .checked=${live(log)} .disabled=${!result}

@@ -3,7 +3,7 @@
 /** @import { Bred, ParkState } from './state.js' */
 import { html, nothing, svg } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { styled, valueIn } from '../../kit/templates.js';
+import { styled, unless, valueIn } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 
@@ -31,7 +31,7 @@ export function sight(model, on) {
     <p class="park-bar">
       <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree} aria-describedby=${bred.length > 0 ? nothing : 'park-hint'}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
-      <button id="park-again" type="button" .disabled=${evolving || !over} @click=${on.again}>${words.again}</button>
+      <button id="park-again" type="button" aria-disabled=${String(evolving || !over)} @click=${unless(evolving || !over, on.again)}>${words.again}</button>
     </p>
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
     ${bred.length > 0 ? climb(model) : html`<p id="park-hint" class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
@@ -46,10 +46,10 @@ function rowOf({ id, name, letter, index: sub }, index, { gains, evolving, most 
   const value = gains[index];
   return html`<div class="gain ${id}">
     <label for="park-${id}">${letter}<sub>${sub}</sub></label>
-    <input id="park-${id}" type="range" step="0.1" aria-label=${lab.gainSliderLabel(name)} min="0" max=${most}
+    <input id="park-${id}" type="range" step="0.1" aria-label=${name} min="0" max=${most}
       .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * value) / most}%`)}
       @input=${(/** @type {Event} */ event) => on.slide(index, Number(valueIn(event)))}>
-    <output for="park-${id}">${words.gain(value)}</output>
+    <span class="park-gain">${words.gain(value)}</span>
   </div>`;
 }
 

@@ -1,5 +1,6 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
 /** @import { Posture } from '../../core/engine.js' */
+/** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { RowName } from './request.js' */
 /** @import { SetName } from './sets.js' */
@@ -10,9 +11,10 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
-import { options, valueIn } from '../../kit/templates.js';
+import { options, unless, valueIn } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
+import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { isFree } from '../../run/guard.js';
@@ -33,12 +35,15 @@ export function createPage({ engine, store, actions, paper }) {
 
   const { choose, tryFrom, evolve, evolveIfWanted } = createEvents({ store, actions }, training, rowsOf);
   const changed = watch();
-  /** @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles */
-  const show = (state, rows, titles) => {
-    if (changed(trainingSlice.of(state), state.experiment, rows, ...titles))
-      render(sight(state, rows, titles, { choose, evolve, spread: training.spread, update }), element);
+  /** @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles @param {string} readout */
+  const show = (state, rows, titles, readout) => {
+    if (changed(trainingSlice.of(state), state.experiment, rows, ...titles, readout))
+      render(
+        sight(state, rows, titles, readout, { choose, evolve, spread: training.spread, update }),
+        element,
+      );
   };
-  show(store.get(), rowsOf(store.get()), ['', '']);
+  show(store.get(), rowsOf(store.get()), ['', ''], '');
   const pictures = ['seen', 'unseen'].map((name) =>
     createPicture(byIdIn(element, `training-${name}`), {
       radius: unseenRadius,
@@ -49,8 +54,8 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
-    /** @param {State} state */
-    draw(state) {
+    /** @param {State} state @param {Scene} scene */
+    draw(state, { driving }) {
       const sets = training.setsOf(state.experiment);
       const rows = rowsOf(state);
       const chosen = chosenOf(state);
@@ -61,10 +66,13 @@ export function createPage({ engine, store, actions, paper }) {
       const own = isSet(chosen) ? sets[chosen] : sets.one;
       const seen = result?.training ?? { starts: own, arrived: null };
       const unseen = result?.unseen ?? { starts: sets.unseen, arrived: null };
-      show(state, rows, [
-        words.trainingTitle(chosen, result, own.length),
-        words.unseenTitle(result, unseen.starts.length),
-      ]);
+      const { start } = state.trial;
+      show(
+        state,
+        rows,
+        [words.trainingTitle(chosen, result, own.length), words.unseenTitle(result, unseen.starts.length)],
+        start ? words.readout(start, lab.outcomeText(driving)) : '',
+      );
       // What was evolved for another goal is shown around that goal.
       const { evolved } = trainingSlice.of(state);
       const { goal } = isSet(chosen) && evolved ? evolved.experiment : state.experiment;
@@ -166,13 +174,14 @@ function createRows() {
 }
 
 /**
- * @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles Of the pictures.
+ * @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles Of the pictures. @param {string} readout Of the start that is tried.
  * @param {{ choose: (name: RowName) => void, evolve: () => void, spread: () => void, update: (patch: Partial<TrainingState>) => void }} on
  */
-function sight(state, rows, titles, { choose, evolve, spread: onSpread, update }) {
+function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread, update }) {
   const { experiment } = state;
   const { evolved, spread, message, cancelled, progress, generations } = trainingSlice.of(state);
   const runs = progress !== null;
+  const hasNoSeeds = runs || !evolved || spread !== null;
   const changes = evolved ? changesOf(evolved.experiment, experiment) : [];
   const status = [
     message ? words.failed(message, evolved !== null) : '',
@@ -197,12 +206,12 @@ function sight(state, rows, titles, { choose, evolve, spread: onSpread, update }
           generations,
         )}
       </select>
-      <button id="training-seeds" type="button" title=${words.seedsHint(seedCount)} .disabled=${runs || !evolved || spread !== null}
-        @click=${onSpread}>${words.seedsButton(seedCount)}</button>
+      <button id="training-seeds" type="button" title=${words.seedsHint(seedCount)} aria-disabled=${String(hasNoSeeds)}
+        @click=${unless(hasNoSeeds, onSpread)}>${words.seedsButton(seedCount)}</button>
       <progress id="training-progress" max="1" class=${runs ? '' : 'visually-hidden'}
         aria-label=${texts.trainingProgress} .value=${progress ?? 0}></progress>
     </div>
-    <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'}>${
+    <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'} aria-live=${evolved || runs ? 'polite' : 'off'}>${
       evolved
         ? spread
           ? words.spreadText(spread, unseenCount, evolved.results.one.training.starts.length)
@@ -217,9 +226,10 @@ function sight(state, rows, titles, { choose, evolve, spread: onSpread, update }
     <div class="training-pictures" data-picture="training" data-name=${words.texts.trainingPicture}>
       <p id="training-seen-title">${titles[0]}</p>
       <p id="training-unseen-title">${titles[1]}</p>
-      <canvas id="training-seen" role="application" tabindex="0" aria-label=${words.pictureLabel(titles[0])}></canvas>
-      <canvas id="training-unseen" role="application" tabindex="0" aria-label=${words.pictureLabel(titles[1])}></canvas>
+      <canvas id="training-seen" role="application" tabindex="0" aria-describedby="training-readout" aria-label=${words.pictureLabel(titles[0])}></canvas>
+      <canvas id="training-unseen" role="application" tabindex="0" aria-describedby="training-readout" aria-label=${words.pictureLabel(titles[1])}></canvas>
     </div>
+    <p id="training-readout" class="visually-hidden" aria-live="polite">${readout}</p>
     <p id="training-key" class="muted training-key" data-picture="training">${words.key(
       unseenCount,
       unseenRadius,

@@ -17,6 +17,7 @@ import {
   within,
 } from '../../kit/chart.js';
 import { byId } from '../../kit/elements.js';
+import { extentOf } from '../../kit/extent.js';
 import { once } from '../../kit/memo.js';
 import { drawAxisNames } from '../../kit/names.js';
 import { colour } from '../../kit/palette.js';
@@ -65,6 +66,23 @@ const pointsIn = (rows, given) =>
     const kind = judged ? (judged.isMet ? 'met' : 'not') : given?.run.exercise.aim ? 'unjudged' : 'not';
     return [{ cost, gains, kind }];
   });
+
+/** What the two pictures show, in words. @param {readonly Row[]} rows @param {Given | null} given */
+export function labelsOf(rows, given) {
+  const points = pointsIn(rows, given);
+  const costs = points.map(({ cost }) => cost).sort((a, b) => a - b);
+  if (costs.length === 0) return { histogram: words.texts.histogram, gains: words.texts.gains };
+  const half = Math.ceil(costs.length / 2) - 1;
+  const [least, middle, most] = [0, half, costs.length - 1].map((i) => lab.costText(costs[i]));
+  const reaches = [across, up].map((gain) => {
+    const [low, high] = extentOf([points.map(({ gains }) => gains[gain])]).map((end) => lab.fixed(end, 2));
+    return words.reachText(lab.gains[gain].name, low, high);
+  });
+  return {
+    histogram: words.histogramLabel(costs.length, least, middle, most),
+    gains: words.gainsLabel(reaches),
+  };
+}
 
 /** What the marks in both pictures mean, of those that are there. @param {readonly Row[]} rows @param {Given | null} given */
 export function legendOf(rows, given) {

@@ -7,8 +7,9 @@ import './style.css';
 import { html, nothing } from 'lit-html';
 import { byId, create } from '../../kit/elements.js';
 import { fillTable, mostRows } from '../../kit/table.js';
+import { unless } from '../../kit/templates.js';
 import { isEmpty } from '../../run/exercise.js';
-import { createCharts, legendOf } from './chart.js';
+import { createCharts, labelsOf, legendOf } from './chart.js';
 import { createChecking } from './checking.js';
 import { filesIn, joined } from './files.js';
 import { createRowEvents, isPinned } from './rows.js';
@@ -147,6 +148,7 @@ const isUsed = ({ status, rows, files }) => {
 function contentOf(view, table, on) {
   const { status, isBad, note, share, rows, given, files, first } = view;
   const isThere = rows.length > 0;
+  const labels = labelsOf(rows, given);
   return html`
     <p class="muted" .hidden=${isThere}>${texts.help}</p>
     <textarea id="collect-text" rows=${isThere ? 1 : 5} spellcheck="false" aria-label=${texts.paste} @input=${on.typed}></textarea>
@@ -165,8 +167,8 @@ function contentOf(view, table, on) {
     <p id="collect-status" class=${isBad ? 'field-error' : ''} role="status">${status} ${given ? html`<span class="muted">${words.judgedBy(given.id, given.run.exercise.task)}</span>` : nothing}</p>
     <div class="collect-found" .hidden=${!isThere}>
       <div class="collect-charts">
-        <div id="collect-histogram" role="img" aria-label=${texts.histogram}></div>
-        <div id="collect-gains" role="img" aria-label=${texts.gains}></div>
+        <div id="collect-histogram" role="img" aria-label=${labels.histogram}></div>
+        <div id="collect-gains" role="img" aria-label=${labels.gains}></div>
       </div>
       <ul class="collect-legend muted">${legendOf(rows, given)}</ul>
       <div class="bar">
@@ -182,7 +184,7 @@ function contentOf(view, table, on) {
 function pager(count, first, show) {
   const last = Math.min(first + mostRows, count);
   return html`
-    <button id="collect-before" type="button" .disabled=${first === 0} @click=${() => show(first - mostRows)}>${texts.before}</button>
-    <button id="collect-after" type="button" .disabled=${last === count} @click=${() => show(first + mostRows)}>${texts.after}</button>
+    <button id="collect-before" type="button" aria-disabled=${String(first === 0)} @click=${unless(first === 0, () => show(first - mostRows))}>${texts.before}</button>
+    <button id="collect-after" type="button" aria-disabled=${String(last === count)} @click=${unless(last === count, () => show(first + mostRows))}>${texts.after}</button>
     <span class="muted">${words.rowsText(first + 1, last, count)}</span>`;
 }

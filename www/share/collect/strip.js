@@ -41,7 +41,7 @@ function contentOf(rows, readable, index, on) {
     /** @type {string} */ text,
     /** @type {number | undefined} */ to,
   ) =>
-    html`<button id=${id} type="button" .disabled=${to === undefined} @click=${() => to !== undefined && on.open(to)}>${text}</button>`;
+    html`<button id=${id} type="button" aria-disabled=${String(to === undefined)} @click=${() => to !== undefined && on.open(to)}>${text}</button>`;
   return html`
     <p role="status"><b>${nameOf(row) || words.rowNumber(index)}</b> · ${saidOf(row).join(' · ')}
       ${remarks.length > 0 ? html`<span class="muted">${remarks.join('; ')}</span>` : nothing}

@@ -253,9 +253,6 @@ export const reachedText = (value, { generation, best }) =>
 export const announcement = (statistics) =>
   `Generation ${statistics.generation}: best J ${costText(statistics.best.cost)}`;
 
-/** @param {Run} run */
-export const handAnnouncement = (run) => `J ${costText(run.cost.total)}, ${outcomeText(run)}`;
-
 export const bestLine = 'best';
 export const medianLine = 'median';
 export const paperLine = 'paper’s EP';
@@ -284,8 +281,6 @@ export const gainsNote = (driver, evolved) =>
 
 export const gainsReplaced = 'Undo (Ctrl+Z) brings yours back';
 
-/** @param {string} name */
-export const gainSliderLabel = (name) => `${name}, slider`;
 /** @param {string} name */
 export const gainInputLabel = (name) => `${name}, value`;
 

@@ -168,8 +168,6 @@ export const named = namer({ ...settings, 'evolution.initialRange': { name: 'Fir
 export const noLimit = 'no limit';
 
 /** @param {string} name */
-export const sliderLabel = (name) => `${name}, slider`;
-/** @param {string} name */
 export const limitLabel = (name) => `Limit: ${name.toLowerCase()}`;
 /** @param {string} name @param {string} value */
 export const backLabel = (name, value) => `${name}: back to ${value}`;

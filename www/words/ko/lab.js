@@ -248,9 +248,6 @@ export const reachedText = (value, { generation, best }) =>
 export const announcement = (statistics) =>
   `${statistics.generation}세대: 최소 J ${costText(statistics.best.cost)}`;
 
-/** @param {Run} run */
-export const handAnnouncement = (run) => `J ${costText(run.cost.total)}, ${outcomeText(run)}`;
-
 export const bestLine = '최우수';
 export const medianLine = '중앙값';
 export const paperLine = '논문 EP';
@@ -280,8 +277,6 @@ export const gainsNote = (driver, evolved) =>
 
 export const gainsReplaced = '되돌리기(Ctrl+Z)로 내 이득 되찾기';
 
-/** @param {string} name */
-export const gainSliderLabel = (name) => `${name}, 슬라이더`;
 /** @param {string} name */
 export const gainInputLabel = (name) => `${name}, 값`;
 

@@ -154,8 +154,6 @@ export const named = namer({ ...settings, 'evolution.initialRange': { name: '초
 export const noLimit = '제한 없음';
 
 /** @param {string} name */
-export const sliderLabel = (name) => `${name}, 슬라이더`;
-/** @param {string} name */
 export const limitLabel = (name) => `제한: ${name}`;
 /** @param {string} name @param {string} value */
 export const backLabel = (name, value) => `${name}: ${value} 값으로 되돌리기`;

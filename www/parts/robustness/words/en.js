@@ -110,16 +110,16 @@ export const driveText = (place, drive) =>
 
 /** @param {Drive} drive @param {number} next */
 export const watching = (drive, next) =>
-  `You watch ${degrees(drive.heading)}: ${outcome(drive)}. Click again: ${degrees(next)}.`;
+  `You watch ${degrees(drive.heading)}: ${outcome(drive)}. Press again: ${degrees(next)}.`;
 
 /** @param {number} worst @param {boolean} arrives */
 export const invitation = (worst, arrives) =>
   arrives
-    ? `Click: watch ${degrees(worst)}, the highest J of all.`
-    : `Click: watch ${degrees(worst)}, the worst of those that fail.`;
+    ? `Press: watch ${degrees(worst)}, the highest J of all.`
+    : `Press: watch ${degrees(worst)}, the worst of those that fail.`;
 
 /** @param {boolean} watched */
-export const clickToWatch = (watched) => (watched ? 'You watch it.' : 'Click: watch it.');
+export const clickToWatch = (watched) => (watched ? 'You watch it.' : 'Press: watch it.');
 
 /** Of the run on the plane. @param {Place} place @param {Drive} drive */
 export const watched = (place, drive) => `You watch the start at ${driveText(place, drive)}`;

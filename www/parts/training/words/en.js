@@ -1,7 +1,7 @@
 // Every word of the training part.
 /** @import { Evolved, Result, RowName } from '../request.js' */
 import { cost, isEvolved } from './common.js';
-import { fixed, grouped } from '../../../words/en/numbers.js';
+import { fixed, grouped, postureText } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 
@@ -71,6 +71,9 @@ export const unseenTitle = (result, count) =>
 /** @param {string} title */
 export const pictureLabel = (title) =>
   `${title}. Left and Right go from start to start, each drives from there.`;
+
+/** @param {import('../../../core/engine.js').Posture} start @param {string} outcome */
+export const readout = (start, outcome) => `From ${postureText(start)}: the robot ${outcome}.`;
 
 /** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
 export const key = (count, radius, horizon) =>

@@ -1,7 +1,7 @@
 // Every word of the training part, in Korean.
 /** @import { Evolved, Result, RowName } from '../request.js' */
 import { cost, isEvolved } from './common.js';
-import { fixed, grouped } from '../../../words/ko/numbers.js';
+import { fixed, grouped, postureText } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 
@@ -64,6 +64,9 @@ export const unseenTitle = (result, count) =>
 /** @param {string} title */
 export const pictureLabel = (title) =>
   `${title}. 왼쪽·오른쪽 화살표로 출발점을 차례로 옮겨 가며, 고른 곳에서 로봇이 주행합니다.`;
+
+/** @param {import('../../../core/engine.js').Posture} start @param {string} outcome */
+export const readout = (start, outcome) => `${postureText(start)}에서 출발: ${outcome}.`;
 
 /** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
 export const key = (count, radius, horizon) =>

@@ -28,6 +28,14 @@ export const texts = {
   countAxis: 'hand-ins',
 };
 
+/** Half have at most the middle one. @param {number} count @param {string} least @param {string} middle @param {string} most */
+export const histogramLabel = (count, least, middle, most) =>
+  `${texts.histogram}: ${count}, from J ${least} to ${most}, half of them at most ${middle}`;
+/** @param {string} name @param {string} low @param {string} high */
+export const reachText = (name, low, high) => `${name} from ${low} to ${high}`;
+/** @param {readonly string[]} reaches */
+export const gainsLabel = (reaches) => `${texts.gains}: ${reaches.join(', ')}`;
+
 /** @type {Readonly<Record<Column, string>>} */
 export const columns = {
   number: 'No.',

@@ -28,6 +28,14 @@ export const texts = {
   countAxis: '제출 수',
 };
 
+/** Half have at most the middle one. @param {number} count @param {string} least @param {string} middle @param {string} most */
+export const histogramLabel = (count, least, middle, most) =>
+  `${texts.histogram}: ${count}건, J ${least}에서 ${most}까지, 절반은 ${middle} 이하`;
+/** @param {string} name @param {string} low @param {string} high */
+export const reachText = (name, low, high) => `${name} ${low}에서 ${high}까지`;
+/** @param {readonly string[]} reaches */
+export const gainsLabel = (reaches) => `${texts.gains}: ${reaches.join(', ')}`;
+
 /** @type {Readonly<Record<Column, string>>} */
 export const columns = {
   number: '번호',

@@ -1,0 +1,94 @@
+// What a part has computed, and what keys lead to in its pictures, is said to who cannot see it.
+import assert from 'node:assert/strict';
+import { Key, pageTest } from '../harness/browsers.js';
+import { link, openContest, runContest } from './contests.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** Notes from now on what is said of its own accord. @param {Page} page */
+const listen = (page) =>
+  page.evaluate(() => {
+    /** @type {string[]} */
+    const heard = [];
+    new MutationObserver((changes) => {
+      for (const { target } of changes) {
+        const element = target instanceof Element ? target : target.parentElement;
+        const region = element?.closest('[aria-live="polite"], [role="status"], output');
+        const text = region?.textContent?.trim();
+        if (text && heard.at(-1) !== text) heard.push(text);
+      }
+    }).observe(document.body, { childList: true, characterData: true, subtree: true });
+    Object.assign(window, { heard });
+  });
+
+/** @param {Page} page @returns {Promise<string[]>} */
+const heard = (page) =>
+  page.evaluate(() => /** @type {{ heard: string[] }} */ (/** @type {unknown} */ (window)).heard);
+
+pageTest('what seeds, a contest and training come to is said once', async (page) => {
+  await page.open('#luck');
+  await page.click('#luck-count option[value="20"]');
+  await page.click('#luck-generations option[value="50"]');
+  await listen(page);
+  await page.click('#luck-run');
+  await page.until('the seeds have run', () => document.getElementById('luck-seed')?.hidden === false);
+  const finding = await page.text('#luck-finding');
+  assert.equal((await heard(page)).filter((text) => text === finding).length, 1);
+
+  await openContest(page, link);
+  await listen(page);
+  await runContest(page);
+  const verdict = await page.evaluate(
+    () => document.querySelector('#contest-table .verdict')?.textContent?.trim() ?? '',
+  );
+  const ends = (await heard(page)).filter((text) => text.includes(verdict.split('.')[0]));
+  assert.equal(ends.length, 1, `${ends}`);
+
+  await page.open('#training');
+  await page.click('#training-generations option:first-child');
+  await listen(page);
+  await page.click('#training-evolve');
+  await page.until(
+    'it has evolved',
+    () => document.querySelector('#training-evolve')?.textContent === 'Evolve again',
+  );
+  const lesson = await page.text('#training-finding');
+  assert.equal((await heard(page)).filter((text) => text === lesson).length, 1);
+});
+
+pageTest('the pictures of training say from where a robot drives, and whether it arrives', async (page) => {
+  await page.open('#training');
+  await listen(page);
+  await page.focus('#training-unseen');
+  await page.press(Key.ARROW_RIGHT);
+  const start = (await page.text('#start-text')).replace('Start ', '');
+  await page.until(
+    'it is said',
+    (place) =>
+      /** @type {{ heard: string[] }} */ (/** @type {unknown} */ (window)).heard.some((text) =>
+        new RegExp(`^From ${place}: the robot (arrives|has not)`).test(text),
+      ),
+    start,
+  );
+});
+
+pageTest('a slider says its value with the unit, once, and is no slider twice', async (page) => {
+  await page.open('#park');
+  await listen(page);
+  await page.focus('#park-kx');
+  await page.press(Key.ARROW_RIGHT, Key.ARROW_RIGHT);
+  await page.until('it has moved', () => document.querySelector('#park .park-bar .primary:not(:disabled)'));
+  assert.deepEqual(
+    (await heard(page)).filter((text) => /^[\d.]+$/.test(text)),
+    [],
+  );
+  const names = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll('input[type="range"]')]
+        .filter((slider) => slider.checkVisibility())
+        .map(({ ariaLabel, ariaValueText }) => `${ariaLabel}: ${ariaValueText}`),
+    );
+  assert.doesNotMatch((await names()).join(), /slider/);
+  await page.open('#disturbance');
+  assert.match((await names()).join(), /: [\d.]+ m\/s,.*: [\d.]+ rad\/s/);
+});
