@@ -188,3 +188,25 @@ pageTest('on a telephone the name of the open part is in sight, whichever it is'
     assert.ok(isInSight, name);
   }
 });
+
+pageTest('the postures in words give way to a start that stands below them', async (page) => {
+  for (const [start, isLeft] of /** @type {const} */ ([
+    ['0,0,0', false],
+    ['4.3,0,0', true],
+  ])) {
+    await page.open(`#lab&v=1&start=${start}`);
+    await page.until(
+      `they stand on the ${isLeft ? 'left' : 'right'}`,
+      (wanted) => {
+        const [notes, plane, handle] = ['postures', 'plane', 'start-position'].map((id) =>
+          /** @type {HTMLElement} */ (document.getElementById(id)).getBoundingClientRect(),
+        );
+        const onLeft = (notes.left + notes.right) / 2 < (plane.left + plane.right) / 2;
+        const isFree = handle.right < notes.left || handle.left > notes.right;
+        return isFree && onLeft === wanted;
+      },
+      isLeft,
+    );
+  }
+  assert.deepEqual(await page.problems(), []);
+});

@@ -33,7 +33,7 @@ export function drawNames(context, plot, run) {
   const px = frame.right + 8;
   const half = 8;
   const all = namesOf(plot, run);
-  const isLow = (all.length - 1) * labelHeight > frame.bottom - frame.top;
+  const isLow = (all.length - 1) * labelHeight > frame.bottom - frame.top - 2 * half;
   // Where there is no room for all, the letter of what is drawn stands within.
   if (isLow && name === 'cost') {
     context.font = symbolFont;

@@ -32,7 +32,7 @@ export const pictureLabel = (name, run, outcome, comparison, pins) =>
 export const figureNote = (figure) =>
   figure === '5'
     ? 'Figure 5 of the paper shows this pair: EP’s gains solid, the arbitrary ones dotted.'
-    : 'Figure 7 of the paper shows this pair; there θ stays below 60°. No reading of its limits that was tried gives that picture.';
+    : 'Figure 7 of the paper shows this pair, but θ below 60°: no limits tried give that.';
 
 /** @param {string} name @param {number} step */
 export const numbersCaption = (name, step) =>

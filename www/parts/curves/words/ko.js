@@ -32,7 +32,7 @@ export const pictureLabel = (name, run, outcome, comparison, pins) =>
 export const figureNote = (figure) =>
   figure === '5'
     ? '논문의 그림 5가 보여 주는 두 주행입니다. 실선은 EP 이득, 점선은 임의 이득입니다.'
-    : '논문의 그림 7이 보여 주는 두 주행입니다. 그 그림에서 θ는 60°를 넘지 않지만, 논문의 제한을 여러 방식으로 해석해 보아도 그런 그림은 나오지 않았습니다.';
+    : '논문의 그림 7이 보여 주는 두 주행이지만 거기서 θ는 60° 미만입니다. 어떤 제한으로도 그렇게 되지 않았습니다.';
 
 /** @param {string} name @param {number} step */
 export const numbersCaption = (name, step) =>
