@@ -190,6 +190,7 @@ pageTest('on a telephone the name of the open part is in sight, whichever it is'
 });
 
 pageTest('the postures in words give way to a start that stands below them', async (page) => {
+  await page.resize(1280, 720);
   for (const [start, isLeft] of /** @type {const} */ ([
     ['0,0,0', false],
     ['4.3,0,0', true],

@@ -62,7 +62,7 @@ const contents = {
         class="rule muted">${gain[step]}<span class="gap"></span>${sigma}<sup>${exponent}<sub>${index}</sub></sup></span></p>
       ${birth.other === null ? nothing : crossing(anatomy, birth, birth.other, choose)}
       ${gainRows(Math.min(...birth.base.sigmas) < longBelow ? 'gain-rows long' : 'gain-rows', row)}
-      ${commonEquation(birth, rates, step)}
+      ${commonEquation(birth, rates)}
       ${rulesOf(anatomy)}`;
   },
 
@@ -161,31 +161,24 @@ function gainEquation(birth, i) {
 /** σᵢ e^(τ′N + τNᵢ′) = σᵢ′, where τ′N is the same for all three. @param {Birth} birth @param {number} i @param {Rates} rates */
 function sigmaEquation(birth, i, rates) {
   const { base, child, draws } = birth;
-  const grown = words.sigmaText(grownSigma(birth, i, rates));
-  const [from, common, rate, draw] = words.addingUp(
-    [
-      (more) => words.sigmaWith(base.sigmas[i], more),
-      (more) => words.drawText(rates.common * draws.common, more),
-      (more) => words.drawText(rates.own, more),
-      (more) => words.drawText(draws.sigmas[i], more),
-    ],
-    (σ, c, τ, n) => σ * Math.exp(c + τ * n),
-    grown,
+  const own = `${words.drawText(rates.own)} × ${words.bracketed(words.drawText(draws.sigmas[i]))}`;
+  const exponent = `${words.drawText(rates.common * draws.common)} + ${own}`;
+  const product = words.becomes(
+    words.sigmaText(grownSigma(birth, i, rates)),
+    words.sigmaText(child.sigmas[i]),
   );
-  const exponent = `${common} + ${rate} × ${words.bracketed(draw)}`;
-  const product = words.becomes(grown, words.sigmaText(child.sigmas[i]));
-  return html`<p class="equation">${symbol('σ', i)} ${from} × e<sup>${exponent}</sup> = ${product}</p>`;
+  return html`<p class="equation">${symbol('σ', i)} ${words.sigmaText(base.sigmas[i])} × e<sup>${exponent}</sup> = ${product}</p>`;
 }
 
-/** τ′N @param {Birth} birth @param {Rates} rates @param {Anatomy['step']} step */
-function commonEquation({ draws: { common } }, rates, step) {
+/** τ′N @param {Birth} birth @param {Rates} rates */
+function commonEquation({ draws: { common } }, rates) {
   const product = words.drawText(rates.common * common);
   const [rate, draw] = words.addingUp(
     [(more) => words.drawText(rates.common, more), (more) => words.drawText(common, more)],
     (τ, n) => τ * n,
     product,
   );
-  return html`<p class="common muted">${product} = ${rate} × ${words.bracketed(draw)}${words.commonText[step]}</p>`;
+  return html`<p class="common muted">${product} = ${rate} × ${words.bracketed(draw)}${words.commonText}</p>`;
 }
 
 /** @param {Anatomy} anatomy @param {number} rank @param {number} own @param {(number: number) => void} choose */

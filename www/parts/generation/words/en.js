@@ -128,11 +128,7 @@ export const lostText = 'lost to';
 /** @param {number} rank @param {number} generation */
 export const ranked = (rank, generation) => `ranked ${rank} in generation ${generation}`;
 
-/** Of which draws there is one, and of which one a gain. */
-export const commonText = {
-  gaussian: ': N drawn once, Nᵢ and Nᵢ′ per gain',
-  cauchy: ': N drawn once, Cᵢ and Nᵢ′ per gain',
-};
+export const commonText = ': one N for all three σ';
 export const crossedWith = 'crossed with ';
 /** @param {readonly string[]} gains */
 export const givenText = (gains) =>

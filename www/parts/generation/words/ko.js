@@ -120,11 +120,7 @@ export const lostText = '패, 상대:';
 /** @param {number} rank @param {number} generation */
 export const ranked = (rank, generation) => `${generation}세대 ${rank}위`;
 
-/** Of which draws there is one, and of which one a gain. */
-export const commonText = {
-  gaussian: ': N은 한 번, Nᵢ와 Nᵢ′은 이득마다 뽑음',
-  cauchy: ': N은 한 번, Cᵢ와 Nᵢ′은 이득마다 뽑음',
-};
+export const commonText = ': 세 σ에 공통인 난수 N';
 export const crossedWith = '교차 상대: ';
 /** @param {readonly string[]} gains */
 export const givenText = (gains) =>
