@@ -15,8 +15,16 @@ async function toKorean(page) {
 }
 
 /** The numbers in an element, which stand in another order in another language. @param {Page} page @param {string} selector */
-const numbersIn = async (page, selector) =>
-  ((await page.text(selector)).replaceAll('−', '-').match(/-?\d+(?:\.\d+)?/g) ?? []).sort();
+const numbersIn = async (page, selector) => {
+  // Text by text: engines differ in what they write between two of them.
+  const text = await page.evaluate((one) => {
+    const walker = document.createTreeWalker(document.querySelector(one) ?? document.body, 4);
+    const texts = [];
+    while (walker.nextNode()) texts.push(walker.currentNode.nodeValue);
+    return texts.join(' ');
+  }, selector);
+  return (text.replaceAll('−', '-').match(/-?\d+(?:\.\d+)?/g) ?? []).sort();
+};
 
 /** @param {Page} page @param {string} id @param {string} value */
 const set = (page, id, value) =>
