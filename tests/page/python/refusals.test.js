@@ -102,7 +102,11 @@ test('whatever else is wrong is refused, and nothing is lost by it', options, ()
     ['ep.Evolution({}).step(0)', 'ValueError', /^generations must be a whole number from 1, but was 0$/],
     ['ep.Evolution({}).step(1.5)', 'ValueError', /^generations must be a whole number from 1, but was 1\.5$/],
     ['ep.Evolution({}).step(True)', 'ValueError', /^generations must be .*, but was True$/],
-    ['ep.starts_on_circle({})', 'ValueError', /^circle\.x must be a number, but was missing$/],
+    [
+      'ep.starts_on_circle({})',
+      'ValueError',
+      /^circle\.x must be a number from -1000 to 1000 m, but was missing$/,
+    ],
     [
       'ep.Evolution({}).statistics(1)',
       'ValueError',
