@@ -24,6 +24,8 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   /** The host's “back” is not for what happens within a frame. */
   const onward = isEmbedded ? 'replaceState' : 'pushState';
   let waiting = false;
+  /** The page is about to be loaded again, and what is laid beside its address stays there. */
+  let leaving = false;
   let written = location.hash.slice(1);
   /** Where the address is: the part, and the step of the lesson. */
   let place = { page: '', lesson: 0 };
@@ -33,7 +35,9 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     const spoken = languageOfAddress();
     // The words are chosen when the page loads.
     if (spoken !== language) {
-      if (asked === linkOf(store.get(), engine.experiment, spoken)) takeAlong(store.get(), slices);
+      if (asked === other.pressed() || asked === linkOf(store.get(), engine.experiment, spoken))
+        takeAlong(store.get(), slices);
+      leaving = true;
       return location.reload();
     }
     written = asked;
@@ -52,7 +56,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   const write = () => {
     waiting = false;
     const state = store.get();
-    if (!isDue(state)) return;
+    if (leaving || !isDue(state)) return;
     const link = linkFor(state);
     if (link === written) return;
     if (!isElsewhere(state) || written === '') history.replaceState(null, '', `#${link}`);
@@ -90,7 +94,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
     /** Writes what has changed, once it rests. @param {State} state */
     follow(state) {
-      if (!isDue(state) || !changed(...links.carried(state))) return;
+      if (leaving || !isDue(state) || !changed(...links.carried(state))) return;
       for (const name of pages) lead(name, linkFor({ ...state, page: name, lesson: 0 }));
       lead('lesson', withExercise(linkOfStep(state.lastStep), state, engine.experiment));
       other.follow();

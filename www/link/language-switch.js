@@ -9,8 +9,20 @@ export function createLanguageSwitch(linkIn) {
   /** @type {HTMLAnchorElement} */
   const link = byId('language');
   Object.assign(link, { textContent: languages[other], lang: other, hreflang: other, hidden: false });
-  const follow = () => link.setAttribute('href', `#${linkIn(other)}`);
+  /** @type {string | null} */
+  let pressed = null;
+  const follow = () => {
+    const there = linkIn(other);
+    link.setAttribute('href', `#${there}`);
+    return there;
+  };
   // What moves is written into no address: only a press takes it along as it is now.
-  link.addEventListener('click', follow);
-  return { follow };
+  link.addEventListener('click', () => {
+    pressed = follow();
+  });
+  return {
+    follow,
+    /** The link that was pressed: the run may have gone on when it is opened. */
+    pressed: () => pressed,
+  };
 }

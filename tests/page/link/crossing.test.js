@@ -65,7 +65,7 @@ engineTest('what was found is there in the other language too', async (page) => 
     await page.until('it is open', (name) => document.body.dataset.open === name, part);
     await find();
     await page.until(
-      'it is found',
+      `${part}: it is found`,
       (selector) => document.querySelector(selector)?.textContent?.trim(),
       found,
     );
@@ -73,7 +73,7 @@ engineTest('what was found is there in the other language too', async (page) => 
     assert.ok(before.length > 0, part);
     await toKorean(page);
     await page.until(
-      'it is there',
+      `${part}: it is there`,
       (selector) => document.querySelector(selector)?.textContent?.trim(),
       found,
     );
@@ -92,5 +92,33 @@ pageTest('generations after the one that is shown are there in the other languag
   await page.until('all are there, and the first is shown', () => {
     const timeline = /** @type {HTMLInputElement} */ (document.getElementById('timeline'));
     return timeline.max === '12' && document.getElementById('generation')?.textContent === '0';
+  });
+});
+
+pageTest('what changes while the page is being left takes nothing of that away', async (page) => {
+  await page.open('#lab&v=1&generation=12');
+  await page.focus('#timeline');
+  await page.press(Key.HOME);
+  await page.until('it is back', () => document.getElementById('generation')?.textContent === '0');
+  await page.until('it is at rest', () => !document.querySelector('#play.playing'));
+  await page.evaluate(() => {
+    const timeline = /** @type {HTMLInputElement} */ (document.getElementById('timeline'));
+    addEventListener('popstate', () => {
+      // The next frame, and what is written some time after it, come before the browser has loaded the page again.
+      const draw = window.requestAnimationFrame;
+      window.requestAnimationFrame = (frame) => {
+        window.requestAnimationFrame = draw;
+        queueMicrotask(() => frame(performance.now()));
+        return 0;
+      };
+      window.setTimeout = /** @type {any} */ ((/** @type {() => void} */ act) => queueMicrotask(act));
+      timeline.value = '1';
+      for (const type of ['input', 'change']) timeline.dispatchEvent(new Event(type, { bubbles: true }));
+    });
+  });
+  await toKorean(page);
+  await page.until('all are there, and the first is shown', () => {
+    const there = /** @type {HTMLInputElement} */ (document.getElementById('timeline'));
+    return there.max === '12' && document.getElementById('generation')?.textContent === '0';
   });
 });
