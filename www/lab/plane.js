@@ -31,20 +31,16 @@ export function createPlane(pathsCanvas, robotsCanvas) {
     const { driving, others, comparison } = scene;
     if (pathsChanged(view, driving, others, comparison, scene.pins, start, goal, pays, theme)) {
       paths.draw(view, (context) => {
-        drawGrid(context, view);
+        // A small plane has no room for what is written along the path, nor beside the legend.
+        const isPaid = pays && !isSmall(view);
+        const names = namesIn(view, start, goal, driving, isPaid ? -1 : 1);
+        drawGrid(context, view, names);
         drawPinnedGoals(context, view, pins, goal);
         drawPaths(context, view, scene, pins);
-        // A small plane has no room for what is written along the path, nor beside the legend.
-        const isSmall = view.height < 280;
-        const isPaid = pays && !isSmall;
         if (isPaid) drawPayments(context, view, driving);
         drawTarget(context, view, start, colour('--muted'));
         drawTarget(context, view, goal, colour('--ink'));
-        if (view.height < 170) return;
-        const side = isPaid ? -1 : 1;
-        drawPostureName(context, view, start, strings.startName, side);
-        if (!isTaken(view, goal, side, driving)) drawPostureName(context, view, goal, strings.goalName, side);
-        else if (!isSmall) drawPostureName(context, view, goal, strings.goalName, -side);
+        drawPostureNames(context, names);
       });
     }
     if (robotsChanged(view, driving, others, comparison, scene.pins, time, theme)) {
@@ -54,8 +50,11 @@ export function createPlane(pathsCanvas, robotsCanvas) {
   return { draw };
 }
 
-/** @param {CanvasRenderingContext2D} context @param {View} view */
-function drawGrid(context, view) {
+/** @param {View} view */
+const isSmall = ({ height }) => height < 280;
+
+/** @param {CanvasRenderingContext2D} context @param {View} view @param {readonly PostureName[]} names Over a number they would leave pieces of it. */
+function drawGrid(context, view, names) {
   const step = gridStep(view);
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const low = view.world(0, view.height);
@@ -72,7 +71,9 @@ function drawGrid(context, view) {
     if (px < 44) continue;
     context.moveTo(px, 0);
     context.lineTo(px, view.height - 28);
-    if (px < view.width - 20) context.fillText(`${strings.fixed(x, digits)} m`, px, view.height - 10);
+    const isNamed = names.some((name) => Math.abs(name.px - px) < 40 && name.py > view.height - 34);
+    if (px < view.width - 20 && !isNamed)
+      context.fillText(`${strings.fixed(x, digits)} m`, px, view.height - 10);
   }
   context.textAlign = 'right';
   context.textBaseline = 'middle';
@@ -179,14 +180,32 @@ function isTaken(view, goal, side, { x, y }) {
   return away > 16 && away < 80 && right * side * view.scale > 12;
 }
 
-/** Beside it, where neither its knob is nor the way to it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} name @param {number} side Its right hand, or its left, where J is written on the right of the path. */
-function drawPostureName(context, view, { x, y, theta }, name, side) {
+/** @typedef {{ text: string, px: number, py: number, align: CanvasTextAlign }} PostureName */
+
+/** Start and goal by name, as far as there is room. @param {View} view @param {Posture} start @param {Posture} goal @param {Run} run @param {number} side Their right hand, or their left, where J is written on the right of the path. @returns {PostureName[]} */
+function namesIn(view, start, goal, run, side) {
+  if (view.height < 170) return [];
+  const names = [nameAt(view, start, strings.startName, side)];
+  if (!isTaken(view, goal, side, run)) names.push(nameAt(view, goal, strings.goalName, side));
+  else if (!isSmall(view)) names.push(nameAt(view, goal, strings.goalName, -side));
+  return names;
+}
+
+/** Beside it, where neither its knob is nor the way to it. @param {View} view @param {Posture} posture @param {string} text @param {number} side @returns {PostureName} */
+function nameAt(view, { x, y, theta }, text, side) {
   const [across, down] = [side * Math.sin(theta), side * Math.cos(theta)];
+  const align = Math.abs(across) < 0.5 ? 'center' : across > 0 ? 'left' : 'right';
+  return { text, px: view.screenX(x) + 20 * across, py: view.screenY(y) + 24 * down, align };
+}
+
+/** @param {CanvasRenderingContext2D} context @param {readonly PostureName[]} names */
+function drawPostureNames(context, names) {
   context.font = textFont;
-  context.textAlign = Math.abs(across) < 0.5 ? 'center' : across > 0 ? 'left' : 'right';
   context.textBaseline = 'middle';
-  const look = { fill: colour('--muted'), halo: colour('--paper') };
-  fillTextWithHalo(context, name, view.screenX(x) + 20 * across, view.screenY(y) + 24 * down, look);
+  for (const { text, px, py, align } of names) {
+    context.textAlign = align;
+    fillTextWithHalo(context, text, px, py, { fill: colour('--muted'), halo: colour('--paper') });
+  }
 }
 
 /** Start or goal: an empty arrow, and the knob that turns it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} stroke */
