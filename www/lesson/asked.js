@@ -16,10 +16,11 @@ import { colour } from '../kit/palette.js';
 import { fixed, powerOfTen } from '../words/numbers.js';
 
 /** @import { Axes, Size } from '../kit/chart.js' */
-/** @import { Run } from '../core/engine.js' */
+/** @import { Experiment, Run } from '../core/engine.js' */
 /** @import { Block, Live, Tools } from './page.js' */
-/** @typedef {{ asked: { label: (asked: string, done: string) => string, linear: string, angular: string, asked: string, done: string } }} AskedWords */
-/** @typedef {{ run: Run, time: number, theme: number }} Model */
+/** @typedef {{ asked: { label: (asked: string, done: string) => string, linear: string, angular: string, asked: string, done: string, limit: string } }} AskedWords */
+/** @typedef {{ run: Run, limits: Experiment['limits'], time: number, theme: number }} Model */
+/** One velocity: what the law asks for, what the wheels do, and the most that they can. @typedef {{ asked: ArrayLike<number>, done: ArrayLike<number>, limit: number | null, token: string, name: string }} Half */
 
 const gap = 34;
 const [left, right] = [52, 24];
@@ -46,23 +47,24 @@ export function createAsked(_tools, { asked: words }) {
   element.setAttribute('role', 'img');
   const chart = createChart(element, (context, size, /** @type {Model} */ model) => {
     context.font = strongFont;
-    const signs = `· · · ${words.asked}   ━ ${words.done}`;
+    const { run, limits } = model;
+    const isLimited = limits.speed !== null || limits.turnRate !== null;
+    const signs = `─ ${words.asked}   ━ ${words.done}${isLimited ? `   ╌ ${words.limit}` : ''}`;
     const widthOf = (/** @type {string} */ text) => context.measureText(text).width;
     // Where the first name leaves them no room they stand above it.
     const head = widthOf(words.linear) + widthOf(signs) + left + right > size.width ? 20 : 0;
     const half = { ...size, height: (size.height - gap - head) / 2 };
-    const { run } = model;
-    drawHalf(context, half, head, [run.commandLinear, run.linear], '--energy', words.linear, model);
-    const second = head + half.height;
-    const angular = /** @type {const} */ ([run.commandAngular, run.angular]);
-    drawHalf(context, half, second, angular, '--omega', words.angular, model, true);
+    const [linear, angular] = halvesOf(run, limits, words);
+    drawHalf(context, half, head, linear, model);
+    drawHalf(context, half, head + half.height, angular, model, true);
     drawSigns(context, size, signs);
   });
   return {
     element,
-    draw(/** @type {Live} */ { state, scene: { driving } }) {
+    draw(/** @type {Live} */ { state, scene: { driving, experiment } }) {
       const drawn = chart.draw({
         run: driving,
+        limits: experiment.limits,
         time: Math.min(state.robot.time, driving.finalTime),
         theme: state.theme,
       });
@@ -73,21 +75,31 @@ export function createAsked(_tools, { asked: words }) {
   };
 }
 
+/** @param {Run} run @param {Experiment['limits']} limits @param {AskedWords['asked']} names @returns {[Half, Half]} */
+const halvesOf = (run, { speed, turnRate }, { linear, angular }) => [
+  { asked: run.commandLinear, done: run.linear, limit: speed, token: '--energy', name: linear },
+  { asked: run.commandAngular, done: run.angular, limit: turnRate, token: '--omega', name: angular },
+];
+
 /** A power of ten with its sign, or 0. @param {number} tick */
 const tickText = (tick) =>
   tick === 0 ? '0' : `${tick < 0 ? '−' : ''}${powerOfTen(Math.round(Math.log10(Math.abs(tick))))}`;
 
-/** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {readonly [ArrayLike<number>, ArrayLike<number>]} values @param {string} token @param {string} name @param {Model} model @param {boolean} [isLast] */
-function drawHalf(
-  context,
-  { width, height },
-  top,
-  [asked, done],
-  token,
-  name,
-  { run, time },
-  isLast = false,
-) {
+/** Its numbers: powers of ten, and the limit, before which one that is too near gives way. @param {Axes['y']} y @param {number} most @param {number | null} limit @returns {{ at: number, text: string }[]} */
+function numbersOn(y, most, limit) {
+  const limits = limit === null ? [] : [limit, -limit];
+  const isFree = (/** @type {number} */ tick) => limits.every((one) => Math.abs(y(one) - y(tick)) > 13);
+  return [
+    ...limits.map((at) => ({ at, text: fixed(at, 1) })),
+    ...powers(most)
+      .filter(isFree)
+      .map((at) => ({ at, text: tickText(at) })),
+  ];
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {Half} half @param {Model} model @param {boolean} [isLast] */
+function drawHalf(context, { width, height }, top, half, { run, time }, isLast = false) {
+  const { asked, done, limit, token, name } = half;
   const most = 1.4 * Math.max(2, largest(asked), largest(done));
   const frame = { left, right: width - right, top: top + 22, bottom: top + height - 4 };
   /** @type {Axes} */
@@ -96,11 +108,14 @@ function drawHalf(
     x: scaleLinear([0, run.finalTime || 1], [frame.left, frame.right]),
     y: scaleSymlog([-most, most], [frame.bottom, frame.top]).constant(1),
   };
-  const ticks = {
-    x: ticksOn(axes.x, 70),
-    y: powers(most),
-  };
-  drawGrid(context, axes, ticks, ticks.y.map(tickText));
+  const numbers = numbersOn(axes.y, most, limit !== null && limit < most ? limit : null);
+  const ticks = { x: ticksOn(axes.x, 70), y: numbers.map(({ at }) => at) };
+  drawGrid(
+    context,
+    axes,
+    ticks,
+    numbers.map(({ text }) => text),
+  );
   if (isLast)
     drawNumbersBelow(
       context,
@@ -117,7 +132,16 @@ function drawHalf(
         run.time.map((_, i) => all[Math.min(i, all.length - 1)]),
         true,
       );
-    drawCurve(context, line(asked), { token, width: 1.5, dash: [2, 3] });
+    for (const at of limit === null ? [] : [limit, -limit])
+      drawCurve(
+        context,
+        [
+          [frame.left, axes.y(at)],
+          [frame.right, axes.y(at)],
+        ],
+        { token: '--muted', width: 1, dash: [3, 3] },
+      );
+    drawCurve(context, line(asked), { token, width: 1.25 });
     drawCurve(context, line(done), { token, width: 3 });
   });
   drawUpright(context, axes.x(time), frame, { token: '--muted', width: 1 });

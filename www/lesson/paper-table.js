@@ -2,7 +2,7 @@
 import { create } from '../kit/elements.js';
 import { asPrinted } from './printed.js';
 import { lab } from '../words/index.js';
-import { degrees, fixed, postureText } from '../words/numbers.js';
+import { degreesText, fixed, postureText } from '../words/numbers.js';
 
 /** @import { Experiment, Individual, PaperResult } from '../core/engine.js' */
 /** @import { Block, Tools } from './page.js' */
@@ -106,7 +106,7 @@ const textsOf = (e, a) => ({
   velocityWeights: e.weights.velocity.map(String).join(', '),
   penalty: String(e.weights.penalty),
   position: fixed(100 * e.tolerance.position, 0),
-  heading: degrees(e.tolerance.heading),
+  heading: degreesText(e.tolerance.heading),
   horizon: fixed(e.horizon, 0),
   population: String(e.evolution.population),
   opponents: String(e.evolution.opponents),

@@ -90,17 +90,17 @@ test('of the other parts only crossover helps; a child against its own parent is
   assert.ok(sideOf(parent) < 0 && parent.reached === 0);
 });
 
-test('with a floor no run is lost, and none gets far below its target', async () => {
+test('with a floor far fewer runs are lost, and none gets far below its target', async () => {
   const lines = await ran(tryOf('contest', 'floor'));
   const [own, floor] = lines();
-  assert.ok(floor.reached === floor.count && own.reached < own.count - 10);
+  assert.ok(floor.reached > own.reached + 10);
   const [ownLower, floorLower] = lines({ target: 7.706 });
   assert.ok(floorLower.reached === 0 && ownLower.reached >= 10);
 });
 
-test('six robots come to 7.8 with no more drives than twenty, which 51 runs cannot tell; a hundred need twice as many', async () => {
+test('whether six robots come to 7.8 sooner than twenty, 51 runs cannot tell; a hundred need twice as many drives', async () => {
   const [twenty, six, hundred] = (await ran(tryOf('contest', 'robots')))();
-  assert.ok(six.ert <= twenty.ert && sideOf(six) === 0);
+  assert.equal(sideOf(six), 0);
   assert.ok(hundred.ert > 1.8 * twenty.ert && hundred.ert < 2.6 * twenty.ert && sideOf(hundred) < 0);
 });
 

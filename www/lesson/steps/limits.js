@@ -124,7 +124,7 @@ export const limits = {
     const { commandLinear, commandAngular } = limited.run;
     return {
       askedV: fixed(largest(commandLinear.map(Math.abs)), 1),
-      askedW: fixed(largest(commandAngular.map(Math.abs)), 0),
+      askedW: fixed(largest(commandAngular.map(Math.abs)), 1),
       v: fixed(usual.limits.speed ?? 0, 1),
       w: fixed(usual.limits.turnRate ?? 0, 1),
       rises: String(free.rises),

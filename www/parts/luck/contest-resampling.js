@@ -23,8 +23,8 @@ function numbers(seed) {
 }
 
 /**
- * Between which values the expected running time of so many other runs would lie 95 times in 100: the same from runs that are drawn
- * from these with replacement.
+ * The 95 % confidence interval of the expected running time (percentile bootstrap): between which values it lies in 95 of 100 sets of
+ * runs that are drawn from these with replacement.
  * @param {readonly number[]} runtimes @param {number} budget @returns {[low: number, high: number]}
  */
 export function runningTimeInterval(runtimes, budget) {

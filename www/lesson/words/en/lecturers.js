@@ -33,7 +33,7 @@ export const lecturers = {
         },
         steps: {
           text: '*5 min.* The step sizes σ. Ask: what will they do when nothing gets better any more?',
-          seen: 'They shrink by many powers of ten: evolution stands still, whether or not it is at the best place.',
+          seen: 'With this seed they shrink by many powers of ten: evolution stands still, whether or not it is at the best place.',
         },
         landscape: {
           text: '*6 min.* The ground it searched: each point is a robot. Drag the goal and watch the valley.',
@@ -87,7 +87,7 @@ export const lecturers = {
         },
         task: {
           text: '*73 to 86 min.* Step 12: one start, many starts, another price. Predict each before it is shown.',
-          seen: 'A quarter, half, nearly all of the starts that no evolution saw.',
+          seen: 'About a fifth, half, nearly all of the starts that no evolution saw.',
         },
         end: {
           text: '*86 to 90 min.* The seven sentences; the open task is the homework.',
@@ -134,7 +134,7 @@ export const lecturers = {
       items: {
         negative: {
           text: 'In V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ, let ky be below zero. Which errors can then grow?',
-          seen: 'The second part becomes positive: V can grow while yₑ is large, so the robot may be driven away sideways. Lemma and theorem need all three gains above zero.',
+          seen: 'The second part becomes positive: V can grow while yₑ is large, so the robot may be driven away sideways. Both theorems need all three gains above zero.',
         },
         best: {
           text: 'Why can the best J of the paper’s EP never rise from one generation to the next?',
@@ -145,7 +145,7 @@ export const lecturers = {
           seen: 'Only through its offspring, one generation later: a good σ is kept because it comes along with good gains.',
         },
         collapse: {
-          text: 'After 300 generations σ has fallen by more than seven powers of ten. What does that say about the gains found, and what would you change?',
+          text: 'With seed 1, σ has fallen by more than seven powers of ten after 300 generations. What does that say about the gains found, and what would you change?',
           seen: 'Only that no step helped for long. A lower bound for σ, a restart or a larger population keeps the search alive.',
         },
         ky: {

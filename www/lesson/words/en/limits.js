@@ -13,12 +13,13 @@ export const limits = {
     angular: 'ω in rad/s',
     asked: 'asked',
     done: 'done',
+    limit: 'limit',
   },
   texts: {
-    asked: `The law asks, the wheels answer. In the drive of the paper’s EP gains the law asks for up to {=askedV} m/s and {=askedW} rad/s. The paper’s robot can do {=v} m/s and {=w} rad/s. Beside the plane the dotted line is what was asked, the full one what was done: what is beyond the limits is cut off. Engineers call that *saturation*. The robot drives at full speed for most of the way.
+    asked: `The law asks, the wheels answer. In the drive of the paper’s EP gains the law asks for up to {=askedV} m/s and {=askedW} rad/s. The paper’s robot can do {=v} m/s and {=w} rad/s. Beside the plane the thin line is what was asked, the thick one what was done: what is beyond the limit, the dashed line, is cut off. Engineers call that *saturation*. The robot drives at full speed for most of the way.
 
 Would it be better without limits? The proof of the last step assumes none.`,
-    theory: `The proof has a gap where it meets a real robot: it wants the law to act *at every instant*, but a computer decides once in a hundredth of a second and holds its command until the next. A huge command that is held turns the robot much too far. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples. (Such a drive is *chaotic*: the last digits of the arithmetic decide exactly how many.)
+    theory: `The proof has a gap where it meets a real robot: it wants the law to act *at every instant*, but a computer decides once in a hundredth of a second and holds its command until the next. A huge command that is held turns the robot much too far; a faster computer helps little, because where sin θe is 0 the command has no bound. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples. (Such a drive is *chaotic*: the last digits of the arithmetic decide exactly how many.)
 
 Do speed limits close that gap? From the paper’s own start it looks so: with them {V} falls at every sample.`,
     clipped: `The terms of {v} and of {w} cancel each other only together. Limits clip {v} and {w} *apart*, each to its own size, and then what should cancel no longer does. So with limits, too, {V} may rise for a while; the proof promises nothing about a robot whose wheels are saturated. Limits of *acceleration* add to it: the robot answers late, and cannot brake where the law wants it to.`,

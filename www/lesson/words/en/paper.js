@@ -50,7 +50,7 @@ The *numbers themselves* are not the paper’s, and no honest program could make
     ['largest speed', '2 m/s', `${e.speed} m/s`],
     [
       'largest turn rate',
-      '“2(rad/s)”, where Greek letters are lost; the plots reach beyond 5',
+      '“2(rad/s)” in our copy of its text, where Greek letters are lost; the plots reach beyond 5',
       `${e.turnRate}π rad/s`,
     ],
     ['largest accelerations', '5 and “5”', `${e.acceleration} m/s², ${e.turnAcceleration}π rad/s²`],
@@ -78,11 +78,11 @@ The *numbers themselves* are not the paper’s, and no honest program could make
     ],
     [
       'velocity on arrival',
-      'Theorem 1: “prespecified velocity”',
+      'Theorem 1: “the reference velocity”',
       'not looked at, unless the settings ask for it',
     ],
     ['at the start', 'not given', 'the robot is at rest'],
-    ['disturbance δ', 'in (4)', 'added after the limits'],
+    ['disturbance δ', 'q_m + δ, put into (2)', 'added after the limits'],
     ['division by sin θe', 'not given', 'by at least 0.000001, with its sign'],
     ['draws of a mutation', 'N_i, i counts robots', 'one for each component, one more common to its σ'],
     ['who meets whom', 'random opponents', 'with replacement, never oneself; ties by J, then by number'],

@@ -26,7 +26,7 @@ export const sigma = {
     rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt}, drawn anew, change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In 70 % of all births a new {s} lies between half and twice the old one.
 
 Nobody judges {s} itself. Steps of a good length make good offspring, and these inherit it. The picture shows how the best robot came by its own: the bells of its family, from the first ancestor down; each is where the gain of the next offspring was likely to land. The curves show the mean {s} of all robots, on an axis on which equal distances are equal factors: after {=generation} generations {=sx} for {kx}, {=sy} for {ky}, {=st} for {kt}.`,
-    collapse: `In the long run {s} falls. A short step cannot spoil much, so its offspring survive more often and hand it on. Nothing stops this: *the step sizes collapse*. [After 300 generations](lab&generation=300&curve=sigmas) they are below a millionth, and evolution stands still, whether it has found the best place or not. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none; [step 11](lesson&step=contest) lets you try one.`,
+    collapse: `In the long run {s} falls. A short step cannot spoil much, so its offspring survive more often and hand it on. Nothing stops this: *the step sizes collapse*. With seed 1 they are below a millionth [after 300 generations](lab&generation=300&curve=sigmas), and evolution stands still, whether it has found the best place or not. How soon is chance: [with seed 13](lab&seed=13&generation=300&curve=sigmas) some steps are still large by then. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none; [step 11](lesson&step=contest) lets you try one.`,
     next: `A method with a weakness, then. In the task so far that does little harm: the best gains are not far from the first robots. And where they are far? Try it yourself first.`,
   },
   quizzes: {
@@ -44,7 +44,7 @@ Nobody judges {s} itself. Steps of a good length make good offspring, and these 
     },
     further: {
       question:
-        'Evolution goes on from generation 150 to generation 300: as many drives again as before. How far does the best J still fall?',
+        'Evolution goes on, with seed 1, from generation 150 to generation 300: as many drives again as before. How far does the best J still fall?',
       choices: ['About as far as before', 'Less, but visibly', 'By less than 0.01'],
       /** @param {{ before: number, after: number, half: number, generation: number, sigmas: string[] }} outcome */
       why: ({ before, after, half, generation, sigmas }) =>

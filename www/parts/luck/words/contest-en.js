@@ -147,7 +147,7 @@ export const contestColumns = [
   { text: 'reached', hint: 'How many runs reached the target' },
   {
     text: 'ERT',
-    hint: 'Expected running time: the drives of all runs until the target or the budget, by the number of those that reached it; beside it where it lies 95 times in 100 (bootstrap)',
+    hint: 'Expected running time: the drives of all runs until the target or the budget, by the number of those that reached it; beside it its 95 % confidence interval (bootstrap)',
   },
   { text: 'median J', hint: 'The median of J at the budget' },
   {
