@@ -24,6 +24,9 @@ if (isEmbedded)
 /** In a frame nothing moves until someone has used the figure, and nowhere for who wants less motion. */
 export const isStill = () => !used || matchMedia('(prefers-reduced-motion: reduce)').matches;
 
+/** Said when the page loads itself again: who keeps something of it lays it aside. */
+export const leaving = 'page-leaves';
+
 /** The address of the whole page, or with `embed` of its figure for a frame. @param {string} page @param {string} link the text after # @param {boolean} embed */
 export function addressOf(page, link, embed) {
   const address = new URL(page);

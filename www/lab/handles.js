@@ -123,16 +123,26 @@ function drag(button, end, part, current, events) {
     pending = tidy(part === 'heading' ? turnedTo(view, posture, px, py) : movedTo(view, posture, px, py));
   });
 
-  /** @param {PointerEvent} event */
-  const release = (event) => {
-    if (!held || event.pointerId !== held.pointerId) return;
-    if (event.type === 'pointercancel') pending = held.before;
+  const letGo = () => {
     held = null;
     apply();
     events.onRelease();
   };
-  button.addEventListener('pointerup', release);
-  button.addEventListener('pointercancel', release);
+  const takeBack = () => {
+    if (!held) return;
+    pending = held.before;
+    letGo();
+  };
+  button.addEventListener('pointerup', ({ pointerId }) => {
+    if (pointerId === held?.pointerId) letGo();
+  });
+  button.addEventListener('pointercancel', ({ pointerId }) => {
+    if (pointerId === held?.pointerId) takeBack();
+  });
+  // Not every browser gives a button the focus that is pressed.
+  addEventListener('keydown', ({ key }) => {
+    if (key === 'Escape') takeBack();
+  });
 }
 
 /** @param {View} view @param {Posture} posture @param {number} px @param {number} py @returns {Posture} */

@@ -1,5 +1,6 @@
 // What stands in the place of something that is loaded on demand.
 import { create } from '../kit/elements.js';
+import { leaving } from '../kit/host.js';
 import { isLost } from '../words/errors.js';
 import { opening as words } from '../words/index.js';
 
@@ -15,8 +16,12 @@ export function createWaiting() {
       console.warn(error);
       const again = create('button', '', words.again);
       again.setAttribute('type', 'button');
-      again.addEventListener('click', loadPageAgain);
-      const box = create('div', 'message part-failed', create('p', '', words.failed), again);
+      const still = create('p', '', '');
+      again.addEventListener('click', async () => {
+        still.textContent = '';
+        if (!(await loadPageAgain())) still.textContent = words.still;
+      });
+      const box = create('div', 'message part-failed', create('p', '', words.failed), again, still);
       box.setAttribute('role', 'alert');
       element.replaceChildren(box);
     },
@@ -26,5 +31,8 @@ export function createWaiting() {
 /** A browser may remember that a module could not be loaded, and after a new version its file has another name: so the whole page is loaded again, but only if it can be. */
 async function loadPageAgain() {
   const { ok } = await fetch(location.href, { cache: 'no-store' }).catch(() => ({ ok: false }));
-  if (ok) location.reload();
+  if (!ok) return false;
+  dispatchEvent(new Event(leaving));
+  location.reload();
+  return true;
 }

@@ -117,7 +117,7 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go, 
   const key = keyOf(step, name);
   const keep = (/** @type {Answer | undefined} */ answer) => {
     const { [key]: _, ...others } = progressSlice.of(store.get()).answers;
-    progressSlice.update(store, { answers: answer ? { ...others, [key]: answer } : others });
+    progressSlice.update(store, { answers: answer ? { ...others, [key]: answer } : others, lapsed: null });
   };
   const view = createQuiz(text.quizzes[name], quiz, href, {
     onAnswer(choice) {
@@ -135,7 +135,10 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go, 
   view.element.id = `quiz-${name}`;
   return {
     element: view.element,
-    draw: (/** @type {Live} */ { state }) => view.draw(progressSlice.of(state).answers[key]),
+    draw(/** @type {Live} */ { state }) {
+      const { answers, lapsed } = progressSlice.of(state);
+      view.draw(answers[key], lapsed === key);
+    },
   };
 }
 

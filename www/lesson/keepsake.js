@@ -18,12 +18,12 @@ function withStorage(use) {
   }
 }
 
-/** What outlasts: answers that are there, in the language in which they were said, and what was driven. @param {Progress} progress */
+/** What outlasts: answers that are there, with the language in which they were said, and what was driven. @param {Progress} progress */
 export function textOf({ answers, tally, duel }) {
   const settled = Object.entries(answers).filter(([, { right }]) => right !== null);
+  const said = settled.map(([key, answer]) => [key, { said: language, ...answer }]);
   return JSON.stringify({
-    language,
-    answers: Object.fromEntries(settled),
+    answers: Object.fromEntries(said),
     tally,
     duel: duel && { ...duel, rounds: [] },
   });
@@ -31,18 +31,21 @@ export function textOf({ answers, tally, duel }) {
 
 /** What a text says of it; nothing of it is trusted. @param {string} text @returns {Progress} */
 export function progressOf(text) {
-  const { answers, tally, duel, language: told } = JSON.parse(text);
+  const { answers, tally, duel } = JSON.parse(text);
   const isAnswer = (/** @type {Answer} */ one) =>
     Number.isInteger(one.choice) && Number.isInteger(one.right) && typeof one.why === 'string';
   const isDriven = (/** @type {{ costs: unknown }} */ one) =>
     Array.isArray(one.costs) && one.costs.every((cost) => cost === null || typeof cost === 'number');
   if (!Object.values(answers).every(isAnswer)) return noProgress;
+  const heard = Object.entries(answers).map(([key, { choice, right, why, said }]) => [
+    key,
+    said === language ? { choice, right, why } : { choice, right, why, said: String(said) },
+  ]);
   /** JSON knows no infinity. @template {{ costs: readonly number[] }} T @param {T} one @returns {T} */
   const whole = (one) => ({ ...one, costs: one.costs.map((cost) => cost ?? Number.POSITIVE_INFINITY) });
   return {
     ...noProgress,
-    // What was said of them is in the other language.
-    answers: told === language ? answers : {},
+    answers: Object.fromEntries(heard),
     tally:
       isDriven(tally) && typeof tally.experiment === 'string' ? whole({ ...noTally, ...tally }) : noTally,
     duel: duel && isDriven(duel) && duel.experiment ? whole({ ...duel, rounds: [] }) : null,

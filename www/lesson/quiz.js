@@ -65,9 +65,9 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
   };
   return {
     element,
-    /** @param {Answer | undefined} answer */
-    draw(answer) {
-      if (!changed(answer)) return;
+    /** @param {Answer | undefined} answer @param {boolean} isLapsed */
+    draw(answer, isLapsed) {
+      if (!changed(answer, isLapsed)) return;
       const right = answer?.right ?? null;
       const button = (/** @type {number} */ i) => {
         const chosen = i === answer?.choice;
@@ -79,8 +79,12 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
       };
       const why =
         answer && right !== null
-          ? html`<strong>${answer.choice === right ? words.asPredicted : words.otherwise}</strong> ${inline(answer.why, hrefOf)}`
-          : answer && (waits ? words.watching : words.computing);
+          ? html`<strong>${answer.choice === right ? words.asPredicted : words.otherwise}</strong> ${answer.said ? words.saidElsewhere : inline(answer.why, hrefOf)}`
+          : answer
+            ? waits
+              ? words.watching
+              : words.computing
+            : isLapsed && words.lapsed;
       render(
         html`<legend>${question}</legend>
           <div class="choices">${order.map(button)}</div>

@@ -61,6 +61,7 @@ export function settle(live, step, { store, actions }) {
     if (!answer || answer.right !== null || pending.has(answer)) continue;
     if (!isAskedIn(answer, live.state, quiz)) {
       replace(answer);
+      progressSlice.update(store, { lapsed: key });
       continue;
     }
     if (quiz.ready && !quiz.ready(live)) continue;

@@ -4,15 +4,15 @@ import { createSlice } from '../run/store.js';
 /** @import { Triple } from '../core/engine.js' */
 /** @import { Duel } from './duel.js' */
 
-/** A prediction, and once it is known the right one and what is said of it. @typedef {{ choice: number, right: number | null, why: string }} Answer */
+/** A prediction, and once it is known the right one and what is said of it; `said` in which language, if not in that of the page. @typedef {{ choice: number, right: number | null, why: string, said?: string }} Answer */
 /** Drives with different gains, in the experiment with this text, the J of each, and the best that arrived, or of which most did. @typedef {{ experiment: string, drives: number, costs: readonly number[], best: { gains: Triple, cost: number } | null, lowest: { gains: Triple, cost: number } | null }} Tally */
 
 /** @type {Tally} */
 export const noTally = Object.freeze({ experiment: '', drives: 0, costs: [], best: null, lowest: null });
 
-/** With `sees` whose robots of a contest are in sight. @typedef {{ answers: Record<string, Answer>, tally: Tally, duel: Duel | null, sees: 'you' | 'evolution' }} Progress */
+/** With `sees` whose robots of a contest are in sight, and `lapsed` the question whose run was changed before it was answered. @typedef {{ answers: Record<string, Answer>, lapsed: string | null, tally: Tally, duel: Duel | null, sees: 'you' | 'evolution' }} Progress */
 
 /** @type {Progress} */
-export const noProgress = { answers: {}, tally: noTally, duel: null, sees: 'you' };
+export const noProgress = { answers: {}, lapsed: null, tally: noTally, duel: null, sees: 'you' };
 
 export const progressSlice = createSlice('progress', noProgress);

@@ -5,7 +5,7 @@
 /** @import { Store } from '../run/store.js' */
 /** @import { Slice } from '../run/store.js' */
 /** @import { Links } from './link.js' */
-import { isEmbedded } from '../kit/host.js';
+import { isEmbedded, leaving } from '../kit/host.js';
 import { takeAlong, takeUp } from './crossing.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { withExercise } from './link.js';
@@ -14,8 +14,8 @@ import { tidyTask } from '../run/exercise.js';
 import { mostOfWho } from '../run/variant.js';
 import { language, languageOfAddress } from '../words/language.js';
 
-/** Browsers refuse an address that changes more often. */
-const pauseMilliseconds = 400;
+/** In milliseconds, after which a change is written: browsers refuse an address that changes more often. */
+const pauses = { atRest: 400, evolving: 2000 };
 
 /** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, slices: readonly Slice<any>[], firstPage: string }} parts `slices`: of all parts; `firstPage`: what is opened where an address asks for nothing. */
 export function createAddress({ engine, store, actions, links, slices, firstPage }) {
@@ -23,11 +23,10 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   const changed = watch();
   /** The host's “back” is not for what happens within a frame. */
   const onward = isEmbedded ? 'replaceState' : 'pushState';
-  let waiting = false;
   /** The page is about to be loaded again, and what is laid beside its address stays there. */
-  let leaving = false;
+  let leaves = false;
   let written = location.hash.slice(1);
-  /** Where the address is: the part, and the step of the lesson. */
+  /** @type {Place} */
   let place = { page: '', lesson: 0 };
 
   const open = () => {
@@ -37,29 +36,25 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     if (spoken !== language) {
       if (asked === other.pressed() || asked === linkOf(store.get(), engine.experiment, spoken))
         takeAlong(store.get(), slices);
-      leaving = true;
+      leaves = true;
       return location.reload();
     }
     written = asked;
     const { opened: run, problems } = links.openLink(written || firstPage, engine, whoAsked());
-    const { opened, newest } = takeUp(run);
+    const { opened, newest, evolving } = takeUp(run);
     place = placeOf(opened);
     actions.openLinked(opened, problems, newest);
+    if (evolving && !store.get().catchingUp) actions.toggleEvolution();
   };
 
-  const isElsewhere = (/** @type {State} */ state) =>
-    state.page !== place.page || state.lesson !== place.lesson;
-  /** Another part is not to wait until evolution rests: one goes back from there too. */
-  const isDue = (/** @type {State} */ state) => !state.computing && (rests(state) || isElsewhere(state));
   const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
 
   const write = () => {
-    waiting = false;
     const state = store.get();
-    if (leaving || !isDue(state)) return;
+    if (leaves || !isDue(state, place)) return;
     const link = linkFor(state);
     if (link === written) return;
-    if (!isElsewhere(state) || written === '') history.replaceState(null, '', `#${link}`);
+    if (!isElsewhere(state, place) || written === '') history.replaceState(null, '', `#${link}`);
     else {
       // A step that "back" takes back: to all that the part before has come to.
       history.replaceState(null, '', `#${linkFor({ ...state, ...place })}`);
@@ -69,9 +64,15 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     place = placeOf(state);
   };
 
+  const soon = createPause(write);
   const lead = createWays();
   const other = createLanguageSwitch((name) => linkOf(store.get(), engine.experiment, name));
 
+  addEventListener(leaving, () => {
+    history.replaceState(null, '', `#${linkFor(store.get())}`);
+    takeAlong(store.get(), slices);
+    leaves = true;
+  });
   addEventListener('popstate', () => {
     if (location.hash.slice(1) !== written) open();
   });
@@ -84,7 +85,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
       open();
     },
 
-    /** A run that is opened from elsewhere takes the place of this one: a step that "back" takes back. @param {{ page: string, lesson: number }} next */
+    /** A run that is opened from elsewhere takes the place of this one: a step that "back" takes back. @param {Place} next */
     keepPlace(next) {
       written = linkFor(store.get());
       history.replaceState(null, '', `#${written}`);
@@ -92,18 +93,40 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
       place = placeOf(next);
     },
 
-    /** Writes what has changed, once it rests. @param {State} state */
+    /** Writes what has changed, soon. @param {State} state */
     follow(state) {
-      if (leaving || !isDue(state) || !changed(...links.carried(state))) return;
+      if (leaves || !isDue(state, place) || (state.evolving && soon.waits && !isElsewhere(state, place)))
+        return;
+      if (!changed(...links.carried(state))) return;
       for (const name of pages) lead(name, linkFor({ ...state, page: name, lesson: 0 }));
       lead('lesson', withExercise(linkOfStep(state.lastStep), state, engine.experiment));
       other.follow();
       // Another part at once, so that "back" is there when it is wanted.
-      if (isElsewhere(state)) write();
-      else if (!waiting) {
-        waiting = true;
-        setTimeout(write, pauseMilliseconds);
-      }
+      if (isElsewhere(state, place)) write();
+      else soon.ask(state.evolving ? 'evolving' : 'atRest');
+    },
+  };
+}
+
+/** Calls it once after the pause that was asked for last. @param {() => void} act */
+function createPause(act) {
+  /** @type {keyof typeof pauses | null} */
+  let asked = null;
+  let timer = 0;
+  return {
+    get waits() {
+      return asked !== null;
+    },
+
+    /** @param {keyof typeof pauses} pause */
+    ask(pause) {
+      if (asked === pause) return;
+      clearTimeout(timer);
+      asked = pause;
+      timer = window.setTimeout(() => {
+        asked = null;
+        act();
+      }, pauses[pause]);
     },
   };
 }
@@ -122,8 +145,14 @@ function createWays() {
 /** Who works here, where the address says so before its #, as learning platforms write it. */
 const whoAsked = () => tidyTask(new URLSearchParams(location.search).get('who') ?? '').slice(0, mostOfWho);
 
-/** @param {{ page: string, lesson: number }} at */
+/** Where an address is: the part, and the step of the lesson. @typedef {{ page: string, lesson: number }} Place */
+
+/** @param {Place} at @returns {Place} */
 const placeOf = ({ page, lesson }) => ({ page, lesson });
 
-/** @param {State} state */
-const rests = (state) => !state.dragging && !state.evolving;
+/** @param {State} state @param {Place} place */
+const isElsewhere = (state, place) => state.page !== place.page || state.lesson !== place.lesson;
+
+/** Another part does not wait until a drag has ended: one goes back from there too. @param {State} state @param {Place} place */
+const isDue = (state, place) =>
+  !state.computing && !state.catchingUp && (!state.dragging || isElsewhere(state, place));

@@ -1,17 +1,18 @@
-// What a change of language, for which the page loads again, takes along beside the link: how far evolution has come, and what
-// parts have found.
+// What a page that loads itself again, for another language or for a part that could not be loaded, takes along beside the link: how
+// far evolution has come, whether it goes on, and what parts have found.
 /** @import { Opened } from '../run/actions/page.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Slice } from '../run/store.js' */
 import { isEmpty } from '../run/exercise.js';
 
-/** @typedef {{ newest: number, parts: Record<string, object> }} Crossing */
+/** @typedef {{ newest: number, evolving: boolean, parts: Record<string, object> }} Crossing */
 
 /** Lays it beside the address. @param {State} state @param {readonly Slice<any>[]} slices */
 export function takeAlong(state, slices) {
   /** @type {Crossing} */
   const crossing = {
     newest: state.history.length - 1,
+    evolving: state.evolving && !state.catchingUp,
     parts: Object.fromEntries(slices.map((slice) => [slice.name, slice.lasting(state)])),
   };
   try {
@@ -21,15 +22,15 @@ export function takeAlong(state, slices) {
   }
 }
 
-/** Takes it up, once. @param {Opened} opened @returns {{ opened: Opened, newest: number }} */
+/** Takes it up, once. @param {Opened} opened @returns {{ opened: Opened, newest: number, evolving: boolean }} */
 export function takeUp(opened) {
   /** @type {Crossing | undefined} */
   const crossing = history.state?.crossing;
-  if (!crossing) return { opened, newest: opened.generation };
+  if (!crossing) return { opened, newest: opened.generation, evolving: false };
   history.replaceState(null, '');
   const parts = { ...opened.parts };
   for (const [name, found] of Object.entries(crossing.parts)) parts[name] = { ...parts[name], ...found };
   // In an exercise the link counts the drives that were made, which would count once more.
   const newest = isEmpty(opened.exercise) ? Math.max(crossing.newest, opened.generation) : opened.generation;
-  return { opened: { ...opened, parts }, newest };
+  return { opened: { ...opened, parts }, newest, evolving: crossing.evolving };
 }

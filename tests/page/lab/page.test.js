@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
-import { read } from '../harness/reading.js';
+import { middleOf, read } from '../harness/reading.js';
 import { serve } from '../harness/server.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -210,4 +210,24 @@ pageTest('the postures in words give way to a start that stands below them', asy
     );
   }
   assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('Escape takes back a goal that is still being dragged', async (page) => {
+  await page.open('#lab&v=1');
+  const { goal } = await read(page);
+  const handle = await page.element('#goal-position');
+  const { x } = await middleOf(page, 'goal-position');
+  const isAt = (/** @type {number} */ wanted) => async () =>
+    Math.abs((await middleOf(page, 'goal-position')).x - wanted) < 2;
+  await page.driver
+    .actions()
+    .move({ origin: handle })
+    .press()
+    .move({ origin: handle, x: -60, y: 30 })
+    .perform();
+  assert.ok(await isAt(x - 60)());
+  await page.driver.actions().keyDown(Key.ESCAPE).keyUp(Key.ESCAPE).perform();
+  await page.driver.actions().release().perform();
+  assert.ok(await isAt(x)());
+  assert.deepEqual((await read(page)).goal, goal);
 });

@@ -104,16 +104,16 @@ test('what the tab keeps is read back, and nothing else is believed', () => {
     tally: { ...noTally, experiment: '{}', drives: 2, costs: [9, Number.POSITIVE_INFINITY] },
   };
   const back = progressOf(textOf(progress));
-  assert.deepEqual(Object.keys(back.answers), ['drive.bolder']);
+  assert.deepEqual(back.answers, { 'drive.bolder': progress.answers['drive.bolder'] });
   assert.deepEqual(back.tally, progress.tally);
-  const wrong = { language: 'en', answers: { a: { choice: 'x' } }, tally: noTally, duel: null };
+  const wrong = { answers: { a: { choice: 'x' } }, tally: noTally, duel: null };
   assert.equal(progressOf(JSON.stringify(wrong)), noProgress);
   const duel = lockedIn(progress.tally, engine.experiment('velocity-limits'));
-  const other = progressOf(JSON.stringify({ ...JSON.parse(textOf({ ...progress, duel })), language: 'xx' }));
-  assert.deepEqual(other, { ...noProgress, tally: progress.tally, duel });
-  const odd = progressOf(
-    JSON.stringify({ language: 'en', answers: {}, tally: { costs: ['x'] }, duel: { costs: 1 } }),
-  );
+  // What was said in another language is kept for who comes back to it.
+  const answers = { 'drive.bolder': { ...progress.answers['drive.bolder'], said: 'xx' } };
+  const other = progressOf(textOf({ ...progress, answers, duel }));
+  assert.deepEqual(other, { ...noProgress, answers, tally: progress.tally, duel });
+  const odd = progressOf(JSON.stringify({ answers: {}, tally: { costs: ['x'] }, duel: { costs: 1 } }));
   assert.deepEqual([odd.tally, odd.duel], [noTally, null]);
 });
 

@@ -35,6 +35,7 @@ function pageOf(live, answer, more) {
   const step = /** @type {any} */ ({ name: 'drive', blocks: [{ kind: 'quiz', name: 'bolder', quiz }] });
   return {
     said,
+    lapsed: () => progressSlice.of(state).lapsed,
     /** Draws a frame. @param {Partial<Live['state']>} [patch] */
     frame: async (patch) => {
       state = { ...state, ...patch };
@@ -66,6 +67,7 @@ test('a prediction is answered from the run that it was made about, and free onc
   ]) {
     const page = waits();
     assert.equal(await page.frame(patch), undefined, Object.keys(patch).join());
+    assert.equal(page.lapsed(), key);
     assert.deepEqual(page.said, []);
   }
 });

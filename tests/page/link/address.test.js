@@ -48,6 +48,22 @@ engineTest('another part of the page is a step that back takes back, and nothing
   await page.until('the landscape is open', () => document.body.dataset.open === 'landscape');
 });
 
+pageTest(
+  'while evolution runs the address goes with it: who loads the page again loses little',
+  async (page) => {
+    await page.open('#lab&v=1');
+    await page.click('#pace option:nth-child(2)');
+    const atRest = await page.text('#run');
+    await page.click('#run');
+    await page.until(
+      'it is written on the way',
+      (run) =>
+        /generation=[1-9]/.test(location.hash) && document.getElementById('run')?.textContent?.trim() !== run,
+      atRest,
+    );
+  },
+);
+
 pageTest('a link that is not written as the page writes it leaves nothing to go back to', async (page) => {
   for (const asked of ['lesson', 'lesson&step=3', 'lab&amp;lesson=2', 'landscape?name=value']) {
     const { blank } = page.site;

@@ -1,17 +1,23 @@
 // A change of language loads the page again: what was found stays.
 import assert from 'node:assert/strict';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { saidElsewhere } from '../../../www/lesson/words/ko.js';
+import { ko } from '../harness/words.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
-/** Presses the link to Korean, and waits for the page. @param {Page} page */
-async function toKorean(page) {
+/** Presses the link to the other language, and waits for the page. @param {Page} page @param {'en' | 'ko'} language */
+async function toLanguage(page, language) {
   await page.click('#language');
   await page.until(
-    'the page is in Korean',
-    () => document.documentElement.lang === 'ko' && document.documentElement.dataset.ready === 'true',
+    'the page is in the other language',
+    (one) => document.documentElement.lang === one && document.documentElement.dataset.ready === 'true',
+    language,
   );
 }
+
+/** @param {Page} page */
+const toKorean = (page) => toLanguage(page, 'ko');
 
 /** The numbers in an element, which stand in another order in another language. @param {Page} page @param {string} selector */
 const numbersIn = async (page, selector) => {
@@ -83,6 +89,18 @@ engineTest('what was found is there in the other language too', async (page) => 
   }
 });
 
+pageTest('evolution that runs goes on in the other language', async (page) => {
+  await page.open('#lab&v=1');
+  await page.click('#pace option:nth-child(2)');
+  await page.click('#run');
+  await toKorean(page);
+  await page.until(
+    'it runs',
+    (pause) => document.getElementById('run')?.textContent?.trim() === pause,
+    ko.lab.pauseEvolution,
+  );
+});
+
 pageTest('generations after the one that is shown are there in the other language too', async (page) => {
   await page.open('#lab&v=1&generation=12');
   await page.focus('#timeline');
@@ -122,3 +140,29 @@ pageTest('what changes while the page is being left takes nothing of that away',
     return there.max === '12' && document.getElementById('generation')?.textContent === '0';
   });
 });
+
+pageTest(
+  'an answer is there in the other language, and with its words in that of the answer',
+  async (page) => {
+    const said = () =>
+      page.evaluate(() => ({
+        why: document.querySelector('#quiz-bolder .quiz-why strong')?.parentElement?.innerText,
+        right: document.querySelectorAll('#quiz-bolder .choice.right').length,
+      }));
+    const answered = () =>
+      page.until('the answer', () => document.querySelector('#quiz-bolder .quiz-why strong') !== null);
+    await page.open('#lesson&step=1');
+    await page.setPace(20);
+    await page.click('#quiz-bolder .choice:first-child');
+    await answered();
+    const before = await said();
+    await toLanguage(page, 'ko');
+    await answered();
+    const there = await said();
+    assert.ok(String(there.why).includes(saidElsewhere), there.why);
+    assert.equal(there.right, 1);
+    await toLanguage(page, 'en');
+    await answered();
+    assert.deepEqual(await said(), before);
+  },
+);

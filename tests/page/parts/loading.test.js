@@ -169,7 +169,9 @@ pageTest('a part that cannot be loaded says so, and all else goes on until it ca
     // Without a network nothing is lost by trying again.
     refuses = () => true;
     await page.click('.part-failed button');
-    await isSaid();
+    await page.until('it is said again', () =>
+      document.querySelector('.part-failed')?.textContent?.includes('아직 불러올 수 없습니다'),
+    );
     await page.click('#page-lab');
     await page.click('#one-generation');
     await page.until('the lab goes on', () =>
@@ -181,7 +183,7 @@ pageTest('a part that cannot be loaded says so, and all else goes on until it ca
     await page.click('.part-failed button');
     await page.until('Luck is there', () => document.getElementById('luck-run')?.checkVisibility());
     assert.deepEqual(await inPlace(page), { failed: '', isThere: true });
-    assert.match(await page.evaluate(() => location.hash), /seed=7/);
+    assert.match(await page.evaluate(() => location.hash), /seed=7&generation=1/);
   } finally {
     await page.leave();
     await site.close();

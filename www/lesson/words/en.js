@@ -74,6 +74,9 @@ export const swarm = {
   evolution: (gains) => `evolution: ${gainsText(gains)}`,
 };
 export const askAgain = 'Ask me again';
+export const lapsed = 'Something was changed before the answer was there. Predict again.';
+export const saidElsewhere =
+  'It was explained in the other language. To read it here, let yourself be asked again.';
 export const otherWeights = 'The other weights';
 
 export const steps = {

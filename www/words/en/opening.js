@@ -2,7 +2,8 @@
 
 export const waits = 'This part is being loaded …';
 export const failed =
-  'This part of the page could not be loaded: there is no network, or a newer version has taken the place of its files. Everything else goes on. To try again loads the page anew; its address brings back this run.';
+  'This part of the page could not be loaded: there is no network, or a newer version has taken the place of its files. Everything else goes on. To try again loads the page anew, and brings back what is there.';
+export const still = 'Still not there.';
 export const again = 'Try again';
 
 export const texts = {
