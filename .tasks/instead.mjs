@@ -85,14 +85,15 @@ export const instead = ({ isOneFile }) => ({
     const page = bundle['index.html'];
     if (page?.type !== 'asset') return;
     const { linked, inside, pages } = await writeInstead();
-    const html = String(page.source);
+    // From a disk a browser loads no style that asks for the rights of another site.
+    const html = String(page.source).replace(/<link rel="stylesheet" crossorigin/g, '<link rel="stylesheet"');
     page.source = html.replace(place, (_, begin, end) => begin + (isOneFile ? inside : linked) + end);
     if (isOneFile) return;
     // Those of the lesson are loaded with it, so that no page names them.
     const more = Object.values(bundle)
       .filter((file) => file.type === 'chunk' && file.moduleIds.some((id) => id.endsWith('/lesson/page.js')))
       .flatMap((file) => [.../** @type {any} */ (file.viteMetadata?.importedCss ?? [])])
-      .map((name) => `<link rel="stylesheet" crossorigin href="./${name}">`);
+      .map((name) => `<link rel="stylesheet" href="./${name}">`);
     const styles = [...(html.match(looks) ?? []), ...more].join('\n  ');
     for (const { fileName, html } of pages) this.emitFile({ type: 'asset', fileName, source: html(styles) });
   },

@@ -19,7 +19,7 @@ import { driveCsv, driveOrigin, generationsCsv } from './csv.js';
 import { fingerprintOf } from './code/fingerprint.js';
 import { createMaker } from './exercise/maker.js';
 import { withoutAnswer } from './handin/work.js';
-import { frameOf, isOnDisk } from './frame-text.js';
+import { frameOf, handedAddress, isOnDisk } from './frame-text.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
 import { pngOf } from './png.js';
 import { openRunFile, runFile } from './run-file.js';
@@ -89,7 +89,7 @@ export function createKeep(tools, sheet) {
     open();
   };
   const on = {
-    ...createSaving(tools, sheet.dialog, address, say),
+    ...createSaving(tools, sheet.dialog, () => handedAddress(linkNow()), say),
     /** @param {string} value */
     chooseFrame(value) {
       frame = frames.find((one) => one.value === value) ?? frame;

@@ -8,13 +8,17 @@ import words from './words/index.js';
 
 export const isOnDisk = () => location.protocol === 'file:';
 
+/** As it stands in what is handed on: a path on this disk is none on another, and is nobody's business. @param {string} link @param {boolean} [embed] */
+export function handedAddress(link, embed = false) {
+  const address = addressOf(location.href, link, embed);
+  return isOnDisk() ? address.slice(address.split(/[?#]/)[0].lastIndexOf('/') + 1) : address;
+}
+
 /** @param {State} state @param {string} link @param {readonly [width: number, height: number]} size */
 export function frameOf({ page, lesson }, link, [width, height] = sizes[1]) {
   const part = lesson > 0 ? lessonWords.titles[stepNames[lesson - 1]] : lab.pages[page];
-  const address = addressOf(location.href, link, true);
   return frameText({
-    // A path on this disk is none on another.
-    address: isOnDisk() ? address.slice(address.split('?')[0].lastIndexOf('/') + 1) : address,
+    address: handedAddress(link, true),
     title: words.frameTitle(part),
     width,
     height,

@@ -1,5 +1,5 @@
 // A run as a file: its link, which is all that is needed to make it again, and what it came to, which proves that it is.
-/** @import { Engine, Statistics } from '../core/engine.js' */
+/** @import { Engine, Experiment, Statistics } from '../core/engine.js' */
 /** @import { Linked } from '../link/keys.js' */
 /** @import { Links } from '../link/link.js' */
 /** @import { Opened } from '../run/actions/page.js' */
@@ -53,7 +53,26 @@ export async function openRunFile(text, engine, links, signal) {
   if (opened.generation > generations) throw new Error(words.damagedFile('generations'));
   const again = await engine.surveys.evolve(opened.experiment, generations, { signal });
   if (again.hash !== hash) throw new Error(words.otherHash(hash, again.hash));
+  // Nothing of them is opened; but who reads the file rests on what stands in it.
+  if (!isSame(content.experiment, opened.experiment, engine))
+    throw new Error(words.changedFile('experiment'));
+  const { best, median } = again.history;
+  const isTold = (/** @type {any} */ one, /** @type {number} */ i) =>
+    cameTo(one?.best?.cost, best[i]) && cameTo(one?.median, median[i]);
+  if (!statistics.every(isTold)) throw new Error(words.changedFile('statistics'));
   return { opened, generations };
+}
+
+/** JSON knows no infinity. @param {unknown} told @param {number} found */
+const cameTo = (told, found) => told === found || (told === null && !Number.isFinite(found));
+
+/** Also where the file was written before some field was there. @param {any} told @param {Experiment} found @param {Engine} engine */
+function isSame(told, found, engine) {
+  try {
+    return JSON.stringify(engine.experiment(told)) === JSON.stringify(found);
+  } catch {
+    return false;
+  }
 }
 
 /** @param {string} text @returns {Record<string, any>} */
@@ -63,7 +82,7 @@ function parse(text) {
     const content = JSON.parse(text);
     if (content !== null && typeof content === 'object') return content;
   } catch {
-    // Said below.
+    if (text.includes(`"${format}"`)) throw new Error(words.cutFile);
   }
   throw new Error(words.foreignFile);
 }

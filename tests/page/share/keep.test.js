@@ -30,7 +30,14 @@ function evolved(from, generations) {
       check: (/** @type {Experiment} */ from, /** @type {number[]} */ gains) =>
         new Simulation(from, gains).free(),
       surveys: {
-        evolve: async (/** @type {Experiment} */ e, /** @type {number} */ count) => evolve(e, count),
+        async evolve(/** @type {Experiment} */ e, /** @type {number} */ count) {
+          const { engine: again, state } = evolved(e, count);
+          const [best, median] = [
+            state.history.map((one) => one.best.cost),
+            state.history.map((one) => one.median),
+          ];
+          return { hash: again.hash(), history: { best, median } };
+        },
       },
     })
   );
@@ -52,10 +59,7 @@ test('a file that is damaged or foreign is refused with the reason', async () =>
   const { engine, state } = evolved(velocityLimits, 4);
   const good = JSON.parse(runFile(state, engine, links));
   const rows = /** @type {const} */ ([
-    ['', /no run/],
-    ['{', /no run/],
-    ['null', /no run/],
-    ['[1, 2]', /no run/],
+    ...['', '{', 'null', '[1, 2]'].map((text) => /** @type {const} */ ([text, /no run/])),
     [JSON.stringify({ ...good, format: 'other' }), /no run/],
     [JSON.stringify({ ...good, version: 2 }), /version 2.*version 1/],
     [JSON.stringify({ ...good, link: 5 }), /link, hash/],
@@ -72,7 +76,12 @@ test('a file that is damaged or foreign is refused with the reason', async () =>
       /generations/,
     ],
     [JSON.stringify({ ...good, link: good.link.replace('lab', 'lab&seed=2') }), /was changed/],
-    [runFile(state, engine, links).slice(0, 300), /no run/],
+    [JSON.stringify({ ...good, experiment: { ...good.experiment, horizon: 9 } }), /experiment in it is not/],
+    [
+      JSON.stringify({ ...good, statistics: good.statistics.with(2, { ...good.statistics[2], median: 1 }) }),
+      /statistics in it is not/,
+    ],
+    [runFile(state, engine, links).slice(0, 300), /to its end/],
   ]);
   for (const [text, reason] of rows)
     await assert.rejects(openRunFile(text, engine, links), { message: reason }, text.slice(0, 60));

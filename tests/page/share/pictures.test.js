@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { links } from '../../../www/lesson/links.js';
 import { engineTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
+import { runContest } from '../parts/contests.js';
 import { difference, placeOf, readPng, readSvg, saved } from './picture-files.js';
 
 const pageNames = links.pages;
@@ -147,6 +148,19 @@ const parts = [
         lines: 40,
       },
       { name: 'The gains of all seeds', key: 'luck-gains', texts: ['k', 'θ', 'median'], lines: 60 },
+    ],
+  },
+  {
+    page: 'luck',
+    setUp: async (page) => {
+      await page.click('#luck-view label:last-child');
+      await page.click('#contest-seeds option[value="15"]');
+      await page.click('#contest-budget option[value="1000"]');
+      await runContest(page);
+    },
+    pictures: [
+      plane,
+      { name: 'The contest', key: 'contest', texts: ['target', 'drives', '100 %'], lines: 12, apart: true },
     ],
   },
 ];

@@ -154,6 +154,13 @@ test('an attempt that is resumed again and again keeps one receipt, its result, 
   assert.equal(launch({}).opened(), `${link}&who=s4711`);
 });
 
+test('the student is told that the platform has the result', () => {
+  const { handIn, told } = launch({});
+  assert.equal(told(), '');
+  handIn('#lab&v=1&handin=1');
+  assert.equal(told(), words.sentences.kept);
+});
+
 test('where a receipt has no room the student is told, the result stays, and the work goes on being kept', () => {
   const long = `${receipt}${'x'.repeat(4096)}`;
   const { handIn, say, answer, kept, status, told } = launch({});

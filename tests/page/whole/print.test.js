@@ -27,6 +27,7 @@ const more = {
   lab: ['lab&v=1&generation=20'],
   generation: ['generation&v=1&generation=3&phase=mutation'],
   curves: ['curves', 'curves&v=1&view=compare'],
+  luck: ['luck', 'luck&v=1&luck=contest'],
 };
 
 for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
@@ -60,6 +61,15 @@ for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
             (element) => /** @type {HTMLElement} */ (element).innerText,
           ),
           excess: document.documentElement.scrollWidth - innerWidth,
+          overprinted: all('main h2').filter((heading) => {
+            const { top, bottom, left, right } = heading.getBoundingClientRect();
+            return all('main .segmented').some((choice) => {
+              const box = choice.getBoundingClientRect();
+              return (
+                box.top < bottom - 4 && box.bottom > top + 4 && box.left < right - 4 && box.right > left + 4
+              );
+            });
+          }).length,
           shapes: all('main canvas').map(shapeOf),
           together: all('canvas + canvas:not(#training-unseen)').map((over) => {
             const [a, b] = [over, /** @type {Element} */ (over.previousElementSibling)].map((canvas) =>
@@ -76,6 +86,7 @@ for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
       });
       assert.deepEqual(seen.controls, []);
       assert.equal(seen.hints, 0);
+      assert.equal(seen.overprinted, 0);
       assert.equal(seen.gains, true);
       assert.ok(seen.excess <= 0, `${seen.excess} px too wide`);
       // Park has limits of its own.

@@ -16,7 +16,7 @@ import {
 } from '../../kit/chart.js';
 import { pointIn } from '../../kit/map.js';
 import { remember } from '../../kit/memo.js';
-import { drawAxisNames, drawName, gutterOf } from '../../kit/names.js';
+import { drawAxisNames, drawName, gutterOf, isNarrow } from '../../kit/names.js';
 import { styles } from '../../run/pins.js';
 import { drawCosts } from './contest-costs.js';
 import { drivesOn, manySharesOf, sharesOf } from './contest-courses.js';
@@ -64,7 +64,7 @@ const drivesUpTo = remember(drivesOn);
 
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {ContestChartModel} model @returns {Grips} */
 function draw(context, size, { contest, standings, budget, reading }) {
-  const whole = frameIn(size, { top: 20, right: gutterOf(size) });
+  const whole = { ...frameIn(size, { top: 20, right: gutterOf(size) }), hasNames: !isNarrow(size) };
   const there = contest && standings?.lowest ? { contest, standings, lowest: standings.lowest.cost } : null;
   if (reading === 'ends' && there) return { target: drawEnds(context, whole, there), until: null };
   const drives = drivesUpTo(contest?.budget ?? budget);

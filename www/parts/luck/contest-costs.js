@@ -1,5 +1,6 @@
 // J over the drives: the median of each contestant, its quartiles, and the target.
 /** @import { Frame } from '../../kit/chart.js' */
+/** @import { NamedFrame } from './contest-marks.js' */
 /** @import { Panel } from './contest-chart.js' */
 /** @import { Grip } from './contest-handles.js' */
 /** @import { Contest, Line } from './contest-request.js' */
@@ -20,7 +21,7 @@ const courses = remember((/** @type {readonly Line[]} */ lines, /** @type {reado
   coursesOf(lines, drives),
 );
 
-/** @param {CanvasRenderingContext2D} context @param {Frame} frame @param {Panel} panel @param {There | null} there @returns {Grip | null} */
+/** @param {CanvasRenderingContext2D} context @param {NamedFrame} frame @param {Panel} panel @param {There | null} there @returns {Grip | null} */
 export function drawCosts(context, frame, { x, ticks, drives }, there) {
   if (!there) {
     const y = scaleLinear([0, 1], [frame.bottom, frame.top]);

@@ -1,5 +1,6 @@
 // Where the runs end: a row for each contestant, a dot for each seed, and the median.
 /** @import { Frame } from '../../kit/chart.js' */
+/** @import { NamedFrame } from './contest-marks.js' */
 /** @import { There } from './contest-costs.js' */
 /** @import { Grip } from './contest-handles.js' */
 import { scaleLog } from 'd3-scale';
@@ -12,7 +13,7 @@ import { costAt } from './contest-statistics.js';
 import { diameterOf, drawDots, stackDots } from './dots.js';
 import words from './words/index.js';
 
-/** @param {CanvasRenderingContext2D} context @param {Frame} whole @param {There} there @returns {Grip} */
+/** @param {CanvasRenderingContext2D} context @param {NamedFrame} whole @param {There} there @returns {Grip} */
 export function drawEnds(context, whole, { contest, standings, lowest }) {
   const { drawn, lines, target, budget } = standings;
   // The target and its grip stand between the name of the axis and the dots.

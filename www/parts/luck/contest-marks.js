@@ -7,10 +7,7 @@ import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
 import words from './words/index.js';
 
-/** In pixels, beside the lines. */
-const roomForNames = 80;
-
-/** The height of a number, and what stands between two. */
+/** In pixels, the height of a number, and what stands between two. */
 const roomForNumber = 16;
 
 /** All powers of ten, or on an axis those whose numbers have room above each other. @param {readonly [number, number]} range @param {number} [height] In pixels. */
@@ -23,7 +20,9 @@ export function powersIn([from, to], height = Infinity) {
     .map((power) => 10 ** power);
 }
 
-/** At the right edge; a line that is not there has no height. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {Standings} standings @param {readonly number[]} heights */
+/** With room for names at its right. @typedef {Frame & { hasNames: boolean }} NamedFrame */
+
+/** At the right edge; a line that is not there has no height. @param {CanvasRenderingContext2D} context @param {NamedFrame} frame @param {Standings} standings @param {readonly number[]} heights */
 export function drawNamesAt(context, frame, standings, heights) {
   const places = heights.flatMap((height, i) => {
     if (!Number.isFinite(height)) return [];
@@ -35,7 +34,7 @@ export function drawNamesAt(context, frame, standings, heights) {
   for (const { at, style } of places)
     drawMark(context, style.mark, frame.right, at, { fill: colour(style.token), edge });
   // Where there is no room beside the lines, their marks say whose they are.
-  if (context.canvas.clientWidth - frame.right < roomForNames) return;
+  if (!frame.hasNames) return;
   spreadBeside(places, frame);
   for (const { text, y, style } of places)
     drawName(context, { text, x: frame.right + 8, y, token: style.token });

@@ -7,10 +7,10 @@ import { html } from 'lit-html';
 import { tryNow } from '../../core/pending.js';
 import { copy } from '../../kit/copy.js';
 import { download } from '../../kit/download.js';
-import { addressOf } from '../../kit/host.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { controllerOf } from './controller.js';
 import { languages } from './languages.js';
+import { handedAddress } from '../frame-text.js';
 import { tokensOf } from './tokens.js';
 import words from './words/index.js';
 
@@ -31,7 +31,7 @@ export function createCode({ engine, store, links, sceneOf }, sheet) {
   };
   const controller = () => {
     const { experiment, gains } = driven();
-    const link = addressOf(location.href, links.linkOf(store.get(), engine.experiment), false);
+    const link = handedAddress(links.linkOf(store.get(), engine.experiment));
     return controllerOf(engine.drive, experiment, gains, { version: engine.version(), link });
   };
   const say = (/** @type {string} */ text) => {

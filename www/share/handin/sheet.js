@@ -5,25 +5,19 @@ import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { copy } from '../../kit/copy.js';
 import { download } from '../../kit/download.js';
-import { addressOf } from '../../kit/host.js';
+import { isEmbedded } from '../../kit/host.js';
 import { createSheet } from '../../kit/sheet.js';
 import { onEnter, selectAll } from '../../kit/templates.js';
 import { tidyTask } from '../../run/exercise.js';
 import { mostOfWho } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
-import { isOnDisk } from '../frame-text.js';
+import { handedAddress } from '../frame-text.js';
 import { receiptOf } from './receipt.js';
 import words from './words/index.js';
 
 const { texts } = words;
 
 /** A receipt, as text and with its whole address. @typedef {{ receipt: Receipt, text: string, address: string }} HandedIn */
-
-/** Where the receipt is opened; a path on this disk is none on another. @param {string} link */
-function receiptAddress(link) {
-  const address = addressOf(location.href, link, false);
-  return isOnDisk() ? address.slice(address.split('#')[0].lastIndexOf('/') + 1) : address;
-}
 
 /** @param {WorkTools} tools */
 export function createHandInSheet(tools) {
@@ -52,7 +46,7 @@ export function createHandInSheet(tools) {
       const state = store.get();
       const receipt = await receiptOf(tools, state, answersOf(state));
       if (!isWanted()) return;
-      const address = receiptAddress(receipt.link);
+      const address = handedAddress(receipt.link);
       handed = { receipt, address, text: words.receiptText(receipt, address) };
       say(texts.made);
       onHandIn(handed);
@@ -122,7 +116,7 @@ function contentOf({ exercise, student: { who } }, typed, handed, status, on) {
     handed
       ? html`<textarea id="handin-text" rows="9" readonly spellcheck="false" aria-label=${texts.text} .value=${live(handed.text)} @focus=${selectAll}></textarea>
         <input id="handin-link" type="text" readonly aria-label=${texts.link} .value=${live(handed.address)} @focus=${selectAll}>
-        <p class="muted">${texts.help} ${texts.proves}</p>`
+        <p class="muted">${isEmbedded ? texts.helpWithin : texts.help} ${texts.proves}</p>`
       : nothing
   }`;
 }

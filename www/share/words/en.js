@@ -84,6 +84,7 @@ export const scorm = {
       'The learning platform did not keep this (…). Press Hand in, copy the receipt, and hand it in by hand.',
     tooLong:
       'The receipt is too long for this platform. Press Hand in, copy the receipt, and hand it in by hand.',
+    kept: 'The learning platform has this result. Handing in again replaces it.',
     nobody: 'No learning platform answers here, so nothing is kept. Press Hand in, and copy the receipt.',
   },
   writing: 'The package is being written …',
@@ -111,6 +112,11 @@ export const damagedLink = (problems) => `it is damaged. ${problems.join(' ')}`;
 /** @param {string} said @param {string} found */
 export const otherHash = (said, found) =>
   `it says that its evolution has the fingerprint ${said}, but it has ${found}: the file was changed.`;
+
+/** @param {string} field */
+export const changedFile = (field) => `${field} in it is not that of its run: the file was changed.`;
+
+export const cutFile = 'it is damaged: it does not go on to its end.';
 
 export const largeFile = 'it is too large for a run.';
 

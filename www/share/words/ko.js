@@ -81,6 +81,7 @@ export const scorm = {
   sentences: {
     refused: '학습 플랫폼이 저장하지 못했습니다(…). ‘제출하기’를 누르고 제출물을 복사하여 직접 제출하십시오.',
     tooLong: '제출물이 이 플랫폼에는 너무 깁니다. ‘제출하기’를 누르고 제출물을 복사하여 직접 제출하십시오.',
+    kept: '학습 플랫폼이 이 결과를 받았습니다. 다시 제출하면 새 결과로 바뀝니다.',
     nobody:
       '응답하는 학습 플랫폼이 없어 아무것도 저장되지 않습니다. ‘제출하기’를 누르고 제출물을 복사하십시오.',
   },
@@ -110,6 +111,11 @@ export const damagedLink = (problems) => `파일이 손상되었습니다. ${pro
 /** @param {string} said @param {string} found */
 export const otherHash = (said, found) =>
   `파일에 적힌 진화의 지문은 ${said}, 실제 지문은 ${found}입니다. 파일이 바뀌었습니다.`;
+
+/** @param {string} field */
+export const changedFile = (field) => `${field} 항목이 실행과 다릅니다. 파일이 바뀌었습니다.`;
+
+export const cutFile = '파일이 손상되었습니다. 끝까지 있지 않습니다.';
 
 export const largeFile = '실행 파일이라고 하기에는 너무 큽니다.';
 

@@ -1,7 +1,7 @@
 // Every word of what stands in the place of the robots where they cannot drive.
 
 export const waits =
-  'No robots yet? If none come within a few seconds, this browser cannot run the page, or a file of it is missing. A current Chrome, Edge, Firefox or Safari runs it, with scripts and WebAssembly allowed.';
+  'No robots yet? If none come within a few seconds, this browser cannot run the page, or a file of it is missing. A current Chrome, Edge, Firefox or Safari runs it, with scripts and WebAssembly allowed. From a disk open ep-locomotion.html, which is all of it.';
 
 /** @param {string} reason */
 export const cannot = (reason) =>

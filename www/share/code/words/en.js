@@ -25,6 +25,8 @@ export const comments = {
   origin: (/** @type {string} */ version) => `From ep-locomotion ${version}:`,
   page: (/** @type {number} */ cost, /** @type {string} */ end) =>
     `On the page J = ${cost}; the robot ${end}.`,
+  undisturbed: (/** @type {number} */ cost, /** @type {string} */ end) =>
+    `Without the disturbance that the page adds, J = ${cost}; the robot ${end}.`,
   ends: {
     arrived: (/** @type {number} */ time) => `parks in ${time} s`,
     horizon: (/** @type {number} */ _time, /** @type {number} */ horizon) =>
@@ -33,8 +35,7 @@ export const comments = {
     tracking: (/** @type {number} */ _time, /** @type {number} */ horizon) =>
       `follows a goal that moves for ${horizon} s`,
   },
-  disturbed:
-    'There the robot is disturbed as well. This program has no disturbance, and all numbers here are those without it.',
+  disturbed: 'This program has no disturbance either, and all numbers here are those without it.',
   unsteady:
     'This drive hangs on the last digits of its numbers: a start moved by a millionth of a micrometre ends differently. So another language or processor may come to other numbers than the page.',
   run: (/** @type {string} */ command) => `To run it: ${command}`,

@@ -26,6 +26,8 @@ export const comments = {
   origin: (/** @type {string} */ version) => `ep-locomotion ${version}에서 만들었습니다:`,
   page: (/** @type {number} */ cost, /** @type {string} */ end) =>
     `페이지에서는 J = ${cost}이고, 로봇은 ${end}.`,
+  undisturbed: (/** @type {number} */ cost, /** @type {string} */ end) =>
+    `페이지가 더하는 외란이 없으면 J = ${cost}이고, 로봇은 ${end}.`,
   ends: {
     arrived: (/** @type {number} */ time) => `${time} s 만에 주차합니다`,
     horizon: (/** @type {number} */ _time, /** @type {number} */ horizon) =>
@@ -34,8 +36,7 @@ export const comments = {
     tracking: (/** @type {number} */ _time, /** @type {number} */ horizon) =>
       `움직이는 목표를 ${horizon} s 동안 따라갑니다`,
   },
-  disturbed:
-    '페이지의 로봇은 외란도 받습니다. 이 프로그램에는 외란이 없으며, 여기 있는 수치는 모두 외란이 없을 때의 값입니다.',
+  disturbed: '이 프로그램에도 외란이 없으며, 여기 있는 수치는 모두 외란이 없을 때의 값입니다.',
   unsteady:
     '이 주행은 수의 마지막 자리에 좌우됩니다. 출발점을 백만분의 1 마이크로미터만 옮겨도 결과가 달라집니다. 따라서 언어나 프로세서가 다르면 페이지와 다른 수치가 나올 수 있습니다.',
   run: (/** @type {string} */ command) => `실행: ${command}`,

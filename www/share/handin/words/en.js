@@ -18,6 +18,8 @@ export const texts = {
     'Everyone has a slightly different exercise: say who you are, and yours is drawn. What runs until then is not kept.',
   make: 'Make the receipt',
   help: 'Give this to your lecturer as you were told: paste the text, or send the link or the file. Nothing is sent by this page.',
+  helpWithin:
+    'If no learning platform around this says that it has your result, give this to your lecturer: paste the text, or send the link or the file.',
   proves:
     'Whoever opens it sees the robot drive and J computed again, to the last digit. It proves the result, not whose it is.',
   text: 'The receipt',

@@ -112,7 +112,8 @@
       latest = '';
       keep();
       score(result);
-      ask('LMSCommit', '');
+      // What went wrong stays in sight.
+      if (ask('LMSCommit', '') && told.hidden) tell(texts.kept);
     },
   };
 
