@@ -72,10 +72,10 @@ export function createBowl(_tools, { bowl: words }) {
           ${levels.map(({ y, rx, ry }) => svgRing(y, rx, ry))}
           <path class="bowl-ahead" d=${ahead} /><path class="bowl-way" d=${behind} />
           <path class="bowl-height" d=${`M${ball.x},${ball.y}H${width - 8}`} />
-          <text class="bowl-text" x=${width - 8} y=${ball.y + (isAside(ball.x) ? 16 : -6)}>${words.height} ${heightText(sample.lyapunov)}</text>
+          <text class="bowl-text" x=${width - 8} y=${ball.y + (isAside(ball.x) ? 16 : -6)}>${`${words.height} ${heightText(sample.lyapunov)}`}</text>
           <circle class="bowl-ball" cx=${ball.x} cy=${ball.y - 7} r="9" />
-          <text class="bowl-zero" x=${middle.x} y=${middle.y + 22}>${words.height} 0</text>
-          <text class="bowl-zero" x=${middle.x} y=${ring(1).y - ring(1).ry - 8}>${words.height} ${rimText((most * most) / 2)}</text>
+          <text class="bowl-zero" x=${middle.x} y=${middle.y + 22}>${`${words.height} 0`}</text>
+          <text class="bowl-zero" x=${middle.x} y=${ring(1).y - ring(1).ry - 8}>${`${words.height} ${rimText((most * most) / 2)}`}</text>
         </svg>`,
         element,
       );

@@ -20,6 +20,7 @@ export function createStage(tools) {
   const element = create('section', 'stage');
   element.id = 'stage';
   element.hidden = true;
+  element.dataset.picture = 'step';
   element.setAttribute('aria-label', words.stage);
   byId('sights').after(element);
   /** @type {Block | null} */

@@ -1,5 +1,5 @@
 // What a person sees in a part of the page, as marks: canvases, SVG, and the boxes and texts of HTML.
-/** @import { Font, Look, Mark, Stroke } from './marks.js' */
+/** @import { Clip, Font, Look, Mark, Stroke } from './marks.js' */
 import { pictureOn } from '../kit/canvas.js';
 import { Outline } from './marks.js';
 import { marksOf as marksDrawn, measured } from './recording.js';
@@ -61,15 +61,16 @@ function vectorMarks(element, style, place) {
   const matrix = element instanceof SVGGraphicsElement && element.getScreenCTM();
   if (!matrix) return [];
   const inPicture = new DOMMatrix().translate(-place.x, -place.y).multiply(DOMMatrix.fromMatrix(matrix));
-  const look = { ...lookAt(place), matrix: inPicture, fill: paintOf(style.fill), stroke: strokeOf(style) };
-  if (element instanceof SVGPathElement)
-    return [{ kind: 'shape', d: element.getAttribute('d') ?? '', ...look }];
+  const look = {
+    ...lookAt(place),
+    matrix: inPicture,
+    clips: clipsOf(element, place),
+    fill: paintOf(style.fill),
+    stroke: strokeOf(style),
+  };
+  const d = shapeOf(element);
+  if (d !== null) return [{ kind: 'shape', d, ...look }];
   const outline = new Outline(2);
-  if (element instanceof SVGCircleElement) {
-    const [cx, cy, r] = [element.cx, element.cy, element.r].map(({ baseVal }) => baseVal.value);
-    outline.arc(cx, cy, r, 0, 2 * Math.PI);
-    return [{ kind: 'shape', d: outline.d, ...look }];
-  }
   if (element instanceof SVGLineElement) {
     // Lines are stretched by their matrix, but not in their width.
     for (const [end, x, y] of /** @type {const} */ ([
@@ -82,6 +83,31 @@ function vectorMarks(element, style, place) {
     return [{ kind: 'shape', d: outline.d, ...look, matrix: new DOMMatrix(), fill: null }];
   }
   return [];
+}
+
+/** @param {SVGElement} element @returns {string | null} */
+function shapeOf(element) {
+  const numbers = (/** @type {SVGAnimatedLength[]} */ ...lengths) =>
+    lengths.map(({ baseVal }) => baseVal.value);
+  if (element instanceof SVGPathElement) return element.getAttribute('d') ?? '';
+  if (element instanceof SVGRectElement) {
+    const [x, y, width, height] = numbers(element.x, element.y, element.width, element.height);
+    return `M${x} ${y}h${width}v${height}h${-width}Z`;
+  }
+  const isCircle = element instanceof SVGCircleElement;
+  if (!isCircle && !(element instanceof SVGEllipseElement)) return null;
+  const [cx, cy, rx, ry] = isCircle
+    ? numbers(element.cx, element.cy, element.r, element.r)
+    : numbers(element.cx, element.cy, element.rx, element.ry);
+  return `M${cx - rx} ${cy}a${rx} ${ry} 0 1 0 ${2 * rx} 0a${rx} ${ry} 0 1 0 ${-2 * rx} 0Z`;
+}
+
+/** The edge of its SVG, if nothing is seen beyond it. @param {SVGElement} element @param {Place} place @returns {Clip[]} */
+function clipsOf(element, { x, y }) {
+  const all = element.ownerSVGElement;
+  if (!all || getComputedStyle(all).overflow === 'visible') return [];
+  const { left, top, width, height } = all.getBoundingClientRect();
+  return [{ d: `M${left - x} ${top - y}h${width}v${height}h${-width}Z`, matrix: new DOMMatrix() }];
 }
 
 const paintOf = (/** @type {string} */ paint) => (paint === 'none' ? null : paint);

@@ -111,12 +111,22 @@ function element(mark, definitions) {
   return `<text ${attributes({ ...letters, ...look })}>${escaped(text)}</text>`;
 }
 
+/** A mixed colour as other programs know them. @param {string} paint */
+function withoutSpace(paint) {
+  const [, mixed, alpha = '1'] = /^color\(srgb ([^/)]*?)(?: \/ ([\d.]+))?\)$/.exec(paint) ?? [];
+  if (!mixed) return paint;
+  return `rgba(${mixed
+    .split(' ')
+    .map((part) => Math.round(255 * Number(part)))
+    .join(', ')}, ${alpha})`;
+}
+
 /** @param {'fill' | 'stroke'} property @param {Paint} paint @param {Definitions} [definitions] @returns {Record<string, string | null>} */
 function paintAs(property, paint, definitions) {
   if (typeof paint !== 'string')
     return { [property]: `url(#${definitions && paintServer(paint, definitions)})` };
   // Not every program knows a colour with an alpha.
-  const [, rgb, alpha] = /^rgba\((.*), ([\d.]+)\)$/.exec(paint) ?? [];
+  const [, rgb, alpha] = /^rgba\((.*), ([\d.]+)\)$/.exec(withoutSpace(paint)) ?? [];
   return rgb ? { [property]: `rgb(${rgb})`, [`${property}-opacity`]: alpha } : { [property]: paint };
 }
 

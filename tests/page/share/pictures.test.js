@@ -1,7 +1,7 @@
 // Pictures of what is on screen: each is offered, looks like the screen, and says where it comes from.
 import assert from 'node:assert/strict';
 import { links } from '../../../www/lesson/links.js';
-import { engineTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { runContest } from '../parts/contests.js';
 import { difference, placeOf, readPng, readSvg, saved } from './picture-files.js';
@@ -255,3 +255,31 @@ for (const { page: name, setUp, pictures } of parts)
     }
     assert.deepEqual(await page.problems(), []);
   });
+
+pageTest('the picture beside the words of a step is a file too', async (page) => {
+  for (const [step, shapes, text] of /** @type {const} */ ([
+    ['law', 4, 'asked for'],
+    ['stability', 9, 'V 0'],
+    ['limits', 8, 'done'],
+    ['cost', 12, 'lowest'],
+    ['sigma', 20, 'born'],
+    ['duel', 60, 'parked'],
+    ['disturbance', 5, 'Seen from above'],
+  ])) {
+    await page.open(`#lesson&step=${step}`);
+    await page.until(
+      'it is drawn',
+      (wanted) =>
+        document.getElementById('stage')?.textContent?.includes(wanted) ||
+        document.querySelector('#stage canvas'),
+      text,
+    );
+    await page.click('#keep-button');
+    const { bytes } = await saved(page, 'The picture of this step: save as SVG');
+    const { error, names, texts } = await readSvg(page, bytes.toString('utf8'));
+    assert.equal(error, null, step);
+    assert.ok(names.filter((one) => one === 'path').length >= shapes, `${step}: ${names.length} shapes`);
+    assert.ok(texts.join(' ').includes(text), `${step}: ${texts}`);
+    assert.doesNotMatch(bytes.toString('utf8'), /color\(/, step);
+  }
+});

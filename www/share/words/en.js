@@ -134,6 +134,7 @@ export const pictures = {
   plane: 'The plane',
   fitness: 'The fitness curve',
   sigmas: 'The step sizes σ',
+  step: 'The picture of this step',
 };
 
 /** @param {string} picture @param {string} kind */

@@ -133,6 +133,7 @@ export const pictures = {
   plane: '평면',
   fitness: '적합도 곡선',
   sigmas: '변이 폭 σ',
+  step: '이 단계의 그림',
 };
 
 /** @param {string} picture @param {string} kind */
