@@ -137,6 +137,35 @@ pageTest('one phase at a time, over the last one into the next generation, and b
   );
 });
 
+pageTest(
+  'whom one is shown is followed into the next generation and back, also who chose nobody',
+  async (page) => {
+    const upsets = Array.from({ length: 20 }, (_, i) => i + 1);
+    const generation = upsets.find((one) => upsetOf(recordOf(one))) ?? 0;
+    const record = recordOf(generation);
+    const { survivor } = /** @type {{ survivor: number }} */ (upsetOf(record));
+    await page.open(`#generation&v=1&generation=${generation}&phase=survivors`);
+    assert.equal((await shownOn(page)).chosen, nameOf(survivor));
+    await page.click('#generation-next');
+    const next = await shownOn(page);
+    assert.equal(next.title, `Generation ${generation + 1}`);
+    assert.equal(next.chosen, nameOf(record.survivors.indexOf(survivor)));
+    assert.ok(!next.details.includes('shown until here'), next.details);
+    await page.click('#generation-back');
+    assert.equal((await shownOn(page)).chosen, nameOf(survivor));
+
+    const fallen =
+      Array.from({ length: 2 * count }, (_, i) => i).find((i) => !record.survivors.includes(i)) ?? 0;
+    await page.open(`#generation&v=1&generation=${generation}&phase=survivors&individual=${fallen}`);
+    await page.click('#generation-next');
+    const other = await shownOn(page);
+    const told = `${nameOf(fallen)}, shown until here, fell in generation ${generation}.`;
+    assert.ok(other.details.toLowerCase().includes(told), other.details);
+    await press(page, 3);
+    assert.ok(!(await shownOn(page)).details.includes('shown until here'));
+  },
+);
+
 pageTest('generation 0 has random robots only, and leads to generation 1', async (page) => {
   await page.click('#page-generation');
   const first = recordOf(0);

@@ -54,11 +54,13 @@ export function createPage({ engine, store, actions }) {
       const hurries = state.evolving && !playsPhases(state);
       const starts = state.experiment.starts.length;
       // Only in one phase the drive itself is told.
-      if (changed(anatomy, phase, chosen, hurries, starts, phase === 'drive' ? scene.driving : null)) {
+      const fallen = steps.fallenBefore(state);
+      const driving = phase === 'drive' ? scene.driving : null;
+      if (changed(anatomy, phase, chosen, fallen, hurries, starts, driving)) {
         const successes = successesIn(anatomy, state.history);
         const rates = ratesOf(paperRates, state.experiment.evolution.adaptation);
         render(
-          contentOf({ anatomy, phase, chosen, run: scene.driving, starts, successes }, hurries, {
+          contentOf({ anatomy, phase, chosen, fallen, run: scene.driving, starts, successes }, hurries, {
             ...on,
             rates,
           }),

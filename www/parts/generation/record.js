@@ -136,13 +136,16 @@ function drivesOf(anatomy, state) {
   // An offspring has not driven before its phase: until then it is its parent that drives.
   const undriven = phase === 'parents' || phase === 'mutation';
   const driving = undriven ? chosen % count : chosen;
-  const others = othersOf(anatomy, phase, driving).filter((number) => number !== driving);
+  const shown = othersOf(anatomy, phase, driving);
+  const others = shown.filter((number) => number !== driving);
+  const isAmong = others.length < shown.length;
   const name = (/** @type {number} */ number) => words.nameOf(anatomy, number);
   const partner = partnerOf(anatomy, driving);
   return {
     name: words.drivingText(name(driving), record.generation),
     population: [driving, ...others].map((number) => all[number]),
-    othersText: (shown, arrived) => words.othersText(anatomy, phase, shown, others.length, arrived),
+    othersText: (drawn, arrived) =>
+      words.othersText(anatomy, phase, { drawn, all: others.length, isAmong, arrived }),
     partner:
       undriven || isInitial(record) || forgets(anatomy.method)
         ? null

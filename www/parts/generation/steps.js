@@ -5,7 +5,9 @@ import { generationSlice } from './state.js';
 import { whenThere } from '../../core/pending.js';
 import { watch } from '../../kit/memo.js';
 import { pausesAt, playsPhases } from '../../run/pace.js';
+import { forgets } from './phases.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
+import words from './words/index.js';
 
 /** Long enough to read what happens in a phase, and for a screen reader to say it. */
 const secondsOfPhase = 2;
@@ -31,7 +33,10 @@ export function createSteps({ store, actions, anatomyOf }) {
     actions.driveAgain();
   };
 
-  /** The next phase, or the next generation with whoever is chosen, if it stays. */
+  /** Who was shown, and did not survive that generation. @type {{ statistics: State['history'][number], name: string } | null} */
+  let fallen = null;
+
+  /** The next phase, or the next generation with whoever is shown, if it stays. */
   const goOn = () => {
     const { state, anatomy, phase } = shown();
     const following = phaseAfter(anatomy, phase, 1);
@@ -40,8 +45,12 @@ export function createSteps({ store, actions, anatomyOf }) {
     afterwards(() => {
       if (store.get().generation === state.generation) return;
       const own = generationSlice.of(state);
-      const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, own));
-      turnTo('parents', { chosen: own.chosen === null || place < 0 ? null : place });
+      const chosen = chosenOf(anatomy, own);
+      const place = anatomy.record.survivors.indexOf(chosen);
+      const statistics = state.history[state.generation];
+      fallen = place < 0 ? { statistics, name: words.nameOf(anatomy, chosen) } : null;
+      const isFollowed = place >= 0 && (own.chosen !== null || !forgets(anatomy.method));
+      turnTo('parents', { chosen: isFollowed ? place : null });
     });
   };
 
@@ -57,10 +66,11 @@ export function createSteps({ store, actions, anatomyOf }) {
     if (before) return show(before);
     const own = generationSlice.of(state);
     const chosen = chosenOf(anatomy, own);
+    const isFollowed = own.chosen !== null || !forgets(anatomy.method);
     const isBack = () => store.get().generation === state.generation - 1;
     const atLastPhase = () => {
       const { survivors } = shown().anatomy.record;
-      turnTo('survivors', { chosen: own.chosen === null ? null : survivors[chosen] });
+      turnTo('survivors', { chosen: isFollowed ? survivors[chosen] : null });
     };
     actions.oneBack();
     afterwards(() => {
@@ -97,6 +107,14 @@ export function createSteps({ store, actions, anatomyOf }) {
     },
 
     back: () => whenThere(goBack, () => true),
+
+    /** The name of the one that was shown till the generation before, in which it fell; nothing once another was chosen. @param {State} state */
+    fallenBefore: (state) =>
+      fallen !== null &&
+      state.history[state.generation - 1] === fallen.statistics &&
+      generationSlice.of(state).chosen === null
+        ? fallen.name
+        : '',
 
     /** To be called at every frame: goes on when a phase has had its time. */
     tick: createPhaseClock(play, anatomyOf),

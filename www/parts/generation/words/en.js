@@ -1,5 +1,6 @@
 // Every word of the generation part.
 /** @import { Anatomy, Phase } from '../record.js' */
+/** @import { Others } from './common.js' */
 import { costWriter, digitsFor } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-en.js';
 import { costText, fixed } from '../../../words/en/numbers.js';
@@ -77,8 +78,8 @@ export function upsetText(anatomy) {
 /** @param {string} name @param {number} generation */
 export const drivingText = (name, generation) => `${name} of generation ${generation}`;
 
-/** @param {Anatomy} anatomy @param {Phase} phase @param {number} shown @param {number} all @param {number | null} arrived Null where nobody can arrive. */
-export function othersText({ method }, phase, shown, all, arrived) {
+/** @param {Anatomy} anatomy @param {Phase} phase @param {Others} others */
+export function othersText({ method }, phase, { drawn, all, isAmong, arrived }) {
   const isOwn = method === 'ep';
   const kind = {
     parents: isOwn ? 'parents' : 'robots',
@@ -86,14 +87,15 @@ export function othersText({ method }, phase, shown, all, arrived) {
     drive: isOwn ? 'offspring' : 'trials',
     survivors: isOwn ? 'survivors' : 'that stay',
   };
+  const these = isAmong ? 'the other' : 'the';
   const who =
     phase === 'tournament'
       ? `its ${parts(all, 'opponent', 'opponents')}`
       : phase === 'ranking'
-        ? `the other ${all}`
-        : `the other ${all} ${kind[phase]}`;
-  const drawn = shown < all ? `${shown} of ${who}` : who;
-  return arrived === null ? drawn : `${drawn}, ${arrived} of them arrive`;
+        ? `${these} ${all}`
+        : `${these} ${all} ${kind[phase]}`;
+  const told = drawn < all ? `${drawn} of ${who}` : who;
+  return arrived === null ? told : `${told}, ${arrived} of them arrive`;
 }
 
 export const pictureLabel = 'The individuals of this generation; arrow keys choose one';
@@ -127,6 +129,13 @@ export const lostText = 'lost to';
 
 /** @param {number} rank @param {number} generation */
 export const ranked = (rank, generation) => `ranked ${rank} in generation ${generation}`;
+
+/** Whom one followed until then. @param {Anatomy} anatomy @param {string} name */
+export const fallenText = ({ record, method }, name) =>
+  `${capital(name)}, shown until here, ${method === 'ep' ? 'fell' : 'was dropped'} in generation ${record.generation - 1}.`;
+
+/** Of the pictures beside k and σ. */
+export const bellsText = 'The bells: where an offspring’s gains are likely to land, on one scale.';
 
 export const commonText = ': one N for all three σ';
 export const crossedWith = 'crossed with ';
