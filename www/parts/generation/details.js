@@ -185,7 +185,7 @@ function commonEquation({ draws: { common } }, rates) {
 
 /** @param {Anatomy} anatomy @param {number} rank @param {number} own @param {(number: number) => void} choose */
 function rankRow(anatomy, rank, own, choose) {
-  const { ranking, record, all, counting } = anatomy;
+  const { ranking, record, all, counting, expected } = anatomy;
   const individual = ranking[rank];
   const classes = [rank === own && 'own', rank >= counting ? 'falls' : 'stays', rank === counting && 'first'];
   const { weights } = record.plan;
@@ -196,5 +196,6 @@ function rankRow(anatomy, rank, own, choose) {
       ${link(anatomy, individual, choose)}
       <span class="wins">${record.wins.length > 0 ? words.winsText(record.wins[individual]) : told}</span>
       <span class="cost">J ${words.costWriter(anatomy)(all[individual].cost)}</span>
+      ${expected.length > 0 ? html`<span class="luck">${words.luckText(expected[individual], record.wins[individual])}</span>` : nothing}
     </li>`;
 }

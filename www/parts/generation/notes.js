@@ -76,7 +76,7 @@ const widthOf = (name) => Array.from(name).reduce((sum, one) => sum + (one > '\u
 
 /** @typedef {{ x: number, y: number, side: 'begin' | 'middle' | 'end' }} Writing Where it is written, and which part of it stands there. */
 
-/** Above and below the mark, to its right and left, and above and below what stands there. @param {Place} own @param {Size} size @returns {Writing[]} */
+/** Above and below the mark, to its right and left, from it to the right and left above and below, and beyond what stands there. @param {Place} own @param {Size} size @returns {Writing[]} */
 function writingsBeside({ x, y }, { width }) {
   const side = x > width - 50 ? 'end' : x < margin.left + 40 ? 'begin' : 'middle';
   const line = (/** @type {number} */ down) => ({
@@ -89,6 +89,10 @@ function writingsBeside({ x, y }, { width }) {
     line(24),
     { x: x + 15, y: y + 4, side: 'begin' },
     { x: x - 15, y: y + 4, side: 'end' },
+    ...[24, -15].flatMap((down) => /** @type {Writing[]} */ ([
+      { x: x - 7, y: y + down, side: 'begin' },
+      { x: x + 7, y: y + down, side: 'end' },
+    ])),
     line(-31),
     line(40),
   ];

@@ -43,6 +43,12 @@ export function addingUp(numbers, come, result) {
   return told.find(isRight) ?? told[0];
 }
 
+/** By how many wins chance was kind; as the wins that were expected, and are written beside it, let one reckon. @param {number} expected @param {number} wins */
+export function luckSign(expected, wins) {
+  const luck = Math.round(10 * (wins - Number(fixed(expected, 1)))) / 10;
+  return luck === 0 ? '0' : `${luck < 0 ? '−' : '+'}${fixed(Math.abs(luck), 1)}`;
+}
+
 /** What is made of a number that may not be taken as it is. @param {string} from @param {string} to */
 export const becomes = (from, to) => (from === to ? from : `${from} → ${to}`);
 

@@ -1,7 +1,7 @@
 // Every word of the generation part.
 /** @import { Anatomy, Phase } from '../record.js' */
 /** @import { Others } from './common.js' */
-import { costWriter, digitsFor } from './common.js';
+import { costWriter, digitsFor, luckSign } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-en.js';
 import { costText, fixed } from '../../../words/en/numbers.js';
 
@@ -21,6 +21,8 @@ export const phaseLegend = 'Phase of the generation';
 /** @param {number} generation */
 export const title = (generation) => `Generation ${generation}`;
 
+/** @param {Anatomy} anatomy */
+export const beginText = ({ method }) => `${method === 'ep' ? 'Breed' : 'Make'} generation 1`;
 export const next = 'Next';
 /** @param {string} name */
 export const nextPhase = (name) => `: ${name.toLowerCase()}`;
@@ -75,6 +77,10 @@ export function upsetText(anatomy) {
   return `${who} (J ${write(a)}) survives with ${winsText(record.wins[survivor])}; ${nameOf(anatomy, fallen)} (J ${write(b)}) fell with ${record.wins[fallen]}: luck in the opponents.`;
 }
 
+/** @param {number} expected @param {number} wins */
+export const luckText = (expected, wins) =>
+  `expected ${fixed(expected, 1)}: luck ${luckSign(expected, wins)}`;
+
 /** @param {string} name @param {number} generation */
 export const drivingText = (name, generation) => `${name} of generation ${generation}`;
 
@@ -120,6 +126,8 @@ export function chosenText(anatomy, phase, number) {
 
 /** The axis of J where it is too narrow for J itself. @param {string} text how far, from the best on @param {number} i */
 export const beyondBest = (text, i) => (i === 0 ? 'best' : `+${text}`);
+/** Of the thin lines that lead to the marks. */
+export const byCostText = '— from the rank by J alone';
 export const winsAxis = 'wins';
 export const pairAxis = 'pair';
 export const robotAxis = 'robot';

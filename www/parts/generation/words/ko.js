@@ -1,7 +1,7 @@
 // Every word of the generation part, in Korean.
 /** @import { Anatomy, Phase } from '../record.js' */
 /** @import { Others } from './common.js' */
-import { costWriter, digitsFor } from './common.js';
+import { costWriter, digitsFor, luckSign } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-ko.js';
 import { costText, fixed } from '../../../words/ko/numbers.js';
 
@@ -21,6 +21,8 @@ export const phaseLegend = '세대의 단계';
 /** @param {number} generation */
 export const title = (generation) => `${generation}세대`;
 
+/** In Korean one word does for all methods. */
+export const beginText = () => '1세대 만들기';
 export const next = '다음';
 /** @param {string} name */
 export const nextPhase = (name) => `: ${name}`;
@@ -71,6 +73,10 @@ export function upsetText(anatomy) {
   return `${nameOf(anatomy, survivor)}(J ${write(a)}): ${winsText(record.wins[survivor])}, 생존. ${nameOf(anatomy, fallen)}(J ${write(b)}): ${winsText(record.wins[fallen])}, 탈락. 상대를 잘 만난 운입니다.`;
 }
 
+/** @param {number} expected @param {number} wins */
+export const luckText = (expected, wins) =>
+  `기대 ${fixed(expected, 1)}승, 운 ${luckSign(expected, wins)}`;
+
 /** @param {string} name @param {number} generation */
 export const drivingText = (name, generation) => `${generation}세대의 ${name}`;
 
@@ -111,6 +117,8 @@ export function chosenText(anatomy, phase, number) {
 
 /** The axis of J where it is too narrow for J itself. @param {string} text how far, from the best on @param {number} i */
 export const beyondBest = (text, i) => (i === 0 ? '최우수' : `+${text}`);
+/** Of the thin lines that lead to the marks. */
+export const byCostText = '— J만으로 정한 순위에서';
 export const winsAxis = '승';
 export const pairAxis = '쌍';
 export const robotAxis = '로봇';
