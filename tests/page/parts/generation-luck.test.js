@@ -77,7 +77,8 @@ test('who is chosen is one of the others only where it drives among them', () =>
     });
   const drives = createChosenDrives(createAnatomy(() => recordOf(5)));
   const record = recordOf(5);
-  const fallen = Array.from({ length: 2 * count }, (_, i) => i).find((i) => !record.survivors.includes(i)) ?? 0;
+  const fallen =
+    Array.from({ length: 2 * count }, (_, i) => i).find((i) => !record.survivors.includes(i)) ?? 0;
   for (const [phase, chosen, text] of /** @type {const} */ ([
     ['drive', 6, 'the 20 offspring, 16 of them arrive'],
     ['drive', count + 6, 'the other 19 offspring, 16 of them arrive'],
@@ -106,7 +107,9 @@ test('in a ranking the names of the two whom luck told apart cover no mark, and 
       const name = en.nameOf(anatomy, fallen);
       const { x, y, side } = writingOf(places[fallen], marks, size, true, name);
       const [from, to] = { begin: [0, 88], middle: [-44, 44], end: [-88, 0] }[side].map((dx) => x + dx);
-      const covered = marks.filter((mark) => mark.x > from && mark.x < to && mark.y > y - 12 && mark.y < y + 4);
+      const covered = marks.filter(
+        (mark) => mark.x > from && mark.x < to && mark.y > y - 12 && mark.y < y + 4,
+      );
       const what = `seed ${seed}, generation ${generation}`;
       assert.equal(covered.length, 0, what);
       assert.ok(y >= places[fallen].y && y <= places[fallen].y + 24, what);
@@ -118,7 +121,9 @@ pageTest('what stands at the limit of the axis is no number of a line below it',
   for (const generation of [1, 2, 5]) {
     await page.open(`#generation&v=1&generation=${generation}&phase=ranking`);
     const texts = await page.until('the axis', () => {
-      const all = [...document.querySelectorAll('.generation-picture .axis .end, .generation-picture .axis text')];
+      const all = [
+        ...document.querySelectorAll('.generation-picture .axis .end, .generation-picture .axis text'),
+      ];
       const found = [...new Set(all.map((one) => one.textContent ?? ''))];
       return found.some((text) => text.endsWith('↑')) && found;
     });

@@ -53,7 +53,7 @@ function drawn(x, y) {
   return svg`
     <path class="draw" d="M${x} ${base}V${Math.min(y, base - 8)}" />
     <circle class="drawn" cx=${x} cy=${base} r="3.5" />
-    <text x=${isRight ? x + 6 : x - 6} y=${base - 3} text-anchor=${isRight ? 'start' : 'end'}>${words.newGain}</text>`;
+    <text x=${isRight ? x + 7 : x - 7} y=${base - 3} text-anchor=${isRight ? 'start' : 'end'}>${words.newGain}</text>`;
 }
 
 /** A tip at the edge, for what lies further out. @param {number} draw */

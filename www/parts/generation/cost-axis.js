@@ -29,15 +29,15 @@ export function drawCostAxis(layer, { anatomy, phase }, size) {
   const label = (/** @type {number} */ y, /** @type {string} */ text) =>
     svg('text', { x: margin.left - 8, y: y + 4, class: 'end' }, text);
   const { above } = height;
-  // The limit is no tick, and does not look like one.
-  const rounded = above ? words.aboveText(above.limit, digits) : '';
-  const limitText =
-    above && texts.some((text) => rounded.startsWith(`${text} `))
-      ? words.aboveText(above.limit, digits + 1)
-      : rounded;
   const first = above ? above.line + 14 : 0;
   const head = margin.top + (above ? 36 : 4);
   const firstText = narrow ? head + 10 : first;
+  const shown = texts.filter((_, i) => height.scale(ticks[i]) > firstText);
+  /** The limit is no tick, and is not called as one. @param {number} limit */
+  const limitText = (limit) => {
+    const isTick = shown.some((text) => words.aboveText(limit, digits).startsWith(`${text} `));
+    return words.aboveText(limit, isTick ? digits + 1 : digits);
+  };
   layer.replaceChildren(
     ...ticks.flatMap((tick) =>
       height.scale(tick) > first ? [line(Math.round(height.scale(tick)) + 0.5)] : [],
@@ -48,7 +48,7 @@ export function drawCostAxis(layer, { anatomy, phase }, size) {
     ...(above
       ? [
           svg('line', { x1: margin.left, x2: right, y1: above.line, y2: above.line, class: 'limit' }),
-          svg('text', { x: 0, y: above.y + 4 }, limitText),
+          svg('text', { x: 0, y: above.y + 4 }, limitText(above.limit)),
         ]
       : []),
     svg('text', { x: 0, y: head, class: 'symbol' }, words.costAxis),

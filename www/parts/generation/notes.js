@@ -89,10 +89,13 @@ function writingsBeside({ x, y }, { width }) {
     line(24),
     { x: x + 15, y: y + 4, side: 'begin' },
     { x: x - 15, y: y + 4, side: 'end' },
-    ...[24, -15].flatMap((down) => /** @type {Writing[]} */ ([
-      { x: x - 7, y: y + down, side: 'begin' },
-      { x: x + 7, y: y + down, side: 'end' },
-    ])),
+    ...[24, -15].flatMap(
+      (down) =>
+        /** @type {Writing[]} */ ([
+          { x: x - 7, y: y + down, side: 'begin' },
+          { x: x + 7, y: y + down, side: 'end' },
+        ]),
+    ),
     line(-31),
     line(40),
   ];

@@ -22,7 +22,8 @@ export const phaseLegend = 'Phase of the generation';
 export const title = (generation) => `Generation ${generation}`;
 
 /** @param {Anatomy} anatomy */
-export const beginText = ({ method }) => `${method === 'ep' ? 'Breed' : 'Make'} generation 1`;
+export const beginText = ({ method, record }) =>
+  `${method === 'ep' ? 'Breed' : 'Make'} generation ${record.generation + 1}`;
 export const next = 'Next';
 /** @param {string} name */
 export const nextPhase = (name) => `: ${name.toLowerCase()}`;

@@ -21,8 +21,8 @@ export const phaseLegend = '세대의 단계';
 /** @param {number} generation */
 export const title = (generation) => `${generation}세대`;
 
-/** In Korean one word does for all methods. */
-export const beginText = () => '1세대 만들기';
+/** @param {Anatomy} anatomy */
+export const beginText = ({ record }) => `${record.generation + 1}세대 만들기`;
 export const next = '다음';
 /** @param {string} name */
 export const nextPhase = (name) => `: ${name}`;
@@ -74,8 +74,7 @@ export function upsetText(anatomy) {
 }
 
 /** @param {number} expected @param {number} wins */
-export const luckText = (expected, wins) =>
-  `기대 ${fixed(expected, 1)}승, 운 ${luckSign(expected, wins)}`;
+export const luckText = (expected, wins) => `기대 ${fixed(expected, 1)}승, 운 ${luckSign(expected, wins)}`;
 
 /** @param {string} name @param {number} generation */
 export const drivingText = (name, generation) => `${generation}세대의 ${name}`;
