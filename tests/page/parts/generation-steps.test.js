@@ -86,7 +86,7 @@ pageTest('a survivor that is worse than one that fell is pointed out', async (pa
   for (const phase of /** @type {const} */ (['ranking', 'survivors'])) {
     await go(page, phase);
     const { details } = await shownOn(page);
-    const sentence = details.split('\n').find((line) => line.includes('luck')) ?? '';
+    const sentence = details.split('\n').find((line) => line.includes('luck in the opponents')) ?? '';
     const [name, cost, wins, other, otherCost, otherWins] = numbersIn(sentence);
     assert.ok(sentence.toLowerCase().startsWith(`${nameOf(upset.survivor)} (`), sentence);
     assert.ok(sentence.includes(`; ${nameOf(upset.fallen)} (`), sentence);

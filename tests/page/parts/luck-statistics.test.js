@@ -128,7 +128,7 @@ pageTest(
           if (textAlign === 'left') spied.written.push({ canvas, text, left: x, right: x + width, y });
           return fillText.call(this, text, x, y);
         },
-        });
+      });
     });
     const written = () =>
       page.evaluate(() => {

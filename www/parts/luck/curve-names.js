@@ -88,7 +88,7 @@ function drawExpected(context, { frame }) {
     if (lines.length > 0 && widthOf(context, longer) <= room) lines[lines.length - 1] = longer;
     else lines.push(word);
   }
-  const top = frame.top + 0.4 * (frame.bottom - frame.top) - (lines.length / 2) * labelHeight;
+  const top = frame.top + 0.55 * (frame.bottom - frame.top) - (lines.length / 2) * labelHeight;
   for (const [i, text] of lines.entries()) {
     const x = (frame.left + frame.right - widthOf(context, text)) / 2;
     drawName(context, { text, x, y: top + (i + 0.5) * labelHeight });

@@ -94,7 +94,7 @@ export const evolutionHead = 'evolution';
 export const randomHead = 'random';
 /** Where no seed has run yet. */
 export const expectedText =
-  'Here the median of all seeds and their quartiles will stand, and at the right a dot for the J with which each seed ends.';
+  'Here will stand the median of all seeds, and beside it a dot for the end of each.';
 export const generationAxis = 'generation';
 /** @param {number} lowest */
 export const distanceAxis = (lowest) => `J above ${costText(lowest)}, the lowest of all`;

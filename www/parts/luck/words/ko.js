@@ -85,7 +85,7 @@ export const evolutionHead = '진화';
 export const randomHead = '무작위';
 /** Where no seed has run yet. */
 export const expectedText =
-  '여기에 모든 시드의 중앙값과 사분위수가 나타나고, 오른쪽에는 시드마다 마지막 J가 점 하나로 놓입니다.';
+  '여기에 모든 시드의 중앙값이 나타나고, 그 옆에 시드마다 마지막 J가 점 하나로 놓입니다.';
 export const generationAxis = '세대';
 /** @param {number} lowest */
 export const distanceAxis = (lowest) => `J − ${costText(lowest)}(전체 최소)`;
