@@ -37,8 +37,9 @@ export function drawLineNames(context, axes, model, y) {
         drawName(context, { text: line.name, x: place.x, y: place.y, token });
       }
   } else {
-    drawExpected(context, axes);
     const last = (lab?.costs.length ?? 0) - 1;
+    // The lab's own curve falls below it.
+    drawExpected(context, axes, last > 0 ? 0.2 : 0.55);
     if (lab) drawName(context, { text: lab.name, x: x(last) + 8, y: y(lab.costs[last]), token });
     // Beside the dots there is no room for it, and the title says it.
     drawAxisNames(context, frame, { x: words.generationAxis });
@@ -78,8 +79,8 @@ export function placeWhereAlone(candidates, width, taken) {
   return (free.length > 0 ? free : candidates).reduce((best, one) => (one.apart > best.apart ? one : best));
 }
 
-/** What will stand there, line by line. @param {CanvasRenderingContext2D} context @param {Axes} axes */
-function drawExpected(context, { frame }) {
+/** What will stand there, line by line. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} down From the top, as a part of the height. */
+function drawExpected(context, { frame }, down) {
   const room = frame.right - frame.left - 16;
   /** @type {string[]} */
   const lines = [];
@@ -88,7 +89,7 @@ function drawExpected(context, { frame }) {
     if (lines.length > 0 && widthOf(context, longer) <= room) lines[lines.length - 1] = longer;
     else lines.push(word);
   }
-  const top = frame.top + 0.55 * (frame.bottom - frame.top) - (lines.length / 2) * labelHeight;
+  const top = frame.top + down * (frame.bottom - frame.top) - (lines.length / 2) * labelHeight;
   for (const [i, text] of lines.entries()) {
     const x = (frame.left + frame.right - widthOf(context, text)) / 2;
     drawName(context, { text, x, y: top + (i + 0.5) * labelHeight });

@@ -93,8 +93,7 @@ export const paperSign = ', ◇ paper’s EP';
 export const evolutionHead = 'evolution';
 export const randomHead = 'random';
 /** Where no seed has run yet. */
-export const expectedText =
-  'Here will stand the median of all seeds, and beside it a dot for the end of each.';
+export const expectedText = 'Here will stand the median of all seeds, and beside it a dot for each.';
 export const generationAxis = 'generation';
 /** @param {number} lowest */
 export const distanceAxis = (lowest) => `J above ${costText(lowest)}, the lowest of all`;

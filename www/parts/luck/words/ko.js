@@ -84,8 +84,7 @@ export const paperSign = ', ◇ 논문의 EP';
 export const evolutionHead = '진화';
 export const randomHead = '무작위';
 /** Where no seed has run yet. */
-export const expectedText =
-  '여기에 모든 시드의 중앙값이 나타나고, 그 옆에 시드마다 마지막 J가 점 하나로 놓입니다.';
+export const expectedText = '여기에 모든 시드의 중앙값이 나타나고, 그 옆에 시드마다 점이 하나씩 놓입니다.';
 export const generationAxis = '세대';
 /** @param {number} lowest */
 export const distanceAxis = (lowest) => `J − ${costText(lowest)}(전체 최소)`;
