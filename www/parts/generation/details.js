@@ -36,17 +36,17 @@ const contents = {
     const from = isInitial(record)
       ? words.initialText(anatomy)
       : words.ranked(chosen + 1, record.generation - 1);
-    const told = html`${headline(anatomy, chosen, `J ${words.costWriter(anatomy)(cost)}`, from)}
-      ${fallen === '' ? nothing : html`<p class="muted">${words.fallenText(anatomy, fallen)}</p>`}`;
-    if (anatomy.method !== 'ep') return html`${told}${standsBy(anatomy, chosen)}`;
+    const told = headline(anatomy, chosen, `J ${words.costWriter(anatomy)(cost)}`, from);
+    const isOwn = anatomy.method === 'ep';
+    const note = fallen === '' ? (isOwn ? words.bellsText : '') : words.fallenText(anatomy, fallen);
     const row = (/** @type {number} */ i) => html`
       ${bell(null, anatomy.step, shareOf(sigmas, i))}
       <p class="equation">${symbol('k', i)} = ${words.gainText(gains[i])}</p>
       <p class="equation">${symbol('σ', i)} = ${words.sigmaText(sigmas[i])}</p>`;
     return html`
       ${told}
-      ${gainRows('gain-rows', row)}
-      <p class="common bells muted">${words.bellsText}</p>`;
+      ${isOwn ? gainRows('gain-rows', row) : standsBy(anatomy, chosen)}
+      ${note === '' ? nothing : html`<p class="common muted">${note}</p>`}`;
   },
 
   mutation({ anatomy, chosen }, { rates, choose }) {
