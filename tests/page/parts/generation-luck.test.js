@@ -1,7 +1,7 @@
 // What luck did to the robots of a generation, and where their names stand.
 import assert from 'node:assert/strict';
 import { expectedWins, winsBout } from '../../../www/core/rules.js';
-import { writingOf } from '../../../www/parts/generation/notes.js';
+import { lettersOf, writingOf } from '../../../www/parts/generation/notes.js';
 import { orderOf, placesOf } from '../../../www/parts/generation/places.js';
 import { createAnatomy, createChosenDrives, dissect } from '../../../www/parts/generation/record.js';
 import { generationSlice } from '../../../www/parts/generation/state.js';
@@ -113,6 +113,10 @@ test('in a ranking the names of the two whom luck told apart cover no mark, and 
       const what = `seed ${seed}, generation ${generation}`;
       assert.equal(covered.length, 0, what);
       assert.ok(y >= places[fallen].y && y <= places[fallen].y + 24, what);
+      // Another name there gives way to it.
+      const letters = lettersOf({ x, y, side }, name);
+      const next = writingOf(places[fallen], [...marks, ...letters], size, true, name);
+      assert.notDeepEqual(next, { x, y, side }, what);
     }
 });
 

@@ -60,6 +60,7 @@ export function notesOf(model, places, size) {
     const name = words.nameOf(anatomy, number);
     const { x, y, side } = writingOf(places[number], marks, size, isLow, name);
     notes.push(svg('text', { x, y, class: `name ${side}` }, name));
+    marks.push(...lettersOf({ x, y, side }, name));
   }
   return notes;
 }
@@ -70,6 +71,13 @@ const tournamentMarks = ({ anatomy, chosen }, places) =>
     places[opponent],
     besideBout(places[opponent], places[chosen]),
   ]);
+
+/** Where a name stands, as if each letter were a mark: the next one leaves it alone. @param {Writing} writing @param {string} name @returns {Place[]} */
+export const lettersOf = (writing, name) =>
+  Array.from({ length: Math.ceil(widthOf(name) / 8) }, (_, i) => ({
+    x: leftOf(writing, name) + 8 * i,
+    y: writing.y - 4,
+  }));
 
 /** Roughly, in pixels: letters, and syllables of Korean. @param {string} name */
 const widthOf = (name) => Array.from(name).reduce((sum, one) => sum + (one > '\u1100' ? 13 : 8), 0);
@@ -101,19 +109,20 @@ function writingsBeside({ x, y }, { width }) {
   ];
 }
 
+/** @param {Writing} writing @param {string} name */
+const leftOf = ({ x, side }, name) => x - { end: widthOf(name), begin: 0, middle: widthOf(name) / 2 }[side];
+
 /** Where a name covers the fewest other marks. @param {Place} own @param {Place[]} marks @param {Size} size @param {boolean} isLow Not above the mark. @param {string} name @returns {Writing} */
 export function writingOf(own, marks, size, isLow, name) {
   const width = widthOf(name);
-  const leftOf = (/** @type {Writing} */ { x, side }) =>
-    x - { end: width, begin: 0, middle: width / 2 }[side];
   const writings = writingsBeside(own, size);
   const free = writings.filter((one) => {
-    const left = leftOf(one);
+    const left = leftOf(one, name);
     if (left < margin.left - 9 || left + width > size.width + 9) return false;
     return one.y >= (isLow ? own.y : 19) && one.y <= size.height - margin.bottom - 10;
   });
   const covered = free.map((one) => {
-    const left = leftOf(one);
+    const left = leftOf(one, name);
     const isCovered = (/** @type {Place} */ { x, y }) =>
       x > left - 7 && x < left + width + 7 && y > one.y - 16 && y < one.y + 9;
     return marks.filter(isCovered).length;
