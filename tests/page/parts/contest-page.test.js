@@ -251,6 +251,7 @@ for (const language of /** @type {const} */ (['en', 'ko']))
           excess: [scrollWidth - innerWidth, scrollHeight - innerHeight],
           chart: high('.contest-chart'),
           table: high('.contest-scroll'),
+          note: high('.contest-columns'),
           wide: [...document.querySelectorAll('body *')]
             .filter((one) => one.getBoundingClientRect().right > innerWidth + 0.5)
             .map((one) => one.id || `${one.tagName} ${one.className}`),
@@ -258,6 +259,8 @@ for (const language of /** @type {const} */ (['en', 'ko']))
       });
       assert.deepEqual(found.excess, [0, 0], `${width} × ${height}: ${found.wide}`);
       assert.ok(found.chart >= 110 && found.table >= 100, JSON.stringify(found));
+      // What its columns are: in one line, where the picture needs the room.
+      assert.ok(found.note > 10 && (width !== 1366 || found.note < 20), JSON.stringify(found));
     }
   });
 

@@ -1,6 +1,6 @@
 // The equations of a mutation, as they are written, against the record of the core.
 import assert from 'node:assert/strict';
-import { bell } from '../../../www/parts/generation/bell.js';
+import { bell, shareOf } from '../../../www/parts/generation/bell.js';
 import { ratesOf } from '../../../www/parts/generation/birth.js';
 import { detailsOf } from '../../../www/parts/generation/details.js';
 import { writingOf } from '../../../www/parts/generation/notes.js';
@@ -64,7 +64,8 @@ test('what is written of a mutation is true, whatever it is made of: each equati
         const child = record.offspring[chosen % count];
         for (const [i, equation] of equations.entries()) {
           const what = `${JSON.stringify(change)}: ${equation}`;
-          const [sum, result] = equation.split(' = ');
+          const [name, sum, result] = equation.split(' = ');
+          assert.match(name, /^ ?[kσ] [xyθ] ′$/, what);
           const [before, a, b, c] = numbersIn(sum).map(Number);
           const isGain = i % 2 === 0;
           const value = isGain ? before + a * b : before * Math.exp(a + b * c);
@@ -148,6 +149,27 @@ test('the picture of a draw is that of its distribution, and what lies beyond it
   const marks = (/** @type {number} */ draw) =>
     written(bell(draw, 'cauchy')).match(/<(circle|path) class="drawn"/)?.[1];
   assert.deepEqual([0, 9, -9, 11, -1e9].map(marks), ['circle', 'circle', 'circle', 'path', 'path']);
+});
+
+test('the pictures of three draws have one scale: each is as wide as its σ, and its mark is as far off as the gain moved', () => {
+  const sigmas = [0.863, 1.204, 2.67];
+  for (const [i, sigma] of sigmas.entries()) {
+    const share = shareOf(sigmas, i);
+    assert.equal(share, sigma / 2.67);
+    const picture = written(bell(-1.2, 'gaussian', share));
+    const [first] = /class="density" d="M([^ ]*)/.exec(picture)?.slice(1).map(Number) ?? [];
+    assert.ok(Math.abs(first - 42 * (1 - share)) < 0.051, picture);
+    const [x] = /cx="?([^" ]*)/.exec(picture)?.slice(1).map(Number) ?? [];
+    assert.ok(Math.abs((42 - x) / 42 - (1.2 * sigma) / (3.3 * 2.67)) < 1e-9, picture);
+  }
+  // What lies beyond the picture of the widest may lie within that of none.
+  const farthest = (/** @type {number} */ share) => written(bell(5, 'gaussian', share)).includes('<circle');
+  assert.deepEqual([0.5, 1].map(farthest), [true, false]);
+  for (const odd of [
+    [0, 0, 0],
+    [Infinity, 1, 1],
+  ])
+    assert.equal(shareOf(odd, 1), 1);
 });
 
 test('a parent that was crossed names the other, and the gains that it got from there', () => {

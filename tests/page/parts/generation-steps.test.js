@@ -86,7 +86,7 @@ pageTest('a survivor that is worse than one that fell is pointed out', async (pa
   for (const phase of /** @type {const} */ (['ranking', 'survivors'])) {
     await go(page, phase);
     const { details } = await shownOn(page);
-    const sentence = details.split('\n').find((line) => line.includes('luck')) ?? '';
+    const sentence = details.split('\n').find((line) => line.includes('luck in the opponents')) ?? '';
     const [name, cost, wins, other, otherCost, otherWins] = numbersIn(sentence);
     assert.ok(sentence.toLowerCase().startsWith(`${nameOf(upset.survivor)} (`), sentence);
     assert.ok(sentence.includes(`; ${nameOf(upset.fallen)} (`), sentence);
@@ -137,13 +137,42 @@ pageTest('one phase at a time, over the last one into the next generation, and b
   );
 });
 
+pageTest(
+  'whom one is shown is followed into the next generation and back, also who chose nobody',
+  async (page) => {
+    const upsets = Array.from({ length: 20 }, (_, i) => i + 1);
+    const generation = upsets.find((one) => upsetOf(recordOf(one))) ?? 0;
+    const record = recordOf(generation);
+    const { survivor } = /** @type {{ survivor: number }} */ (upsetOf(record));
+    await page.open(`#generation&v=1&generation=${generation}&phase=survivors`);
+    assert.equal((await shownOn(page)).chosen, nameOf(survivor));
+    await page.click('#generation-next');
+    const next = await shownOn(page);
+    assert.equal(next.title, `Generation ${generation + 1}`);
+    assert.equal(next.chosen, nameOf(record.survivors.indexOf(survivor)));
+    assert.ok(!next.details.includes('shown until here'), next.details);
+    await page.click('#generation-back');
+    assert.equal((await shownOn(page)).chosen, nameOf(survivor));
+
+    const fallen =
+      Array.from({ length: 2 * count }, (_, i) => i).find((i) => !record.survivors.includes(i)) ?? 0;
+    await page.open(`#generation&v=1&generation=${generation}&phase=survivors&individual=${fallen}`);
+    await page.click('#generation-next');
+    const other = await shownOn(page);
+    const told = `${nameOf(fallen)}, shown until here, fell in generation ${generation}.`;
+    assert.ok(other.details.toLowerCase().includes(told), other.details);
+    await press(page, 3);
+    assert.ok(!(await shownOn(page)).details.includes('shown until here'));
+  },
+);
+
 pageTest('generation 0 has random robots only, and leads to generation 1', async (page) => {
   await page.click('#page-generation');
   const first = recordOf(0);
   const seen = await shownOn(page);
   assert.ok(seen.sentence.includes('20 robots with random gains'), seen.sentence);
   for (const phase of ['mutation', 'drive', 'tournament', 'ranking'])
-    assert.equal(await (await page.element(`#generation-phases-${phase}`)).isEnabled(), false, phase);
+    assert.equal((await page.elements(`#generation-phases-${phase}`)).length, 0, phase);
   await press(page, 4);
   const chosen = await shownOn(page);
   assert.equal(chosen.chosen, 'robot 5');
@@ -154,6 +183,23 @@ pageTest('generation 0 has random robots only, and leads to generation 1', async
   const next = await shownOn(page);
   assert.deepEqual([next.title, next.phase], ['Generation 1', 'parents']);
   assert.equal(next.chosen, `parent ${first.survivors.indexOf(4) + 1}`);
+});
+
+pageTest('from generation 0 one press leads into the phases of generation 1', async (page) => {
+  await page.open('#generation&v=1');
+  assert.equal((await shownOn(page)).title, 'Generation 0');
+  const name = await page.evaluate(() => document.getElementById('generation-begin')?.textContent);
+  assert.equal(name, 'Breed generation 1');
+  await page.click('#generation-begin');
+  const born = await shownOn(page);
+  assert.deepEqual([born.title, born.phase], ['Generation 1', 'mutation']);
+  const { visible, focus } = await page.evaluate(() => ({
+    visible: document.getElementById('generation-begin')?.checkVisibility(),
+    focus: document.activeElement?.id,
+  }));
+  assert.deepEqual([visible, focus], [false, 'generation-next']);
+  for (const phase of phases)
+    assert.ok(await (await page.element(`#generation-phases-${phase}`)).isEnabled(), phase);
 });
 
 pageTest('back in time the generation is as it was, and evolution is untouched', async (page) => {

@@ -1,11 +1,13 @@
 // What is counted of many seeds.
 import assert from 'node:assert/strict';
+import { placeWhereAlone } from '../../../www/parts/luck/curve-names.js';
 import { csvOf, quartilesOf } from '../../../www/parts/luck/statistics.js';
 import { drivesOf, surveyOf } from '../../../www/parts/luck/request.js';
 import { luckSlice } from '../../../www/parts/luck/state.js';
 import * as en from '../../../www/parts/luck/words/en.js';
 import * as ko from '../../../www/parts/luck/words/ko.js';
 import { firstMaker, noExercise } from '../../../www/run/exercise.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, startsOnCircle, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
@@ -93,3 +95,79 @@ test('a result from before does not tell what the paper’s gains cost where the
   assert.match(en.curveLabel(/** @type {any} */ (result), ''), /7\.935/);
   assert.doesNotMatch(en.curveLabel(shownThen, ''), /7\.935|paper/);
 });
+
+test('a name stands where its line is farthest from the median, of the places where it covers no other', () => {
+  const candidates = [10, 60, 110, 160].map((x, i) => ({ x, y: 100, apart: i }));
+  const at = (/** @type {{ left: number, right: number, y: number }[]} */ ...taken) =>
+    placeWhereAlone(candidates, 50, taken).x;
+  assert.equal(at(), 160);
+  assert.equal(at({ left: 200, right: 300, y: 104 }), 110);
+  assert.equal(at({ left: 200, right: 300, y: 120 }), 160);
+  assert.equal(at({ left: 200, right: 300, y: 104 }, { left: 0, right: 150, y: 90 }), 160);
+});
+
+pageTest(
+  'no name in the curve of the seeds lies on another, and before they run it says what will stand there',
+  async (page) => {
+    await page.resize(1366, 768);
+    await page.evaluate(() => {
+      const spied = /** @type {{ written: any[] }} */ (/** @type {unknown} */ (window));
+      spied.written = [];
+      const { clearRect, fillText } = CanvasRenderingContext2D.prototype;
+      const begin = (/** @type {CanvasRenderingContext2D} */ { canvas }) => {
+        spied.written = spied.written.filter((one) => one.canvas !== canvas);
+      };
+      Object.assign(CanvasRenderingContext2D.prototype, {
+        clearRect(/** @type {any[]} */ ...args) {
+          begin(/** @type {any} */ (this));
+          return clearRect.apply(this, /** @type {any} */ (args));
+        },
+        fillText(/** @type {string} */ text, /** @type {number} */ x, /** @type {number} */ y) {
+          const { canvas, textAlign } = /** @type {any} */ (this);
+          const { width } = /** @type {any} */ (this).measureText(text);
+          if (textAlign === 'left') spied.written.push({ canvas, text, left: x, right: x + width, y });
+          return fillText.call(this, text, x, y);
+        },
+      });
+    });
+    const written = () =>
+      page.evaluate(() => {
+        const canvas = document.querySelector('#luck-curve canvas');
+        const { written: all } = /** @type {{ written: any[] }} */ (/** @type {unknown} */ (window));
+        return all
+          .filter((one) => one.canvas === canvas)
+          .map(({ text, left, right, y }) => ({ text: String(text), left, right, y }));
+      });
+    await page.click('#page-luck');
+    await page.until('the part is open', () => document.getElementById('luck')?.hidden === false);
+    const idle = (await written()).map(({ text }) => text).join(' ');
+    assert.ok(idle.includes(en.expectedText) && idle.includes(en.generationAxis), idle);
+    await page.click('#luck-generations option[value="50"]');
+    await page.click('#luck-run');
+    await page.until('the seeds have run', () => document.getElementById('luck-seed')?.hidden === false);
+    await page.focus('#luck-rank');
+    for (const key of [Key.HOME, Key.END]) {
+      await page.press(key);
+      const names = await page.until(
+        'the seed is named',
+        (canvasOf) => {
+          const { written: all } = /** @type {{ written: any[] }} */ (/** @type {unknown} */ (window));
+          const own = all.filter((one) => one.canvas === document.querySelector(canvasOf));
+          const seed = document.getElementById('luck-open')?.textContent?.match(/seed \d+/)?.[0];
+          return (
+            own.some(({ text }) => text === seed) &&
+            own.map(({ text, left, right, y }) => ({ text: String(text), left, right, y }))
+          );
+        },
+        '#luck-curve canvas',
+      );
+      assert.ok(!names.some(({ text }) => text === en.generationAxis || text === 'Here'));
+      for (const [i, one] of names.entries())
+        for (const other of names.slice(i + 1))
+          assert.ok(
+            one.right <= other.left || other.right <= one.left || Math.abs(one.y - other.y) >= 12,
+            JSON.stringify([one, other]),
+          );
+    }
+  },
+);

@@ -1,13 +1,18 @@
-// The density of N(0, 1), or of Cauchy's distribution, as a small picture, with the draw on it.
+// Where a draw around a gain is likely to land, as a small picture: the density of N(k, σ²), or of Cauchy's distribution, and on it
+// what was drawn. As wide as σ is beside the widest of the three gains: they have one scale.
 /** @import { Experiment } from '../../core/engine.js' */
 import { html, nothing, svg } from 'lit-html';
+import words from './words/index.js';
 
 /** @typedef {Experiment['evolution']['step']} Step */
-/** How far the picture reaches, and the density with 1 at its top. @typedef {{ reach: number, density: (draw: number) => number }} Shape */
+/** How far the widest picture reaches, in σ, and the density with 1 at its top. @typedef {{ reach: number, density: (draw: number) => number }} Shape */
 
 const width = 84;
 const height = 40;
+const middle = width / 2;
 const base = height - 6;
+/** What stands for the gain beside its mark needs so much room. */
+const named = 22;
 
 /** @type {Readonly<Record<Step, Shape>>} */
 export const shapes = {
@@ -15,31 +20,40 @@ export const shapes = {
   cauchy: { reach: 10, density: (draw) => 1 / (1 + draw * draw) },
 };
 
-const xIn = (/** @type {Shape} */ { reach }, /** @type {number} */ draw) =>
-  ((Math.max(-reach, Math.min(reach, draw)) + reach) / (2 * reach)) * width;
+/** How wide a σ is beside the widest. @param {readonly number[]} sigmas @param {number} i */
+export function shareOf(sigmas, i) {
+  const widest = Math.max(...sigmas);
+  return widest > 0 && widest < Infinity ? sigmas[i] / widest : 1;
+}
+
 const yIn = (/** @type {Shape} */ { density }, /** @type {number} */ draw) =>
   base - (base - 4) * density(draw);
 
-const outlineOf = (/** @type {Shape} */ shape) =>
+/** @param {Shape} shape @param {number} share */
+const outlineOf = (shape, share) =>
   Array.from({ length: 45 }, (_, i) => {
-    const draw = shape.reach * (i / 22 - 1);
-    return `${xIn(shape, draw).toFixed(1)} ${yIn(shape, draw).toFixed(1)}`;
+    const part = i / 22 - 1;
+    return `${(middle * (1 + share * part)).toFixed(1)} ${yIn(shape, shape.reach * part).toFixed(1)}`;
   }).join('L');
-const outlines = { gaussian: outlineOf(shapes.gaussian), cauchy: outlineOf(shapes.cauchy) };
 
-/** @param {number | null} draw Null: nothing has been drawn yet, or nobody knows what. @param {Step} [step] */
-export const bell = (draw, step = 'gaussian') => html`
+/** @param {number | null} draw In σ; null: nothing has been drawn yet, or nobody knows what. @param {Step} [step] @param {number} [share] Of the width of the picture. */
+export function bell(draw, step = 'gaussian', share = 1) {
+  const shape = shapes[step];
+  const part = draw === null ? 0 : (share * draw) / shape.reach;
+  return html`
   <svg class="bell" viewBox="0 0 ${width} ${height}" aria-hidden="true">
-    <path class="density" d="M${outlines[step]}" /><path class="base" d="M0 ${base}H${width}M${width / 2} ${base}v4" />
-    ${draw === null ? nothing : Math.abs(draw) > shapes[step].reach ? beyond(draw) : drawn(shapes[step], draw)}
+    <path class="density" d="M${outlineOf(shape, share)}" /><path class="base" d="M0 ${base}H${width}M${middle} ${base}v4" />
+    ${draw === null ? nothing : Math.abs(part) > 1 ? beyond(draw) : drawn(middle * (1 + part), yIn(shape, draw))}
   </svg>`;
+}
 
-/** @param {Shape} shape @param {number} draw */
-function drawn(shape, draw) {
-  const x = xIn(shape, draw);
+/** @param {number} x @param {number} y */
+function drawn(x, y) {
+  const isRight = x < middle ? x < named : x < width - named;
   return svg`
-    <path class="draw" d="M${x} ${base}V${Math.min(yIn(shape, draw), base - 8)}" />
-    <circle class="drawn" cx=${x} cy=${base} r="3.5" />`;
+    <path class="draw" d="M${x} ${base}V${Math.min(y, base - 8)}" />
+    <circle class="drawn" cx=${x} cy=${base} r="3.5" />
+    <text x=${isRight ? x + 7 : x - 7} y=${base - 3} text-anchor=${isRight ? 'start' : 'end'}>${words.newGain}</text>`;
 }
 
 /** A tip at the edge, for what lies further out. @param {number} draw */

@@ -32,6 +32,12 @@ export function drawCostAxis(layer, { anatomy, phase }, size) {
   const first = above ? above.line + 14 : 0;
   const head = margin.top + (above ? 36 : 4);
   const firstText = narrow ? head + 10 : first;
+  const shown = texts.filter((_, i) => height.scale(ticks[i]) > firstText);
+  /** The limit is no tick, and is not called as one. @param {number} limit */
+  const limitText = (limit) => {
+    const isTick = shown.some((text) => words.aboveText(limit, digits).startsWith(`${text} `));
+    return words.aboveText(limit, isTick ? digits + 1 : digits);
+  };
   layer.replaceChildren(
     ...ticks.flatMap((tick) =>
       height.scale(tick) > first ? [line(Math.round(height.scale(tick)) + 0.5)] : [],
@@ -42,13 +48,13 @@ export function drawCostAxis(layer, { anatomy, phase }, size) {
     ...(above
       ? [
           svg('line', { x1: margin.left, x2: right, y1: above.line, y2: above.line, class: 'limit' }),
-          svg('text', { x: 0, y: above.y + 4 }, words.aboveText(above.limit, digits)),
+          svg('text', { x: 0, y: above.y + 4 }, limitText(above.limit)),
         ]
       : []),
     svg('text', { x: 0, y: head, class: 'symbol' }, words.costAxis),
     ...(narrow ? [svg('text', { x: 14, y: head }, words.costUnit(power))] : []),
     ...across({ anatomy, phase }, size),
-    ...(phase === 'ranking' ? weights(anatomy, size) : []),
+    ...(phase === 'ranking' ? [...weights(anatomy, size), ...lucks(anatomy, size)] : []),
   );
 }
 
@@ -67,6 +73,28 @@ function weights({ record, ranked }, size) {
       class: 'weight',
     });
   });
+}
+
+/** Closer ones are no lines of single robots any more. */
+const leastApart = 9;
+
+/** What luck did to each: from where J alone, and so the wins that it had to expect, would have ranked it. @param {PictureModel['anatomy']} anatomy @param {Size} size */
+function lucks({ expected, all, ranking, ranks }, size) {
+  const { x, step } = columnsOf(size, all.length);
+  if (expected.length === 0 || step < leastApart) return [];
+  const { y } = heightOf({ all }, size);
+  const byCost = [...ranking].sort((a, b) => all[a].cost - all[b].cost || a - b);
+  return [
+    ...byCost.map((number, place) => {
+      const height = y(all[number].cost);
+      return svg('line', { x1: x(place), x2: x(ranks[number]), y1: height, y2: height, class: 'luck' });
+    }),
+    svg(
+      'text',
+      { x: size.width - margin.right, y: size.height - margin.bottom - 6, class: 'end luck' },
+      words.byCostText,
+    ),
+  ];
 }
 
 /** What stands below: the numbers of the pairs, or the wins. @param {Pick<PictureModel, 'anatomy' | 'phase'>} model @param {Size} size */

@@ -6,8 +6,8 @@ import { html, nothing } from 'lit-html';
 import { deviationOf } from '../../kit/ellipse.js';
 import words from './words/index.js';
 import { bar } from './bar.js';
-import { bell } from './bell.js';
-import { gainRows, headline, link, rulesOf, symbol } from './detail.js';
+import { bell, shareOf } from './bell.js';
+import { becoming, gainRows, headline, link, rulesOf, symbol } from './detail.js';
 import { trialOf } from './record.js';
 import { centreOf, simplexOf } from './sketch.js';
 
@@ -40,37 +40,39 @@ const added = (value) => (value < 0 ? ` − ${words.sigmaText(-value)}` : ` + ${
 /** k + d = k′, with as many digits as d needs, and what came of k′ before it was tried. @param {number} i @param {number} from @param {number} to @param {number} tried */
 function moved(i, from, to, tried) {
   const write = (/** @type {number} */ value) => words.gainText(value, to - from);
-  return html`${symbol('k', i)} ${write(from)}${added(to - from)} = ${words.becomes(write(to), write(tried))}`;
+  return html`${becoming('k', i)} ${write(from)}${added(to - from)} = ${words.becomes(write(to), write(tried))}`;
 }
 
 /** Nobody draws so many σ. */
 const unheard = 8;
 
-/** A gain that was drawn around another; where that cannot be told, for it was held at 0 or may have been mirrored there, what is. @param {Anatomy} anatomy @param {number} i @param {number} from @param {number} to @param {number} sigma @returns {Row} */
-function drawnAround({ belowZero }, i, from, to, sigma) {
+/** A gain that was drawn around another; where that cannot be told, for it was held at 0 or may have been mirrored there, what is. @param {Anatomy} anatomy @param {number} i @param {number} from @param {number} to @param {readonly number[]} sigmas @returns {Row} */
+function drawnAround({ belowZero }, i, from, to, sigmas) {
+  const sigma = sigmas[i];
+  const share = shareOf(sigmas, i);
   const isHeld = belowZero === 'clamp' && to === 0;
   if (isHeld || (belowZero === 'mirror' && from + to < unheard * sigma))
     return {
-      beside: bell(null),
+      beside: bell(null, 'gaussian', share),
       lines: [equals('k', i, words.gainText(to)), isHeld ? words.heldText : words.mirroredText],
     };
   const times = sigma > 0 ? (to - from) / sigma : 0;
   return {
-    beside: bell(times),
+    beside: bell(times, 'gaussian', share),
     lines: [moved(i, from, to, to), words.apartText(words.drawText(times), words.sigmaText(sigma))],
   };
 }
 
+/** @param {Parameters<typeof deviationOf>[0]} ellipse */
+const deviationsOf = (ellipse) => [0, 1, 2].map((i) => deviationOf(ellipse, i));
+
 /** @param {Anatomy} anatomy @returns {RowOf} */
 function distribution({ record: { ellipse } }) {
+  if (!ellipse) return () => ({ beside: bell(null), lines: [] });
+  const sigmas = deviationsOf(ellipse);
   return (i) => ({
-    beside: bell(null),
-    lines: ellipse
-      ? [
-          equals('m', i, words.gainText(ellipse.mean[i])),
-          equals('σ', i, words.sigmaText(deviationOf(ellipse, i))),
-        ]
-      : [],
+    beside: bell(null, 'gaussian', shareOf(sigmas, i)),
+    lines: [equals('m', i, words.gainText(ellipse.mean[i])), equals('σ', i, words.sigmaText(sigmas[i]))],
   });
 }
 
@@ -106,7 +108,7 @@ const difference = ({ record }, own) => {
     const isOwn = trial[i] === parent[i] && mutant[i] !== trial[i];
     return {
       lines: [
-        html`${symbol('k', i)} ${write(a[i])} + ${half} = ${write(mutant[i])}`,
+        html`${becoming('k', i)} ${write(a[i])} + ${half} = ${write(mutant[i])}`,
         isOwn
           ? words.keptText(write(trial[i]))
           : words.takenText(words.becomes(words.gainText(mutant[i]), words.gainText(trial[i]))),
@@ -119,15 +121,15 @@ const difference = ({ record }, own) => {
 const sample = (anatomy, own) => {
   const { ellipse, offspring } = anatomy.record;
   const { gains } = offspring[own];
-  return (i) =>
-    ellipse ? drawnAround(anatomy, i, ellipse.mean[i], gains[i], deviationOf(ellipse, i)) : { lines: [] };
+  const sigmas = ellipse ? deviationsOf(ellipse) : [];
+  return (i) => (ellipse ? drawnAround(anatomy, i, ellipse.mean[i], gains[i], sigmas) : { lines: [] });
 };
 
 /** @type {Making} */
 const normalStep = (anatomy, own) => {
   const { parents, offspring, plan } = anatomy.record;
   const [from, to] = [parents[0].gains, offspring[own].gains];
-  return (i) => drawnAround(anatomy, i, from[i], to[i], plan.steps?.[i] ?? 0);
+  return (i) => drawnAround(anatomy, i, from[i], to[i], plan.steps ?? [0, 0, 0]);
 };
 
 /** How far a move goes from the centre, in the way from the worst corner to there. */
@@ -152,7 +154,7 @@ const move = (anatomy, own) => {
       const write = (/** @type {number} */ value) => words.gainText(value, corner[i] - best[i]);
       const half = `½ (${write(corner[i])} − ${words.bracketed(write(best[i]))})`;
       const sum = best[i] + 0.5 * (corner[i] - best[i]);
-      return { lines: [html`${symbol('k', i)} ${write(best[i])} + ${half} = ${write(sum)}`] };
+      return { lines: [html`${becoming('k', i)} ${write(best[i])} + ${half} = ${write(sum)}`] };
     };
   }
   const [centre, worst] = [centreOf(corners), corners[3]];
@@ -165,7 +167,7 @@ const move = (anatomy, own) => {
     const way = `(${write(centre[i])} − ${words.bracketed(write(worst[i]))})`;
     return {
       lines: [
-        html`${symbol('k', i)} ${write(centre[i])} ${sign}${way} = ${words.becomes(write(sum), write(tried))}`,
+        html`${becoming('k', i)} ${write(centre[i])} ${sign}${way} = ${words.becomes(write(sum), write(tried))}`,
       ],
     };
   };

@@ -8,14 +8,14 @@ import { html, nothing } from 'lit-html';
 import { winsBout } from '../../core/rules.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
-import { bell } from './bell.js';
+import { bell, shareOf } from './bell.js';
 import { birthOf, grownSigma, movedGain } from './birth.js';
 import { forgets } from './phases.js';
-import { gainRows, headline, link, rulesOf, symbol } from './detail.js';
+import { becoming, gainRows, headline, link, rulesOf, symbol } from './detail.js';
 import { learntBy, madeBy, standsBy, weighedBy } from './detail-methods.js';
 import { isInitial, partnerOf } from './record.js';
 
-/** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, run: Run, starts: number, successes: Successes | null }} DetailsModel */
+/** `fallen`: who was shown in the generation before, if it fell there. @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, fallen: string, run: Run, starts: number, successes: Successes | null }} DetailsModel */
 /** @typedef {{ rates: Rates, choose: (number: number) => void }} Context */
 
 /** More bouts than that are told as a number. */
@@ -30,21 +30,23 @@ export const detailsOf = (model, context) => contents[model.phase](model, contex
 
 /** @type {Record<Phase, (model: DetailsModel, context: Context) => TemplateResult>} */
 const contents = {
-  parents({ anatomy, chosen }) {
+  parents({ anatomy, chosen, fallen }) {
     const { record, all } = anatomy;
     const { cost, gains, sigmas } = all[chosen];
     const from = isInitial(record)
       ? words.initialText(anatomy)
       : words.ranked(chosen + 1, record.generation - 1);
     const told = headline(anatomy, chosen, `J ${words.costWriter(anatomy)(cost)}`, from);
-    if (anatomy.method !== 'ep') return html`${told}${standsBy(anatomy, chosen)}`;
+    const isOwn = anatomy.method === 'ep';
+    const note = fallen === '' ? (isOwn ? words.bellsText : '') : words.fallenText(anatomy, fallen);
     const row = (/** @type {number} */ i) => html`
-      ${bell(null, anatomy.step)}
+      ${bell(null, anatomy.step, shareOf(sigmas, i))}
       <p class="equation">${symbol('k', i)} = ${words.gainText(gains[i])}</p>
       <p class="equation">${symbol('σ', i)} = ${words.sigmaText(sigmas[i])}</p>`;
     return html`
       ${told}
-      ${gainRows('gain-rows', row)}`;
+      ${isOwn ? gainRows('gain-rows', row) : standsBy(anatomy, chosen)}
+      ${note === '' ? nothing : html`<p class="common muted">${note}</p>`}`;
   },
 
   mutation({ anatomy, chosen }, { rates, choose }) {
@@ -53,7 +55,7 @@ const contents = {
     const birth = birthOf(anatomy, pair);
     if (!birth) return madeBy(anatomy, chosen, choose);
     const row = (/** @type {number} */ i) => html`
-      ${bell(birth.draws.gains[i], step)}
+      ${bell(birth.draws.gains[i], step, shareOf(birth.base.sigmas, i))}
       ${gainEquation(birth, i)}
       ${sigmaEquation(birth, i, rates)}`;
     const { gain, sigma, exponent, index } = words.formula;
@@ -155,7 +157,7 @@ function gainEquation(birth, i) {
     moved,
   );
   const sum = words.becomes(moved, words.gainText(child.gains[i], sigma));
-  return html`<p class="equation">${symbol('k', i)} ${from} + ${wide} × ${words.bracketed(draw)} = ${sum}</p>`;
+  return html`<p class="equation">${becoming('k', i)} ${from} + ${wide} × ${words.bracketed(draw)} = ${sum}</p>`;
 }
 
 /** σᵢ e^(τ′N + τNᵢ′) = σᵢ′, where τ′N is the same for all three. @param {Birth} birth @param {number} i @param {Rates} rates */
@@ -167,7 +169,7 @@ function sigmaEquation(birth, i, rates) {
     words.sigmaText(grownSigma(birth, i, rates)),
     words.sigmaText(child.sigmas[i]),
   );
-  return html`<p class="equation">${symbol('σ', i)} ${words.sigmaText(base.sigmas[i])} × e<sup>${exponent}</sup> = ${product}</p>`;
+  return html`<p class="equation">${becoming('σ', i)} ${words.sigmaText(base.sigmas[i])} × e<sup>${exponent}</sup> = ${product}</p>`;
 }
 
 /** τ′N @param {Birth} birth @param {Rates} rates */
@@ -183,7 +185,7 @@ function commonEquation({ draws: { common } }, rates) {
 
 /** @param {Anatomy} anatomy @param {number} rank @param {number} own @param {(number: number) => void} choose */
 function rankRow(anatomy, rank, own, choose) {
-  const { ranking, record, all, counting } = anatomy;
+  const { ranking, record, all, counting, expected } = anatomy;
   const individual = ranking[rank];
   const classes = [rank === own && 'own', rank >= counting ? 'falls' : 'stays', rank === counting && 'first'];
   const { weights } = record.plan;
@@ -194,5 +196,6 @@ function rankRow(anatomy, rank, own, choose) {
       ${link(anatomy, individual, choose)}
       <span class="wins">${record.wins.length > 0 ? words.winsText(record.wins[individual]) : told}</span>
       <span class="cost">J ${words.costWriter(anatomy)(all[individual].cost)}</span>
+      ${expected.length > 0 ? html`<span class="luck">${words.luckText(expected[individual], record.wins[individual])}</span>` : nothing}
     </li>`;
 }

@@ -60,6 +60,7 @@ export function notesOf(model, places, size) {
     const name = words.nameOf(anatomy, number);
     const { x, y, side } = writingOf(places[number], marks, size, isLow, name);
     notes.push(svg('text', { x, y, class: `name ${side}` }, name));
+    marks.push(...lettersOf({ x, y, side }, name));
   }
   return notes;
 }
@@ -71,12 +72,19 @@ const tournamentMarks = ({ anatomy, chosen }, places) =>
     besideBout(places[opponent], places[chosen]),
   ]);
 
+/** Where a name stands, as if each letter were a mark: the next one leaves it alone. @param {Writing} writing @param {string} name @returns {Place[]} */
+export const lettersOf = (writing, name) =>
+  Array.from({ length: Math.ceil(widthOf(name) / 8) }, (_, i) => ({
+    x: leftOf(writing, name) + 8 * i,
+    y: writing.y - 4,
+  }));
+
 /** Roughly, in pixels: letters, and syllables of Korean. @param {string} name */
 const widthOf = (name) => Array.from(name).reduce((sum, one) => sum + (one > '\u1100' ? 13 : 8), 0);
 
 /** @typedef {{ x: number, y: number, side: 'begin' | 'middle' | 'end' }} Writing Where it is written, and which part of it stands there. */
 
-/** Above and below the mark, to its right and left, and above and below what stands there. @param {Place} own @param {Size} size @returns {Writing[]} */
+/** Above and below the mark, to its right and left, from it to the right and left above and below, and beyond what stands there. @param {Place} own @param {Size} size @returns {Writing[]} */
 function writingsBeside({ x, y }, { width }) {
   const side = x > width - 50 ? 'end' : x < margin.left + 40 ? 'begin' : 'middle';
   const line = (/** @type {number} */ down) => ({
@@ -89,24 +97,32 @@ function writingsBeside({ x, y }, { width }) {
     line(24),
     { x: x + 15, y: y + 4, side: 'begin' },
     { x: x - 15, y: y + 4, side: 'end' },
+    ...[24, -15].flatMap(
+      (down) =>
+        /** @type {Writing[]} */ ([
+          { x: x - 7, y: y + down, side: 'begin' },
+          { x: x + 7, y: y + down, side: 'end' },
+        ]),
+    ),
     line(-31),
     line(40),
   ];
 }
 
+/** @param {Writing} writing @param {string} name */
+const leftOf = ({ x, side }, name) => x - { end: widthOf(name), begin: 0, middle: widthOf(name) / 2 }[side];
+
 /** Where a name covers the fewest other marks. @param {Place} own @param {Place[]} marks @param {Size} size @param {boolean} isLow Not above the mark. @param {string} name @returns {Writing} */
 export function writingOf(own, marks, size, isLow, name) {
   const width = widthOf(name);
-  const leftOf = (/** @type {Writing} */ { x, side }) =>
-    x - { end: width, begin: 0, middle: width / 2 }[side];
   const writings = writingsBeside(own, size);
   const free = writings.filter((one) => {
-    const left = leftOf(one);
+    const left = leftOf(one, name);
     if (left < margin.left - 9 || left + width > size.width + 9) return false;
     return one.y >= (isLow ? own.y : 19) && one.y <= size.height - margin.bottom - 10;
   });
   const covered = free.map((one) => {
-    const left = leftOf(one);
+    const left = leftOf(one, name);
     const isCovered = (/** @type {Place} */ { x, y }) =>
       x > left - 7 && x < left + width + 7 && y > one.y - 16 && y < one.y + 9;
     return marks.filter(isCovered).length;

@@ -8,6 +8,7 @@ import './style.css';
 import './chosen.css';
 import './places.css';
 import { html, render } from 'lit-html';
+import { byIdIn } from '../../kit/elements.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { watch } from '../../kit/memo.js';
 import { unless } from '../../kit/templates.js';
@@ -35,8 +36,13 @@ export function createPage({ engine, store, actions }) {
     actions.driveAgain();
   };
   const onTable = () => showTable(generationTable(anatomyOf(store.get())));
+  const onBegin = () => {
+    // The button goes away with generation 0.
+    byIdIn(element, 'generation-next').focus();
+    steps.begin();
+  };
   const paperRates = engine.learningRates();
-  const on = { choose, steps, onTable };
+  const on = { choose, steps, onTable, onBegin };
   const changed = watch();
   /** @type {ReturnType<typeof createPicture> | null} */
   let picture = null;
@@ -54,11 +60,13 @@ export function createPage({ engine, store, actions }) {
       const hurries = state.evolving && !playsPhases(state);
       const starts = state.experiment.starts.length;
       // Only in one phase the drive itself is told.
-      if (changed(anatomy, phase, chosen, hurries, starts, phase === 'drive' ? scene.driving : null)) {
+      const fallen = steps.fallenBefore(state);
+      const driving = phase === 'drive' ? scene.driving : null;
+      if (changed(anatomy, phase, chosen, fallen, hurries, starts, driving)) {
         const successes = successesIn(anatomy, state.history);
         const rates = ratesOf(paperRates, state.experiment.evolution.adaptation);
         render(
-          contentOf({ anatomy, phase, chosen, run: scene.driving, starts, successes }, hurries, {
+          contentOf({ anatomy, phase, chosen, fallen, run: scene.driving, starts, successes }, hurries, {
             ...on,
             rates,
           }),
@@ -73,9 +81,9 @@ export function createPage({ engine, store, actions }) {
 
 /**
  * @param {DetailsModel} model @param {boolean} hurries Evolution runs, and not phase by phase: then there is too much to say.
- * @param {Parameters<typeof detailsOf>[1] & { steps: ReturnType<typeof createSteps>, onTable: () => void }} on
+ * @param {Parameters<typeof detailsOf>[1] & { steps: ReturnType<typeof createSteps>, onTable: () => void, onBegin: () => void }} on
  */
-function contentOf(model, hurries, { steps, onTable, ...context }) {
+function contentOf(model, hurries, { steps, onTable, onBegin, ...context }) {
   const { anatomy, phase } = model;
   const initial = isInitial(anatomy.record);
   const isFirst = initial && phase === 'parents';
@@ -86,9 +94,12 @@ function contentOf(model, hurries, { steps, onTable, ...context }) {
         class="key parent">${words.keyOf(anatomy, 'parent')}</span><span class="key offspring">${words.keyOf(anatomy, 'offspring')}</span></p>
       <button id="generation-table" type="button" class="link muted" @click=${onTable}>${words.texts.generationTable}</button>
     </div>
-    <fieldset id="generation-phases" class="segmented">
-      ${choicesOf('generation-phases', words.phaseLegend, choices(anatomy), phase, steps.show)}
-    </fieldset>
+    <div class="phases">
+      <fieldset id="generation-phases" class="segmented">
+        ${choicesOf('generation-phases', words.phaseLegend, choices(anatomy), phase, steps.show)}
+      </fieldset>
+      <button id="generation-begin" type="button" class="primary" .hidden=${!initial} @click=${onBegin}>${words.beginText(anatomy)}</button>
+    </div>
     <fieldset id="generation-step" class="bar generation-step" aria-label=${words.texts.generationStep}>
       <p id="generation-sentence" aria-live=${hurries ? 'off' : 'polite'}>${words.sentence(anatomy, phase)}</p>
       <button id="generation-back" type="button" class="icon" aria-label=${words.texts.generationBack}
@@ -105,10 +116,11 @@ function contentOf(model, hurries, { steps, onTable, ...context }) {
     </div>`;
 }
 
-/** Not each generation has all. @param {Anatomy} anatomy */
+/** Not each generation has all: generation 0 is still to have the others. @param {Anatomy} anatomy */
 function choices(anatomy) {
   const there = phasesOf(anatomy);
-  return phasesOfMethod(anatomy.method).map((value) => ({
+  const shown = isInitial(anatomy.record) ? there : phasesOfMethod(anatomy.method);
+  return shown.map((value) => ({
     value,
     text: words.phaseName(anatomy, value),
     disabled: !there.includes(value),

@@ -14,7 +14,12 @@ export const generation = {
     partKey('phase', slice, 'phase', (text) => oneOf(phases, text)),
     partKey('individual', slice, 'chosen', (text) => wholeNumber(text, 3999)),
   ],
-  places: { run: { lock: '#generation-step', hide: '#generation-step button' } },
+  places: {
+    run: {
+      lock: '#generation-step, #generation-begin',
+      hide: '#generation-step button, #generation-begin',
+    },
+  },
   phases: true,
   figure: [0.72, 620],
   load: () => partOf([loadWords], () => import('./page.js')),

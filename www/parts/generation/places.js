@@ -10,7 +10,7 @@ export const margin = { left: 58, right: 8, top: 10, bottom: 22 };
 /** The row of those whose J is far above most. */
 const aboveRow = 20;
 
-/** How high each J is drawn: the best at the bottom, those far above the median in a row of their own. @param {Anatomy} anatomy @param {Size} size */
+/** How high each J is drawn: the best at the bottom, those far above the median in a row of their own. @param {Pick<Anatomy, 'all'>} anatomy @param {Size} size */
 export function heightOf({ all }, { height }) {
   const costs = all.map(({ cost }) => cost).filter(Number.isFinite);
   costs.sort((a, b) => a - b);

@@ -2,6 +2,7 @@
 /** @import { Experiment, Individual, Statistics } from '../../core/engine.js' */
 /** @import { ChosenDrives } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
+import { expectedWins } from '../../core/rules.js';
 import { remember } from '../../kit/memo.js';
 import words from './words/index.js';
 import { forgets, phasesOf } from './phases.js';
@@ -31,6 +32,7 @@ import { generationSlice, phases } from './state.js';
  * @property {number[]} ranking All numbers, best ranked first; the survivors are its first ones.
  * @property {number[]} ranks The place in the ranking of each number, from 0.
  * @property {Upset | null} upset
+ * @property {readonly number[]} expected The wins that each number had to expect; none without a tournament.
  */
 
 /** @type {Settings} */
@@ -61,11 +63,21 @@ export function dissect(record, { method, initialRange, step, belowZero, sigmaFl
     ranking,
     ranks,
     upset: method === 'ep' || method === 'de' ? upsetOf(record, all) : null,
+    expected: expectedIn(record, all),
   };
 }
 
 /** Generation 0 has no offspring and no tournament. @param {GenerationRecord} record */
 export const isInitial = (record) => record.offspring.length === 0;
+
+/** @param {GenerationRecord} record @param {Individual[]} all */
+const expectedIn = ({ opponents }, all) =>
+  opponents.length > 0
+    ? expectedWins(
+        all.map(({ cost }) => cost),
+        opponents[0].length,
+      )
+    : [];
 
 /** The worst that survives and the best that falls, if the wrong way round. @param {GenerationRecord} record @param {Individual[]} all @returns {Upset | null} */
 function upsetOf({ survivors }, all) {
@@ -136,13 +148,16 @@ function drivesOf(anatomy, state) {
   // An offspring has not driven before its phase: until then it is its parent that drives.
   const undriven = phase === 'parents' || phase === 'mutation';
   const driving = undriven ? chosen % count : chosen;
-  const others = othersOf(anatomy, phase, driving).filter((number) => number !== driving);
+  const shown = othersOf(anatomy, phase, driving);
+  const others = shown.filter((number) => number !== driving);
+  const isAmong = others.length < shown.length;
   const name = (/** @type {number} */ number) => words.nameOf(anatomy, number);
   const partner = partnerOf(anatomy, driving);
   return {
     name: words.drivingText(name(driving), record.generation),
     population: [driving, ...others].map((number) => all[number]),
-    othersText: (shown, arrived) => words.othersText(anatomy, phase, shown, others.length, arrived),
+    othersText: (drawn, arrived) =>
+      words.othersText(anatomy, phase, { drawn, all: others.length, isAmong, arrived }),
     partner:
       undriven || isInitial(record) || forgets(anatomy.method)
         ? null

@@ -5,7 +5,9 @@ import { generationSlice } from './state.js';
 import { whenThere } from '../../core/pending.js';
 import { watch } from '../../kit/memo.js';
 import { pausesAt, playsPhases } from '../../run/pace.js';
+import { forgets } from './phases.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
+import words from './words/index.js';
 
 /** Long enough to read what happens in a phase, and for a screen reader to say it. */
 const secondsOfPhase = 2;
@@ -31,18 +33,27 @@ export function createSteps({ store, actions, anatomyOf }) {
     actions.driveAgain();
   };
 
-  /** The next phase, or the next generation with whoever is chosen, if it stays. */
-  const goOn = () => {
-    const { state, anatomy, phase } = shown();
-    const following = phaseAfter(anatomy, phase, 1);
-    if (following) return turnTo(following);
+  const fall = createFall();
+
+  /** To the next generation, with whoever is shown, if it stays. @param {Phase} first */
+  const onward = (first) => {
+    const { state, anatomy } = shown();
+    const own = generationSlice.of(state);
     actions.forward();
     afterwards(() => {
       if (store.get().generation === state.generation) return;
-      const own = generationSlice.of(state);
       const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, own));
-      turnTo('parents', { chosen: own.chosen === null || place < 0 ? null : place });
+      fall.note(state, place < 0 ? words.nameOf(anatomy, chosenOf(anatomy, own)) : null);
+      turnTo(first, { chosen: place >= 0 && isFollowed(anatomy, own) ? place : null });
     });
+  };
+
+  /** The next phase, or the next generation. */
+  const goOn = () => {
+    const { anatomy, phase } = shown();
+    const following = phaseAfter(anatomy, phase, 1);
+    if (following) turnTo(following);
+    else onward('parents');
   };
 
   /** @param {Phase} phase */
@@ -60,7 +71,7 @@ export function createSteps({ store, actions, anatomyOf }) {
     const isBack = () => store.get().generation === state.generation - 1;
     const atLastPhase = () => {
       const { survivors } = shown().anatomy.record;
-      turnTo('survivors', { chosen: own.chosen === null ? null : survivors[chosen] });
+      turnTo('survivors', { chosen: isFollowed(anatomy, own) ? survivors[chosen] : null });
     };
     actions.oneBack();
     afterwards(() => {
@@ -68,24 +79,7 @@ export function createSteps({ store, actions, anatomyOf }) {
     });
   };
 
-  /** The generation that was played from its first phase on. @type {State['history'][number] | null} */
-  let played = null;
-  /** Where evolution is to pause, it does so after the last phase. */
-  const play = () => {
-    goOn();
-    afterwards(() => {
-      const { history, generation } = store.get();
-      const isPlayed = () =>
-        playsPhases(store.get()) && store.get().history[generation] === history[generation];
-      whenThere(() => follow(history[generation]), isPlayed);
-    });
-  };
-  /** @param {State['history'][number]} statistics */
-  const follow = (statistics) => {
-    const { state, anatomy, phase } = shown();
-    if (phase === 'parents') played = statistics;
-    if (!phaseAfter(anatomy, phase, 1) && played === statistics && pausesAt(state.until, statistics)) pause();
-  };
+  const play = createPlaying({ store, shown, afterwards, goOn, pause });
 
   return {
     show,
@@ -98,8 +92,69 @@ export function createSteps({ store, actions, anatomyOf }) {
 
     back: () => whenThere(goBack, () => true),
 
+    /** From generation 0, which goes through nothing, into the phases of the next. */
+    begin() {
+      pause();
+      afterwards(() =>
+        whenThere(
+          () => onward('mutation'),
+          () => true,
+        ),
+      );
+    },
+
+    fallenBefore: fall.before,
+
     /** To be called at every frame: goes on when a phase has had its time. */
     tick: createPhaseClock(play, anatomyOf),
+  };
+}
+
+/**
+ * Goes on by itself, and where evolution is to pause, it does so after the last phase.
+ * @param {{ store: import('../../run/store.js').Store, shown: () => { state: State, anatomy: Anatomy, phase: Phase }, afterwards: (act: () => void) => void, goOn: () => void, pause: () => void }} parts
+ */
+function createPlaying({ store, shown, afterwards, goOn, pause }) {
+  /** The generation that was played from its first phase on. @type {State['history'][number] | null} */
+  let played = null;
+  /** @param {State['history'][number]} statistics */
+  const follow = (statistics) => {
+    const { state, anatomy, phase } = shown();
+    if (phase === 'parents') played = statistics;
+    if (!phaseAfter(anatomy, phase, 1) && played === statistics && pausesAt(state.until, statistics)) pause();
+  };
+
+  return () => {
+    goOn();
+    afterwards(() => {
+      const { history, generation } = store.get();
+      const isPlayed = () =>
+        playsPhases(store.get()) && store.get().history[generation] === history[generation];
+      whenThere(() => follow(history[generation]), isPlayed);
+    });
+  };
+}
+
+/** Where all is forgotten nobody stays whom one could follow but by name. @param {Anatomy} anatomy @param {GenerationState} own */
+const isFollowed = ({ method }, { chosen }) => chosen !== null || !forgets(method);
+
+/** Who was shown, and did not survive that generation. */
+function createFall() {
+  /** @type {State['history'][number] | null} */
+  let last = null;
+  /** @type {string | null} */
+  let fallen = null;
+  return {
+    /** @param {State} state @param {string | null} name */
+    note({ history, generation }, name) {
+      [last, fallen] = [history[generation], name];
+    },
+
+    /** Its name; none once another was chosen, or in other generations. @param {State} state */
+    before: (state) =>
+      state.history[state.generation - 1] === last && generationSlice.of(state).chosen === null
+        ? (fallen ?? '')
+        : '',
   };
 }
 

@@ -145,7 +145,8 @@ const table = ({ lines }) => html`
         ${sentenceOf(line) === '' ? nothing : html`<tr class="verdict"><td colspan="6">${sentenceOf(line)}${line.told === null ? nothing : html` <span>${words.toldText(line.told, line.count)}</span>`}</td></tr>`}
       </tbody>`,
     )}
-  </table></div>`;
+  </table></div>
+  <p class="contest-columns muted">${words.columnsText}</p>`;
 
 /** @param {Standing} line */
 function cellsOf({ count, reached, ert, median, comparison }) {

@@ -18,8 +18,9 @@ import {
   within,
 } from '../../kit/chart.js';
 import { extentOf } from '../../kit/extent.js';
-import { drawAxisNames, drawName, spreadBeside } from '../../kit/names.js';
+import { drawName } from '../../kit/names.js';
 import words from './words/index.js';
+import { drawLineNames } from './curve-names.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
 /** @typedef {{ name: string, costs: ArrayLike<number> }} Line */
@@ -47,7 +48,7 @@ export function createSeedCurve(root, { onPoint, onChoose }) {
   const chart = createChart(root, (context, size, /** @type {SeedCurveModel} */ model) => {
     const axes = axesOf(size, model);
     drawSurvey(context, axes, model);
-    drawLineNames(context, axes, model);
+    drawLineNames(context, axes, model, placeOf(axes, model));
     columns = model.survey ? columnsOf(size, axes, model.survey, model) : [];
     drawColumns(context, columns, model.index);
   });
@@ -158,54 +159,6 @@ function rangeOf(model) {
   const low = Math.min(lowest, Number.isFinite(survey.paper.cost) ? survey.paper.cost : lowest);
   const room = Math.max(high - low, 1e-6 * Math.abs(high));
   return [low - 0.1 * room, high + 0.04 * room];
-}
-
-/** Names at the lines, and of the axes. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {SeedCurveModel} model */
-function drawLineNames(context, axes, model) {
-  const { survey, lab, seed, log } = model;
-  const { x, frame } = axes;
-  const y = placeOf(axes, model);
-  if (survey) {
-    const { evolution, random } = survey.summary;
-    const last = survey.generations;
-    const places = [
-      { text: words.randomLine, y: y(random.high[last]) - 11 },
-      { text: words.evolutionLine, y: y(evolution.high[last]) - 11, token: '--ink', isStrong: true },
-      ...(Number.isFinite(survey.paper.cost)
-        ? [
-            {
-              text: words.paperLine,
-              y: y(survey.paper.cost) + (survey.paper.cost > random.high[last] ? -11 : 10),
-            },
-          ]
-        : []),
-    ];
-    spreadBeside(places, frame);
-    for (const place of places) drawName(context, { ...place, x: frame.right - 4, align: 'right' });
-  }
-  const token = '--ink';
-  if (lab && !survey) {
-    const last = lab.costs.length - 1;
-    drawName(context, { text: lab.name, x: x(last) + 8, y: y(lab.costs[last]), token });
-  }
-  for (const line of [lab, seed])
-    if (line && survey) drawName(context, { text: line.name, ...placeWhereAlone(x, y, line, survey), token });
-  drawAxisNames(context, frame, { x: words.generationAxis });
-  const text = log && survey ? words.distanceAxis(survey.summary.lowest) : words.costSymbol;
-  drawName(context, { text, x: frame.left - 50, y: 8 });
-}
-
-/** Where a line is farthest from the median. @param {Axes['x']} x @param {(cost: number) => number} y @param {Line} line @param {SeedSurvey} survey */
-function placeWhereAlone(x, y, { costs }, survey) {
-  const medians = survey.summary.evolution.median;
-  const last = Math.min(costs.length, medians.length) - 1;
-  let [at, most] = [0, -1];
-  for (let generation = Math.ceil(0.08 * last); generation <= 0.6 * last; generation += 1) {
-    const apart = Math.abs(y(costs[generation]) - y(medians[generation]));
-    if (apart > most) [at, most] = [generation, apart];
-  }
-  const isAbove = y(costs[at]) < y(medians[at]);
-  return { x: x(at) + 4, y: y(costs[at]) + (isAbove ? -11 : 11) };
 }
 
 /** The dots at the end of the curves: evolution's, then random search's. @param {Size} size @param {Axes} axes @param {SeedSurvey} survey @param {SeedCurveModel} model @returns {Column[]} */

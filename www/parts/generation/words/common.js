@@ -2,6 +2,8 @@
 /** @import { Anatomy } from '../record.js' */
 import { costText, fixed, powerOfTen, powerText } from '../../../words/numbers.js';
 
+/** Who drives beside the chosen one: so many are drawn of them all, which the chosen one is one of or not; null: nobody can arrive. @typedef {{ drawn: number, all: number, isAmong: boolean, arrived: number | null }} Others */
+
 /** How J is written in a generation: with as many digits as tell most of its individuals apart. @param {Anatomy} anatomy @returns {(cost: number) => string} */
 export function costWriter({ all }) {
   const costs = all.map(({ cost }) => cost).sort((a, b) => a - b);
@@ -41,6 +43,12 @@ export function addingUp(numbers, come, result) {
   return told.find(isRight) ?? told[0];
 }
 
+/** By how many wins chance was kind; as the wins that were expected, and are written beside it, let one reckon. @param {number} expected @param {number} wins */
+export function luckSign(expected, wins) {
+  const luck = Math.round(10 * (wins - Number(fixed(expected, 1)))) / 10;
+  return luck === 0 ? '0' : `${luck < 0 ? '−' : '+'}${fixed(Math.abs(luck), 1)}`;
+}
+
 /** What is made of a number that may not be taken as it is. @param {string} from @param {string} to */
 export const becomes = (from, to) => (from === to ? from : `${from} → ${to}`);
 
@@ -57,6 +65,8 @@ export const costUnit = (power) => `×${powerOfTen(power, 0)}`;
 export const aboveText = (cost, digits) => `${fixed(cost, digits)} ↑`;
 export const won = '✓';
 export const lost = '✗';
+/** As the formulas call what a gain becomes. */
+export const newGain = 'k′';
 export const formula = {
   gain: { gaussian: 'kᵢ′ = kᵢ + σᵢ Nᵢ', cauchy: 'kᵢ′ = kᵢ + σᵢ Cᵢ' },
   sigma: 'σᵢ′ = σᵢ e',

@@ -1,6 +1,7 @@
 // Every word of the generation part.
 /** @import { Anatomy, Phase } from '../record.js' */
-import { costWriter, digitsFor } from './common.js';
+/** @import { Others } from './common.js' */
+import { costWriter, digitsFor, luckSign } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-en.js';
 import { costText, fixed } from '../../../words/en/numbers.js';
 
@@ -20,6 +21,9 @@ export const phaseLegend = 'Phase of the generation';
 /** @param {number} generation */
 export const title = (generation) => `Generation ${generation}`;
 
+/** @param {Anatomy} anatomy */
+export const beginText = ({ method, record }) =>
+  `${method === 'ep' ? 'Breed' : 'Make'} generation ${record.generation + 1}`;
 export const next = 'Next';
 /** @param {string} name */
 export const nextPhase = (name) => `: ${name.toLowerCase()}`;
@@ -74,11 +78,15 @@ export function upsetText(anatomy) {
   return `${who} (J ${write(a)}) survives with ${winsText(record.wins[survivor])}; ${nameOf(anatomy, fallen)} (J ${write(b)}) fell with ${record.wins[fallen]}: luck in the opponents.`;
 }
 
+/** @param {number} expected @param {number} wins */
+export const luckText = (expected, wins) =>
+  `expected ${fixed(expected, 1)}: luck ${luckSign(expected, wins)}`;
+
 /** @param {string} name @param {number} generation */
 export const drivingText = (name, generation) => `${name} of generation ${generation}`;
 
-/** @param {Anatomy} anatomy @param {Phase} phase @param {number} shown @param {number} all @param {number | null} arrived Null where nobody can arrive. */
-export function othersText({ method }, phase, shown, all, arrived) {
+/** @param {Anatomy} anatomy @param {Phase} phase @param {Others} others */
+export function othersText({ method }, phase, { drawn, all, isAmong, arrived }) {
   const isOwn = method === 'ep';
   const kind = {
     parents: isOwn ? 'parents' : 'robots',
@@ -86,14 +94,15 @@ export function othersText({ method }, phase, shown, all, arrived) {
     drive: isOwn ? 'offspring' : 'trials',
     survivors: isOwn ? 'survivors' : 'that stay',
   };
+  const these = isAmong ? 'the other' : 'the';
   const who =
     phase === 'tournament'
       ? `its ${parts(all, 'opponent', 'opponents')}`
       : phase === 'ranking'
-        ? `the other ${all}`
-        : `the other ${all} ${kind[phase]}`;
-  const drawn = shown < all ? `${shown} of ${who}` : who;
-  return arrived === null ? drawn : `${drawn}, ${arrived} of them arrive`;
+        ? `${these} ${all}`
+        : `${these} ${all} ${kind[phase]}`;
+  const told = drawn < all ? `${drawn} of ${who}` : who;
+  return arrived === null ? told : `${told}, ${arrived} of them arrive`;
 }
 
 export const pictureLabel = 'The individuals of this generation; arrow keys choose one';
@@ -118,6 +127,8 @@ export function chosenText(anatomy, phase, number) {
 
 /** The axis of J where it is too narrow for J itself. @param {string} text how far, from the best on @param {number} i */
 export const beyondBest = (text, i) => (i === 0 ? 'best' : `+${text}`);
+/** Of the thin lines that lead to the marks. */
+export const byCostText = '— from the rank by J alone';
 export const winsAxis = 'wins';
 export const pairAxis = 'pair';
 export const robotAxis = 'robot';
@@ -127,6 +138,13 @@ export const lostText = 'lost to';
 
 /** @param {number} rank @param {number} generation */
 export const ranked = (rank, generation) => `ranked ${rank} in generation ${generation}`;
+
+/** Whom one followed until then. @param {Anatomy} anatomy @param {string} name */
+export const fallenText = ({ record, method }, name) =>
+  `${capital(name)}, shown until here, ${method === 'ep' ? 'fell' : 'was dropped'} in generation ${record.generation - 1}.`;
+
+/** Of the pictures beside k and σ. */
+export const bellsText = 'The bells: where an offspring’s gains are likely to land, on one scale.';
 
 export const commonText = ': one N for all three σ';
 export const crossedWith = 'crossed with ';

@@ -1,6 +1,7 @@
 // Every word of the generation part, in Korean.
 /** @import { Anatomy, Phase } from '../record.js' */
-import { costWriter, digitsFor } from './common.js';
+/** @import { Others } from './common.js' */
+import { costWriter, digitsFor, luckSign } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-ko.js';
 import { costText, fixed } from '../../../words/ko/numbers.js';
 
@@ -20,6 +21,8 @@ export const phaseLegend = '세대의 단계';
 /** @param {number} generation */
 export const title = (generation) => `${generation}세대`;
 
+/** @param {Anatomy} anatomy */
+export const beginText = ({ record }) => `${record.generation + 1}세대 만들기`;
 export const next = '다음';
 /** @param {string} name */
 export const nextPhase = (name) => `: ${name}`;
@@ -70,19 +73,22 @@ export function upsetText(anatomy) {
   return `${nameOf(anatomy, survivor)}(J ${write(a)}): ${winsText(record.wins[survivor])}, 생존. ${nameOf(anatomy, fallen)}(J ${write(b)}): ${winsText(record.wins[fallen])}, 탈락. 상대를 잘 만난 운입니다.`;
 }
 
+/** @param {number} expected @param {number} wins */
+export const luckText = (expected, wins) => `기대 ${fixed(expected, 1)}승, 운 ${luckSign(expected, wins)}`;
+
 /** @param {string} name @param {number} generation */
 export const drivingText = (name, generation) => `${generation}세대의 ${name}`;
 
-/** @param {Anatomy} anatomy @param {Phase} phase @param {number} shown @param {number} all @param {number | null} arrived Null where nobody can arrive. */
-export function othersText({ method }, phase, shown, all, arrived) {
+/** @param {Anatomy} anatomy @param {Phase} phase @param {Others} others */
+export function othersText({ method }, phase, { drawn, all, isAmong, arrived }) {
   const kind =
     method === 'ep'
       ? { parents: '부모 로봇', mutation: '부모 로봇', drive: '자손 로봇', survivors: '생존 로봇' }
       : { parents: '로봇', mutation: '로봇', drive: '시험 로봇', survivors: '남은 로봇' };
-  const who =
-    phase === 'tournament' ? '상대 로봇' : phase === 'ranking' ? '나머지 로봇' : `나머지 ${kind[phase]}`;
-  const drawn = shown < all ? `${who} ${all}대 중 ${shown}대` : `${who} ${all}대`;
-  return arrived === null ? drawn : `${drawn}, ${arrived}대 도착`;
+  const these = isAmong ? '나머지 ' : '';
+  const who = phase === 'tournament' ? '상대 로봇' : `${these}${phase === 'ranking' ? '로봇' : kind[phase]}`;
+  const told = drawn < all ? `${who} ${all}대 중 ${drawn}대` : `${who} ${all}대`;
+  return arrived === null ? told : `${told}, ${arrived}대 도착`;
 }
 
 export const pictureLabel = '이 세대의 개체. 화살표 키로 하나를 고릅니다';
@@ -110,6 +116,8 @@ export function chosenText(anatomy, phase, number) {
 
 /** The axis of J where it is too narrow for J itself. @param {string} text how far, from the best on @param {number} i */
 export const beyondBest = (text, i) => (i === 0 ? '최우수' : `+${text}`);
+/** Of the thin lines that lead to the marks. */
+export const byCostText = '— J만으로 정한 순위에서';
 export const winsAxis = '승';
 export const pairAxis = '쌍';
 export const robotAxis = '로봇';
@@ -119,6 +127,13 @@ export const lostText = '패, 상대:';
 
 /** @param {number} rank @param {number} generation */
 export const ranked = (rank, generation) => `${generation}세대 ${rank}위`;
+
+/** Whom one followed until then. @param {Anatomy} anatomy @param {string} name */
+export const fallenText = ({ record, method }, name) =>
+  `여기까지 보던 ${name}: ${record.generation - 1}세대에서 ${method === 'ep' ? '탈락' : '버려짐'}`;
+
+/** Of the pictures beside k and σ. */
+export const bellsText = '종 모양: 자손의 이득이 놓일 법한 곳, 세 이득에 같은 눈금';
 
 export const commonText = ': 세 σ에 공통인 난수 N';
 export const crossedWith = '교차 상대: ';

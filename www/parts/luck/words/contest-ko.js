@@ -144,6 +144,9 @@ export const contestColumns = [
   },
   { text: 'p', hint: '같은 순서로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정' },
 ];
+/** The columns in a line; their hints have it in full. */
+export const columnsText =
+  'ERT: 성공 하나당 주행 횟수. A12: 이긴 쌍의 비율. p: 둘이 같아도 이만큼 다를 확률.';
 /** @param {number} reached @param {number} count */
 export const reachedText = (reached, count) => `${reached}/${count}`;
 

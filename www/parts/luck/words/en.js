@@ -15,7 +15,7 @@ export const texts = {
   luckGenerations: 'How many generations',
   luckTable: 'Table and CSV',
   luckProgress: 'Seeds that have run',
-  luckCurve: 'Best J so far: median and quartiles',
+  luckCurve: 'Best J so far over the generations: median and quartiles',
   luckLog: 'log',
   luckGainsTitle: 'Gains in the end: a dot a seed',
   luckMedian: 'median',
@@ -92,6 +92,8 @@ export const paperLine = 'paper’s EP';
 export const paperSign = ', ◇ paper’s EP';
 export const evolutionHead = 'evolution';
 export const randomHead = 'random';
+/** Where no seed has run yet. */
+export const expectedText = 'Here will stand the median of all seeds, and beside it a dot for each.';
 export const generationAxis = 'generation';
 /** @param {number} lowest */
 export const distanceAxis = (lowest) => `J above ${costText(lowest)}, the lowest of all`;

@@ -16,7 +16,7 @@ export const texts = {
   luckGenerations: '세대 수',
   luckTable: '표와 CSV',
   luckProgress: '끝난 시드',
-  luckCurve: '지금까지의 최소 J: 중앙값과 사분위수',
+  luckCurve: '세대별 지금까지의 최소 J: 중앙값과 사분위수',
   luckLog: '로그',
   luckGainsTitle: '마지막 이득: 점 하나가 시드 하나',
   luckMedian: '중앙값',
@@ -83,6 +83,8 @@ export const paperLine = '논문 EP';
 export const paperSign = ', ◇ 논문의 EP';
 export const evolutionHead = '진화';
 export const randomHead = '무작위';
+/** Where no seed has run yet. */
+export const expectedText = '여기에 모든 시드의 중앙값이 나타나고, 그 옆에 시드마다 점이 하나씩 놓입니다.';
 export const generationAxis = '세대';
 /** @param {number} lowest */
 export const distanceAxis = (lowest) => `J − ${costText(lowest)}(전체 최소)`;
