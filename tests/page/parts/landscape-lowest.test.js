@@ -6,7 +6,7 @@ import { isInSlice, linearRange } from '../../../www/parts/landscape/request.js'
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import { legendOf, noteText } from '../../../www/parts/landscape/told.js';
 import words from '../../../www/parts/landscape/words/index.js';
-import { engineTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
