@@ -58,3 +58,15 @@ test('pinned runs are read on every ground, and the first looks like no other co
       );
   }
 });
+
+test('what is not reached on a map is no bright area in the dark, and what stands on it is read', () => {
+  for (const [css, isDark] of /** @type {const} */ ([
+    [lit, false],
+    [dark.split('@media')[0], true],
+  ])) {
+    const colours = coloursOf(css);
+    const of = (/** @type {string} */ name) => /** @type {number[]} */ (colours.get(name));
+    assert.ok(contrast(of('unreached'), of('on-unreached')) >= 4.9);
+    if (isDark) assert.ok(contrast(of('unreached'), of('ink')) > 4.5, 'in the dark it is no bright area');
+  }
+});
