@@ -1,7 +1,7 @@
 // The colours of the theme in style.css, read once for all that is drawn with them.
 
 const tokens = [
-  ...['paper', 'panel', 'hairline', 'ink', 'muted', 'unreached', 'error'],
+  ...['paper', 'panel', 'hairline', 'ink', 'muted', 'unreached', 'on-unreached', 'error'],
   ...['x', 'y', 'theta', 'energy', 'omega', 'path', 'final'],
   ...['pin-1', 'pin-2', 'pin-3', 'pin-4'],
 ].map((name) => `--${name}`);

@@ -6,7 +6,7 @@ import { isInSlice, linearRange } from '../../../www/parts/landscape/request.js'
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import { legendOf, noteText } from '../../../www/parts/landscape/told.js';
 import words from '../../../www/parts/landscape/words/index.js';
-import { engineTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
@@ -151,3 +151,15 @@ engineTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest('in the sentences of the landscape the gains are written as in formulas', async (page) => {
+  await page.open('#landscape');
+  await page.until('the lowest point is told', () => document.querySelector('#landscape-lowest .symbol'));
+  const written = await page.evaluate(() =>
+    ['lowest', 'readout', 'method'].map((id) =>
+      [...document.querySelectorAll(`#landscape-${id} .symbol`)].map(({ className }) => className),
+    ),
+  );
+  const all = ['symbol kx', 'symbol ky', 'symbol ktheta'];
+  assert.deepEqual(written, [all, all, ['symbol ky']]);
+});

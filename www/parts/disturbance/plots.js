@@ -4,20 +4,21 @@
 /** @import { PartName } from './summary.js' */
 import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
-import { createLayer } from '../../kit/canvas.js';
+import { createLayer, fillTextWithHalo } from '../../kit/canvas.js';
 import { drawCursorDot, drawCursorLine, pointsOf, through } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { largest } from '../../kit/extent.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
+import { typed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { parts } from './summary.js';
 
 /** @typedef {{ measured: Measured, time: number, theme: number }} PlotsModel */
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
-const margin = { left: 36, right: 8, top: 5 };
+const margin = { left: 44, right: 8, top: 5 };
 /** Below this the axis is nearly even, above it nearly logarithmic. */
 const evenUpTo = 0.01;
 const decades = [0, 0.01, 0.1, 1, 10, 100, 1000];
@@ -84,15 +85,7 @@ function drawLines(context, axes, measured, part, isLast) {
   const since = axes.x(axes.horizon - spec.seconds);
   context.fillStyle = colour('--panel');
   context.fillRect(since, frame.top, frame.right - since, frame.bottom - frame.top);
-  drawAxes(context, axes, isLast ? spec.seconds : null);
-  if (isLast) {
-    context.textAlign = 'center';
-    const text = words.lastText(spec.seconds);
-    // Narrow, it would be cut at the edge.
-    const half = context.measureText(text).width / 2;
-    const px = Math.min((since + frame.right) / 2, frame.right + margin.right - half);
-    context.fillText(text, px, frame.bottom + 12);
-  }
+  drawAxes(context, axes, measured.disturbed.sets[part][0], isLast);
   drawSet(context, axes, measured, part);
 
   context.lineJoin = 'round';
@@ -108,10 +101,40 @@ function drawLines(context, axes, measured, part, isLast) {
   context.beginPath();
   trace(context, axes, runs[0].time, runs[0][part]);
   context.stroke();
+  if (part === 'x') nameLast(context, frame, since, words.lastText(spec.seconds));
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number | null} seconds At the end of the time axis, if there is one. */
-function drawAxes(context, axes, seconds) {
+/** What the last seconds are called, in their band. @param {CanvasRenderingContext2D} context @param {Axes['frame']} frame @param {number} since @param {string} text */
+function nameLast(context, { right, top }, since, text) {
+  context.textAlign = 'center';
+  context.textBaseline = 'top';
+  // Narrow, it would be cut at the edge.
+  const half = context.measureText(text).width / 2;
+  const px = Math.min((since + right) / 2, right - half - 2);
+  fillTextWithHalo(context, text, px, top + 2, {
+    fill: colour('--muted'),
+    halo: colour('--panel'),
+    width: 3,
+  });
+}
+
+/** Where the numbers of an axis stand: that of the bound first, and no two on each other. @param {Axes} axes @param {number} bound @returns {{ text: string, place: number }[]} */
+function numbersOf({ y, frame }, bound) {
+  const most = y.domain()[1];
+  const isSmall = bound > most || Number(typed(bound, 3)) === 0;
+  const wanted = [...(isSmall ? [] : [bound]), ...decades.filter((one) => one <= most)];
+  /** @type {{ text: string, place: number }[]} */
+  const numbers = [];
+  for (const value of wanted) {
+    const place = Math.max(frame.top + 5, Math.min(y(value), frame.bottom - 5));
+    if (numbers.every((other) => Math.abs(other.place - place) >= labelHeight))
+      numbers.push({ text: value > 0 && value === bound ? typed(bound, 3) : String(value), place });
+  }
+  return numbers;
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} bound Of the set. @param {boolean} isLast With the numbers of time. */
+function drawAxes(context, axes, bound, isLast) {
   const { frame } = axes;
   context.font = textFont;
   context.fillStyle = colour('--muted');
@@ -120,24 +143,18 @@ function drawAxes(context, axes, seconds) {
   context.textAlign = 'right';
   context.textBaseline = 'middle';
   context.beginPath();
-  let free = Number.POSITIVE_INFINITY;
   for (const value of decades.filter((one) => one <= axes.y.domain()[1])) {
     const py = Math.round(axes.y(value)) + 0.5;
     context.moveTo(frame.left, py);
     context.lineTo(frame.right, py);
-    const place = Math.min(py, frame.bottom - 5);
-    if (place > free) continue;
-    context.fillText(String(value), frame.left - 6, place);
-    free = place - labelHeight;
   }
+  for (const { text, place } of numbersOf(axes, bound)) context.fillText(text, frame.left - 6, place);
   context.textAlign = 'center';
-  for (const time of axes.x.ticks(5)) {
+  for (const time of axes.x.ticks(frame.right - frame.left < 200 ? 2 : 5)) {
     const px = Math.round(axes.x(time)) + 0.5;
     context.moveTo(px, frame.top);
     context.lineTo(px, frame.bottom);
-    // Not into what is written at the end.
-    if (seconds !== null && px < axes.x(axes.horizon - seconds) - 34)
-      context.fillText(`${time} s`, px, frame.bottom + 12);
+    if (isLast) context.fillText(`${time} s`, Math.min(px, frame.right - 8), frame.bottom + 12);
   }
   context.stroke();
 }

@@ -96,16 +96,28 @@ function sight(landscape, { spec, isTyping, readout, lowest, legend }, on) {
       <label>↑ ${axisChoice('y', landscape, texts.landscapeUp, on)}</label>
       ${thirdGain(landscape, spec.third, isTyping, on)}
     </div>
-    ${legend ? html`<p id="landscape-method" class="muted">${legend}</p>` : nothing}
+    ${legend ? html`<p id="landscape-method" class="muted">${withSymbols(legend)}</p>` : nothing}
     <div id="landscape-map" class="map layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
       aria-label=${words.mapLabel} aria-describedby="landscape-readout">
       <canvas id="landscape-picture" aria-hidden="true"></canvas>
       <canvas id="landscape-marks" aria-hidden="true"></canvas>
     </div>
     <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
-    <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${lowestText(lowest)}` : nothing}</p>
-    <p id="landscape-readout" class="readout" aria-live="polite">${readout}</p>`;
+    <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${withSymbols(lowestText(lowest))}` : nothing}</p>
+    <p id="landscape-readout" class="readout" aria-live="polite">${withSymbols(readout)}</p>`;
 }
+
+/** The gain's letter in its colour, as in formulas. @param {typeof lab.gains[number]} gain */
+const symbolOf = ({ id, letter, index }) =>
+  html`<span class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>`;
+
+const names = new RegExp(`(${lab.gains.map(({ name }) => name).join('|')})`);
+/** A sentence in which each gain is written so. @param {string} text */
+const withSymbols = (text) =>
+  text.split(names).map((piece) => {
+    const gain = lab.gains.find(({ name }) => name === piece);
+    return gain ? symbolOf(gain) : piece;
+  });
 
 /** The mark of the lowest point, as the map has it. */
 const signOf = () =>

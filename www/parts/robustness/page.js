@@ -1,4 +1,5 @@
 // The part of the page that shows from where one set of gains arrives, and what its controls do.
+/** @import { Run } from '../../core/engine.js' */
 /** @import { Page, Tools } from '../part.js' */
 /** @import { Actions } from '../../run/actions/actions.js' */
 /** @import { Scene } from '../../run/scene.js' */
@@ -16,6 +17,7 @@ import { createSection } from '../section.js';
 import { followKeys, followPointing, pointIn } from '../../kit/map.js';
 import { once, remember } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
+import { areShown, createDrives } from './drives.js';
 import { angleOf, cellNear, gridAround, headings, nextHeading, placeOf, startOf } from './grid.js';
 import { createSight } from './sight.js';
 import { createLegend } from './legend.js';
@@ -34,6 +36,7 @@ export function createPage({ engine, store, actions, paper }) {
   const shadingOf = remember(createShading);
   const emptyGrid = remember(gridAround);
   const partsOf = remember(partsOfRose);
+  const drivesOf = createDrives(engine, store.redraw);
   const angle = remember((/** @type {number | null} */ heading) =>
     heading === null ? null : angleOf(heading),
   );
@@ -43,7 +46,7 @@ export function createPage({ engine, store, actions, paper }) {
     element,
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
-      const { survey, heading, quantity, half, cursor } = robustnessSlice.of(state);
+      const { survey, heading, quantity, half, cursor, lit } = robustnessSlice.of(state);
       const spec = specOf(state, state.driver);
       const rivalSpec = rivalSpecOf(state, scene.comparisonDriver);
       requests.follow(spec, rivalSpec, state.dragging);
@@ -53,6 +56,10 @@ export function createPage({ engine, store, actions, paper }) {
       const watched = endsOf(state).start;
       const grid = survey?.grid ?? emptyGrid(state.experiment.goal, half, 2);
       const shading = survey && shadingOf(survey, quantity, heading);
+      const cell = cellNear(grid, cursor ?? watched);
+      const isPointed = survey !== null && (cursor !== null || lit !== null);
+      const nextOf = () => (isPointed ? (heading ?? nextHeading(survey, cell, watched)) : null);
+      const shown = lit ?? nextOf();
       map.draw({
         grid,
         shading,
@@ -61,13 +68,15 @@ export function createPage({ engine, store, actions, paper }) {
         starts: state.experiment.starts,
         watched,
         run: scene.driving,
-        cursor,
+        cell: cursor && cell,
+        drives: isPointed && areShown(survey.spec.experiment) ? drivesOf(survey.spec, grid, cell) : noDrives,
+        lit: shown,
         size: size(),
         theme: state.theme,
       });
       if (shading) legend.draw({ shading, quantity, heading, theme: state.theme });
-      const cell = cellNear(grid, cursor ?? watched);
-      rose.draw({ heading, parts: survey && shading ? partsOf(survey, shading, quantity, cell) : noParts });
+      const parts = survey && shading ? partsOf(survey, shading, quantity, cell) : noParts;
+      rose.draw({ heading, lit: shown, parts });
     },
   };
 }
@@ -87,12 +96,15 @@ function createViews(element, store, actions) {
     rose: createRose(byIdIn(element, 'robustness-rose'), {
       chosen: () => robustnessSlice.of(store.get()).heading,
       onChoose: (heading) => robustnessSlice.update(store, { heading }),
+      onPoint: (lit) => robustnessSlice.update(store, { lit }),
     }),
   };
 }
 
 /** @type {(number | null)[]} */
 const noParts = Array(headings).fill(null);
+/** @type {Run[]} */
+const noDrives = [];
 
 /** Of each heading of a cell the part of the scale. @param {Survey} survey @param {Shading} shading @param {Quantity} quantity @param {number} cell */
 function partsOfRose({ runs }, shading, quantity, cell) {
@@ -128,6 +140,11 @@ function followCursor(element, store, actions, size) {
   };
   element.addEventListener('click', (event) => driveFrom(at(event)));
   followPointing(element, (event) => put(event && at(event)));
+  // A finger rests on a cell before it is lifted, and then the robot drives.
+  for (const kind of /** @type {const} */ (['pointerdown', 'pointermove']))
+    element.addEventListener(kind, (event) => {
+      if (event.pointerType === 'touch') put(at(event));
+    });
   followKeys(element, {
     onEnter: () => driveFrom(own().cursor ?? watched()),
     onEscape: () => put(null),

@@ -1,26 +1,32 @@
 // The headings of one place as a rose: which of them arrive; and a dial that chooses one.
 import { html, render, svg } from 'lit-html';
-import { followHeld, followKeys, pointIn } from '../../kit/map.js';
+import { followHeld, followKeys, followPointing, pointIn } from '../../kit/map.js';
 import { shadeAt } from '../../kit/shades.js';
 import { styled } from '../../kit/templates.js';
 import { once, watch } from '../../kit/memo.js';
 import words from './words/index.js';
 import { angleOf, headingNear, headings } from './grid.js';
 
-/** @typedef {{ heading: number | null, parts: readonly (number | null)[] }} RoseModel Of each heading the part of the scale; null where it does not arrive. */
+/** @typedef {{ heading: number | null, lit: number | null, parts: readonly (number | null)[] }} RoseModel Of each heading the part of the scale; null where it does not arrive; the path of the one that is lit is drawn on the map. */
 
 const radius = { inner: 24, outer: 52, reach: 60 };
 
-/** @param {HTMLElement} root @param {{ chosen: () => number | null, onChoose: (heading: number | null) => void }} events `chosen` is the newest, which may not be drawn yet. */
-export function createRose(root, { chosen, onChoose }) {
+/** @param {HTMLElement} root @param {{ chosen: () => number | null, onChoose: (heading: number | null) => void, onPoint: (heading: number | null) => void }} events `chosen` is the newest, which may not be drawn yet. */
+export function createRose(root, { chosen, onChoose, onPoint }) {
   root.setAttribute('aria-label', words.roseLabel(360 / headings));
   root.setAttribute('aria-valuemin', '0');
   root.setAttribute('aria-valuemax', String(360 - 360 / headings));
-  followHeld(root, (event) => {
+  /** @param {PointerEvent} event */
+  const headingAt = (event) => {
     const [x, y] = pointIn(root, event);
     const [ahead, up] = [x - root.clientWidth / 2, root.clientHeight / 2 - y];
-    if (Math.hypot(ahead, up) > 6) onChoose(headingNear(Math.atan2(up, ahead)));
+    return Math.hypot(ahead, up) > 6 ? headingNear(Math.atan2(up, ahead)) : null;
+  };
+  followHeld(root, (event) => {
+    const heading = headingAt(event);
+    if (heading !== null) onChoose(heading);
   });
+  followPointing(root, (event) => onPoint(event && headingAt(event)));
   followKeys(root, {
     onEscape: () => onChoose(null),
     // Headings are counted to the left.
@@ -30,17 +36,17 @@ export function createRose(root, { chosen, onChoose }) {
   const changed = watch();
   return {
     /** @param {RoseModel} model */
-    draw({ heading, parts }) {
-      if (!changed(heading, ...parts)) return;
-      render(sight(heading, parts), root);
+    draw({ heading, lit, parts }) {
+      if (!changed(heading, lit, ...parts)) return;
+      render(sight(heading, lit, parts), root);
       root.setAttribute('aria-valuenow', String(((heading ?? 0) * 360) / headings));
       root.setAttribute('aria-valuetext', words.headingText(heading === null ? null : angleOf(heading)));
     },
   };
 }
 
-/** @param {number | null} heading @param {RoseModel['parts']} parts */
-function sight(heading, parts) {
+/** @param {number | null} heading @param {number | null} lit @param {RoseModel['parts']} parts */
+function sight(heading, lit, parts) {
   const hand = svg`<path class="hand" d="M18 0L-13 12L-6 0L-13 -12Z" transform="rotate(${(-angleOf(heading ?? 0) * 180) / Math.PI})"></path>`;
   const all = svg`<text text-anchor="middle" dominant-baseline="central">${words.allShort}</text>`;
   return html`
@@ -48,7 +54,7 @@ function sight(heading, parts) {
       <circle class="ring" r=${radius.reach} cx="0" cy="0"></circle>
       ${parts.map(
         (part, i) =>
-          svg`<path d=${petalsOf()[i]} class=${i === heading ? 'chosen' : ''} ${styled('fill', part === null ? 'none' : shadeAt(part))}></path>`,
+          svg`<path d=${petalsOf()[i]} class=${i === heading ? 'chosen' : i === lit ? 'lit' : ''} ${styled('fill', part === null ? 'none' : shadeAt(part))}></path>`,
       )}
       ${heading === null ? all : hand}
     </svg>`;

@@ -9,6 +9,7 @@ import { halves, robustnessSlice } from './state.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { options, valueIn } from '../../kit/templates.js';
 import { showTable } from '../../lab/table-sheet.js';
+import { areShown } from './drives.js';
 import { robustnessTable } from './table.js';
 import { watch } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
@@ -28,7 +29,7 @@ import {
 
 const { texts } = words;
 
-/** @typedef {{ note: string, share: string, summary: string, sides: string, rival: string, readout: string }} Texts */
+/** @typedef {{ note: string, share: string, summary: string, sides: string, rival: string, readout: string, withLines: boolean }} Texts */
 
 /** What stands around the map, drawn when it is another. @param {HTMLElement} element @param {Store} store */
 export function createSight(element, store) {
@@ -70,6 +71,7 @@ export function createSight(element, store) {
       note: noteText(own, spec),
       rival: words.rivalText(nameOf(comparisonDriver), rival?.spec === rivalSpec ? rival.tally.share : null),
       readout: readoutText(state, scene),
+      withLines: areShown(spec.experiment),
     };
     render(sight(own, shown, on), element);
   };
@@ -118,7 +120,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
         <div id="robustness-legend" class="survey-legend" data-picture="robustness"></div>
       </div>
     </div>
-    <p class="survey-ring">${words.ring(headings)}</p>
+    <p class="survey-ring">${words.ring(headings, shown.withLines)}</p>
     <p id="robustness-sides" class="visually-hidden">${shown.sides}</p>
     <p id="robustness-readout" class="readout" aria-live="polite">${shown.readout}</p>`;
 }

@@ -8,6 +8,7 @@ import { createSlice } from '../../run/store.js';
  * @property {typeof quantities[number]} quantity
  * @property {number | null} heading Its index; null: all of them together.
  * @property {{ x: number, y: number } | null} cursor Metres.
+ * @property {number | null} lit The heading that one points at on the dial.
  * @property {Survey | null} survey
  * @property {Survey | null} rival The same starts with the gains that are compared.
  * @property {string} message
@@ -25,9 +26,10 @@ export const robustnessSlice = createSlice(
     quantity: 'share',
     heading: null,
     cursor: null,
+    lit: null,
     survey: null,
     rival: null,
     message: '',
   }),
-  ['cursor'],
+  ['cursor', 'lit'],
 );

@@ -12,7 +12,7 @@ import { colour } from '../../kit/palette.js';
 import { watch } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import words from './words/index.js';
-import { cellNear, startOf } from './grid.js';
+import { startOf } from './grid.js';
 
 /**
  * @typedef {object} MapModel
@@ -23,15 +23,22 @@ import { cellNear, startOf } from './grid.js';
  * @property {readonly Posture[]} starts Those of the experiment.
  * @property {Posture} watched The start of the run.
  * @property {Run} run
- * @property {{ x: number, y: number } | null} cursor
+ * @property {number | null} cell Where the cursor is.
+ * @property {readonly Run[]} drives From where one points, one for each heading.
+ * @property {number | null} lit Which of them stands out.
  * @property {{ width: number, height: number }} size
  * @property {number} theme
  */
 
-const margin = { left: 34, right: 8, top: 8, bottom: 26 };
+/** Where the map is large its axes have names. @param {MapModel['size']} size */
+const marginIn = ({ width, height }) =>
+  Math.min(width, height) < 300
+    ? { left: 34, right: 8, top: 8, bottom: 26, isNamed: false }
+    : { left: 52, right: 8, top: 8, bottom: 44, isNamed: true };
 
 /** Metres in pixels, the same on both axes; the middles of the outer cells are half a cell inside. @param {Pick<MapModel, 'grid' | 'size'>} model */
 export function axesOf({ grid, size }) {
+  const margin = marginIn(size);
   const side = Math.max(
     40,
     Math.min(size.width - margin.left - margin.right, size.height - margin.top - margin.bottom),
@@ -47,6 +54,7 @@ export function axesOf({ grid, size }) {
   return {
     frame,
     side,
+    isNamed: margin.isNamed,
     cell: side / grid.x.count,
     x: axis(grid.x, [frame.left, frame.right]),
     y: axis(grid.y, [frame.bottom, frame.top]),
@@ -64,7 +72,7 @@ export function createMap({ picture, marks }) {
   return {
     /** @param {MapModel} model */
     draw(model) {
-      const { grid, shading, heading, goal, starts, watched, run, cursor, size, theme } = model;
+      const { grid, shading, heading, goal, starts, watched, run, cell, drives, lit, size, theme } = model;
       if (size.width === 0) return;
       const axes = axesOf(model);
       if (pictureChanged(grid, shading, size, theme)) {
@@ -73,7 +81,7 @@ export function createMap({ picture, marks }) {
           drawAxes(context, axes);
         });
       }
-      if (marksChanged(grid, goal, starts, watched, run, cursor, heading, size, theme)) {
+      if (marksChanged(grid, goal, starts, watched, run, cell, drives, lit, heading, size, theme)) {
         over.draw(size, (context) => drawMarks(context, axes, model));
       }
     },
@@ -90,7 +98,7 @@ export function hatch(context) {
   const edge = tile.width;
   on.fillStyle = colour('--unreached');
   on.fillRect(0, 0, edge, edge);
-  on.strokeStyle = dark;
+  on.strokeStyle = colour('--on-unreached');
   on.globalAlpha = 0.45;
   on.lineWidth = pixels * 0.8;
   on.beginPath();
@@ -118,7 +126,7 @@ function drawCells(context, { values, part }, { frame, side }) {
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes */
-function drawAxes(context, { frame, side, x, y }) {
+function drawAxes(context, { frame, side, isNamed, x, y }) {
   drawFrame(context, frame);
   context.font = textFont;
   context.fillStyle = colour('--muted');
@@ -128,22 +136,34 @@ function drawAxes(context, { frame, side, x, y }) {
   const digits = Math.abs((x.ticks(ticks)[1] ?? 1) % 1) > 1e-9 ? 1 : 0;
   for (const [i, tick] of x.ticks(ticks).entries()) {
     const last = i === x.ticks(ticks).length - 1;
-    const text = last ? words.metres(fixed(tick, digits)) : fixed(tick, digits);
+    const text = last && !isNamed ? words.metres(fixed(tick, digits)) : fixed(tick, digits);
     context.fillText(text, Math.min(x(tick), frame.right - 10), frame.bottom + 7);
   }
   context.textBaseline = 'middle';
   context.textAlign = 'right';
   for (const tick of y.ticks(ticks))
     context.fillText(fixed(tick, digits), frame.left - 8, Math.max(y(tick), frame.top + 6));
+  if (isNamed) nameAxes(context, frame);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes['frame']} frame */
+function nameAxes(context, { left, right, top, bottom }) {
+  context.textAlign = 'center';
+  context.textBaseline = 'bottom';
+  context.fillText(words.axisName('x'), (left + right) / 2, bottom + 42);
+  context.translate(left - 34, (top + bottom) / 2);
+  context.rotate(-Math.PI / 2);
+  context.fillText(words.axisName('y'), 0, 0);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {MapModel} model */
-function drawMarks(context, axes, { grid, goal, starts, watched, run, cursor, heading }) {
+function drawMarks(context, axes, { grid, goal, starts, watched, run, cell: at, drives, lit, heading }) {
   const { frame, cell, x, y } = axes;
   within(context, frame, () => {
     context.lineJoin = 'round';
     context.lineCap = 'round';
-    drawWay(context, axes, run);
+    drawWay(context, axes, run, [light, 4], [dark, 2]);
+    drawDrives(context, axes, drives, lit);
     for (const start of starts) {
       if (start === watched) continue;
       arrow(context, axes, start, { fill: light, line: dark, size: 9 });
@@ -154,19 +174,35 @@ function drawMarks(context, axes, { grid, goal, starts, watched, run, cursor, he
       nameBeside(context, frame, name, Math.max(x(posture.x), frame.left), y(posture.y) + 14, 14);
     label(goal, words.goal);
     for (const start of starts) label(start, words.ownStart);
-    if (cursor) {
-      const at = startOf(grid, cellNear(grid, cursor), 0);
+    if (at !== null) {
+      const place = startOf(grid, at, 0);
       const size = Math.max(cell, 9);
       context.beginPath();
-      context.rect(x(at.x) - size / 2, y(at.y) - size / 2, size, size);
+      context.rect(x(place.x) - size / 2, y(place.y) - size / 2, size, size);
       strokeTwice(context, [dark, 4], [light, 2]);
     }
     if (heading !== null) drawHeading(context, frame, heading);
   });
 }
 
-/** Where the run that is watched goes. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Run} run */
-function drawWay(context, { x, y }, run) {
+/** On the shades, which are the same in both themes. */
+const missing = '#b3261e';
+
+/** Those that miss first, then those that arrive, and the one that stands out on top. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {readonly Run[]} drives @param {number | null} lit */
+function drawDrives(context, axes, drives, lit) {
+  const rank = (/** @type {number} */ i) => (i === lit ? 2 : Number(drives[i].arrived));
+  for (const i of [...drives.keys()].sort((a, b) => rank(a) - rank(b))) {
+    const wide = i === lit ? 1.5 : 0;
+    const { arrived } = drives[i];
+    context.setLineDash(arrived ? [] : [7, 5]);
+    if (arrived) drawWay(context, axes, drives[i], [dark, 3 + wide], [light, 1.5 + wide]);
+    else drawWay(context, axes, drives[i], [light, 3 + wide], [missing, 1.5 + wide]);
+  }
+  context.setLineDash([]);
+}
+
+/** Where a robot goes. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Run} run @param {readonly [string, number]} wide @param {readonly [string, number]} narrow */
+function drawWay(context, { x, y }, run, wide, narrow) {
   context.beginPath();
   let [px, py] = [Number.NaN, Number.NaN];
   for (let i = 0; i < run.x.length; i += 1) {
@@ -175,7 +211,7 @@ function drawWay(context, { x, y }, run) {
     context.lineTo(nx, ny);
     [px, py] = [nx, ny];
   }
-  strokeTwice(context, [light, 4], [dark, 2]);
+  strokeTwice(context, wide, narrow);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Posture} posture @param {{ fill: string, line: string, size: number }} look */

@@ -18,7 +18,7 @@ import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { isFree } from '../../run/guard.js';
-import { createPicture } from './picture.js';
+import { createPicture, signs } from './picture.js';
 import { changesOf, createTraining, evolvedFor, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
 import { seedCount } from './spread.js';
@@ -230,9 +230,13 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <canvas id="training-unseen" role="application" tabindex="0" aria-describedby="training-readout" aria-label=${words.pictureLabel(titles[1])}></canvas>
     </div>
     <p id="training-readout" class="visually-hidden" aria-live="polite">${readout}</p>
-    <p id="training-key" class="muted training-key" data-picture="training">${words.key(
+    <p id="training-key" class="muted training-key" data-picture="training">${sign('arrives')} ${words.signs.arrives} ${sign('misses')} ${words.signs.misses} ${words.key(
       unseenCount,
       unseenRadius,
       experiment.horizon,
     )}</p>`;
 }
+
+/** @param {keyof typeof signs} name */
+const sign = (name) =>
+  html`<svg class="training-sign ${name}" viewBox="-11 -11 22 22" aria-hidden="true"><path d=${signs[name]}></path></svg>`;

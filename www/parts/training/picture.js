@@ -1,4 +1,4 @@
-// A picture of starts around the goal: filled where the robot arrives, open where it does not.
+// A picture of starts around the goal: filled where the robot arrives, red and without a tail where it does not.
 /** @import { Posture } from '../../core/engine.js' */
 import { createLayer, strokeTwice } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
@@ -95,22 +95,21 @@ const isSame = (a, b) => b !== null && a.x === b.x && a.y === b.y && a.theta ===
  * @param {{ scale: number, at: (posture: Posture) => { px: number, py: number } }} place
  */
 function drawStarts(context, { starts, arrived, goal, tried }, { scale, at }) {
-  const [ink, muted, paper] = ['--ink', '--muted', '--paper'].map(colour);
+  const [ink, muted, paper, error] = ['--ink', '--muted', '--paper', '--error'].map(colour);
+  const isCrowded = starts.length > 100;
   // As large as fits, so that one does not hide the next.
-  const size = starts.length > 100 ? Math.max(2.6, 0.095 * scale) : Math.max(6, 0.22 * scale);
+  const size = isCrowded ? Math.max(2.6, 0.1 * scale) : Math.max(6, 0.22 * scale);
   context.lineJoin = 'round';
   for (const [i, start] of starts.entries()) {
     const { px, py } = at(start);
-    kite(context, px, py, start.theta, size);
-    if (arrived?.[i]) {
-      context.fillStyle = ink;
-      context.fill();
-    } else {
-      context.strokeStyle = muted;
-      context.lineWidth = starts.length > 100 ? 0.6 : 1.25;
-      context.globalAlpha = starts.length > 100 ? 0.75 : 1;
+    if (arrived && !arrived[i]) chevron(context, px, py, start.theta, size);
+    else kite(context, px, py, start.theta, size);
+    context.fillStyle = ink;
+    if (arrived?.[i]) context.fill();
+    else {
+      context.strokeStyle = arrived ? error : muted;
+      context.lineWidth = isCrowded ? Math.max(0.75, size / 4) : 1.5;
       context.stroke();
-      context.globalAlpha = 1;
     }
   }
   const { px, py } = at(goal);
@@ -127,3 +126,15 @@ function drawStarts(context, { starts, arrived, goal, tried }, { scale, at }) {
   context.arc(place.px, place.py, size + 5, 0, 2 * Math.PI);
   strokeTwice(context, [paper, 5], [ink, 2]);
 }
+
+/** The tip of a kite alone. @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {number} theta @param {number} size */
+function chevron(context, px, py, theta, size) {
+  const [c, s] = [Math.cos(theta) * size, -Math.sin(theta) * size];
+  context.beginPath();
+  context.moveTo(px - 0.75 * c - 0.68 * s, py - 0.75 * s + 0.68 * c);
+  context.lineTo(px + c, py + s);
+  context.lineTo(px - 0.75 * c + 0.68 * s, py - 0.75 * s - 0.68 * c);
+}
+
+/** What its two signs look like, in a square of 20. */
+export const signs = { arrives: 'M10 0L-7.5 6.8L-3.5 0L-7.5 -6.8Z', misses: 'M-7.5 6.8L10 0L-7.5 -6.8' };

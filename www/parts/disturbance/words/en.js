@@ -51,7 +51,7 @@ export const captionText = (seconds) => `largest of the last ${sixDigits(seconds
 export const legend = {
   drive: 'this drive',
   others: `other starts, largest of each ${crestSeconds} s`,
-  set: 'set of Theorem 2: outside all three, V̇ < 0',
+  set: 'set of Theorem 2, (6) to (8): outside all three, V̇ < 0',
 };
 export const equationHints = {
   x: 'ε1 / kx',

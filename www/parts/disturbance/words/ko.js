@@ -48,7 +48,7 @@ export const captionText = (seconds) => `마지막 ${sixDigits(seconds)}초의 �
 export const legend = {
   drive: '이 주행',
   others: `다른 출발점, ${crestSeconds}초마다의 최댓값`,
-  set: '정리 2의 집합: 셋 모두의 밖에서 V̇ < 0',
+  set: '정리 2의 집합 (6)~(8): 셋 모두의 밖에서 V̇ < 0',
 };
 export const equationHints = {
   x: 'ε1 / kx',

@@ -64,8 +64,13 @@ export const roseLabel = (step) =>
 /** @param {number | null} angle */
 export const headingText = (angle) => (angle === null ? 'all headings' : degrees(angle));
 export const allShort = 'all';
-/** What the ring shows. @param {number} headings */
-export const ring = (headings) => `The ring: ${headings} headings at one place. Empty: it does not arrive.`;
+/** What the ring shows, and the lines where one points. @param {number} headings @param {boolean} withLines */
+export const ring = (headings, withLines) =>
+  withLines
+    ? `Ring and lines: the ${headings} headings of one place. Empty or dashed: it does not arrive.`
+    : `The ring: ${headings} headings at one place. Empty: it does not arrive.`;
+/** @param {'x' | 'y'} axis */
+export const axisName = (axis) => `${axis} of the start (m)`;
 
 /** @param {Quantity} quantity @param {boolean} all */
 export const legendTitle = (quantity, all) =>

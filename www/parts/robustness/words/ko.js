@@ -60,8 +60,13 @@ export const roseLabel = (step) =>
 /** @param {number | null} angle */
 export const headingText = (angle) => (angle === null ? '모든 방향각' : degrees(angle));
 export const allShort = '전체';
-/** What the ring shows. @param {number} headings */
-export const ring = (headings) => `고리: 한 곳의 방향각 ${headings}개. 빈칸은 도착하지 못함.`;
+/** What the ring shows, and the lines where one points. @param {number} headings @param {boolean} withLines */
+export const ring = (headings, withLines) =>
+  withLines
+    ? `고리와 선: 한 곳의 방향각 ${headings}개. 빈칸과 점선은 도착하지 못함.`
+    : `고리: 한 곳의 방향각 ${headings}개. 빈칸은 도착하지 못함.`;
+/** @param {'x' | 'y'} axis */
+export const axisName = (axis) => `출발점 ${axis} (m)`;
 
 /** @param {Quantity} quantity @param {boolean} all */
 export const legendTitle = (quantity, all) =>

@@ -75,9 +75,11 @@ export const pictureLabel = (title) =>
 /** @param {import('../../../core/engine.js').Posture} start @param {string} outcome */
 export const readout = (start, outcome) => `From ${postureText(start)}: the robot ${outcome}.`;
 
+export const signs = { arrives: 'Filled arrives,', misses: 'red and open does not.' };
+
 /** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
 export const key = (count, radius, horizon) =>
-  `Filled arrives, open does not: press one to drive from it. Never seen: ${whole(count)} starts within ${fixed(radius, 0)} m of the goal, any heading. Mean J is over all of them, each stopped at ${Number(horizon.toFixed(3))} s at the latest.`;
+  `Press one to drive from it. Never seen: ${whole(count)} starts within ${fixed(radius, 0)} m of the goal, any heading. Mean J is over all of them, each stopped at ${Number(horizon.toFixed(3))} s at the latest.`;
 
 /** @param {Evolved} evolved */
 export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =>
