@@ -54,7 +54,7 @@ test('the count says whose robots drive', () => {
     ...{ parked: 3, over: false, count: 32, most: 12, population: 20, tolerance: usual.tolerance },
   });
   const said = (/** @type {object} */ other) =>
-    written(sight({ ...model, ...other }, /** @type {any} */ ({ lesson: '', lab: null })));
+    written(sight({ ...model, ...other }, /** @type {any} */ ({ lesson: '', lab: null }), null));
   for (const evolving of [true, false]) {
     const text = said({ evolving });
     assert.ok(text.includes('best robot of generation 7') && !text.includes('with your numbers'), text);
