@@ -52,7 +52,7 @@ export function createPlay(engine, store, paper, task) {
       return;
     }
     const parked = parkedOf(film().drives);
-    if (gains && isOf(gains) && (!best || parked > best.parked)) update({ best: { gains, parked } });
+    if (gains && isOf(gains) && (!best || parked >= best.parked)) update({ best: { gains, parked } });
   }
 
   return {

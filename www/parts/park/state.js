@@ -7,7 +7,7 @@ import { createSlice } from '../../run/store.js';
 /**
  * @typedef {object} ParkState
  * @property {Triple | null} gains By hand; null: nobody has moved a slider.
- * @property {Tried | null} best The best by hand.
+ * @property {Tried | null} best The best by hand, of equals the last.
  * @property {readonly Bred[]} bred What evolution has shown, one a generation.
  * @property {boolean} evolving
  * @property {{ share: number, gains: Triple } | null} between The gains that drive, and how far from the best by hand they are on the way to evolution's; null: others drive.
