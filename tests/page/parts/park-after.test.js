@@ -232,12 +232,19 @@ pageTest(
     await page.open('#park');
     await page.evaluate(() => {
       const frame = document.createElement('iframe');
-      Object.assign(frame, { src: location.href, width: '390', height: '844', frameBorder: '0' });
+      // Without the bar for scrolling, which a telephone has not.
+      Object.assign(frame, {
+        src: location.href,
+        width: '390',
+        height: '844',
+        frameBorder: '0',
+        scrolling: 'no',
+      });
       document.body.append(frame);
     });
     await page.until('the narrow page is ready', () => {
       const inside = document.querySelector('iframe')?.contentDocument;
-      return inside?.documentElement.dataset.ready === 'true' && inside.querySelector('#park-kx');
+      return inside?.documentElement.dataset.ready === 'true' && inside.querySelector('#park-kx') !== null;
     });
     await page.evaluate(() => {
       const inside = /** @type {Document} */ (document.querySelector('iframe')?.contentDocument);
@@ -250,7 +257,7 @@ pageTest(
       const evolve = inside?.querySelector('#park-evolve:not(:disabled)');
       // Of the frame's own kind, not of this page's.
       /** @type {HTMLElement | null | undefined} */ (evolve)?.click();
-      return evolve;
+      return Boolean(evolve);
     });
     const heights = await page.until('evolution has come to its end', () => {
       const inside = /** @type {Document} */ (document.querySelector('iframe')?.contentDocument);
