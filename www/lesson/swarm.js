@@ -94,6 +94,7 @@ function drawYard(context, view, { experiment, runs }, time) {
     theta,
   });
   const isOver = (/** @type {typeof runs[number]} */ run) => time >= restOf(run);
+  const [paper, error] = ['--paper', '--error'].map(colour);
   context.lineWidth = 1 / scale;
   context.save();
   context.transform(scale, 0, 0, -scale, originX, originY);
@@ -107,13 +108,12 @@ function drawYard(context, view, { experiment, runs }, time) {
   context.restore();
   drawBay(context, onCanvas(experiment.goal), car + 4, colour('--ink'));
   for (const run of [...runs].sort((a, b) => Number(a.arrived) - Number(b.arrived))) {
-    const isParked = run.arrived && time >= run.finalTime;
-    const body = colour(isParked ? '--theta' : isOver(run) ? '--error' : '--ink');
-    drawCar(context, onCanvas(postureAt(run, time)), car, {
-      body,
-      wheel: colour('--muted'),
-      nose: colour('--paper'),
-    });
+    const missed = isOver(run) && !run.arrived;
+    // Hollow, as at the parking place, so that not its colour alone tells it.
+    const colours = missed
+      ? { body: paper, wheel: error, nose: error, edge: error }
+      : { body: colour('--ink'), wheel: colour('--muted'), nose: paper };
+    drawCar(context, onCanvas(postureAt(run, time)), car, colours);
   }
 }
 

@@ -1,35 +1,14 @@
 // The first screen: what an address without a part opens, by hand and by evolution, each number from the core.
 import assert from 'node:assert/strict';
-import { Evolution, simulate, startsOnCircle } from '../../../pkg/ep_locomotion.js';
 import { filmOf, isOver, later, parkedBy } from '../../../www/parts/park/film.js';
 import { sight } from '../../../www/parts/park/sight.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
-import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { written } from '../harness/templates.js';
+import { bred, counted, parked, slide, usual } from './parking.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/parts/park/task.js').Drive} Drive */
-
-const usual = experiment('velocity-limits');
-const starts = startsOnCircle({ x: 2, y: 2, radius: 2.83, count: 32, seed: 1 });
-const task = {
-  ...usual,
-  starts,
-  weights: { ...usual.weights, velocity: /** @type {[number, number]} */ ([1, 0.1]) },
-};
-
-/** @param {readonly number[]} gains */
-const parked = (gains) =>
-  starts.filter((start) => simulate({ ...task, starts: [start] }, Float64Array.from(gains)).arrived).length;
-
-/** The first generation of a seed whose best robot parks them all, found in Node. @param {number} seed */
-function bred(seed) {
-  const evolution = new Evolution({ ...task, evolution: { ...task.evolution, seed } });
-  let { generation, best, evaluations } = evolution.statistics();
-  while (parked(best.gains) < 32) ({ generation, best, evaluations } = evolution.step());
-  return { generation, gains: best.gains, cost: best.cost, evaluations };
-}
 
 /** @param {boolean} arrived @param {number} finalTime @returns {Drive} */
 const drive = (arrived, finalTime) => /** @type {any} */ ({ run: { arrived, finalTime } });
@@ -54,36 +33,13 @@ test('the count says whose robots drive', () => {
     ...{ parked: 3, over: false, count: 32, most: 12, population: 20, tolerance: usual.tolerance },
   });
   const said = (/** @type {object} */ other) =>
-    written(sight({ ...model, ...other }, /** @type {any} */ ({ lesson: '', lab: null })));
-  for (const evolving of [true, false]) {
-    const text = said({ evolving });
+    written(sight({ ...model, ...other }, /** @type {any} */ ({ lesson: '', lab: null }), null));
+  for (const state of [{ evolving: true }, { evolving: false }, { over: true }]) {
+    const text = said(state);
     assert.ok(text.includes('best robot of generation 7') && !text.includes('with your numbers'), text);
   }
   assert.ok(said({ isOwn: true }).includes('with your numbers'));
 });
-
-/** @param {Page} page @param {string} gain @param {number} value */
-const slide = (page, gain, value) =>
-  page.evaluate(
-    (id, to) => {
-      const slider = /** @type {HTMLInputElement} */ (document.getElementById(id));
-      slider.value = String(to);
-      slider.dispatchEvent(new Event('input', { bubbles: true }));
-    },
-    `park-${gain}`,
-    value,
-  );
-
-/** How many have parked, once the film has ended. @param {Page} page */
-async function counted(page) {
-  await page.until(
-    'the film has ended',
-    () =>
-      document.querySelector('#park-again[aria-disabled="false"]') &&
-      document.querySelector('#park .primary, #park-lesson'),
-  );
-  return Number(await page.text('#park-count'));
-}
 
 engineTest(
   'an address without a part opens the parking place, where evolution does what no hand does',
@@ -110,7 +66,10 @@ engineTest(
     for (const gain of [...found.gains, 5]) assert.ok(table.includes(gain.toFixed(1)), `${gain} in ${table}`);
     assert.ok(table.includes('32 of 32') && table.includes('22 of 32'), table);
     const climb = (await page.text('.park-climb figcaption')).replaceAll(/\s/g, '');
-    assert.ok(climb.includes(`Generation${found.generation}:32parked·${found.evaluations}drives`), climb);
+    assert.ok(climb.includes(`generation${found.generation}:32parked·${found.evaluations}drives`), climb);
+    const plot = await page.text('.park-climb');
+    for (const label of ['32 parked', '0', 'yours 22'])
+      assert.ok(plot.includes(label), `${label} in ${plot}`);
     assert.deepEqual(await page.problems(), []);
     // Where it leads is in sight on laptops and projectors, without scrolling.
     for (const [width, height] of /** @type {const} */ ([
@@ -135,7 +94,7 @@ pageTest('evolution is stopped by a press, and by a hand on a slider', async (pa
     await page.until('evolution can begin', () => document.querySelector('#park-evolve:not(:disabled)'));
     await page.click('#park-evolve');
     await page.until('generation 1 has come', () =>
-      /Generation [1-9]/.test(document.querySelector('.park-climb figcaption')?.textContent ?? ''),
+      /generation [1-9]/.test(document.querySelector('.park-climb figcaption')?.textContent ?? ''),
     );
     await stop();
     await page.until('it rests', () => document.getElementById('park-lesson'));

@@ -1,36 +1,45 @@
 // The first screen: park them all by hand, then let evolution try.
-/** @import { State } from '../../run/state.js' */
 /** @import { Page, Tools } from '../part.js' */
 import './style.css';
 import { render } from 'lit-html';
 import { create, followSize } from '../../kit/elements.js';
-import { watch } from '../../kit/memo.js';
+import { followKeys } from '../../kit/map.js';
+import { once, watch } from '../../kit/memo.js';
+import { createWaiting } from '../../lab/waiting.js';
 import { isFree } from '../../run/guard.js';
+import { afterWords } from '../../words/pick.js';
 import { createSection } from '../section.js';
+import { load as loadAfter } from './after/words/load.js';
 import { isOver, parkedBy } from './film.js';
 import { createParkPicture } from './picture.js';
 import { createPlay } from './play.js';
 import { heading, sight } from './sight.js';
 import { parkSlice } from './state.js';
-import { createTask, inLab, mostGain } from './task.js';
+import { createTask, inLab, mostGain, parkedOf } from './task.js';
 import words from './words/index.js';
 
 /** @param {Tools} tools @returns {Page} */
-export function createPage({ engine, store, paper, links }) {
+export function createPage(tools) {
+  const { engine, store, paper, links } = tools;
   const task = createTask(engine);
   const element = createSection('park');
-  const plane = create('div', 'park-plane layers');
-  plane.dataset.picture = 'park';
-  plane.dataset.name = words.pictureName;
-  const canvases = Array.from({ length: 3 }, () => document.createElement('canvas'));
-  for (const canvas of canvases) canvas.setAttribute('aria-hidden', 'true');
-  plane.append(...canvases);
-  plane.setAttribute('role', 'img');
+  const { plane, canvases, note } = createPlane();
   const [head, side] = [create('div', 'park-head'), create('div', 'park-side')];
   element.append(head, plane, side);
   const picture = createParkPicture(canvases, task);
   const play = createPlay(engine, store, paper, task);
   const size = followSize(plane, play.request);
+  const later = createLater(element, store.redraw, async () => {
+    const { createAfter } = await afterWords([loadAfter], () => import('./after/page.js'));
+    return createAfter(tools, task, play, { note, side, size });
+  });
+  plane.addEventListener('click', async (event) => {
+    if (event.target instanceof HTMLCanvasElement) (await later.bring())?.press(event);
+  });
+  followKeys(plane, {
+    onStep: async ([right, up]) => (await later.bring())?.step(right - up > 0 ? 1 : -1),
+    onEscape: () => parkSlice.update(store, { looked: null }),
+  });
 
   const changed = watch();
   return {
@@ -38,13 +47,18 @@ export function createPage({ engine, store, paper, links }) {
     draw(state) {
       play.follow();
       const film = play.film();
-      picture({ film, theme: state.theme, size: size() });
-      const { gains, evolving, bred } = parkSlice.of(store.get());
+      const { gains, evolving, bred, looked } = parkSlice.of(store.get());
+      picture({ film, theme: state.theme, size: size(), looked });
+      // Whoever has begun may go on to all the rest.
+      if (gains || bred.length > 0) later.bring();
+      const after = later.there();
       // While generations rush by, what each comes to.
       const parked = evolving ? (bred.at(-1)?.parked ?? 0) : parkedBy(film);
       const model = {
         ...parkSlice.of(state),
         gains: play.gains(),
+        driven: play.driven(),
+        driving: parkedOf(film.drives),
         moved: gains !== null,
         isFree: isFree(state, 'gains'),
         isOwn: play.isOwn(),
@@ -55,12 +69,51 @@ export function createPage({ engine, store, paper, links }) {
         most: mostGain,
         population: task.population,
       };
-      if (!changed(state.slices.park, parked, model.over, model.isFree, model.isOwn)) return;
-      plane.setAttribute('aria-label', words.picture(parked, model.count));
+      if (!changed(state.slices.park, parked, model.over, model.isFree, model.isOwn, after)) return;
+      plane.setAttribute('aria-label', words.planeLabel(parked, model.count));
       const found = inLab(state, task.experiment);
       const lab = found && links.linkOf(found, engine.experiment);
-      render(heading(model), head);
-      render(sight(model, { ...play.on, lesson: links.linkOfStep(1), lab }), side);
+      const on = { ...play.on, lesson: links.linkOfStep(1), lab };
+      render(heading(model, after), head);
+      render(sight(model, on, after), side);
+      after?.draw(state, model);
     },
+  };
+}
+
+/** The picture, which keys and presses ask of its robots, and what is said of one. */
+function createPlane() {
+  const canvases = Array.from({ length: 3 }, () => document.createElement('canvas'));
+  for (const canvas of canvases) canvas.setAttribute('aria-hidden', 'true');
+  const note = create('div', 'park-look');
+  const plane = create('div', 'park-plane layers', ...canvases, note);
+  plane.dataset.picture = 'park';
+  plane.dataset.name = words.pictureName;
+  plane.setAttribute('role', 'application');
+  plane.tabIndex = 0;
+  return { plane, canvases, note };
+}
+
+/**
+ * What is loaded when it is asked for; where it cannot be, the element says so, and the rest goes on.
+ * @template T
+ * @param {HTMLElement} element @param {() => void} onLoaded @param {() => Promise<T>} load
+ */
+function createLater(element, onLoaded, load) {
+  /** @type {T | null} */
+  let there = null;
+  return {
+    there: () => there,
+    bring: once(async () => {
+      try {
+        there = await load();
+        onLoaded();
+      } catch (error) {
+        const waiting = createWaiting();
+        element.append(waiting.element);
+        waiting.fail(error);
+      }
+      return there;
+    }),
   };
 }

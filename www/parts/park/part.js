@@ -9,7 +9,7 @@ export const park = {
   name: 'park',
   slice,
   places: {
-    gains: { lock: '#park-gains', hide: '#park-gains' },
+    gains: { lock: '#park-gains, .park-walk', hide: '#park-gains, .park-walk' },
     run: { lock: '#park-evolve', hide: '#park-evolve' },
   },
   figure: [0.75, 640],

@@ -10,7 +10,7 @@ import { isOver } from './film.js';
 import { axle } from './task.js';
 
 /** @typedef {{ width: number, height: number, scale: number, originX: number, originY: number }} Plan */
-/** @typedef {{ film: Film, theme: number, size: { width: number, height: number } }} PictureModel */
+/** @typedef {{ film: Film, theme: number, size: { width: number, height: number }, looked: number | null }} PictureModel `looked`: the robot that is looked at. */
 
 /** Metres around the circle of starts. */
 const margin = 0.45;
@@ -18,7 +18,7 @@ const margin = 0.45;
 const tread = 0.035;
 
 /** @param {readonly HTMLCanvasElement[]} canvases One on the other: the floor, the trails, the robots. @param {{ goal: Posture, radius: number }} place */
-export function createParkPicture(canvases, { goal, radius }) {
+export function createParkPicture(canvases, place) {
   const [floor, trails, robots] = canvases.map(createLayer);
   const floorChanged = watch();
   const trailsChanged = watch();
@@ -27,14 +27,14 @@ export function createParkPicture(canvases, { goal, radius }) {
   let drawn = 0;
 
   /** @param {PictureModel} model */
-  return ({ film, theme, size }) => {
+  return ({ film, theme, size, looked }) => {
     if (size.width === 0) return;
-    const plan = planOf(size, goal, radius);
+    const plan = planOf(size, place);
     if (floorChanged(film.drives, film.others, theme, size.width, size.height))
       floor.draw(size, (context) => {
         drawPaths(context, plan, film.others, 0.1);
         drawPaths(context, plan, film.drives, 0.16);
-        drawBay(context, plan, goal);
+        drawBay(context, plan, place.goal);
       });
     /** @param {number} from */
     const trail = (from) => (/** @type {CanvasRenderingContext2D} */ context) =>
@@ -44,13 +44,13 @@ export function createParkPicture(canvases, { goal, radius }) {
     if (isNew || film.time < drawn) trails.draw(size, trail(0));
     else if (film.time > drawn) trails.add(trail(drawn), trail(0));
     drawn = film.time;
-    if (robotsChanged(film, theme, size.width, size.height))
-      robots.draw(size, (context) => drawFilm(context, plan, film));
+    if (robotsChanged(film, looked, theme, size.width, size.height))
+      robots.draw(size, (context) => drawFilm(context, plan, film, looked));
   };
 }
 
-/** @param {{ width: number, height: number }} size @param {Posture} goal @param {number} radius @returns {Plan} */
-function planOf({ width, height }, goal, radius) {
+/** @param {{ width: number, height: number }} size @param {{ goal: Posture, radius: number }} place @returns {Plan} */
+export function planOf({ width, height }, { goal, radius }) {
   const scale = Math.min(width, height) / (2 * (radius + margin));
   return {
     width,
@@ -87,7 +87,7 @@ function drawBay(context, plan, { x, y, theta }) {
   context.lineWidth = 3 / plan.scale;
   context.lineJoin = 'round';
   context.lineCap = 'round';
-  context.strokeStyle = colour('--theta');
+  context.strokeStyle = colour('--ink');
   context.beginPath();
   context.moveTo(-length, width);
   context.lineTo(length, width);
@@ -128,23 +128,42 @@ function drawTrails(context, plan, film, from) {
   context.restore();
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Film} film */
-function drawFilm(context, plan, film) {
+/** @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Film} film @param {number | null} looked */
+function drawFilm(context, plan, film, looked) {
   const { drives, time } = film;
   const over = isOver(film);
+  const [ink, paper, error] = ['--ink', '--paper', '--error'].map(colour);
   context.save();
   inMetres(context, plan);
   // Small on a small screen, but to be seen as robots.
   const grown = Math.max(1, 7 / (plan.scale * (axle / 2)));
+  if (looked !== null) drawLooked(context, plan, drives[looked].run, time, grown);
   for (const drive of drives) {
-    const body = colour(over && !drive.run.arrived ? '--error' : '--ink');
-    drawRobot(context, drive, time, grown, { body, line: colour('--paper') });
+    const missed = over && !drive.run.arrived;
+    // Hollow, so that not its colour alone tells it.
+    const colours = missed
+      ? { body: paper, line: error, wheel: error, tread: paper }
+      : { body: ink, line: paper, wheel: ink, tread: paper };
+    drawRobot(context, drive, time, grown, colours);
   }
   context.restore();
 }
 
-/** In metres. @param {CanvasRenderingContext2D} context @param {Drive} drive @param {number} time @param {number} grown @param {{ body: string, line: string }} colours */
-function drawRobot(context, { run, left, right }, time, grown, { body, line }) {
+/** Its path, and a ring around it. In metres. @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Drive['run']} run @param {number} time @param {number} grown */
+function drawLooked(context, plan, run, time, grown) {
+  const { x, y } = postureAt(run, time);
+  context.strokeStyle = colour('--ink');
+  context.lineWidth = 2.5 / plan.scale;
+  context.beginPath();
+  trace(context, plan, run, sampleBefore(run, time));
+  context.stroke();
+  context.beginPath();
+  context.arc(x, y, 0.24 * grown, 0, 2 * Math.PI);
+  context.stroke();
+}
+
+/** In metres. @param {CanvasRenderingContext2D} context @param {Drive} drive @param {number} time @param {number} grown @param {{ body: string, line: string, wheel: string, tread: string }} colours */
+function drawRobot(context, { run, left, right }, time, grown, { body, line, wheel, tread: marks }) {
   const { x, y, theta } = postureAt(run, time);
   const at = sampleBefore(run, time);
   const half = axle / 2;
@@ -156,9 +175,9 @@ function drawRobot(context, { run, left, right }, time, grown, { body, line }) {
     [half, left[at]],
     [-half, right[at]],
   ])) {
-    context.fillStyle = body;
+    context.fillStyle = wheel;
     context.fillRect(-0.065, side - 0.025, 0.13, 0.05);
-    context.strokeStyle = line;
+    context.strokeStyle = marks;
     context.lineWidth = 0.011;
     context.beginPath();
     // A wheel seen from above rolls forwards over the ground.

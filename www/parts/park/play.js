@@ -24,6 +24,7 @@ export function createPlay(engine, store, paper, task) {
   );
   const handFilm = (/** @type {Triple} */ [kx, ky, ktheta]) => byHand(kx, ky, ktheta);
   const gainsNow = () => slice().gains ?? (hidesPaper(store.get()) ? anyGains : firstGains(paper));
+  const foundNow = () => slice().between ?? slice().bred.at(-1);
   const filmNow = () => {
     const found = slice().bred.at(-1);
     return found ? filmOf(task.drive([found.gains])[0], [], 'hand') : handFilm(gainsNow());
@@ -51,15 +52,18 @@ export function createPlay(engine, store, paper, task) {
       return;
     }
     const parked = parkedOf(film().drives);
-    if (gains && isOf(gains) && (!best || parked > best.parked)) update({ best: { gains, parked } });
+    if (gains && isOf(gains) && (!best || parked >= best.parked)) update({ best: { gains, parked } });
   }
 
   return {
     film,
+    show,
     request,
     gains: gainsNow,
     /** Whether the robots drive with the sliders' gains. */
     isOwn: () => isOf(gainsNow()),
+    /** The gains that they do drive with. */
+    driven: () => (isOf(gainsNow()) ? gainsNow() : (foundNow()?.gains ?? gainsNow())),
     /** Other gains, where an exercise hides the paper's. */
     follow() {
       const isUntouched = slice().gains === null && slice().bred.length === 0;
@@ -72,7 +76,7 @@ export function createPlay(engine, store, paper, task) {
         const gains = /** @type {[number, number, number]} */ ([...gainsNow()]);
         gains[index] = value;
         show(handFilm(gains));
-        update({ gains, evolving: false });
+        update({ gains, evolving: false, between: null });
         if (isStill()) ended();
       },
       again: () => show({ ...film(), time: 0 }),
@@ -81,7 +85,7 @@ export function createPlay(engine, store, paper, task) {
           const { seed, bred } = slice();
           const next = bred.length > 0 ? seed + 1 : seed;
           breeding.begin(next);
-          update({ seed: next, bred: [], evolving: true, message: '' });
+          update({ seed: next, bred: [], evolving: true, message: '', between: null, looked: null });
           breed();
         } catch (error) {
           if (isLost(error)) throw error;

@@ -7,16 +7,21 @@ import { createSlice } from '../../run/store.js';
 /**
  * @typedef {object} ParkState
  * @property {Triple | null} gains By hand; null: nobody has moved a slider.
- * @property {Tried | null} best The best by hand.
+ * @property {Tried | null} best The best by hand, of equals the last.
  * @property {readonly Bred[]} bred What evolution has shown, one a generation.
  * @property {boolean} evolving
+ * @property {{ share: number, gains: Triple } | null} between The gains that drive, and how far from the best by hand they are on the way to evolution's; null: others drive.
+ * @property {number | null} looked The robot that is looked at, by its start.
  * @property {number} seed
  * @property {string} message
  */
 
 export const parkSlice = createSlice(
   'park',
-  /** @type {ParkState} */ ({ gains: null, best: null, bred: [], evolving: false, seed: 1, message: '' }),
+  /** @type {ParkState} */ ({
+    ...{ gains: null, best: null, bred: [], evolving: false, seed: 1, message: '' },
+    ...{ between: null, looked: null },
+  }),
   [],
   ['gains', 'best', 'bred', 'seed'],
 );

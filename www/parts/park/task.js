@@ -1,7 +1,6 @@
 // What there is to do: to park from every start of a circle; turning is cheap.
 /** @import { Engine, Experiment, PaperResult, Run, Triple } from '../../core/engine.js' */
 /** @import { State } from '../../run/state.js' */
-
 import { parkSlice } from './state.js';
 
 /** A robot's drive, and how far its wheels have rolled at each sample, in metres. @typedef {{ run: Run, left: Float64Array, right: Float64Array }} Drive */
@@ -34,6 +33,9 @@ export function createTask(engine) {
     /** @param {number} seed @returns {Experiment} */
     experiment: (seed) => ({ ...base, evolution: { ...base.evolution, seed } }),
 
+    /** From one start. @param {number} start */
+    alone: (start) => lone[start],
+
     /** From every start, for each triple of gains. @param {readonly Triple[]} gains @returns {Drive[][]} */
     drive(gains) {
       const runs = lone.map((experiment) => engine.drive(experiment, gains));
@@ -42,13 +44,20 @@ export function createTask(engine) {
   };
 }
 
+/** The lab with one of these drives. @param {State} state @param {Experiment} experiment @param {Triple} gains @returns {State} */
+export const driveInLab = (state, experiment, gains) => ({
+  ...state,
+  ...{ page: 'lab', preset, experiment, generation: 0, driver: 'hand', handGains: gains, found: 'hand' },
+});
+
 /** The lab with what was found here: by evolution, as far as it came, else by hand; null where nobody has tried. @param {State} state @param {(seed: number) => Experiment} experimentOf @returns {State | null} */
 export function inLab(state, experimentOf) {
   const { bred, gains, seed } = parkSlice.of(state);
-  const run = { ...state, page: 'lab', preset, experiment: experimentOf(seed) };
+  const experiment = experimentOf(seed);
   const found = bred.at(-1);
-  if (found) return { ...run, generation: found.generation, driver: 'evolved' };
-  return gains && { ...run, generation: 0, driver: 'hand', handGains: gains, found: 'hand' };
+  if (found)
+    return { ...state, page: 'lab', preset, experiment, generation: found.generation, driver: 'evolved' };
+  return gains && driveInLab(state, experiment, gains);
 }
 
 /** With these the sliders begin where the paper's are hidden. @type {Triple} */

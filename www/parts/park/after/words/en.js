@@ -1,0 +1,63 @@
+// What Park says once something has been tried.
+/** @import { Bred } from '../../state.js' */
+/** @import { Model } from '../../sight.js' */
+/** @import { Missed } from '../told.js' */
+import { fixed, grouped } from '../../../../words/en/numbers.js';
+
+/** @param {Model} model @param {Bred} found */
+export function ending({ best, count }, { parked, generation }) {
+  const mine = best?.parked ?? 0;
+  if (parked <= mine)
+    return `Evolution stopped at ${parked} of ${count}; you had ${mine}. That was luck, good or bad: try another seed.`;
+  const after = `After ${generation} ${generation === 1 ? 'generation' : 'generations'}`;
+  return parked === count
+    ? `${after} one robot parks from all ${count} starts. Nobody told evolution how: it was given one number for each robot, and kept what drove well.`
+    : `${after} evolution parks ${parked} of ${count}.`;
+}
+
+/** Where evolution has gone beyond the slider. @param {number} most @param {number} ky */
+export const beyond = (most, ky) =>
+  `Your slider for ky ends at ${most}; evolution, which has no slider, went to ${fixed(ky, 0)}.`;
+
+/** @param {Bred} newest */
+export const climb = ({ generation, parked, drives }) =>
+  `Best of generation ${generation}: ${parked} parked · ${grouped(drives)} drives`;
+/** At its upper end. @param {number} count */
+export const climbAxis = (count) => `${count} parked`;
+/** @param {number} parked */
+export const yoursParked = (parked) => `yours ${parked}`;
+
+export const parkedColumn = 'parked';
+export const bestByHand = 'yours';
+export const evolved = 'evolution’s';
+export const sliders = 'the sliders: yours';
+/** What moves along the sliders. @param {boolean} isWalking */
+export const marks = (isWalking) => (isWalking ? 'in between' : 'evolution’s best');
+/** @param {number} value */
+export const gain = (value) => fixed(value, 1);
+/** @param {number} parked @param {number} count */
+export const share = (parked, count) => `${parked} of ${count}`;
+
+export const walk = 'From your numbers to evolution’s';
+/** @param {number} percent */
+export const walked = (percent) => `${percent} % of the way to evolution’s`;
+/** @param {readonly string[]} gains @param {number} parked @param {number} count */
+export const walkedTo = (gains, parked, count) => `${gains.join(', ')}: ${parked} of ${count} parked`;
+
+/** @param {number} robot @param {number} count @param {number} seconds */
+export const parkedAfter = (robot, count, seconds) =>
+  `Robot ${robot} of ${count} parked after ${fixed(seconds, 1)} s.`;
+/** @param {number} robot @param {number} count @param {Missed} missed */
+export function missed(robot, count, { seconds, ahead, aside, degrees, gain: name, asks }) {
+  const off = [
+    ahead && `${fixed(Math.abs(ahead), 2)} m ${ahead > 0 ? 'short' : 'too far'}`,
+    aside && `${fixed(Math.abs(aside), 2)} m to the side`,
+    degrees && `turned by ${fixed(Math.abs(degrees), 1)}°`,
+  ];
+  const asked = asks.map(({ value, unit }) => `${fixed(value, 3)} ${unit}`).join(' and ');
+  return `Robot ${robot} of ${count} missed. After ${fixed(seconds, 0)} s it is ${off.filter(Boolean).join(', ')}; there ${name} asks for ${asked}.`;
+}
+export const watchThis = 'Watch this one in the lab';
+export const previous = 'The robot before';
+export const next = 'The next robot';
+export const close = 'Close';
