@@ -80,7 +80,6 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
         followFocus(article, () => {
           blocks = createStep(article, step, lesson, tools);
         });
-        if (step.time !== undefined) actions.standAt(step.time);
       }
       const live = {
         engine,
@@ -90,6 +89,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
         gains: gainsOf(state, state.driver, paper),
         ...samples(state, scene),
       };
+      if (isNew && step.time) actions.standAt(step.time(live));
       tally.count(live, step);
       if (step.overlay) errorPosture.draw(live);
       stage.draw(live);

@@ -1,32 +1,21 @@
 // The terms of the law (5) at the robots' clock: what each adds to v and to ω, what is asked for in all, and what the limits leave.
 import { html, nothing, render } from 'lit-html';
-import { lawTerms } from '../core/rules.js';
 import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { signed } from '../words/numbers.js';
 import { partsOfLaw } from './formulas.js';
 import { row } from './notation.js';
+import { createStrip } from './push-strip.js';
+import { pushesOf, reach } from './push-terms.js';
 import { mathml, symbol, symbolInText } from './symbols.js';
 
-/** @import { Experiment, Sample, Triple } from '../core/engine.js' */
+/** @import { Experiment, Sample } from '../core/engine.js' */
 /** @import { Part } from './notation.js' */
 /** @import { Block, Tools } from './page.js' */
-/** @typedef {{ speed: string, turnRate: string, moving: string, asked: string, left: string, otherLaw: string, tableLabel: string }} PushWords */
-/** @typedef {'linear' | 'angular'} Side */
+/** @import { StripWords } from './push-strip.js' */
+/** @import { Side } from './push-terms.js' */
+/** @typedef {{ speed: string, turnRate: string, moving: string, asked: string, left: string, otherLaw: string, tableLabel: string } & StripWords} PushWords */
 /** @typedef {{ label: Node | string, colour: string, term?: string }} Head */
-
-/** How far a bar reaches to each side, m/s and rad/s, twice the paper's limits: the same for every drive, so that drives can be compared. */
-const reach = /** @type {const} */ ({ linear: 4, angular: 4 * Math.PI });
-
-/** Each term of (5) by its gain, and what the goal's own motion adds to them. @param {Experiment} experiment @param {Triple} gains @param {Sample['error']} error */
-export function pushesOf(experiment, gains, error) {
-  const { kx, ky, ktheta, reference } = lawTerms(experiment, gains, error).command;
-  return {
-    linear: { kx: kx.linear, ky: ky.linear },
-    angular: { kt: ktheta.angular, ky: ky.angular, kx: kx.angular },
-    reference,
-  };
-}
 
 /** The terms in one line, for who hears them. @type {Record<Side, Record<string, string>>} */
 const inWords = {
@@ -38,15 +27,19 @@ const inWords = {
   },
 };
 
-/** @param {Tools} _tools @param {{ pushes: PushWords }} words @returns {Block} */
-export function createPushes(_tools, { pushes: words }) {
-  const element = create('div', '');
+/** @param {Tools} tools @param {{ pushes: PushWords }} words @returns {Block} */
+export function createPushes(tools, { pushes: words }) {
+  const bars = create('div', 'push-bars');
+  const strip = createStrip(tools, words);
+  const element = create('div', '', bars, strip.element);
   element.id = 'pushes';
   const sides = [createSide('linear', words.speed, words), createSide('angular', words.turnRate, words)];
   const changed = watch();
   return {
     element,
-    draw({ decided: sample, gains, scene: { experiment } }) {
+    draw({ decided: sample, samples, gains, state, scene: { experiment, driving } }) {
+      const { finalTime } = driving;
+      strip.draw({ samples, experiment, gains, time: Math.min(state.robot.time, finalTime), finalTime });
       if (!changed(sample, ...gains, experiment)) return;
       const isOurs = experiment.law === 'shim-kim';
       const pushes = isOurs ? pushesOf(experiment, gains, sample.error) : null;
@@ -55,7 +48,7 @@ export function createPushes(_tools, { pushes: words }) {
             ${sides.map((side) => side(sample, experiment, pushes))}
           </table>
           <p class="muted" ?hidden=${isOurs}>${words.otherLaw}</p>`,
-        element,
+        bars,
       );
     },
   };

@@ -27,7 +27,7 @@ import * as every from './steps/all.js';
  * @property {StepName} name
  * @property {string} link What is on screen when the step is opened.
  * @property {'drive' | 'evolve' | 'plane'} figure What stands under the plane while the link opens the lab: J and the gains, J and evolution, or the gains alone. Another part stands there by itself.
- * @property {number} [time] Where the robots' clock stands, in seconds; without it they drive.
+ * @property {(live: Live) => number} [time] Where the robots' clock stands, in seconds; without it they drive.
  * @property {boolean} [overlay] The error posture is drawn on the plane.
  * @property {readonly Content[]} blocks
  * @property {Sight} [sight] What is seen first where there is no room for all; else the stage, or what the figure is about.

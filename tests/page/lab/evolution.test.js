@@ -193,3 +193,27 @@ pageTest('other limits change J and begin evolution again, which goes on under t
   await page.click('#drives-evolved');
   assert.deepEqual(await readEvolution(page), first);
 });
+
+pageTest('Run stays where it was pressed', async (page) => {
+  for (const [width, height] of [
+    [1024, 768],
+    [1280, 720],
+    [1366, 768],
+    [1440, 900],
+  ]) {
+    await page.resize(width, height);
+    await page.open('#lab');
+    const top = () =>
+      page.evaluate(async () => {
+        for (let frame = 0; frame < 2; frame++)
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+        return document.getElementById('run')?.getBoundingClientRect().top;
+      });
+    const before = await top();
+    await page.click('#run');
+    await reaches(page, 1);
+    assert.equal(await top(), before, `${width} × ${height}`);
+    await page.click('#run');
+    assert.equal(await top(), before, `${width} × ${height}, paused`);
+  }
+});

@@ -12,7 +12,7 @@ export const error = {
   link: path.error,
   figure: 'plane',
   overlay: true,
-  time: 0,
+  time: () => 0,
   blocks: [
     { kind: 'text', name: 'three' },
     { kind: 'formula', formula: errorFormula },

@@ -2,6 +2,7 @@
 import { remember } from '../../kit/memo.js';
 import { degreesText, fixed, signed } from '../../words/numbers.js';
 import { lawFormula } from '../formulas.js';
+import { largestAt } from '../push-terms.js';
 import { createPushes } from '../pushes.js';
 import { quiz, tries } from '../asks.js';
 import { path } from '../path.js';
@@ -66,6 +67,7 @@ export const law = {
   name: 'law',
   link: path.law,
   figure: 'plane',
+  time: ({ samples }) => largestAt(samples),
   overlay: true,
   stage: { place: 'under', pages: ['lab'], create: createPushes },
   blocks: [

@@ -67,7 +67,7 @@ const own = {
     lock: `#new-seed, ${seed} ${fields}, #settings-preset`,
     hide: `#new-seed, ${seed}, #settings-preset`,
   },
-  clock: { lock: `#robot-clock, ${again}`, hide: `#robot-clock, ${again}` },
+  clock: { lock: `#robot-clock, #push-clock, ${again}`, hide: `#robot-clock, #push-clock, ${again}` },
   settings: {
     lock: '#preset, #settings-button, #weights',
     hide: '#preset, #settings-button, #settings, #weights',

@@ -8,13 +8,15 @@ export const law = {
     one: `This robot starts below the goal, so all three errors are there. *Only {kx} is on*; the other two gains are 0. It drives until {xe} is gone and stays there: {=side} m to the side, and turned wrong by {=turned}.
 
 A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. They stand beside these words. Grey: beyond what the wheels can do.`,
-    written: `Stop the clock where the bars are long, and move a slider. The formula says the same: point at a term, and its slider, its bars and its errors light up.`,
+    written: `The clock stands where the law asks for most. Move it, and the bars follow the robot; move a slider, and they change at once. The formula says the same: point at a term, and its slider, its pushes and its errors light up.`,
     each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. (Two more terms of {w} contain {ye}: the next step shows what they cancel.) Now two gains together.`,
     sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from this start the gains 3, 8, 5 ask for {=most} rad/s after {=at} s, and the limits leave {=leaves}.`,
     next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and at every instant the wheels do what is asked.`,
   },
   pushes: {
     tableLabel: 'What each term of the law adds now',
+    strip: 'The pushes over the whole drive, and the time of the robots in it',
+    stripHint: 'Pale: all together. Drag to move the clock.',
     speed: 'in m/s',
     turnRate: 'in rad/s',
     moving: 'from the moving goal',

@@ -1,0 +1,106 @@
+import assert from 'node:assert/strict';
+import { largestAt, pushesOf, pushesOver } from '../../../www/lesson/push-terms.js';
+import { law as step } from '../../../www/lesson/steps/law.js';
+import { Key, pageTest } from '../harness/browsers.js';
+import { engine, linkOf, opened } from './links.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../../../www/core/engine.js').Triple} Triple */
+
+/** @param {string} link */
+function seen(link) {
+  const { experiment: own, handGains } = opened(link);
+  const gains = /** @type {Triple} */ (handGains);
+  return { own, gains, held: engine.samples(own, gains) };
+}
+
+test('over a drive every term has its values, and no push that is soon over is lost', () => {
+  for (const name of ['all', 'unlimited', 'onlyKx']) {
+    const { own, gains, held } = seen(linkOf(step, name));
+    const { times, linear, angular } = pushesOver(held, own, gains);
+    assert.ok(times.length <= 300);
+    const most = largestAt(held);
+    const at = times.indexOf(most);
+    const { error, command } = held.at(Math.round(most * 100));
+    for (const asked of [
+      linear.asked.values[at] - command.linear,
+      angular.asked.values[at] - command.angular,
+    ])
+      assert.equal(asked, 0, `${name}: the moment at which most is asked for is there`);
+    const now = pushesOf(own, gains, error);
+    for (const [half, terms] of /** @type {const} */ ([
+      [linear, now.linear],
+      [angular, now.angular],
+    ]))
+      assert.deepEqual(Object.fromEntries(half.terms.map(({ term, values }) => [term, values[at]])), terms);
+  }
+});
+
+pageTest(
+  'the pushes over the drive are its clock, open where they are largest and follow a gain',
+  async (page) => {
+    await page.resize(1366, 768);
+    await page.open('#lesson&step=3');
+    const most = largestAt(seen(step.link).held);
+    const bars = (/** @type {number} */ time) =>
+      page.until(
+        `the clock stands at ${time}`,
+        (at) =>
+          /** @type {HTMLInputElement | null} */ (document.getElementById('push-clock'))?.value ===
+            String(at) && document.getElementById('clock')?.textContent?.startsWith(at.toFixed(2)),
+        time,
+      );
+    await bars(most);
+    const curve = () =>
+      page.evaluate(() => document.querySelector('.strip-curve[data-term="kx"]')?.getAttribute('d') ?? '');
+    const before = await page.until('its curve', () =>
+      document.querySelector('.strip-curve[data-term="kx"]')?.getAttribute('d'),
+    );
+    // What is moved is the robots' clock, by keyboard and where it is pressed.
+    await page.focus('#push-clock');
+    await page.press(Key.RIGHT);
+    await bars(Number((most + 0.01).toFixed(2)));
+    await page.click('#push-clock');
+    const middle = await page.evaluate(() =>
+      Number(/** @type {HTMLInputElement} */ (document.getElementById('push-clock')).value),
+    );
+    assert.ok(Math.abs(middle - 5) < 0.1, `pressed in the middle of 10 s, it is ${middle}`);
+    await bars(middle);
+    assert.equal(await curve(), before);
+
+    await page.focus('#gain-ky');
+    await page.press('8', Key.ENTER);
+    await page.until(
+      'a curve for what is on now',
+      () => document.querySelectorAll('.strip-curve[data-term="ky"]').length === 2,
+    );
+    assert.notEqual(await curve(), before);
+    const lit = await page.evaluate(() => {
+      document
+        .querySelector('#lesson .formula [data-term="ky"][tabindex]')
+        ?.dispatchEvent(new PointerEvent('pointerover', { bubbles: true }));
+      return [...document.querySelectorAll('.strip-curve.lit')].map((one) => one.getAttribute('data-term'));
+    });
+    assert.deepEqual(lit, ['ky', 'ky']);
+
+    for (const [width, height] of [
+      [1366, 768],
+      [1280, 720],
+      [1440, 900],
+    ]) {
+      await page.resize(width, height);
+      await page.until(`at ${width} × ${height} the figure has all of it`, () => {
+        const figure = /** @type {HTMLElement} */ (document.querySelector('.figure'));
+        return (
+          figure.scrollHeight <= figure.clientHeight &&
+          document.querySelector('.push-strip')?.checkVisibility()
+        );
+      });
+    }
+    await page.resize(390, 844);
+    await page.until(
+      'there is no room for it on a telephone',
+      () => !document.querySelector('.push-strip')?.checkVisibility(),
+    );
+  },
+);
