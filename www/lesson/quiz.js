@@ -84,7 +84,9 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
             ? waits
               ? words.watching
               : words.computing
-            : isLapsed && words.lapsed;
+            : isLapsed
+              ? words.lapsed
+              : '';
       render(
         html`<legend>${question}</legend>
           <div class="choices">${order.map(button)}</div>

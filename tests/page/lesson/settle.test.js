@@ -4,6 +4,8 @@ import { Pending } from '../../../www/core/pending.js';
 import { isAskedIn } from '../../../www/lesson/asked-in.js';
 import { settle } from '../../../www/lesson/settle.js';
 import { progressSlice } from '../../../www/lesson/state.js';
+import { lapsed } from '../../../www/lesson/words/en.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { liveOf } from './live.js';
 
@@ -101,3 +103,29 @@ test('what an answer needs and is still being computed is asked for again', asyn
   there = true;
   assert.equal((await page.frame())?.right, 0);
 });
+
+pageTest(
+  'who has not predicted is told nothing; whose run was changed before the answer, that',
+  async (page) => {
+    const said = () =>
+      page.evaluate(() => [...document.querySelectorAll('.quiz-why')].map((one) => one.textContent?.trim()));
+    await page.open('#lesson&step=1');
+    assert.deepEqual([...new Set(await said())], ['']);
+    // So slowly that the answer does not come before the change.
+    await page.setPace(0.02);
+    await page.click('#quiz-bolder .choice:first-child');
+    await page.until('it is watched', () => document.querySelector('#quiz-bolder [aria-disabled]'));
+    await page.focus('#slider-kx');
+    await page.press(Key.ARROW_RIGHT);
+    await page.until(
+      'it is said',
+      (wanted) => document.querySelector('#quiz-bolder .quiz-why')?.textContent?.trim() === wanted,
+      lapsed,
+    );
+    assert.equal(
+      await page.evaluate(() => document.querySelectorAll('#quiz-bolder [aria-disabled]').length),
+      0,
+    );
+  },
+  { moves: true },
+);
