@@ -44,6 +44,14 @@ export function triple(text) {
   return /** @type {[number, number, number]} */ (gains);
 }
 
+/** @param {string} text @param {number} most */
+export function gainsUpTo(text, most) {
+  const gains = triple(text);
+  if (gains.some((gain) => gain < 0 || gain > most))
+    throw new Error(words.expected(words.gainsUpTo(most), text));
+  return gains;
+}
+
 /** @param {string} text */
 export function number(text) {
   const value = numberOf(text);

@@ -96,7 +96,7 @@ pageTest('Share and the checks are loaded when they are opened, and open at once
   assert.match(String(said), /이 실험의 공유와 저장.*불러오는 중/s);
   assert.match(await page.text('#keep-status'), /지문/);
   const more = (await asked(page)).slice(first.length);
-  assert.ok(more.length >= 2 && more.length <= 8, `for Share ${more.join(', ')} were loaded`);
+  assert.ok(more.length >= 2 && more.length <= 10, `for Share ${more.join(', ')} were loaded`);
   await page.click('#keep-checks');
   await page.until('the checks run', () => document.getElementById('checks-progress'));
   assert.deepEqual(await page.problems(), []);

@@ -46,7 +46,7 @@ const freeInPart = {
     'luck-view-contest',
     'luck-view-seeds',
   ],
-  park: ['park-again'],
+  park: ['park-again', 'park-close', 'park-next', 'park-previous'],
   robustness: [
     'robustness-half',
     'robustness-headings-all',

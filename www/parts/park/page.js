@@ -14,8 +14,8 @@ import { isOver, parkedBy } from './film.js';
 import { createParkPicture } from './picture.js';
 import { createPlay } from './play.js';
 import { heading, sight } from './sight.js';
-import { parkSlice } from './state.js';
-import { createTask, inLab, mostGain, parkedOf } from './task.js';
+import { mostGain, parkSlice } from './state.js';
+import { createTask, inLab, parkedOf } from './task.js';
 import words from './words/index.js';
 
 /** @param {Tools} tools @returns {Page} */

@@ -1,13 +1,24 @@
 // The first thing to do: robots at many starts around one parking place, three sliders, and evolution, which does better.
 /** @import { Part } from '../part.js' */
+import { partKey } from '../../link/keys.js';
+import { gainsUpTo, numberText } from '../../link/values.js';
 import { partOf } from '../load.js';
-import { parkSlice as slice } from './state.js';
+import { mostGain, parkSlice as slice } from './state.js';
 import { load as loadWords } from './words/load.js';
 
 /** @type {Part} */
 export const park = {
   name: 'park',
   slice,
+  keys: [
+    partKey(
+      'park',
+      slice,
+      'gains',
+      (text) => gainsUpTo(text, mostGain),
+      (gains) => gains.map(numberText).join(','),
+    ),
+  ],
   places: {
     gains: { lock: '#park-gains, .park-walk', hide: '#park-gains, .park-walk' },
     run: { lock: '#park-evolve', hide: '#park-evolve' },

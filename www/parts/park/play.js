@@ -18,11 +18,7 @@ export function createPlay(engine, store, paper, task) {
   const update = (/** @type {Parameters<typeof parkSlice.update>[1]} */ patch) =>
     parkSlice.update(store, patch);
   const breeding = createBreeding(engine, task);
-  const byHand = remember(
-    (/** @type {number} */ kx, /** @type {number} */ ky, /** @type {number} */ ktheta) =>
-      filmOf(task.drive([[kx, ky, ktheta]])[0], [], 'hand'),
-  );
-  const handFilm = (/** @type {Triple} */ [kx, ky, ktheta]) => byHand(kx, ky, ktheta);
+  const handFilm = createHand(task);
   const gainsNow = () => slice().gains ?? (hidesPaper(store.get()) ? anyGains : firstGains(paper));
   const foundNow = () => slice().between ?? slice().bred.at(-1);
   const filmNow = () => {
@@ -41,18 +37,16 @@ export function createPlay(engine, store, paper, task) {
     show(filmOf(drives, others, length));
   }
 
+  /** What the sliders' gains come to counts, also if it has not been seen to its end. */
+  const tried = () => (isOf(gainsNow()) ? bestWith(slice(), parkedOf(film().drives)) : {});
+
   /** The film has come to its end. */
   function ended() {
-    const { gains, best, evolving, bred } = slice();
-    if (evolving) {
-      if (breeding.isDone(bred)) {
-        update({ evolving: false });
-        show(filmOf(film().drives, [], 'hand'));
-      } else breed();
-      return;
-    }
-    const parked = parkedOf(film().drives);
-    if (gains && isOf(gains) && (!best || parked >= best.parked)) update({ best: { gains, parked } });
+    const { evolving, bred } = slice();
+    if (!evolving) return update(tried());
+    if (!breeding.isDone(bred)) return breed();
+    update({ evolving: false });
+    show(filmOf(film().drives, [], 'hand'));
   }
 
   return {
@@ -64,10 +58,10 @@ export function createPlay(engine, store, paper, task) {
     isOwn: () => isOf(gainsNow()),
     /** The gains that they do drive with. */
     driven: () => (isOf(gainsNow()) ? gainsNow() : (foundNow()?.gains ?? gainsNow())),
-    /** Other gains, where an exercise hides the paper's. */
+    /** Other gains, of a link, or where an exercise hides the paper's. */
     follow() {
-      const isUntouched = slice().gains === null && slice().bred.length === 0;
-      if (isUntouched && !isOf(gainsNow())) show(handFilm(gainsNow()));
+      const { bred, between } = slice();
+      if (bred.length === 0 && !between && !isOf(gainsNow())) show(handFilm(gainsNow()));
     },
 
     on: {
@@ -85,7 +79,15 @@ export function createPlay(engine, store, paper, task) {
           const { seed, bred } = slice();
           const next = bred.length > 0 ? seed + 1 : seed;
           breeding.begin(next);
-          update({ seed: next, bred: [], evolving: true, message: '', between: null, looked: null });
+          update({
+            ...tried(),
+            seed: next,
+            bred: [],
+            evolving: true,
+            message: '',
+            between: null,
+            looked: null,
+          });
           breed();
         } catch (error) {
           if (isLost(error)) throw error;
@@ -96,6 +98,19 @@ export function createPlay(engine, store, paper, task) {
     },
   };
 }
+
+/** Films of gains, each once for the gains that were asked for last. @param {ReturnType<typeof import('./task.js').createTask>} task */
+function createHand(task) {
+  const byHand = remember(
+    (/** @type {number} */ kx, /** @type {number} */ ky, /** @type {number} */ ktheta) =>
+      filmOf(task.drive([[kx, ky, ktheta]])[0], [], 'hand'),
+  );
+  return (/** @type {Triple} */ [kx, ky, ktheta]) => byHand(kx, ky, ktheta);
+}
+
+/** The best by hand, with one try more. @param {import('./state.js').ParkState} before @param {number} parked */
+const bestWith = ({ gains, best }, parked) =>
+  gains && (!best || parked >= best.parked) ? { best: { gains, parked } } : {};
 
 /** Runs a film while the part is open; `onEnd` is called at its end, and may begin the next. @param {Film} first @param {Store} store @param {() => void} onEnd */
 function createProjector(first, store, onEnd) {

@@ -16,6 +16,9 @@ import { createSlice } from '../../run/store.js';
  * @property {string} message
  */
 
+/** Where the sliders end, which begin at 0: no hand parks all with them. */
+export const mostGain = 12;
+
 export const parkSlice = createSlice(
   'park',
   /** @type {ParkState} */ ({

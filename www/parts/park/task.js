@@ -8,8 +8,6 @@ import { parkSlice } from './state.js';
 /** Around the goal. */
 export const circle = { x: 2, y: 2, radius: 2.83, count: 32, seed: 1 };
 export const preset = /** @type {const} */ ('velocity-limits');
-/** Where the sliders end, which begin at 0: no hand parks all with them. */
-export const mostGain = 12;
 /** Between the wheels, in metres: as the robots are drawn. */
 export const axle = 0.24;
 

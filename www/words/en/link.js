@@ -33,6 +33,8 @@ export const longLink = (most) => `The link is longer than ${most} characters: t
 export const aNumber = 'a number';
 export const aPosture = 'three values x,y,θ, such as 2,2,45deg';
 export const threeNumbers = 'three numbers kx,ky,kθ';
+/** @param {number} most */
+export const gainsUpTo = (most) => `three numbers kx,ky,kθ from 0 to ${most}`;
 export const otherGain = 'another gain than on x';
 
 /** @param {number} most */

@@ -31,6 +31,8 @@ export const longLink = (most) => `링크가 ${most}자보다 깁니다. 나머�
 export const aNumber = '수';
 export const aPosture = '2,2,45deg와 같은 세 값 x,y,θ';
 export const threeNumbers = '세 수 kx,ky,kθ';
+/** @param {number} most */
+export const gainsUpTo = (most) => `0부터 ${most}까지의 세 수 kx,ky,kθ`;
 export const otherGain = 'x와 다른 이득';
 
 /** @param {number} most */
