@@ -33,6 +33,9 @@ const powers = (most) => {
   return ticks.sort((a, b) => a - b).filter((_, i, all) => (i - (all.length >> 1)) % every === 0);
 };
 
+/** @param {ArrayLike<number>} values */
+const isBelow = (values) => Array.from(values).some((value) => value < 0);
+
 /** Beyond it an axis has no numbers. */
 const longest = 1e300;
 
@@ -87,12 +90,13 @@ const tickText = (tick) =>
 
 /** Its numbers: powers of ten, and the limit, before which one that is too near gives way. @param {Axes['y']} y @param {number} most @param {number | null} limit @returns {{ at: number, text: string }[]} */
 function numbersOn(y, most, limit) {
-  const limits = limit === null ? [] : [limit, -limit];
+  const [lowest] = y.domain();
+  const limits = limit === null ? [] : [limit, -limit].filter((one) => one >= lowest);
   const isFree = (/** @type {number} */ tick) => limits.every((one) => Math.abs(y(one) - y(tick)) > 13);
   return [
     ...limits.map((at) => ({ at, text: fixed(at, 1) })),
     ...powers(most)
-      .filter(isFree)
+      .filter((tick) => tick >= lowest && isFree(tick))
       .map((at) => ({ at, text: tickText(at) })),
   ];
 }
@@ -106,7 +110,10 @@ function drawHalf(context, { width, height }, top, half, { run, time }, isLast =
   const axes = {
     frame,
     x: scaleLinear([0, run.finalTime || 1], [frame.left, frame.right]),
-    y: scaleSymlog([-most, most], [frame.bottom, frame.top]).constant(1),
+    // Where nothing goes backwards the picture is of what goes forwards.
+    y: scaleSymlog([isBelow(asked) || isBelow(done) ? -most : 0, most], [frame.bottom, frame.top]).constant(
+      1,
+    ),
   };
   const numbers = numbersOn(axes.y, most, limit !== null && limit < most ? limit : null);
   const ticks = { x: ticksOn(axes.x, 70), y: numbers.map(({ at }) => at) };

@@ -106,6 +106,24 @@ pageTest('where the sliders are locked, evolution can begin at once', async (pag
   await page.until('evolution can begin', () => document.querySelector('#park-evolve:not(:disabled)'));
 });
 
+pageTest(
+  'the sliders are in the address: who loads the page again has them, and beyond their ends is refused',
+  async (page) => {
+    await page.open('#park');
+    await slide(page, 'kx', 7);
+    await page.until('it is written', () => /park=7,/.test(location.hash));
+    await page.driver.navigate().refresh();
+    const isThere = () =>
+      page.until('it is there', () => {
+        const slider = /** @type {HTMLInputElement | null} */ (document.getElementById('park-kx'));
+        return slider?.value === '7';
+      });
+    await isThere();
+    await page.open('#park&v=1&park=7,0.1,99');
+    assert.match(await page.text('#message'), /park.*from 0 to 12/);
+  },
+);
+
 pageTest('the evolution that was seen is opened in the lab, with the same best robot', async (page) => {
   await page.open('#park');
   await page.setPace(8);
@@ -144,34 +162,38 @@ async function shared(page) {
   });
 }
 
-pageTest('Share says that Park is in no link, and leads to what was found here in the lab', async (page) => {
-  await page.open('#park');
-  const { said, ...before } = await shared(page);
-  assert.deepEqual(before, { link: 'park', lab: null, ofLab: 0 });
-  assert.ok(said.includes('What was tried here is not in it') && !said.includes('Fingerprint'), said);
-  await page.click('#keep-close');
-  await slide(page, 'ky', 3);
-  const byHand = await shared(page);
-  assert.match(byHand.lab ?? '', /^#lab&.*drives=hand&gains=[\d.]+,3,[\d.]+/);
-  await page.click('#keep-close');
-  await page.setPace(8);
-  await page.click('#park-evolve');
-  await page.until('it has come to its end', () => document.getElementById('park-lab'));
-  const evolved = await shared(page);
-  assert.equal(
-    evolved.lab,
-    await page.evaluate(() => document.getElementById('park-lab')?.getAttribute('href')),
-  );
-  assert.equal(evolved.ofLab, 0);
-  await page.click('#keep-lab');
-  await page.until('the lab is open', () => document.body.dataset.open === 'lab');
-  await page.until(
-    'the generation is there',
-    (number) => document.getElementById('generation')?.textContent === number,
-    String(bred(1).generation),
-  );
-  assert.equal((await shared(page)).ofLab, 4);
-});
+pageTest(
+  'Share says what of Park is in its link, and leads to what was found here in the lab',
+  async (page) => {
+    await page.open('#park');
+    const { said, ...before } = await shared(page);
+    assert.deepEqual(before, { link: 'park', lab: null, ofLab: 0 });
+    assert.ok(said.includes('What evolution found is not in it') && !said.includes('Fingerprint'), said);
+    await page.click('#keep-close');
+    await slide(page, 'ky', 3);
+    const byHand = await shared(page);
+    assert.match(byHand.link, /^park&v=1&park=[\d.]+,3,[\d.]+$/);
+    assert.match(byHand.lab ?? '', /^#lab&.*drives=hand&gains=[\d.]+,3,[\d.]+/);
+    await page.click('#keep-close');
+    await page.setPace(8);
+    await page.click('#park-evolve');
+    await page.until('it has come to its end', () => document.getElementById('park-lab'));
+    const evolved = await shared(page);
+    assert.equal(
+      evolved.lab,
+      await page.evaluate(() => document.getElementById('park-lab')?.getAttribute('href')),
+    );
+    assert.equal(evolved.ofLab, 0);
+    await page.click('#keep-lab');
+    await page.until('the lab is open', () => document.body.dataset.open === 'lab');
+    await page.until(
+      'the generation is there',
+      (number) => document.getElementById('generation')?.textContent === number,
+      String(bred(1).generation),
+    );
+    assert.equal((await shared(page)).ofLab, 4);
+  },
+);
 
 pageTest(
   'on a small telephone the robots and the three sliders are in sight at once, in both languages',

@@ -6,18 +6,21 @@ import { partOf } from '../load.js';
 import { mostGain, parkSlice as slice } from './state.js';
 import { load as loadWords } from './words/load.js';
 
+const gainsKey = partKey(
+  'park',
+  slice,
+  'gains',
+  (text) => gainsUpTo(text, mostGain),
+  (gains) => gains.map(numberText).join(','),
+);
+
 /** @type {Part} */
 export const park = {
   name: 'park',
   slice,
+  // Elsewhere nobody sees them.
   keys: [
-    partKey(
-      'park',
-      slice,
-      'gains',
-      (text) => gainsUpTo(text, mostGain),
-      (gains) => gains.map(numberText).join(','),
-    ),
+    { ...gainsKey, text: (state, usual) => (state.page === 'park' ? gainsKey.text(state, usual) : null) },
   ],
   places: {
     gains: { lock: '#park-gains, .park-walk', hide: '#park-gains, .park-walk' },

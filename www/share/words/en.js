@@ -7,7 +7,8 @@ export const texts = {
   keepLink: 'Link',
   keepLinkHelp: 'Opens this very run anywhere: the same robots, the same evolution, the same view.',
   keepCopy: 'Copy link',
-  keepParkHelp: 'Opens Park as it is at first, for whoever wants to try. What was tried here is not in it.',
+  keepParkHelp:
+    'Opens Park with the sliders as they are, for whoever wants to try. What evolution found is not in it.',
   keepParkTitle: 'What is found here',
   keepParkFound:
     'It can be shared as a run of the lab: as a link, as code for a robot, as a file, as tables.',
@@ -26,7 +27,7 @@ export const texts = {
   embedHelp:
     'Puts this view into another page, as it is now: a course page, a blog, slides. It stands still until someone uses it.',
   embedParkHelp:
-    'Puts Park into another page, as it is at first: a course page, a blog, slides. It stands still until someone uses it.',
+    'Puts Park into another page, with the sliders as they are: a course page, a blog, slides. It stands still until someone uses it.',
   embedText: 'The text to paste',
   embedCopy: 'Copy',
   embedDisk: 'This page was opened from a disk: put its file beside the page into which you paste this.',
