@@ -18,13 +18,20 @@ export function picturesOnScreen() {
     document.querySelectorAll('[data-picture]')
   )) {
     const key = element.dataset.picture ?? '';
-    if (isSeen(element)) found.set(key, [...(found.get(key) ?? []), element]);
+    const seen = boxesOf(element).filter(isSeen);
+    if (seen.length > 0) found.set(key, [...(found.get(key) ?? []), ...seen]);
   }
   return [...found].map(([key, elements]) => {
     const named = elements.find(({ dataset }) => dataset.name);
     return { key, name: named?.dataset.name ?? words.pictures[key], elements };
   });
 }
+
+/** What stands in its place, where it has no box of its own. @param {HTMLElement} element @returns {HTMLElement[]} */
+const boxesOf = (element) =>
+  getComputedStyle(element).display === 'contents'
+    ? [...element.children].flatMap((child) => boxesOf(/** @type {HTMLElement} */ (child)))
+    : [element];
 
 const isSeen = (/** @type {HTMLElement} */ element) => {
   const { width, height } = element.getBoundingClientRect();

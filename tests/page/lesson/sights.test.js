@@ -59,8 +59,11 @@ pageTest(
       await page.open(`#lesson&step=${name}`);
       const { bottom, plane, isStaged } = await page.until('the figure is drawn', () => {
         const heightOf = (/** @type {string} */ one) => {
-          const found = document.querySelector(one);
-          return found?.checkVisibility() ? found.clientHeight : 0;
+          // Where it has no box of its own it is as high as what stands in it.
+          const found = [...document.querySelectorAll(`${one}, ${one} *`)].find(
+            (element) => element.checkVisibility() && element.clientHeight > 0,
+          );
+          return found?.clientHeight ?? 0;
         };
         const figure = document.querySelector('.figure')?.getBoundingClientRect();
         const part = document.querySelector('.readings > section:not([hidden])');
