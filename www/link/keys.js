@@ -24,7 +24,7 @@ import {
 
 /** All that a link is written from; `work` null: nothing has been done yet. @typedef {Omit<Opened, 'parts'> & Pick<State, 'slices'> & { work?: State['work'] | null, history?: State['history'] }} Linked */
 /** A row: null is left out of links. A value that is refused throws an Error that says what it must be. @typedef {{ key: string, text: (state: Linked, usual: Experiment) => string | null, read: (opened: Opened, text: string, engine: Engine) => Opened }} Key */
-/** A row of something that a part of the page shows. @typedef {Key & { slice: Slice<any>, field: string }} PartKey */
+/** A row of something that a part of the page shows; with `stays` a link that says nothing of it leaves it as it is. @typedef {Key & { slice: Slice<any>, field: string, stays?: boolean }} PartKey */
 
 /**
  * @template {object} S @template {keyof S & string} F

@@ -85,8 +85,8 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
   const keys = [...driveKeys(places), ...partKeys, ...pinKeys, lessonKey(lesson), ...exerciseKeys];
   /** What the parts show when a link says nothing of it. @type {Record<string, Record<string, unknown>>} */
   const usualParts = {};
-  for (const { slice, field } of partKeys)
-    usualParts[slice.name] = { ...usualParts[slice.name], [field]: slice.first[field] };
+  for (const { slice, field, stays } of partKeys)
+    if (!stays) usualParts[slice.name] = { ...usualParts[slice.name], [field]: slice.first[field] };
   const known = new Map([...signs, ...keys, givenKey].map((row) => [row.key, row]));
 
   /** The text after # for a state. @param {Linked} all @param {ExperimentOf} experimentOf @param {Language} [read] The language of who opens it. */

@@ -18,9 +18,13 @@ const gainsKey = partKey(
 export const park = {
   name: 'park',
   slice,
-  // Elsewhere nobody sees them.
+  // Elsewhere nobody sees them, and they stay.
   keys: [
-    { ...gainsKey, text: (state, usual) => (state.page === 'park' ? gainsKey.text(state, usual) : null) },
+    {
+      ...gainsKey,
+      stays: true,
+      text: (state, usual) => (state.page === 'park' ? gainsKey.text(state, usual) : null),
+    },
   ],
   places: {
     gains: { lock: '#park-gains, .park-walk', hide: '#park-gains, .park-walk' },
