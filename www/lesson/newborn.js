@@ -26,9 +26,15 @@ export function createNewborn({ engine, store }, { newborn: words }) {
   const drivesOf = remember(
     (/** @type {Experiment} */ experiment, /** @type {Anatomy} */ anatomy, /** @type {boolean} */ isBorn) => {
       const { record } = anatomy;
-      const shown = (isBorn ? record.offspring : record.parents).slice(0, most);
-      const gains = shown.map((one) => /** @type {Triple} */ ([...one.gains]));
-      return engine.drive({ ...experiment, starts: [experiment.starts[0]] }, gains);
+      const from = { ...experiment, starts: [experiment.starts[0]] };
+      const driven = (/** @type {typeof record.parents} */ those) =>
+        engine.drive(
+          from,
+          those.slice(0, most).map((one) => /** @type {Triple} */ ([...one.gains])),
+        );
+      const parents = driven(record.parents);
+      if (!isBorn) return parents.map((run) => ({ run, others: /** @type {Run[]} */ ([]) }));
+      return driven(record.offspring).map((run, i) => ({ run, others: [parents[i]] }));
     },
   );
   const changed = watch();
@@ -41,23 +47,23 @@ export function createNewborn({ engine, store }, { newborn: words }) {
       const { record } = anatomy;
       const { phase } = generationSlice.of(state);
       const isBorn = !isInitial(record) && phase !== 'parents' && phase !== 'mutation';
-      /** @type {readonly Run[]} */
-      const runs = drivesOf(state.experiment, anatomy, isBorn);
+      const drives = drivesOf(state.experiment, anatomy, isBorn);
       const chosen = chosenIn(live) % anatomy.count;
       const all = isBorn ? record.offspring : record.parents;
       const isBetter = (/** @type {number} */ i) =>
         isBorn && all[i].cost < anatomy.all[partnerOf(anatomy, anatomy.count + i)].cost;
-      if (changed(runs, chosen))
+      if (changed(drives, chosen))
         render(
           html`<p class="newborn-title">${isBorn ? words.title(all.filter((_, i) => isBetter(i)).length, all.length) : words.parents(all.length)}</p>
-            <ul>${runs.map(
+            <div class="newborn-pictures"><ul>${drives.map(
               (_, i) => html`<li class=${`${i === chosen ? 'chosen' : ''}${isBetter(i) ? ' better' : ''}`}>
                 ${pictures[i].element}<span>${words.name(i + 1, !isBorn)}</span> <strong>${inFour(all[i].cost)}</strong></li>`,
-            )}</ul>`,
+            )}</ul></div>`,
           element,
         );
-      for (const [i, run] of runs.entries())
+      for (const [i, { run, others }] of drives.entries())
         pictures[i].draw(state.experiment, run, state.robot.time, state.theme, {
+          others,
           car: 3.5,
           token: isBetter(i) ? '--theta' : '--ink',
         });

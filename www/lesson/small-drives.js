@@ -1,6 +1,6 @@
 // Drives as small pictures side by side, each from the same start to the same goal, at the same time.
 import { drawBay, drawCar } from '../lab/car.js';
-import { postureAt, trace } from '../lab/track.js';
+import { inMetres, postureAt, trace } from '../lab/track.js';
 import { createLayer } from '../kit/canvas.js';
 import { create, followSize } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
@@ -20,22 +20,36 @@ export function createSmallDrive(store) {
   const changed = watch();
   return {
     element,
-    /** @param {Experiment} experiment @param {Run} run @param {number} time @param {number} theme @param {{ car: number, token?: string }} look */
-    draw(experiment, run, time, theme, { car, token = '--ink' }) {
+    /**
+     * @param {Experiment} experiment @param {Run} run @param {number} time @param {number} theme
+     * @param {{ car: number, token?: string, others: readonly (Run | null)[], beat?: number }} look With the drives of others, pale, and a dot on its own every so many seconds.
+     */
+    draw(experiment, run, time, theme, { car, token = '--ink', others, beat = 0 }) {
       const size = sizeOf();
       if (
         size.width === 0 ||
-        !changed(experiment, run, Math.min(time, run.finalTime), theme, token, size.width, size.height)
+        !changed(
+          experiment,
+          run,
+          others,
+          Math.min(time, run.finalTime),
+          theme,
+          token,
+          size.width,
+          size.height,
+        )
       )
         return;
       const half = Math.min(car, Math.min(size.width, size.height) / 12);
-      layer.draw(size, (context) => drawRun(context, size, { experiment, run, time, car: half, token }));
+      layer.draw(size, (context) =>
+        drawRun(context, size, { experiment, run, others, beat, time, car: half, token }),
+      );
     },
   };
 }
 
-/** @param {CanvasRenderingContext2D} context @param {{ width: number, height: number }} size @param {{ experiment: Experiment, run: Run, time: number, car: number, token: string }} what */
-function drawRun(context, { width, height }, { experiment, run, time, car, token }) {
+/** @param {CanvasRenderingContext2D} context @param {{ width: number, height: number }} size @param {{ experiment: Experiment, run: Run, others: readonly (Run | null)[], beat: number, time: number, car: number, token: string }} what */
+function drawRun(context, { width, height }, { experiment, run, others, beat, time, car, token }) {
   const { left, right, top, bottom } = boxAround([experiment.starts[0], experiment.goal]);
   const room = 2.6 * car;
   const scale = Math.min((width - 2 * room) / (right - left), (height - 2 * room) / (top - bottom));
@@ -50,17 +64,31 @@ function drawRun(context, { width, height }, { experiment, run, time, car, token
   });
   drawBay(context, onCanvas(experiment.goal), 1.3 * car, colour('--muted'));
   context.save();
-  context.transform(scale, 0, 0, -scale, originX, originY);
-  context.lineWidth = 1.5 / scale;
-  context.strokeStyle = colour(token);
-  context.beginPath();
-  trace(context, /** @type {any} */ ({ scale }), run, run.time.length - 1);
-  context.globalAlpha = 0.5;
-  context.stroke();
+  inMetres(context, { scale, originX, originY });
+  for (const one of [...others, run]) {
+    if (!one) continue;
+    context.lineWidth = 1.5 / scale;
+    context.strokeStyle = colour(one === run ? token : '--muted');
+    context.globalAlpha = one === run ? 0.7 : 0.3;
+    context.beginPath();
+    trace(context, { scale }, one, one.time.length - 1);
+    context.stroke();
+  }
   context.restore();
+  context.fillStyle = colour(token);
+  for (const moment of beats(run, beat)) {
+    const { x, y } = onCanvas(postureAt(run, moment));
+    context.beginPath();
+    context.arc(x, y, 2.5, 0, 2 * Math.PI);
+    context.fill();
+  }
   drawCar(context, onCanvas(postureAt(run, time)), car, {
     body: colour(token),
     wheel: colour('--muted'),
     nose: colour('--paper'),
   });
 }
+
+/** The moments of a drive that have a dot. @param {Run} run @param {number} beat */
+const beats = ({ finalTime }, beat) =>
+  beat > 0 ? Array.from({ length: Math.floor(finalTime / beat) + 1 }, (_, i) => i * beat) : [];

@@ -11,7 +11,7 @@ import { createSmallDrive } from './small-drives.js';
 /** @import { Driver } from '../words/common/kinds.js' */
 /** @import { Block, Live, Tools } from './page.js' */
 /** @typedef {'ep' | 'arbitrary' | 'gentle' | 'hand'} Entrant */
-/** @typedef {{ standings: { caption: string, gentle: string, lowest: string, nobody: string } }} Words */
+/** @typedef {{ standings: { caption: string, dots: (seconds: string) => string, gentle: string, lowest: string, nobody: string } }} Words */
 
 /** Turns and drives with patience. @type {Triple} */
 export const gentle = [2, 0, 3];
@@ -45,6 +45,8 @@ export function createStandings({ engine, actions, store }, { standings: words }
   let byHand = null;
   /** @type {readonly (Run | null)[]} */
   let driven = [];
+  /** Seconds from dot to dot. */
+  let beat = 0;
   /** The place of who drives by hand is that of the evolved robot while that one drives. */
   let isEvolved = false;
   const element = create('table', 'standings');
@@ -67,7 +69,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
     draw(live) {
       const { experiment, handGains, driver, preset, robot, theme } = live.state;
       for (const [i, run] of driven.entries())
-        if (run) pictures[i].draw(experiment, run, robot.time, theme, { car: 8 });
+        if (run) pictures[i].draw(experiment, run, robot.time, theme, { car: 8, others: driven, beat });
       isEvolved = driver === 'evolved';
       const last = isEvolved ? live.gains : null;
       if (!changed(experiment, handGains, driver, preset, String(last))) return;
@@ -78,6 +80,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
         name === 'hand' && isEvolved ? 'evolved' : name === 'gentle' ? 'hand' : drivers[name];
       const runs = entrants.map((name) => gains[name] && engine.drive(experiment, [gains[name]])[0]);
       driven = runs;
+      beat = beatOf(runs);
       const winner = winnerOf(runs);
       const dearest = Math.max(...runs.map((run) => run?.cost.total ?? 0).filter(Number.isFinite));
       const driving =
@@ -102,9 +105,20 @@ export function createStandings({ engine, actions, store }, { standings: words }
           </td>
         </tr>`;
       });
-      render(html`<tbody>${rows}</tbody>`, element);
+      render(html`<caption>${words.dots(String(beat))}</caption><tbody>${rows}</tbody>`, element);
     },
   };
+}
+
+/** So many dots has the longest drive at most. */
+const mostDots = 12;
+
+/** A round number of seconds, the same for all, so that dots far apart mean fast. @param {readonly (Run | null)[]} runs */
+function beatOf(runs) {
+  const longest = Math.max(...runs.map((run) => run?.finalTime ?? 0));
+  const least = longest / mostDots;
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * ([1, 2, 5].find((factor) => factor * power >= least) ?? 10);
 }
 
 /** J in its parts, beside the dearest. @param {Run | null} run @param {number} dearest */

@@ -25,7 +25,7 @@ const { DriverService } = createRequire(import.meta.url)('selenium-webdriver/rem
 /** @typedef {import('./engines.js').Engine} Engine */
 /** @typedef {import('selenium-webdriver').WebDriver} WebDriver */
 
-const testTimeout = 300_000;
+const testTimeout = 900_000;
 
 /**
  * What ends the things that were started, the latest first; what does not end well must not keep the others.
@@ -68,9 +68,11 @@ export function engineTest(name, body, setting) {
 /** @param {readonly Engine[]} engines @param {string} name @param {Body} body @param {Setting} [setting] */
 function declare(engines, name, body, { moves = false } = {}) {
   for (const engine of engines) {
-    test(`${engine.name}: ${name}`, { timeout: testTimeout }, async () => {
+    test(`${engine.name}: ${name}`, { timeout: testTimeout }, async ({ signal }) => {
       site ??= startSite();
       const key = `${engine.name} ${moves}`;
+      // It would go on in the page of the next test.
+      signal.addEventListener('abort', () => drivers.delete(key));
       const driver = drivers.get(key) ?? startBrowser(engine, moves);
       drivers.set(key, driver);
       const page = new Page(engine.name, await driver, await site);

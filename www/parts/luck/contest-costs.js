@@ -27,6 +27,7 @@ export function drawCosts(context, frame, { x, ticks, drives }, there) {
     const y = scaleLinear([0, 1], [frame.bottom, frame.top]);
     drawGrid(context, { x, y, frame }, { x: ticks, y: [] }, []);
     drawName(context, { text: words.costSymbol, x: frame.left - 50, y: 8 });
+    drawName(context, { text: words.emptyCosts, x: frame.left + 4, y: frame.top + 8 });
     return null;
   }
   const { contest, standings, lowest } = there;

@@ -13,6 +13,8 @@ export const cost = {
   },
   standings: {
     caption: 'Drives and what they cost with these weights',
+    /** @param {string} seconds */
+    dots: (seconds) => `A dot every ${seconds} s: far apart is fast. Pale: the other drives.`,
     gentle: 'Gentle',
     lowest: 'lowest',
     nobody: 'Move a gain, and your own drive stands here.',

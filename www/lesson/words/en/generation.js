@@ -7,7 +7,7 @@ export const generation = {
   newborn: {
     /** @param {number} better @param {number} count */
     title: (better, count) =>
-      `The drives of ${count} offspring. Green: better than its parent, ${better} of them. Below: J.`,
+      `Drives of ${count} offspring (pale: the parent’s). Green: ${better} better ones. Below: J.`,
     /** @param {number} count */
     parents: (count) => `The drives of ${count} parents. Below: J.`,
     /** @param {number} number @param {boolean} _isParent */

@@ -13,6 +13,8 @@ export const cost = {
   },
   standings: {
     caption: '지금의 가중치로 계산한 주행들의 비용',
+    /** @param {string} seconds */
+    dots: (seconds) => `점은 ${seconds} s마다 하나, 간격이 넓을수록 빠릅니다. 옅은 선: 다른 주행.`,
     gentle: '느긋하게',
     lowest: '가장 낮음',
     nobody: '이득을 움직이면 직접 조정한 주행이 여기에 나타납니다.',

@@ -131,6 +131,8 @@ export const usualTargetText = ({ cost, name, seed }) =>
 export const targetRefused = (was) => `The target must be a number; it was “${was}”.`;
 
 export const drivesAxis = 'drives';
+/** What comes where no contest has run. */
+export const emptyCosts = 'median J of each contestant';
 export const shareAxis = 'share at the target';
 export const targetsAxis = 'share of 51 targets';
 /** @param {number} drives */

@@ -120,6 +120,8 @@ export const usualTargetText = ({ cost, name, seed }) =>
 export const targetRefused = (was) => `목표는 수여야 하는데, 입력한 값은 “${was}”입니다.`;
 
 export const drivesAxis = '주행 횟수';
+/** What comes where no contest has run. */
+export const emptyCosts = '참가자마다 J의 중앙값';
 export const shareAxis = '목표에 이른 비율';
 export const targetsAxis = '목표 51개 가운데 이른 비율';
 /** @param {number} drives */
