@@ -16,7 +16,7 @@ export const paper = {
       choices: ['거의 그대로. 명령은 대부분 제한 안에 있다', '두세 배가 된다', '훨씬 더 커진다'],
       /** @param {{ here: number, literal: number, there: number }} outcome */
       why: ({ here, literal, there }) =>
-        `${costText(here)}이 아니라 ${costText(literal)}입니다. 논문의 값은 ${there}입니다. 목표 가까이에서 법칙이 거의 0인 수로 나누는 샘플 몇 개의 값이 주행 전체보다 큽니다. 이 페이지의 가중치로 보면 터무니없이 큰 값입니다. 식의 한 글자가 “같은 J”가 무엇인지를 결정합니다.`,
+        `J는 ${costText(here)} → ${costText(literal)}입니다. 논문의 값은 ${there}입니다. 목표 가까이에서 법칙이 거의 0인 수로 나누는 샘플 몇 개의 값이 주행 전체보다 큽니다. 이 페이지의 가중치로 보면 터무니없이 큰 값입니다. 식의 한 글자가 “같은 J”가 무엇인지를 결정합니다.`,
     },
   },
   tries: {
