@@ -65,6 +65,18 @@ test('no language has anything of the other, so that one is loaded without the o
   }
 });
 
+test('Korean is written at one speech level, and never offers two particles to choose from', () => {
+  const korean = modules.filter((name) => /(^|[\\/])words[\\/](ko[\\/]|([\w-]+-)?ko\.js$)/.test(name));
+  assert.ok(korean.length > 40, `${korean.length}`);
+  for (const name of korean) {
+    const text = readFileSync(join(source, name), 'utf8');
+    assert.doesNotMatch(text, /이\(가\)|은\(는\)|을\(를\)|과\(와\)|와\(과\)|\(으\)로/, name);
+    assert.doesNotMatch(text, /(?:[세해예네나어아여]요|죠)[.?!”’'`]/, name);
+    // A percent sign follows its number at once.
+    assert.doesNotMatch(text, /[\d}] %/, name);
+  }
+});
+
 test('no view has words of its own language', () => {
   // The element stands in pages of others, and has its language from them.
   const views = modules.filter(

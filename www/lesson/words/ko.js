@@ -37,7 +37,7 @@ export const right = '실제 결과';
 export const wrong = '나의 예측';
 export const asPredicted = '예측한 대로입니다.';
 export const otherwise = '예측과 다릅니다.';
-export const computing = '주행하는 중 …';
+export const computing = '주행하는 중…';
 export const watching = '주행을 지켜보십시오. 주행이 끝나면 답이 나타납니다.';
 export const besidePath = '수업 밖의 자료';
 /** @param {string} title */

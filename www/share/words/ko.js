@@ -5,13 +5,15 @@ export * from './common.js';
 
 export const texts = {
   keepLink: '링크',
-  keepLinkHelp: '어디서나 바로 이 실행을 엽니다. 로봇도 진화도 화면도 같습니다.',
+  keepLinkHelp: '어디서나 바로 이 실험을 엽니다. 로봇도 진화도 화면도 같습니다.',
   keepCopy: '링크 복사',
   keepParkHelp:
     '누구나 이어서 해 볼 수 있도록 지금 슬라이더 값으로 주차를 엽니다. 진화가 찾은 것은 담기지 않습니다.',
   keepParkTitle: '여기서 찾은 것',
-  keepParkFound: '실험실의 실행으로 나눌 수 있습니다. 링크, 로봇에 쓸 코드, 파일, 표가 거기에 있습니다.',
-  keepParkEmpty: '슬라이더를 움직이거나 진화에 맡기면, 그 결과를 실험실의 실행으로 나눌 수 있습니다.',
+  keepParkFound:
+    '실험실에서 여는 실험으로 공유할 수 있습니다. 링크, 로봇에 쓸 코드, 파일, 표가 거기에 있습니다.',
+  keepParkEmpty:
+    '슬라이더를 움직이거나 진화에 맡기면, 그 결과를 실험실에서 여는 실험으로 공유할 수 있습니다.',
   keepParkLab: '실험실에서 열기',
   keepFile: '파일',
   keepSave: '실험 저장',
@@ -32,7 +34,7 @@ export const texts = {
   embedDisk: '이 페이지는 디스크에서 열었습니다. 코드를 붙여 넣을 페이지와 같은 폴더에 이 파일을 두십시오.',
   keepExerciseTitle: '과제',
   keepExerciseHelp:
-    '이 실행에 과제를 붙여 학생에게 줍니다. 방해가 되거나 답을 미리 알려 주는 조작은 잠그거나 숨길 수 있습니다. 학생들이 낸 것은 여기서 한꺼번에 확인합니다.',
+    '이 실험에 과제를 붙여 학생에게 줍니다. 방해가 되거나 답을 미리 알려 주는 조작은 잠그거나 숨길 수 있습니다. 학생들이 낸 것은 여기서 한꺼번에 확인합니다.',
   keepExercise: '과제 만들기',
   keepCollect: '제출물 확인',
   keepCodeTitle: '코드',
@@ -58,7 +60,8 @@ export const texts = {
   makerUneven:
     '그러면 도달할 수 있는 J가 학생마다 다릅니다. 모두가 도달할 수 있는 J로 하거나 주차를 기준으로 하십시오.',
   makerPaperInLesson: '수업에는 논문의 이득이 나오므로 함께 숨깁니다.',
-  makerPark: '주차에서 해 본 것은 제출할 수 없습니다. 실험실에도 같은 출발 32곳과 슬라이더, 진화가 있습니다.',
+  makerPark:
+    '주차에서 해 본 것은 제출할 수 없습니다. 실험실에도 같은 출발점 32곳과 슬라이더, 진화가 있습니다.',
   makerToLab: '실험실에서 이어서 만들기',
   makerOnDisk:
     '이 페이지는 이 컴퓨터의 디스크에 있는 파일입니다. 학생에게도 이 파일이 있어야 하며, 파일 주소 뒤에 링크의 #부터 붙여서 엽니다. 또는 패키지를 나누어 주십시오.',
@@ -86,7 +89,7 @@ export const scorm = {
     nobody:
       '응답하는 학습 플랫폼이 없어 아무것도 저장되지 않습니다. ‘제출하기’를 누르고 제출물을 복사하십시오.',
   },
-  writing: '패키지를 만드는 중 …',
+  writing: '패키지를 만드는 중…',
   /** @param {number} bytes */
   written: (bytes) =>
     `패키지를 저장했습니다(${(bytes / 1e6).toFixed(1)} MB). SCORM 패키지로 올리십시오. Moodle에서는 활동 추가, SCORM 패키지입니다.`,
@@ -97,7 +100,7 @@ export const scorm = {
   failed: (reason) => `패키지를 만들지 못했습니다: ${reason}`,
 };
 
-export const foreignFile = '이 페이지가 저장한 실행이 아닙니다.';
+export const foreignFile = '이 페이지가 저장한 실험이 아닙니다.';
 
 /** @param {unknown} found @param {number} own */
 export const otherVersion = (found, own) =>
@@ -114,13 +117,13 @@ export const otherHash = (said, found) =>
   `파일에 적힌 진화의 지문은 ${said}, 실제 지문은 ${found}입니다. 파일이 바뀌었습니다.`;
 
 /** @param {string} field */
-export const changedFile = (field) => `${field} 항목이 실행과 다릅니다. 파일이 바뀌었습니다.`;
+export const changedFile = (field) => `${field} 항목이 실험과 다릅니다. 파일이 바뀌었습니다.`;
 
-export const cutFile = '파일이 손상되었습니다. 끝까지 있지 않습니다.';
+export const cutFile = '파일이 손상되었습니다. 끝부분이 없습니다.';
 
-export const largeFile = '실행 파일이라고 하기에는 너무 큽니다.';
+export const largeFile = '실험 파일이라고 하기에는 너무 큽니다.';
 
-export const reading = '파일을 읽고 그 실행을 다시 계산하는 중입니다. 이 창을 닫으면 그만둡니다.';
+export const reading = '파일을 읽고 그 실험을 다시 계산하는 중입니다. 이 창을 닫으면 그만둡니다.';
 
 /** @param {string} name @param {string} reason */
 export const notOpened = (name, reason) => `“${name}” 파일을 열지 못했습니다: ${reason}`;
@@ -183,13 +186,13 @@ export const wrongPoints = (most) =>
 /** @type {Readonly<Record<'none' | 'cost' | 'parks' | 'unseen', string>>} */
 export const aims = {
   none: '기준 없음',
-  cost: 'J가 다음보다 작을 때',
+  cost: 'J가 다음보다 낮을 때',
   parks: '주차한 출발점/전체',
-  unseen: '본 적 없는 출발점의 비율',
+  unseen: '처음 보는 출발점의 비율',
 };
 
 /** @type {Readonly<Record<'goal' | 'starts' | 'seed', string>>} */
-export const varied = { goal: '목표(25cm 이내)', starts: '출발(25cm, 15° 이내)', seed: '진화의 시드' };
+export const varied = { goal: '목표(25 cm 이내)', starts: '출발(25 cm, 15° 이내)', seed: '진화의 시드' };
 
 /** @param {number} i */
 export const pointsLabel = (i) => `${i === 0 ? '첫째' : '둘째'} 값의 점수`;

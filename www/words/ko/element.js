@@ -18,4 +18,4 @@ export const noHeight = (least, most, found) =>
   `height는 ${least} 이상 ${most} 이하의 정수(픽셀)여야 하며, 받은 값은 “${found}”입니다`;
 
 export const gone = '그림이 페이지에서 제거되었습니다';
-export const replaced = 'src가 설정되어, 질문을 받은 그림이 새 그림으로 바뀌었습니다';
+export const replaced = 'src가 설정되어, 요청을 받은 그림이 새 그림으로 바뀌었습니다';

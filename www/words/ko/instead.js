@@ -21,7 +21,7 @@ export const stopped =
 
 /** @param {number} robots @param {number} generation @param {string} first @param {string} best */
 export const caption = (robots, generation, first, best) =>
-  `이득이 무작위인 로봇 ${robots}대가 목표로 주행합니다. 그중 가장 좋은 로봇의 J는 ${first}입니다. 굵은 선은 ${generation}세대의 진화를 거친 최선의 로봇이며 J는 ${best}입니다.`;
+  `이득이 무작위인 로봇 ${robots}대가 목표로 주행합니다. 그중 가장 좋은 로봇의 J는 ${first}입니다. 굵은 선은 ${generation}세대의 진화를 거친 최우수 로봇이며 J는 ${best}입니다.`;
 
 export const article = '읽는 수업';
 export const articleNote =

@@ -69,8 +69,8 @@ export const pages = {
 
 /** What each part is for. @param {number} population @returns {Record<string, string>} */
 export const taglines = (population) => ({
-  lab: `무작위 이득 세 개씩을 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`,
-  park: '출발점 32곳의 로봇, 주차할 곳 하나, 수 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
+  lab: `무작위 이득을 세 개씩 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`,
+  park: '출발점 32곳의 로봇, 주차 자리 하나, 수 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
   generation:
     '한 세대를 단계별로 봅니다: 누가 누구의 자손인지, 어떻게 주행했는지, 누구를 만났는지, 누가 남는지.',
   curves: '논문의 그림 5, 7과 같은 시간에 따른 주행, 그동안 쌓이는 J, 그리고 리아푸노프 함수입니다.',
@@ -82,7 +82,7 @@ export const taglines = (population) => ({
     '출발점 하나로 진화한 이득은 그 출발점만 익힙니다. 여러 출발점으로 진화시켜 처음 보는 곳에서 시험해 보십시오.',
   disturbance:
     '바닥이 밀고 바퀴가 미끄러집니다. 로봇은 목표에서 얼마나 벗어나고, 정리 2는 무엇을 보장할까요?',
-  luck: '여러 시드로 같은 탐색을 반복합니다. 좋은 결과의 어디까지가 운이고, 어떤 구성 요소나 경쟁 방법이 더 나을까요?',
+  luck: '여러 시드로 같은 탐색을 반복합니다. 결과의 어디까지가 운이고, 어떤 구성 요소나 경쟁 방법이 더 나을까요?',
 });
 
 export const endTrial = '원래 출발점으로';
@@ -242,13 +242,13 @@ export const restText = (generation) =>
 
 /** @param {number} value Below which J was to come. @param {Statistics} statistics */
 export const reachedText = (value, { generation, best }) =>
-  `${generation}세대의 최소 J(${costText(best.cost)})가 ${sixDigits(value)}보다 작습니다. “진화 시작”을 누르면 이어집니다.`;
+  `${generation}세대의 최소 J(${costText(best.cost)})가 ${sixDigits(value)}보다 낮습니다. “진화 시작”을 누르면 이어집니다.`;
 
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
   `${statistics.generation}세대: 최소 J ${costText(statistics.best.cost)}`;
 
-export const bestLine = '최우수';
+export const bestLine = '최소';
 export const medianLine = '중앙값';
 export const paperLine = '논문 EP';
 /** A line that runs above the picture. @param {string} line */

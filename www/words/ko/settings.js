@@ -72,7 +72,7 @@ export const settings = {
   },
   'tolerance.speed': {
     name: '선속도 허용치',
-    help: '이보다 빠른 로봇은 아직 도착한 것으로 보지 않습니다. 끄면 속도를 보지 않습니다.',
+    help: '이보다 빠른 로봇은 아직 도착한 것으로 보지 않습니다. 끄면 선속도를 보지 않습니다.',
   },
   'tolerance.turnRate': {
     name: '각속도 허용치',

@@ -8,7 +8,7 @@ export const curveLegend = '세대에 따른 곡선';
 /** @type {readonly import('../../kit/segmented.js').Choice<import('../common/kinds.js').LabCurve>[]} */
 export const curveChoices = [
   { value: 'cost', text: 'J' },
-  { value: 'sigmas', text: 'σ', hint: '이득마다의 평균 변이 폭' },
+  { value: 'sigmas', text: 'σ', hint: '이득별 평균 변이 폭' },
 ];
 export const sigmaTitle = '변이 폭';
 

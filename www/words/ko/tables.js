@@ -30,7 +30,7 @@ export const landscapeCaption = (across, up, third, value) =>
 
 /** @param {number} headings */
 export const robustnessCaption = (headings) =>
-  `지도의 몇 위치에서 방향 ${headings}개 중 도착하는 수: 열은 x(m), 행은 y(m)`;
+  `지도의 몇 곳에서 방향각 ${headings}개 중 도착하는 수: 열은 x(m), 행은 y(m)`;
 
 /** @param {string} up @param {string} across */
 export const corner = (up, across) => `${up} ↓, ${across} →`;

@@ -23,7 +23,7 @@ export const kindLegend = '외란의 종류';
 /** @type {readonly import('../../../kit/segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
 export const kinds = [
   { value: 'none', text: '없음' },
-  { value: 'random', text: '무작위', hint: '샘플마다 −ε와 ε 사이에서 고르게 새로 뽑습니다' },
+  { value: 'random', text: '무작위', hint: '샘플마다 −ε와 ε 사이에서 균등하게 새로 뽑습니다' },
   { value: 'slip', text: '미끄러짐', hint: '모든 샘플에서 같습니다' },
 ];
 
@@ -52,7 +52,7 @@ export const legend = {
 };
 export const equationHints = {
   x: 'ε1 / kx',
-  y: 'ε1 |sin θₑ| / ky 의 세제곱근',
+  y: '(ε1 |sin θₑ| / ky)의 세제곱근',
   theta: 'ε2 / kθ',
 };
 
@@ -102,7 +102,7 @@ function othersText(summary) {
 
 /** Why the theorem is not about this drive, or a set so wide that it says nothing. @param {Summary} summary */
 function theoremText({ law, isPositive, rows, ky, disturbed }) {
-  if (law !== 'shim-kim') return '정리는 법칙 (5)에 대한 것이며, 지금 주행하는 법칙에는 해당하지 않습니다.';
+  if (law !== 'shim-kim') return '정리는 법칙 (5)에 대한 것이며, 지금 쓰는 규칙에는 해당하지 않습니다.';
   if (!isPositive) return '정리는 0보다 큰 이득에 대한 것입니다. 그렇지 않은 이득에는 집합이 없습니다.';
   if (!disturbed || rows.y.set < 1) return '';
   return `ky ${threeDigits(ky)}에서 ${formulaText('y')}의 집합은 ${amount('y', rows.y.set)}까지 이르므로, 보장하는 것이 거의 없습니다.`;

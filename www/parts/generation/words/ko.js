@@ -39,7 +39,7 @@ export function sentence(anatomy, phase) {
   if (method !== 'ep') return sentenceOfMethod(anatomy, phase, costWriter(anatomy));
   if (generation === 0)
     return phase === 'survivors'
-      ? `로봇 ${count}대가 모두 남아 J 순서로 섭니다. 이들이 1세대의 부모입니다.`
+      ? `로봇 ${count}대가 모두 남아 J 순서로 늘어섭니다. 이들이 1세대의 부모입니다.`
       : `무작위 이득을 가진 로봇 ${count}대를 뽑은 순서대로 보여 줍니다. 아직 경쟁은 없었습니다.`;
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
@@ -51,8 +51,8 @@ export function sentence(anatomy, phase) {
     tournament: `로봇 ${all.length}대가 각각 무작위로 뽑은 로봇 ${record.opponents[0]?.length}대와 겨룹니다. J가 상대보다 높지 않으면 이깁니다.`,
     ranking:
       record.wins.length > 0
-        ? `승수가 많은 순서로, 승수가 같으면 J가 낮은 순서로 섭니다. 선은 ${count}위 아래에 긋습니다.`
-        : `살아남는 로봇부터, 각각 J가 낮은 순서로 섭니다. 선은 ${count}위 아래에 긋습니다.`,
+        ? `승수가 많은 순서로, 승수가 같으면 J가 낮은 순서로 늘어섭니다. 선은 ${count}위 아래에 긋습니다.`
+        : `살아남는 로봇부터, 각각 J가 낮은 순서로 늘어섭니다. 선은 ${count}위 아래에 긋습니다.`,
     survivors: `부모 로봇 ${stayed}대와 자손 로봇 ${count - stayed}대가 σ와 함께 남습니다. 이들이 ${generation + 1}세대의 부모입니다.`,
   }[phase];
 }
@@ -69,7 +69,7 @@ export function upsetText(anatomy) {
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
   if (record.wins.length === 0)
-    return `${nameOf(anatomy, survivor)}(J ${write(a)})는 남고, 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)})는 탈락합니다. 서로 겨루지 않고 각자 자기 ${record.mutations.length > 0 ? '부모' : '개체'}와만 비교합니다.`;
+    return `${nameOf(anatomy, survivor)}(J ${write(a)}): 생존. 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)}): 탈락. 서로 겨루지 않고 각자 자기 ${record.mutations.length > 0 ? '부모' : '개체'}와만 비교합니다.`;
   return `${nameOf(anatomy, survivor)}(J ${write(a)}): ${winsText(record.wins[survivor])}, 생존. ${nameOf(anatomy, fallen)}(J ${write(b)}): ${winsText(record.wins[fallen])}, 탈락. 상대를 잘 만난 운입니다.`;
 }
 
@@ -115,7 +115,7 @@ export function chosenText(anatomy, phase, number) {
 }
 
 /** The axis of J where it is too narrow for J itself. @param {string} text how far, from the best on @param {number} i */
-export const beyondBest = (text, i) => (i === 0 ? '최우수' : `+${text}`);
+export const beyondBest = (text, i) => (i === 0 ? '최소' : `+${text}`);
 /** Of the thin lines that lead to the marks. */
 export const byCostText = '— J만으로 정한 순위에서';
 export const winsAxis = '승';
@@ -147,7 +147,7 @@ export const belowZeroText = {
 };
 /** @param {string} sigma */
 export const floorText = (sigma) => `σ는 ${sigma} 아래로 내려가지 않습니다.`;
-export const cauchyText = 'C는 코시 분포에서, N은 정규 분포에서 뽑은 난수입니다.';
+export const cauchyText = 'C는 코시 분포에서, N은 정규분포에서 뽑은 난수입니다.';
 
 /** What stands before the name of the other. @param {number} own @param {number} other */
 export const comparedText = (own, other) =>
@@ -173,10 +173,10 @@ export function fateText({ ranks, staying, record, all, method }, number) {
 /** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} write */
 export const bestText = (method, before, after, write) =>
   after < before
-    ? `최우수 J가 ${write(before)}에서 ${write(after)}까지 내려갑니다.`
+    ? `최소 J가 ${write(before)}에서 ${write(after)}까지 내려갑니다.`
     : after === before
-      ? `최우수 J는 ${write(after)} 그대로입니다.${method === 'ep' ? ' 최우수 개체는 언제나 살아남습니다.' : ''}`
-      : `최우수 J가 ${write(before)}에서 ${write(after)}까지 올라갑니다. 이 탐색은 전에 찾은 것을 잊습니다.`;
+      ? `최소 J는 ${write(after)} 그대로입니다.${method === 'ep' ? ' 최우수 개체는 언제나 살아남습니다.' : ''}`
+      : `최소 J가 ${write(before)}에서 ${write(after)}까지 올라갑니다. 이 탐색은 전에 찾은 것을 잊습니다.`;
 
 /** @param {Anatomy} anatomy */
 export function tableCaption(anatomy) {

@@ -90,8 +90,8 @@ const sentences = {
   },
   de: {
     parents: ({ count }) =>
-      `개체 로봇 ${count}대를 순위가 높은 것부터 보여 줍니다. 개체마다 시험 벡터가 하나씩 생깁니다.`,
-    mutation: () => 'a에서 c→b의 절반만큼 움직이고, 일부 이득은 원래 개체의 값을 그대로 씁니다.',
+      `개체 ${count}개를 순위가 높은 것부터 보여 줍니다. 개체마다 시험 벡터가 하나씩 생깁니다.`,
+    mutation: () => '시험 벡터는 a에서 c→b의 절반만큼 움직이고, 일부 이득은 원래 개체의 값을 그대로 씁니다.',
     drive: ({ record: { parents, offspring } }) =>
       `시험 벡터가 주행합니다. ${parents.length}개 중 ${offspring.filter(({ cost }, i) => cost <= parents[i].cost).length}개의 J가 원래 개체보다 높지 않습니다.`,
     survivors: ({ record: { survivors, parents } }) => {
@@ -101,7 +101,7 @@ const sentences = {
   },
   'cma-es': {
     parents: ({ record }) =>
-      `${record.generation - 1}세대에서 남은 것은 정규 분포뿐입니다. 타원은 1σ와 2σ입니다.`,
+      `${record.generation - 1}세대에서 남은 것은 정규분포뿐입니다. 타원은 1σ와 2σ입니다.`,
     mutation: ({ record }) => `이 분포에서 로봇 ${record.offspring.length}대를 뽑습니다.`,
     drive: () => '모두 주행하여 J를 얻습니다. 다음에는 그 순서만 쓰입니다.',
     ranking: ({ counting, ranked }) =>
@@ -114,19 +114,19 @@ const sentences = {
   'one-plus-one-es': {
     parents: ({ record }) =>
       `부모 하나와, 모든 이득에 공통인 σ ${sigmaText(record.plan.steps?.[0] ?? 0)}입니다. 고리는 1σ와 2σ입니다.`,
-    mutation: () => '자손: 이득마다 이 σ의 정규 분포로 한 걸음 움직입니다.',
+    mutation: () => '자손: 이득마다 이 σ의 정규분포로 한 걸음 움직입니다.',
     drive: (anatomy, write) => `자손이 주행합니다. ${duel(anatomy, write)}`,
     survivors: (anatomy) =>
       isBetter(anatomy)
-        ? '성공: 자손이 남고 σ × 1.5. 다섯에 하나가 성공하면 σ는 그대로입니다.'
-        : '실패: 부모가 남고 σ × 0.904. 다섯에 하나가 성공하면 σ는 그대로입니다.',
+        ? '성공: 자손이 남고 σ × 1.5. 다섯 번에 한 번 성공하면 σ는 그대로입니다.'
+        : '실패: 부모가 남고 σ × 0.904. 다섯 번에 한 번 성공하면 σ는 그대로입니다.',
   },
   'nelder-mead': {
     parents: ({ record: { plan, parents } }) =>
       plan.motion === 'begin'
         ? `${Number.isFinite(parents[0].cost) ? '심플렉스가 한 점으로 줄어들어' : '심플렉스의 모든 꼭짓점에서 J가 무한대여서'} 새로 시작합니다.`
         : parents.length > 4
-          ? '꼭짓점 넷과 반사한 점입니다. 다음 시험점이 반사한 점의 운명을 정합니다.'
+          ? '꼭짓점 넷과 반사한 점입니다. 다음 시험점이 반사한 점을 쓸지를 정합니다.'
           : '꼭짓점 넷의 심플렉스입니다. 가장 나쁜 꼭짓점을 바꾸려 합니다.',
     mutation: ({ record }) => moves[record.plan.motion ?? 'begin'],
     drive: ({ record: { offspring, parents } }, write) =>
@@ -137,7 +137,7 @@ const sentences = {
       const stays = survivors.includes(parents.length);
       const what =
         offspring.length > 1
-          ? '꼭짓점이 새로워졌습니다.'
+          ? '꼭짓점이 바뀌었습니다.'
           : survivors.length > 4
             ? '시험점이 심플렉스 옆에서 기다립니다.'
             : stays
@@ -184,7 +184,7 @@ const sentences = {
       if (isBetter(anatomy)) return 'J가 내려가 그 자리에 남습니다. 기울기를 다시 재고 두 배로 나아갑니다.';
       return next.steps
         ? 'J가 내려가지 않으므로 되돌아가서 절반만 가 봅니다.'
-        : '이렇게 가까워도 J가 내려가지 않습니다. 기울기를 다시 잽니다.';
+        : '이만큼 가까이에서도 J가 내려가지 않습니다. 기울기를 다시 잽니다.';
     },
   },
 };
@@ -195,7 +195,9 @@ export function sentenceOfMethod(anatomy, phase, write) {
   if (method === 'ep') return '';
   if (record.generation > 0) return sentences[method][phase]?.(anatomy, write) ?? '';
   if (phase === 'survivors')
-    return count === 1 ? '이 로봇에서 탐색을 시작합니다.' : `로봇 ${count}대가 모두 남아 J 순서로 섭니다.`;
+    return count === 1
+      ? '이 로봇에서 탐색을 시작합니다.'
+      : `로봇 ${count}대가 모두 남아 J 순서로 늘어섭니다.`;
   return `로봇 ${count}대: ${beginnings[method]}. 아직 경쟁은 없었습니다.`;
 }
 
@@ -221,9 +223,9 @@ export function madeText({ method, record }, own) {
   const made = {
     ep: '',
     random: '상자 안 어디서나 뽑음',
-    de: `a + ½ (b − c), 개체 ${own + 1}과 교차`,
+    de: `a + ½ (b − c), 교차 상대: 개체 ${own + 1}`,
     'cma-es': '타원에서 뽑음',
-    'one-plus-one-es': '부모에서 정규 분포로 한 걸음',
+    'one-plus-one-es': '부모에서 정규분포로 한 걸음',
     'nelder-mead': motions[record.plan.motion ?? 'begin'],
     'one-at-a-time': '이득 하나를 옮김',
     'finite-differences': record.plan.steps ? '기울기를 따라 한 걸음' : '기울기를 재는 시험점',
@@ -251,7 +253,7 @@ export const weighedText = (weight) =>
   weight > 0 ? `전체 1 가운데 ${weightText(weight)}의 가중치를 가집니다.` : '반영되지 않습니다.';
 /** @param {import('../detail-methods.js').Successes} successes */
 export const successText = ({ steps, won }) =>
-  `최근 ${steps}걸음 중 ${won}걸음 성공: 다섯 중 하나${5 * won > steps ? '보다 많습니다' : 5 * won === steps ? '입니다' : '보다 적습니다'}.`;
+  `최근 ${steps}걸음 중 ${won}걸음 성공: 다섯 번에 한 번${5 * won > steps ? '보다 많습니다' : 5 * won === steps ? '입니다' : '보다 적습니다'}.`;
 /** @param {Anatomy} anatomy @param {number} count */
 export const stay = ({ method }, count) => (method === 'cma-es' ? `${count}대 반영` : `로봇 ${count}대 생존`);
 /** @param {Anatomy} anatomy @param {number} count */

@@ -25,7 +25,7 @@ export const contestTexts = {
   ingredients: '구성 요소 하나 바꾸기',
   rivals: '경쟁 방법',
   target: '목표 J',
-  until: '읽을 때까지의 주행 횟수',
+  until: '읽는 시점의 주행 횟수',
   reading: '어떤 그림',
   fewer: '시드를 더 적게 썼다면',
   otherSeeds: '다른 시드로',
@@ -101,14 +101,14 @@ export const intervalText = (low, high) => `${grouped(low)}–${Number.isFinite(
 export const contestProgress = (done, all) => `실행 ${all}회 중 ${done}회`;
 /** @param {number} drives */
 export const tooLong = (drives) =>
-  `주행이 ${grouped(drives)}회나 되어 너무 오래 걸립니다. 시드, 주행 횟수, 출발 자세, 참가자 가운데 무엇이든 줄여 주십시오.`;
+  `주행이 ${grouped(drives)}회나 되어 너무 오래 걸립니다. 시드, 주행 횟수, 출발점, 참가자 가운데 하나를 줄이십시오.`;
 /** @param {number} budget @param {number} most */
 export const runTooLong = (budget, most) =>
-  `여기서는 주행 ${grouped(budget)}회짜리 실행 하나도 너무 오래 걸립니다. 많아도 ${grouped(most)}회까지입니다. 주행 횟수나 출발 자세를 줄이거나, 제한 시간을 줄이거나, 샘플링 주기를 늘려 주십시오.`;
+  `여기서는 주행 ${grouped(budget)}회짜리 실행 하나도 너무 오래 걸립니다. 많아도 ${grouped(most)}회까지입니다. 주행 횟수나 출발점이나 제한 시간을 줄이거나, 샘플링 주기를 늘리십시오.`;
 /** @param {number} done @param {number} all */
 export const contestCancelled = (done, all) =>
   `실행 ${all}회 중 ${done}회를 마치고 취소했습니다. 그때까지의 결과를 보여 줍니다.`;
-export const otherContest = '지금 고른 것이 아니라 이전 겨루기의 결과입니다. 고른 대로 다시 실행해 주십시오.';
+export const otherContest = '지금 고른 것이 아니라 이전 겨루기의 결과입니다. 고른 대로 다시 실행하십시오.';
 /** @param {{ seeds: number, budget: number }} asked @param {number} starts */
 export const contestInvitation = ({ seeds, budget }, starts) =>
   `어느 부분이 효과를 낼까요? 참가자마다 같은 시드 ${seeds}개로 ${grouped(budget)}회씩${asOne(starts)} 주행합니다. 세대가 아니라 주행 횟수로 비교해 보십시오.`;
@@ -137,7 +137,7 @@ export const contestColumns = [
   { text: '도달', hint: '목표에 이른 실행의 수' },
   {
     text: 'ERT',
-    hint: '기대 실행 시간: 모든 실행이 목표나 한도까지 쓴 주행 횟수를 목표에 이른 실행의 수로 나눈 값. 곁의 수는 95% 신뢰구간(부트스트랩)',
+    hint: '기대 실행 시간: 모든 실행이 목표나 한도까지 쓴 주행 횟수를 목표에 이른 실행의 수로 나눈 값. 옆의 값은 95% 신뢰구간(부트스트랩)',
   },
   { text: 'J 중앙값', hint: '주행 한도에서 J의 중앙값' },
   {

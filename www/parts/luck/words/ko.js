@@ -70,9 +70,13 @@ export function finding({ runs, generations, summary }) {
   const { final, finalRandom, randomWins, overtakes } = summary;
   const evolution = `${generations}세대 뒤, 시드 ${runs.length}개 중 절반의 J는 ${costText(final.median)} 이하이고, 가장 운 나쁜 시드의 J는 ${costText(final.most)}입니다.`;
   const isThere = overtakes > 0 && overtakes < generations;
-  const overtaken = isThere ? ` 진화의 중앙값은 ${overtakes}세대에 이미 그 값에 이릅니다.` : '';
+  const overtaken = isThere
+    ? ` 진화의 중앙값은 ${overtakes}세대에 이미 무작위 탐색의 중앙값에 이릅니다.`
+    : '';
   const wins =
-    randomWins === 0 ? '진화보다 나은 시드는 없습니다.' : `진화보다 나은 시드는 ${randomWins}개입니다.`;
+    randomWins === 0
+      ? '무작위 탐색이 더 나은 시드는 없습니다.'
+      : `무작위 탐색이 더 나은 시드는 ${randomWins}개입니다.`;
   return `${evolution} 같은 횟수를 주행한 무작위 탐색의 중앙값은 ${costText(finalRandom.median)}이며, ${wins}${overtaken}`;
 }
 

@@ -2,11 +2,11 @@
 import { fixed } from '../../../words/ko/numbers.js';
 
 export const title = '모두 주차시키기';
-export const pictureName = '주차장과 로봇';
+export const pictureName = '주차 자리';
 
 /** @param {number} count */
 export const invitation = (count) =>
-  `로봇 ${count}대, 주차할 곳 하나. 모든 로봇은 같은 수 세 개를 따릅니다. 로봇을 모두 주차시키는 세 수를 찾아보십시오.`;
+  `로봇 ${count}대, 주차 자리 하나. 모든 로봇은 같은 수 세 개를 따릅니다. 로봇을 모두 주차시키는 세 수를 찾아보십시오.`;
 
 /** @param {number} count */
 export const ofParked = (count) => `/ ${count}대 주차`;

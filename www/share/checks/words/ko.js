@@ -59,7 +59,7 @@ export const sentences = {
   ],
   mirror: (count) => [`주차의 좌우를 뒤집어도 로봇 ${count}대의 비용은 같습니다.`, '다른 J의 수'],
   parked: (count) => [
-    `주행 ${count}회에서 Kanayama의 규칙은 목표가 멈추어 있으면 돌지 않습니다.`,
+    `주행 ${count}회에서 Kanayama의 규칙은 목표가 멈추어 있으면 로봇을 회전시키지 않습니다.`,
     '최대 |ω|',
   ],
   run: (preset, gains, withPosture) => [
@@ -67,7 +67,7 @@ export const sentences = {
     withPosture ? 'J, t_f, x, y, θ' : 'J, t_f',
   ],
   paperOrder: () => [
-    '두 실험 모두 논문이 진화로 찾은 이득의 비용이 임의로 고른 이득의 비용보다 작습니다. 논문과 같습니다.',
+    '두 실험 모두 논문이 진화로 찾은 이득의 비용이 임의로 고른 이득의 비용보다 낮습니다. 논문과 같습니다.',
     '두 J',
   ],
   parts: (count) => [`주행 ${count}회의 경로에서 다시 더한 J는 식 (9)와 같습니다.`, '최대 상대 차이'],
@@ -76,7 +76,7 @@ export const sentences = {
     '한 비트라도 다른 J의 수',
   ],
   lanesFromStarts: (count) => [
-    `무작위 외란 속에서 출발점 ${count}개로부터 주행해도 그렇습니다.`,
+    `무작위 외란 속에서 출발점 ${count}개에서 주행해도 그렇습니다.`,
     '한 비트라도 다른 J의 수',
   ],
   mapRows: (rows) => [
@@ -102,7 +102,7 @@ export const sentences = {
   strangers: () => ['토너먼트에서 누구도 자기 자신과 겨루지 않습니다.', '그런 대결의 수'],
   wins: () => ['대결마다 다시 세어도 승수는 모두 맞습니다.', '틀린 승수의 수'],
   survivors: () => [
-    '승수가 가장 많은 개체가 남고, 승수가 같으면 J가 작은 개체가 남습니다.',
+    '승수가 가장 많은 개체가 남고, 승수가 같으면 J가 낮은 개체가 남습니다.',
     '다른 자리의 수',
   ],
   parents: () => [

@@ -9,7 +9,7 @@ export const texts = {
 };
 
 export const languageLegend = '프로그래밍 언어';
-export const computing = '주행을 계산하고 있습니다 …';
+export const computing = '주행을 계산하고 있습니다…';
 export const copied = '코드를 복사했습니다.';
 export const notCopied =
   '이 브라우저는 페이지의 복사를 허용하지 않습니다. 코드를 선택해 두었으니 키보드로 복사하십시오.';
@@ -44,8 +44,8 @@ export const comments = {
   gains: 'kx (1/s), ky (1/(m² s)), kθ (rad/s)',
   referenceVelocity: '목표의 속도: m/s, rad/s',
   sampleTime: '명령 사이의 시간(s)',
-  largestVelocity: '속도의 한계: m/s, rad/s',
-  largestChange: '가속도의 한계: m/s², rad/s²',
+  largestVelocity: '속도 제한: m/s, rad/s',
+  largestChange: '가속도 제한: m/s², rad/s²',
   smallest: '이보다 작은 수로 나누지 않음',
   start: 'x (m), y (m), θ (rad); 정지 상태',
   goal: 'x (m), y (m), θ (rad)',
@@ -74,7 +74,7 @@ export const comments = {
   },
   wrap: '(-pi, pi] 안의 같은 각입니다.',
   inverse: '1 / s입니다. |s|가 정해 둔 가장 작은 수보다 작으면 그 수로 나눕니다.',
-  advance: '한 표본 뒤의 자세: 정확한 원호 (2)를 따라갑니다.',
+  advance: '한 샘플 뒤의 자세: 정확한 원호 (2)를 따라갑니다.',
   drive: '페이지와 똑같이 달리고, t_f와 비용 J (9), 마지막 자세를 돌려줍니다.',
   goalMoves: '목표도 움직임',
   diverged: '유한한 수의 범위를 벗어남',

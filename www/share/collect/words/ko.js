@@ -24,7 +24,7 @@ export const texts = {
   costAxis: 'J',
   larger: '그 이상',
   strip: '제출물 목록',
-  stripBack: '브라우저의 뒤로 단추를 누르면 이전에 열려 있던 실행으로 돌아갑니다.',
+  stripBack: '브라우저의 뒤로 버튼을 누르면 이전에 열려 있던 실험으로 돌아갑니다.',
   countAxis: '제출 수',
 };
 

@@ -46,7 +46,7 @@ export const wantedText = (wanted) =>
     ? `J ${wanted.below} 미만`
     : wanted.kind === 'parks'
       ? `출발점 ${wanted.of}곳 가운데 ${wanted.least}곳 이상에서 주차`
-      : `진화가 본 적 없는 출발점 1000곳의 ${Math.round(1000 * wanted.share) / 10}% 이상에서 주차`;
+      : `진화에 쓰지 않은 출발점 1,000곳의 ${Math.round(1000 * wanted.share) / 10}% 이상에서 주차`;
 
 /** @param {number | null} drives */
 export const budgetText = (drives) => (drives === null ? '' : `, 주행 ${drives}회 이내`);

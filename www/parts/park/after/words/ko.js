@@ -39,13 +39,13 @@ export const share = (parked, count) => `${count}대 중 ${parked}대`;
 
 export const walk = '직접 고른 세 수에서 진화의 세 수로';
 /** @param {number} percent */
-export const walked = (percent) => `진화의 세 수 쪽으로 ${percent} %`;
+export const walked = (percent) => `진화의 세 수 쪽으로 ${percent}%`;
 /** @param {readonly string[]} gains @param {number} parked @param {number} count */
 export const walkedTo = (gains, parked, count) => `${gains.join(', ')}: ${count}대 중 ${parked}대 주차`;
 
 /** @param {number} robot @param {number} count @param {number} seconds */
 export const parkedAfter = (robot, count, seconds) =>
-  `로봇 ${count}대 중 ${robot}번은 ${fixed(seconds, 1)} s 만에 주차했습니다.`;
+  `로봇 ${count}대 중 ${robot}번은 ${fixed(seconds, 1)}초 만에 주차했습니다.`;
 /** @param {number} robot @param {number} count @param {Missed} missed */
 export function missed(robot, count, { seconds, ahead, aside, degrees, gain: name, asks }) {
   const off = [
@@ -54,7 +54,7 @@ export function missed(robot, count, { seconds, ahead, aside, degrees, gain: nam
     degrees && `방향으로 ${fixed(Math.abs(degrees), 1)}°`,
   ];
   const asked = asks.map(({ value, unit }) => `${fixed(value, 3)} ${unit}`).join(', ');
-  return `로봇 ${count}대 중 ${robot}번은 주차하지 못했습니다. ${fixed(seconds, 0)} s 뒤에 ${off.filter(Boolean).join(', ')} 벗어나 있습니다. 그곳에서 ${name}의 요구: ${asked}.`;
+  return `로봇 ${count}대 중 ${robot}번은 주차하지 못했습니다. ${fixed(seconds, 0)}초 뒤에 ${off.filter(Boolean).join(', ')} 벗어나 있습니다. 그곳에서 ${name}의 명령: ${asked}.`;
 }
 export const watchThis = '이 로봇을 실험실에서 보기';
 export const previous = '앞 로봇';
