@@ -1,7 +1,7 @@
 // The names at the lines of a chart, on its canvas.
 /** @import { Size } from './canvas.js' */
 /** @import { Frame } from './chart.js' */
-import { strongFont, textFont } from './fonts.js';
+import { strongFont, symbolFont, textFont } from './fonts.js';
 import { colour } from './palette.js';
 
 /**
@@ -29,7 +29,8 @@ export const gutterOf = (size) => (isNarrow(size) ? 18 : 100);
 /** A name on a piece of paper. @param {CanvasRenderingContext2D} context @param {Name} name @param {number} [opacity] Of the paper. */
 export function drawName(context, { text, x, y, align = 'left', token = '--muted', isStrong }, opacity = 1) {
   const pieces = typeof text === 'string' ? [text] : text;
-  const font = isStrong ? strongFont : textFont;
+  // A letter by itself is a symbol, as in formulas.
+  const font = /^[A-Za-z]$/.test(pieces.join('')) ? symbolFont : isStrong ? strongFont : textFont;
   const fonts = pieces.map((_, i) => (i % 2 ? font.replace('13px', '11px') : font));
   const widths = pieces.map((piece, i) => {
     context.font = fonts[i];
