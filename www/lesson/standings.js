@@ -105,7 +105,10 @@ export function createStandings({ engine, actions, store }, { standings: words }
           </td>
         </tr>`;
       });
-      render(html`<caption>${words.dots(String(beat))}</caption><tbody>${rows}</tbody>`, element);
+      render(
+        html`<caption>${beat > 0 ? words.dots(String(beat)) : ''}</caption><tbody>${rows}</tbody>`,
+        element,
+      );
     },
   };
 }
@@ -114,7 +117,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
 const mostDots = 12;
 
 /** A round number of seconds, the same for all, so that dots far apart mean fast. @param {readonly (Run | null)[]} runs */
-function beatOf(runs) {
+export function beatOf(runs) {
   const longest = Math.max(...runs.map((run) => run?.finalTime ?? 0));
   const least = longest / mostDots;
   const power = 10 ** Math.floor(Math.log10(least));

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { gentle } from '../../../www/lesson/standings.js';
+import { beatOf, gentle } from '../../../www/lesson/standings.js';
 import { cost as step, withKy } from '../../../www/lesson/steps/cost.js';
 import { cost as words } from '../../../www/lesson/words/en/cost.js';
 import { costText } from '../../../www/words/numbers.js';
@@ -50,6 +50,15 @@ test('the arbitrary gains arrive first, the gentle ones last, and weights change
   const { experiment: heavy } = opened(linkOf(step, 'heavier'));
   for (const gains of Object.values(entrants))
     assert.deepEqual(simulate(heavy, gains).x, simulate(usual, gains).x);
+});
+
+test('the dots on the drives are a round number of seconds apart, and at most twelve after the start', () => {
+  for (const finalTime of [0.03, 0.6, 1.9, 2, 3.59, 10, 25, 999]) {
+    const beat = beatOf([/** @type {any} */ ({ finalTime }), null]);
+    assert.match(beat.toExponential(), /^[125]e/);
+    assert.ok(Math.floor(finalTime / beat) <= 12, `${finalTime}: ${beat}`);
+    assert.ok(Math.floor(finalTime / beat) >= 4, `${finalTime}: ${beat}`);
+  }
 });
 
 test('where moving is dear, staying at home costs less than arriving, until the end is dear too', async () => {

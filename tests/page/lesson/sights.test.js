@@ -101,6 +101,40 @@ pageTest('on a telephone a generation is whole in its sight, phase by phase', as
   }
 });
 
+pageTest(
+  'Run is whole in sight under the map on a telephone, and under a generation on a laptop',
+  async (page) => {
+    for (const [width, height, step] of /** @type {const} */ ([
+      [390, 844, 'landscape'],
+      [1366, 768, 'generation'],
+    ])) {
+      await page.resize(width, height);
+      await page.open(`#lesson&step=${step}`);
+      const [run, edge] = await page.until('Run stands there', () => {
+        const [button, figure] = ['#run', '.figure'].map((one) => document.querySelector(one));
+        return button?.checkVisibility() && figure
+          ? [button, figure].map((one) => one.getBoundingClientRect().bottom)
+          : undefined;
+      });
+      assert.ok(run <= Math.min(edge, height), `${step}: ${run}, ${edge}`);
+    }
+  },
+);
+
+pageTest('on a telephone each drive of a generation is as large as on a laptop', async (page) => {
+  await page.resize(390, 844);
+  await page.open('#lesson&step=generation');
+  const { widths, cut } = await page.until('they are there', () => {
+    const cells = [...document.querySelectorAll('.newborn li')].map((cell) => cell.getBoundingClientRect());
+    const stage = document.querySelector('#stage')?.getBoundingClientRect();
+    return cells.length === 20 && stage && stage.height > 0
+      ? { widths: cells.map(({ width }) => width), cut: cells[19].bottom - stage.bottom }
+      : undefined;
+  });
+  assert.ok(Math.min(...widths) >= 60, `${widths}`);
+  assert.ok(cut <= 1, `${cut}`);
+});
+
 pageTest('on a telephone the figure turns to what a question, a try or a word opens', async (page) => {
   await page.resize(390, 844);
   const seen = () => page.evaluate(() => document.body.dataset.sight);
