@@ -75,21 +75,26 @@ impl Setting {
                 break outcome;
             }
         };
-        let column = |i: usize| Column(rows.iter().map(|row| row[i]).collect());
+        // In the order of a row.
+        let [time, x, y, theta, linear, angular, command_linear, command_angular, rest @ ..] =
+            std::array::from_fn::<_, COLUMNS, _>(|i| {
+                Column(rows.iter().map(|row| row[i]).collect())
+            });
+        let [reference_x, reference_y, reference_theta, path_cost, energy_cost] = rest;
         Run {
-            time: column(0),
-            x: column(1),
-            y: column(2),
-            theta: column(3),
-            linear: column(4),
-            angular: column(5),
-            command_linear: column(6),
-            command_angular: column(7),
-            reference_x: column(8),
-            reference_y: column(9),
-            reference_theta: column(10),
-            path_cost: column(11),
-            energy_cost: column(12),
+            time,
+            x,
+            y,
+            theta,
+            linear,
+            angular,
+            command_linear,
+            command_angular,
+            reference_x,
+            reference_y,
+            reference_theta,
+            path_cost,
+            energy_cost,
             cost: state.cost(self),
             outcome,
             arrived: outcome == Outcome::Arrived,
