@@ -4,6 +4,7 @@ import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { signed } from '../words/numbers.js';
 import { rateAmounts, rateTerms } from './formulas-motion.js';
+import { piecesOf } from './notation.js';
 import { mathml, symbol } from './symbols.js';
 
 /** @import { Block, Live, Tools } from './page.js' */
@@ -16,12 +17,8 @@ export function createCancel({ store }, { cancel: words }) {
   const element = create('div', 'cancel');
   element.id = 'cancel';
   let pressed = 0;
-  const terms = rateTerms(symbol).map(({ sign, parts, pair, of }) => {
-    const math = mathml(
-      'math',
-      mathml('mo', sign),
-      ...parts.map((part) => (typeof part === 'string' ? mathml('mo', part) : part)),
-    );
+  const terms = rateTerms.map(({ text, pair, of }) => {
+    const math = mathml('math', ...piecesOf(text, symbol));
     math.setAttribute('displaystyle', 'true');
     return { math, pair, of };
   });

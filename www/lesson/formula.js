@@ -1,7 +1,7 @@
 // Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
 import { create, write } from '../kit/elements.js';
 import words from './words/index.js';
-import { isFirst, withDots } from './notation.js';
+import { isFirst, lineOf, withDots } from './notation.js';
 import { isSymbol, mathml, symbol } from './symbols.js';
 
 /** @import { Formula } from './notation.js' */
@@ -18,10 +18,10 @@ function scroller(className, math) {
 }
 
 /** @param {Formula} formula @returns {Block} */
-export function createFormula({ label, build, filled = build, numbers }) {
-  const lines = mathml('mtable', ...build(symbol));
-  lines.setAttribute('displaystyle', 'true');
-  const math = mathml('math', lines);
+export function createFormula({ label, lines, filled = lines, numbers }) {
+  const table = mathml('mtable', ...lines.map((text) => lineOf(text, symbol)));
+  table.setAttribute('displaystyle', 'true');
+  const math = mathml('math', table);
   math.setAttribute('display', 'block');
   const number = create('span', 'formula-number', label);
   const element = create('div', 'formula', scroller('formula-lines', math), number);
@@ -29,16 +29,14 @@ export function createFormula({ label, build, filled = build, numbers }) {
 
   /** @type {Map<string, Element[]>} */
   const leaves = new Map();
-  const numbersIn = mathml(
-    'mtable',
-    ...filled((/** @type {string} */ term) => {
-      const leaf = mathml('mn', '–');
-      leaf.setAttribute('data-term', term);
-      leaf.setAttribute('class', `live ${(isSymbol(term) && symbol(term).getAttribute('class')) || ''}`);
-      leaves.set(term, [...(leaves.get(term) ?? []), leaf]);
-      return leaf;
-    }),
-  );
+  const leafOf = (/** @type {string} */ term) => {
+    const leaf = mathml('mn', '–');
+    leaf.setAttribute('data-term', term);
+    leaf.setAttribute('class', `live ${(isSymbol(term) && symbol(term).getAttribute('class')) || ''}`);
+    leaves.set(term, [...(leaves.get(term) ?? []), leaf]);
+    return leaf;
+  };
+  const numbersIn = mathml('mtable', ...filled.map((text) => lineOf(text, leafOf)));
   withDots(numbersIn);
   const filledMath = mathml('math', numbersIn);
   filledMath.setAttribute('display', 'block');

@@ -1,104 +1,43 @@
 // How the robot and its errors move, and what becomes of V when the law is put in.
-import { cos, dot, equally, frac, line, row, sin, sup } from './notation.js';
-import { mathml } from './symbols.js';
 
-/** @import { Formula, Leaf, Part } from './notation.js' */
-
-/** A symbol with the dot of its rate. @param {Element} symbol */
-function rate(symbol) {
-  const dotted = mathml('mover', symbol, mathml('mo', '˙'));
-  dotted.setAttribute('accent', 'true');
-  return dotted;
-}
+/** @import { Formula } from './notation.js' */
 
 /** (2) @type {Formula} */
 export const motionFormula = {
   label: '(2)',
-  build: (leaf) => [
-    line(rate(leaf('x')), leaf('v'), dot, cos(leaf('theta'))),
-    line(rate(leaf('y')), leaf('v'), dot, sin(leaf('theta'))),
-    line(rate(leaf('theta')), leaf('w')),
-  ],
+  lines: ["x' = v · cos theta", "y' = v · sin theta", "theta' = w"],
 };
 
 /** (4) @type {Formula} */
 export const errorRateFormula = {
   label: '(4)',
-  build: (leaf) => [
-    line(
-      rate(leaf('xe')),
-      leaf('ye'),
-      dot,
-      leaf('wr'),
-      '+',
-      leaf('vr'),
-      '−',
-      leaf('v'),
-      dot,
-      cos(leaf('te')),
-    ),
-    line(rate(leaf('ye')), '−', leaf('xe'), dot, leaf('wr'), '+', leaf('v'), dot, sin(leaf('te'))),
-    line(rate(leaf('te')), leaf('wr'), '−', leaf('w')),
-  ],
+  lines: ["xe' = ye · wr + vr − v · cos te", "ye' = − xe · wr + v · sin te", "te' = wr − w"],
 };
 
 /** V̇ by the chain rule, for a goal at rest. @type {Formula} */
 export const chainFormula = {
   label: '',
-  build: (leaf) => [
-    line(
-      leaf('Vdot'),
-      row(leaf('xe'), dot, rate(leaf('xe'))),
-      '+',
-      row(leaf('ye'), dot, rate(leaf('ye'))),
-      '+',
-      row(sin(leaf('te')), dot, rate(leaf('te'))),
-    ),
-    equally(
-      row('−', leaf('xe'), dot, leaf('v'), dot, cos(leaf('te'))),
-      '+',
-      row(leaf('ye'), dot, leaf('v'), dot, sin(leaf('te'))),
-      '−',
-      row(sin(leaf('te')), dot, leaf('w')),
-    ),
+  lines: [
+    "Vdot = {xe · xe'} + {ye · ye'} + {sin te · te'}",
+    '= {− xe · v · cos te} + {ye · v · sin te} − {sin te · w}',
   ],
 };
 
-/** A term of V̇ with the law (5) put in, its sign before it, and with which other it cancels. @typedef {{ sign: string, parts: Part[], pair: 'kx' | 'ky' | null, of: 'x' | 'y' | 'theta' }} RateTerm */
+/** A term of V̇ with the law (5) put in, its sign before it, and with which other it cancels. @typedef {{ text: string, pair: 'kx' | 'ky' | null, of: 'x' | 'y' | 'theta' }} RateTerm */
 
-/** From −x_e v cos θ_e, then from y_e v sin θ_e, then from −sin θ_e ω. @param {Leaf} leaf @returns {RateTerm[]} */
-export const rateTerms = (leaf) => {
-  const cross = () => [
-    leaf('kx'),
-    dot,
-    leaf('xe'),
-    dot,
-    leaf('ye'),
-    dot,
-    sin(leaf('te')),
-    dot,
-    cos(leaf('te')),
-  ];
-  const steep = () => [
-    leaf('ky'),
-    dot,
-    frac(row(leaf('xe'), dot, sup(leaf('ye'), '3'), dot, cos(leaf('te'))), sin(leaf('te'))),
-  ];
-  return [
-    {
-      sign: '−',
-      parts: [leaf('kx'), dot, sup(leaf('xe'), '2'), dot, cos(leaf('te'), '2')],
-      pair: null,
-      of: 'x',
-    },
-    { sign: '+', parts: steep(), pair: 'ky', of: 'y' },
-    { sign: '+', parts: cross(), pair: 'kx', of: 'x' },
-    { sign: '−', parts: [leaf('ky'), dot, sup(leaf('ye'), '4')], pair: null, of: 'y' },
-    { sign: '−', parts: [leaf('kt'), dot, sin(leaf('te'), '2')], pair: null, of: 'theta' },
-    { sign: '−', parts: steep(), pair: 'ky', of: 'y' },
-    { sign: '−', parts: cross(), pair: 'kx', of: 'x' },
-  ];
-};
+const steep = 'ky · {xe · ye^3 · cos te} / sin te';
+const cross = 'kx · xe · ye · sin te · cos te';
+
+/** From −x_e v cos θ_e, then from y_e v sin θ_e, then from −sin θ_e ω. @type {readonly RateTerm[]} */
+export const rateTerms = [
+  { text: '− kx · xe^2 · cos^2 te', pair: null, of: 'x' },
+  { text: `+ ${steep}`, pair: 'ky', of: 'y' },
+  { text: `+ ${cross}`, pair: 'kx', of: 'x' },
+  { text: '− ky · ye^4', pair: null, of: 'y' },
+  { text: '− kt · sin^2 te', pair: null, of: 'theta' },
+  { text: `− ${steep}`, pair: 'ky', of: 'y' },
+  { text: `− ${cross}`, pair: 'kx', of: 'x' },
+];
 
 /** What the seven terms come to. @param {readonly [number, number, number]} gains @param {{ x: number, y: number, theta: number }} error */
 export function rateAmounts([kx, ky, kt], { x, y, theta }) {

@@ -5,25 +5,7 @@ import words from '../parts/generation/words/index.js';
 import { lab } from '../words/index.js';
 import { degreesText, signed } from '../words/numbers.js';
 import { anatomyOf, chosenIn } from './anatomy.js';
-import {
-  cos,
-  dot,
-  frac,
-  further,
-  integral,
-  line,
-  relation,
-  row,
-  sin,
-  size,
-  sub,
-  sup,
-  term,
-  times,
-} from './notation.js';
-
-/** @import { Cost } from '../core/engine.js' */
-/** @import { Formula, Leaf, Part } from './notation.js' */
+/** @import { Formula } from './notation.js' */
 /** @import { Live } from './page.js' */
 
 /** The numbers that the law works with. @param {Pick<Live, 'sample' | 'gains'>} live */
@@ -45,21 +27,10 @@ function lawNumbers({ sample, gains }) {
 /** (3) @type {Formula} */
 export const errorFormula = {
   label: '(3)',
-  build: (leaf) => [
-    line(
-      leaf('xe'),
-      row(cos(leaf('tr')), times, '(', leaf('xr'), '−', leaf('xc'), ')'),
-      '+',
-      row(sin(leaf('tr')), times, '(', leaf('yr'), '−', leaf('yc'), ')'),
-    ),
-    line(
-      leaf('ye'),
-      '−',
-      row(sin(leaf('tr')), times, '(', leaf('xr'), '−', leaf('xc'), ')'),
-      '+',
-      row(cos(leaf('tr')), times, '(', leaf('yr'), '−', leaf('yc'), ')'),
-    ),
-    line(leaf('te'), leaf('tr'), '−', leaf('tc')),
+  lines: [
+    'xe = {cos tr * (xr − xc)} + {sin tr * (yr − yc)}',
+    'ye = − {sin tr * (xr − xc)} + {cos tr * (yr − yc)}',
+    'te = tr − tc',
   ],
   numbers: ({ sample }) => ({
     xe: signed(sample.error.x, 2),
@@ -74,93 +45,38 @@ export const errorFormula = {
   }),
 };
 
-/**
- * What the terms of (5) are made of, by the gain that each has in it; of v, then of ω.
- * @param {Leaf} leaf
- */
-export const partsOfLaw = (leaf) => ({
-  linear: {
-    kx: [leaf('kx'), dot, leaf('xe'), dot, cos(leaf('te'))],
-    ky: [leaf('ky'), dot, frac(sup(leaf('ye'), '3'), sin(leaf('te')))],
-  },
+/** The terms of (5), by the gain that each has in it; of v, then of ω. */
+export const termsOfLaw = {
+  linear: { kx: 'kx · xe · cos te', ky: 'ky · ye^3 / sin te' },
   angular: {
-    kt: [leaf('kt'), dot, sin(leaf('te'))],
-    ky: [
-      leaf('ky'),
-      dot,
-      frac(row(leaf('xe'), times, sup(leaf('ye'), '3'), times, cos(leaf('te'))), sin(leaf('te'), '2')),
-    ],
-    kx: [leaf('kx'), dot, leaf('xe'), dot, leaf('ye'), dot, cos(leaf('te'))],
+    kt: 'kt · sin te',
+    ky: 'ky · {xe * ye^3 * cos te} / sin^2 te',
+    kx: 'kx · xe · ye · cos te',
   },
-});
+};
+const { linear, angular } = termsOfLaw;
 
 /** (5) for a goal that stands still. @type {Formula} */
 export const lawFormula = {
   label: '(5)',
-  build(leaf) {
-    const { linear, angular } = partsOfLaw(leaf);
-    return [
-      line(leaf('v'), term('kx', ...linear.kx), '−', term('ky', ...linear.ky)),
-      line(leaf('w'), term('kt', ...angular.kt), '+', term('ky', ...angular.ky)),
-      further('+', term('kx', ...angular.kx)),
-    ];
-  },
+  lines: [
+    `v = [kx: ${linear.kx}] − [ky: ${linear.ky}]`,
+    `w = [kt: ${angular.kt}] + [ky: ${angular.ky}]`,
+    `+ [kx: ${angular.kx}]`,
+  ],
   numbers: ({ decided, gains }) => lawNumbers({ sample: decided, gains }),
 };
-
-/** A part of J, in its colour of the bar. @param {Exclude<keyof Cost, 'total'>} name @param {Part[]} parts */
-const costPart = (name, ...parts) => {
-  const group = term(name, ...parts);
-  group.setAttribute('class', `part-${name}`);
-  return group;
-};
-const transposed = (/** @type {Part} */ of) => sup(of, 'T');
 
 /** (9); its parts in the order of the paper. @type {Formula} */
 export const costFormula = {
   label: '(9)',
-  build(leaf) {
-    const gap = (/** @type {Part[]} */ ...at) => row('(', leaf('p'), ...at, '−', leaf('pr'), ')');
-    return [
-      line(
-        leaf('J'),
-        costPart('time', leaf('tf')),
-        '+',
-        costPart('finalError', transposed(gap('(', leaf('tf'), ')')), leaf('W'), gap('(', leaf('tf'), ')')),
-      ),
-      further(
-        '+',
-        frac('1', '2'),
-        integral('0', leaf('tf')),
-        row(
-          '(',
-          costPart('path', transposed(gap()), gap()),
-          '+',
-          costPart('energy', transposed(leaf('q')), leaf('R'), leaf('q')),
-          ')',
-        ),
-        'd',
-        leaf('t'),
-      ),
-      further(
-        '+',
-        costPart('penalty', leaf('kappa'), sub('∑', 'i'), 'max', '(', '0', ',', '−', leaf('ki'), ')'),
-      ),
-    ];
-  },
-  filled: (leaf) => [
-    line(
-      leaf('J'),
-      costPart('time', leaf('time')),
-      '+',
-      costPart('finalError', leaf('finalError')),
-      '+',
-      costPart('path', leaf('path')),
-      '+',
-      costPart('energy', leaf('energy')),
-      '+',
-      costPart('penalty', leaf('penalty')),
-    ),
+  lines: [
+    'J = [time: tf] + [finalError: {(p(tf) − pr)}^T W {(p(tf) − pr)}]',
+    '+ 1/2 ∫_0^tf {([path: {(p − pr)}^T {(p − pr)}] + [energy: q^T R q])} d t',
+    '+ [penalty: kappa ∑_i max(0, − ki)]',
+  ],
+  filled: [
+    'J = [time: time] + [finalError: finalError] + [path: path] + [energy: energy] + [penalty: penalty]',
   ],
   numbers({ scene }) {
     const { cost } = scene.driving;
@@ -174,11 +90,7 @@ export const costFormula = {
 /** (6) to (8), Theorem 2. @type {Formula} */
 export const robustFormula = {
   label: '(6)–(8)',
-  build: (leaf) => [
-    relation(leaf('kx'), '>', frac(leaf('e1'), size(row(leaf('xe'), dot, cos(leaf('te')))))),
-    relation(leaf('ky'), '>', frac(row(leaf('e1'), dot, size(sin(leaf('te')))), sup(size(leaf('ye')), '3'))),
-    relation(leaf('kt'), '>', frac(leaf('e2'), size(sin(leaf('te'))))),
-  ],
+  lines: ['kx > e1 / |{xe · cos te}|', 'ky > {e1 · |sin te|} / |ye|^3', 'kt > e2 / |sin te|'],
   numbers({ sample, gains, scene }) {
     const { linear, angular } = scene.experiment.disturbance;
     return {
@@ -197,11 +109,7 @@ export const robustFormula = {
 /** Step 3 of the paper's procedure, first half: how the gains of a parent become those of its offspring. @type {Formula} */
 export const gainFormula = {
   label: '',
-  build: (leaf) => [
-    line(leaf('newkx'), leaf('kx'), '+', leaf('sx'), dot, leaf('Nx')),
-    line(leaf('newky'), leaf('ky'), '+', leaf('sy'), dot, leaf('Ny')),
-    line(leaf('newkt'), leaf('kt'), '+', leaf('st'), dot, leaf('Nt')),
-  ],
+  lines: ['newkx = kx + sx · Nx', 'newky = ky + sy · Ny', 'newkt = kt + st · Nt'],
   numbers(live) {
     const anatomy = anatomyOf(live);
     const birth = birthOf(anatomy, chosenIn(live) % anatomy.count);
@@ -222,15 +130,11 @@ export const gainFormula = {
 /** The second half: how the step sizes change. With the numbers of the best ranked parent and its offspring. @type {Formula} */
 export const sigmaFormula = {
   label: '',
-  build: (leaf) => {
-    const grown = (/** @type {Element} */ draw) =>
-      sup('e', row(leaf('tau2'), dot, leaf('N'), '+', leaf('tau'), dot, draw));
-    return [
-      line(leaf('newsx'), leaf('sx'), dot, grown(leaf('Nx'))),
-      line(leaf('newsy'), leaf('sy'), dot, grown(leaf('Ny'))),
-      line(leaf('newst'), leaf('st'), dot, grown(leaf('Nt'))),
-    ];
-  },
+  lines: [
+    'newsx = sx · e^{tau2 · N + tau · Nx}',
+    'newsy = sy · e^{tau2 · N + tau · Ny}',
+    'newst = st · e^{tau2 · N + tau · Nt}',
+  ],
   numbers(live) {
     const birth = birthOf(anatomyOf(live), 0);
     if (!birth) return {};
@@ -252,32 +156,14 @@ export const sigmaFormula = {
 /** The measure of the whole error. @type {Formula} */
 export const lyapunovFormula = {
   label: '',
-  build: (leaf) => [
-    line(
-      leaf('V'),
-      term('xe', frac('1', '2'), times, sup(leaf('xe'), '2')),
-      '+',
-      term('ye', frac('1', '2'), times, sup(leaf('ye'), '2')),
-      '+',
-      term('te', '(', '1', '−', cos(leaf('te')), ')'),
-    ),
-  ],
+  lines: ['V = [xe: 1/2 * xe^2] + [ye: 1/2 * ye^2] + [te: (1 − cos te)]'],
   numbers: (live) => ({ ...lawNumbers(live), V: signed(live.sample.lyapunov, 3) }),
 };
 
 /** How fast it falls, as the law promises. @type {Formula} */
 export const rateFormula = {
   label: '',
-  build: (leaf) => [
-    line(
-      leaf('Vdot'),
-      '−',
-      term('xe', leaf('kx'), dot, sup(leaf('xe'), '2'), dot, cos(leaf('te'), '2')),
-      '−',
-      term('ye', leaf('ky'), dot, sup(leaf('ye'), '4')),
-    ),
-    further('−', term('te', leaf('kt'), dot, sin(leaf('te'), '2'))),
-  ],
+  lines: ['Vdot = − [xe: kx · xe^2 · cos^2 te] − [ye: ky · ye^4]', '− [te: kt · sin^2 te]'],
   numbers: (live) => {
     const { error } = live.sample;
     const isSomewhere = [error.x, error.y, error.theta].every(Number.isFinite);

@@ -3,14 +3,13 @@ import { html, nothing, render } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { signed } from '../words/numbers.js';
-import { partsOfLaw } from './formulas.js';
-import { row } from './notation.js';
+import { termsOfLaw } from './formulas.js';
+import { piecesOf } from './notation.js';
 import { createStrip } from './push-strip.js';
 import { pushesOf, reach } from './push-terms.js';
 import { mathml, symbol, symbolInText } from './symbols.js';
 
 /** @import { Experiment, Sample } from '../core/engine.js' */
-/** @import { Part } from './notation.js' */
 /** @import { Block, Tools } from './page.js' */
 /** @import { StripWords } from './push-strip.js' */
 /** @import { Side } from './push-terms.js' */
@@ -58,9 +57,9 @@ export function createPushes(tools, { pushes: words }) {
 function createSide(side, unit, words) {
   const name = side === 'linear' ? 'v' : 'w';
   const head = symbolInText(name);
-  const parts = /** @type {Record<string, Part[]>} */ (partsOfLaw(symbol)[side]);
-  const terms = Object.entries(parts).map(([gain, part]) => {
-    const math = mathml('math', row(...(side === 'linear' && gain === 'ky' ? ['−'] : []), ...part));
+  const terms = Object.entries(termsOfLaw[side]).map(([gain, text]) => {
+    const sign = side === 'linear' && gain === 'ky' ? '−' : '';
+    const math = mathml('math', ...piecesOf(`{${sign} ${text}}`, symbol));
     math.setAttribute('role', 'math');
     math.setAttribute('aria-label', inWords[side][gain]);
     return { label: math, colour: `of-${gain === 'kt' ? 'theta' : gain[1]}`, term: gain };
