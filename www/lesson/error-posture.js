@@ -1,5 +1,5 @@
 // The error posture on the plane: x_e and y_e as lengths along and across the goal's heading, θ_e as an angle at the robot.
-import { svg } from '../kit/elements.js';
+import { html, render, svg } from 'lit-html';
 import { createView } from '../kit/transform.js';
 import { watch } from '../kit/memo.js';
 import { symbolInText } from './symbols.js';
@@ -10,27 +10,16 @@ import { symbolInText } from './symbols.js';
 /** In pixels. @typedef {readonly [x: number, y: number]} At */
 /** One of the three: its line, where its name stands, and whether it is long enough to be seen. @typedef {{ path: string, at: At, seen: boolean }} Mark */
 
-/** @param {HTMLElement} root The svg, and beside it the labels. */
+/** Their terms and their colours. */
+const terms = /** @type {const} */ ([
+  ['xe', 'x'],
+  ['ye', 'y'],
+  ['te', 'theta'],
+]);
+
+/** @param {HTMLElement} root */
 export function createErrorPosture(root) {
-  const picture = svg('svg', { 'aria-hidden': 'true' });
-  const names = /** @type {const} */ ([
-    ['xe', 'x'],
-    ['ye', 'y'],
-    ['te', 'theta'],
-  ]);
-  const parts = names.map(([name, colour]) => {
-    const path = svg('path', { class: `error-line of-${colour}` });
-    const grip = svg('path', { class: 'error-grip' });
-    const group = svg('g', { 'data-term': name }, path, grip);
-    const label = document.createElement('span');
-    label.className = `error-label of-${colour}`;
-    label.dataset.term = name;
-    label.append(symbolInText(name));
-    return { path, grip, group, label };
-  });
-  const ahead = svg('path', { class: 'error-ahead' });
-  picture.append(ahead, ...parts.map(({ group }) => group));
-  root.replaceChildren(picture, ...parts.map(({ label }) => label));
+  const symbols = terms.map(([name]) => symbolInText(name));
   const changed = watch();
 
   return {
@@ -39,20 +28,25 @@ export function createErrorPosture(root) {
       root.hidden = hidden;
     },
     /** @param {Live} live */
-    draw({ state, sample }) {
-      const { size, box } = state;
+    draw({ state: { size, box }, sample }) {
       if (size.width === 0 || !changed(sample, box, size)) return;
-      const shown = errorOn(createView(box, size), sample);
-      for (const [i, { path, at, seen }] of shown.marks.entries()) {
-        const { path: line, grip, label, group } = parts[i];
-        line.setAttribute('d', path);
-        grip.setAttribute('d', path);
-        group.classList.toggle('gone', !seen);
-        label.hidden = !seen;
-        const [left, top] = [clamp(at[0], size.width), clamp(at[1], size.height)];
-        label.style.transform = `translate(${left}px, ${top}px) translate(-50%, -50%)`;
-      }
-      ahead.setAttribute('d', shown.ahead);
+      const { marks, ahead } = errorOn(createView(box, size), sample);
+      const lines = terms.map(([name, colour], i) => {
+        const path = marks[i].seen ? marks[i].path : '';
+        return svg`<g data-term=${name}>
+          <path class=${`error-line of-${colour}`} d=${path} /><path class="error-grip" d=${path} />
+        </g>`;
+      });
+      const labels = terms.map(([name, colour], i) => {
+        const { at, seen } = marks[i];
+        const place = `translate(${clamp(at[0], size.width)}px, ${clamp(at[1], size.height)}px)`;
+        return html`<span class=${`error-label of-${colour}`} data-term=${name} ?hidden=${!seen}
+          .style=${`transform: ${place} translate(-50%, -50%)`}>${symbols[i]}</span>`;
+      });
+      render(
+        html`<svg aria-hidden="true"><path class="error-ahead" d=${ahead} />${lines}</svg>${labels}`,
+        root,
+      );
     },
   };
 }
