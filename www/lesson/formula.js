@@ -4,12 +4,13 @@ import words from './words/index.js';
 import { isFirst, lineOf, withDots } from './notation.js';
 import { isSymbol, mathml, symbol } from './symbols.js';
 
-/** @import { Formula } from './notation.js' */
-/** @import { Live } from './page.js' */
-/** @typedef {{ element: HTMLElement, draw: (live: Live) => void }} Block */
+/** @import { Formula, Leaf } from './notation.js' */
+/** @import { Block } from './page.js' */
 
-/** On a small screen a long formula scrolls, also by keyboard. @param {string} className @param {Element} math */
-function scroller(className, math) {
+/** On a small screen a long formula scrolls, also by keyboard. @param {string} className @param {readonly string[]} lines @param {Leaf} leaf */
+function scroller(className, lines, leaf) {
+  const math = mathml('math', mathml('mtable', ...lines.map((text) => lineOf(text, leaf))));
+  math.setAttribute('display', 'block');
   const element = create('div', className, math);
   element.tabIndex = 0;
   element.setAttribute('role', 'group');
@@ -19,12 +20,9 @@ function scroller(className, math) {
 
 /** @param {Formula} formula @returns {Block} */
 export function createFormula({ label, lines, filled = lines, numbers }) {
-  const table = mathml('mtable', ...lines.map((text) => lineOf(text, symbol)));
-  table.setAttribute('displaystyle', 'true');
-  const math = mathml('math', table);
-  math.setAttribute('display', 'block');
-  const number = create('span', 'formula-number', label);
-  const element = create('div', 'formula', scroller('formula-lines', math), number);
+  const shown = scroller('formula-lines', lines, symbol);
+  shown.querySelector('mtable')?.setAttribute('displaystyle', 'true');
+  const element = create('div', 'formula', shown, create('span', 'formula-number', label));
   if (!numbers) return { element, draw() {} };
 
   /** @type {Map<string, Element[]>} */
@@ -36,11 +34,8 @@ export function createFormula({ label, lines, filled = lines, numbers }) {
     leaves.set(term, [...(leaves.get(term) ?? []), leaf]);
     return leaf;
   };
-  const numbersIn = mathml('mtable', ...filled.map((text) => lineOf(text, leafOf)));
-  withDots(numbersIn);
-  const filledMath = mathml('math', numbersIn);
-  filledMath.setAttribute('display', 'block');
-  const now = scroller('formula-lines formula-now', filledMath);
+  const now = scroller('formula-lines formula-now', filled, leafOf);
+  withDots(now);
   now.hidden = true;
   const button = create('button', 'link formula-button', words.showNumbers);
   button.setAttribute('type', 'button');
