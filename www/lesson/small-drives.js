@@ -1,13 +1,14 @@
 // Drives as small pictures side by side, each from the same start to the same goal, at the same time.
 import { drawBay, drawCar } from '../lab/car.js';
-import { postureAt, trace } from '../lab/track.js';
+import { inMetres, postureAt, trace } from '../lab/track.js';
 import { createLayer } from '../kit/canvas.js';
 import { create, followSize } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { colour } from '../kit/palette.js';
-import { boxAround } from '../kit/transform.js';
+import { planeAround } from './plane-around.js';
 
 /** @import { Experiment, Run } from '../core/engine.js' */
+/** @import { Size } from '../kit/canvas.js' */
 /** @import { Store } from '../run/store.js' */
 
 /** @param {Store} store */
@@ -34,31 +35,20 @@ export function createSmallDrive(store) {
   };
 }
 
-/** @param {CanvasRenderingContext2D} context @param {{ width: number, height: number }} size @param {{ experiment: Experiment, run: Run, time: number, car: number, token: string }} what */
-function drawRun(context, { width, height }, { experiment, run, time, car, token }) {
-  const { left, right, top, bottom } = boxAround([experiment.starts[0], experiment.goal]);
-  const room = 2.6 * car;
-  const scale = Math.min((width - 2 * room) / (right - left), (height - 2 * room) / (top - bottom));
-  const [originX, originY] = [
-    width / 2 - (scale * (left + right)) / 2,
-    height / 2 + (scale * (bottom + top)) / 2,
-  ];
-  const onCanvas = (/** @type {{ x: number, y: number, theta: number }} */ { x, y, theta }) => ({
-    x: originX + x * scale,
-    y: originY - y * scale,
-    theta,
-  });
-  drawBay(context, onCanvas(experiment.goal), 1.3 * car, colour('--muted'));
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {{ experiment: Experiment, run: Run, time: number, car: number, token: string }} what */
+function drawRun(context, size, { experiment, run, time, car, token }) {
+  const plane = planeAround([experiment.starts[0], experiment.goal], size, 2.6 * car);
+  drawBay(context, plane.placeOf(experiment.goal), 1.3 * car, colour('--muted'));
   context.save();
-  context.transform(scale, 0, 0, -scale, originX, originY);
-  context.lineWidth = 1.5 / scale;
+  inMetres(context, plane);
+  context.lineWidth = 1.5 / plane.scale;
   context.strokeStyle = colour(token);
   context.beginPath();
-  trace(context, /** @type {any} */ ({ scale }), run, run.time.length - 1);
+  trace(context, plane, run, run.time.length - 1);
   context.globalAlpha = 0.5;
   context.stroke();
   context.restore();
-  drawCar(context, onCanvas(postureAt(run, time)), car, {
+  drawCar(context, plane.placeOf(postureAt(run, time)), car, {
     body: colour(token),
     wheel: colour('--muted'),
     nose: colour('--paper'),

@@ -1,40 +1,26 @@
 // Robots with the same gains drive from 32 starts at once: who parks is seen, and counted.
 import { html, render } from 'lit-html';
 import { drawBay, drawCar } from '../lab/car.js';
-import { postureAt, trace } from '../lab/track.js';
+import { inMetres, postureAt, sampleBefore, trace } from '../lab/track.js';
 import { createLayer } from '../kit/canvas.js';
 import { create, followSize } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { colour } from '../kit/palette.js';
 import { unless } from '../kit/templates.js';
-import { boxAround } from '../kit/transform.js';
 import { lab } from '../words/index.js';
 import { createFilm } from './film.js';
+import { planeAround } from './plane-around.js';
 import { restOf } from './settle.js';
 
+/** @import { Size } from '../kit/canvas.js' */
 /** @import { Block, Live, Tools } from './page.js' */
 /** @import { Yard } from './yard.js' */
 /** @typedef {{ label: (name: string, parked: number, starts: number) => string, parked: string, ofStarts: (starts: number) => string, mean: string, tooLong: string, again: string }} SwarmWords */
 /** @typedef {{ name: string, yard: Yard } | null} Seen */
 
-/** @typedef {{ width: number, height: number, scale: number, originX: number, originY: number }} View */
-
 const margin = 28;
 /** Half its length: 11 cm, as far as that can be seen, and no more than looks well. @param {number} scale Pixels a metre. */
 const carOf = (scale) => Math.min(8.5, Math.max(4.5, 0.11 * scale));
-
-/** @param {Yard} yard @param {{ width: number, height: number }} size @returns {View} */
-function viewOf({ experiment }, { width, height }) {
-  const { left, right, top, bottom } = boxAround([...experiment.starts, experiment.goal]);
-  const scale = Math.min((width - 2 * margin) / (right - left), (height - 2 * margin) / (top - bottom));
-  return {
-    width,
-    height,
-    scale,
-    originX: width / 2 - (scale * (left + right)) / 2,
-    originY: height / 2 + (scale * (bottom + top)) / 2,
-  };
-}
 
 /** @param {Tools} tools @param {SwarmWords} words @param {(live: Live) => Seen} seenIn @returns {Block} */
 export function createSwarm({ store }, words, seenIn) {
@@ -79,44 +65,35 @@ export function createSwarm({ store }, words, seenIn) {
           <button type="button" class="link" @click=${unless(!film.isOver, again)} aria-disabled=${String(!film.isOver)}>${words.again}</button>`,
         head,
       );
-      layer.draw(size, (context) => drawYard(context, viewOf(yard, size), yard, time));
+      layer.draw(size, (context) => drawYard(context, size, yard, time));
     },
   };
 }
 
-/** @param {CanvasRenderingContext2D} context @param {View} view @param {Yard} yard @param {number} time */
-function drawYard(context, view, { experiment, runs }, time) {
-  const { scale, originX, originY } = view;
-  const car = carOf(scale);
-  const onCanvas = (/** @type {{ x: number, y: number, theta: number }} */ { x, y, theta }) => ({
-    x: originX + x * scale,
-    y: originY - y * scale,
-    theta,
-  });
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {Yard} yard @param {number} time */
+function drawYard(context, size, { experiment, runs }, time) {
+  const plane = planeAround([...experiment.starts, experiment.goal], size, margin);
+  const car = carOf(plane.scale);
   const isOver = (/** @type {typeof runs[number]} */ run) => time >= restOf(run);
   const [paper, error] = ['--paper', '--error'].map(colour);
-  context.lineWidth = 1 / scale;
+  context.lineWidth = 1 / plane.scale;
   context.save();
-  context.transform(scale, 0, 0, -scale, originX, originY);
+  inMetres(context, plane);
   for (const run of runs) {
     context.strokeStyle = colour(isOver(run) && !run.arrived ? '--error' : '--muted');
     context.globalAlpha = 0.45;
     context.beginPath();
-    trace(context, /** @type {any} */ ({ scale }), run, lastBefore(run, time));
+    trace(context, plane, run, sampleBefore(run, time));
     context.stroke();
   }
   context.restore();
-  drawBay(context, onCanvas(experiment.goal), car + 4, colour('--ink'));
+  drawBay(context, plane.placeOf(experiment.goal), car + 4, colour('--ink'));
   for (const run of [...runs].sort((a, b) => Number(a.arrived) - Number(b.arrived))) {
     const missed = isOver(run) && !run.arrived;
     // Hollow, as at the parking place, so that not its colour alone tells it.
     const colours = missed
       ? { body: paper, wheel: error, nose: error, edge: error }
       : { body: colour('--ink'), wheel: colour('--muted'), nose: paper };
-    drawCar(context, onCanvas(postureAt(run, time)), car, colours);
+    drawCar(context, plane.placeOf(postureAt(run, time)), car, colours);
   }
 }
-
-/** @param {Yard['runs'][number]} run @param {number} time */
-const lastBefore = ({ time: times }, time) =>
-  Math.min(times.length - 1, Math.max(1, Math.floor(time / (times[1] || 1))));
