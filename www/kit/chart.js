@@ -123,6 +123,13 @@ export function drawNumbersBelow(context, x, bottom, ticks, texts) {
   for (const [i, tick] of ticks.entries()) context.fillText(texts[i], x(tick), bottom + 7);
 }
 
+/** A grid over whole numbers, such as generations, with these levels on the left. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {readonly number[]} levels @param {readonly string[]} [texts] */
+export function drawGridOverWholes(context, axes, levels, texts = sameDigits(levels)) {
+  const wholes = wholeTicks(axes.x);
+  drawGrid(context, axes, { x: wholes, y: levels }, texts);
+  drawNumbersBelow(context, axes.x, axes.frame.bottom, wholes, wholes.map(String));
+}
+
 /** What is drawn stays within the frame. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {() => void} draw */
 export function within(context, frame, draw) {
   context.save();
@@ -215,6 +222,12 @@ export function drawCurve(context, points, stroke) {
     points.map(([px, py]) => [Math.round(px) + shift, Math.round(py) + shift]),
   );
   context.stroke();
+}
+
+/** A curve that is level all the way. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} value @param {Stroke} stroke */
+export function drawLevel(context, { y, frame: { left, right } }, value, stroke) {
+  const ends = [left, right].map((px) => /** @type {const} */ ([px, y(value)]));
+  drawCurve(context, ends, stroke);
 }
 
 /** What lies between two curves. @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} upper @param {readonly (readonly [number, number])[]} lower @param {string} token @param {number} alpha */

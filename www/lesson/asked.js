@@ -4,6 +4,7 @@ import {
   createChart,
   drawCurve,
   drawGrid,
+  drawLevel,
   drawNumbersBelow,
   drawUpright,
   pointsOf,
@@ -140,14 +141,7 @@ function drawHalf(context, { width, height }, top, half, { run, time }, isLast =
         true,
       );
     for (const at of limit === null ? [] : [limit, -limit])
-      drawCurve(
-        context,
-        [
-          [frame.left, axes.y(at)],
-          [frame.right, axes.y(at)],
-        ],
-        { token: '--muted', width: 1, dash: [3, 3] },
-      );
+      drawLevel(context, axes, at, { token: '--muted', width: 1, dash: [3, 3] });
     drawCurve(context, line(asked), { token, width: 1.25 });
     drawCurve(context, line(done), { token, width: 3 });
   });

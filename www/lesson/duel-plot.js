@@ -3,14 +3,11 @@ import { scaleLinear } from 'd3-scale';
 import {
   createChart,
   drawCurve,
-  drawGrid,
-  drawNumbersBelow,
+  drawGridOverWholes,
   drawUpright,
   frameIn,
   pointsOf,
-  sameDigits,
   ticksOn,
-  wholeTicks,
   within,
 } from '../kit/chart.js';
 import { drawAxisNames, drawName, spreadBeside } from '../kit/names.js';
@@ -57,9 +54,7 @@ function drawDuel(context, size, duel, words) {
     x: scaleLinear([0, shownDrives(duel)], [frame.left, frame.right]),
     y: scaleLinear(costRange(duel), [frame.bottom, frame.top]),
   };
-  const ticks = { x: wholeTicks(axes.x), y: ticksOn(axes.y, 32) };
-  drawGrid(context, axes, ticks, sameDigits(ticks.y));
-  drawNumbersBelow(context, axes.x, frame.bottom, ticks.x, ticks.x.map(String));
+  drawGridOverWholes(context, axes, ticksOn(axes.y, 32));
   const columns = columnsOf(duel);
   const drives = columns[0].map((_, i) => i + 1);
   within(context, frame, () => {
