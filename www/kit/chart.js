@@ -2,7 +2,7 @@
 import { createLayer } from './canvas.js';
 import { followSize } from './elements.js';
 import { outlineOf } from './extent.js';
-import { textFont } from './fonts.js';
+import { setLettering } from './lettering.js';
 import { watch } from './memo.js';
 import { colour } from './palette.js';
 
@@ -107,19 +107,13 @@ export function drawGrid(context, { x, y, frame }, ticks, texts) {
   for (const tick of ticks.x) line(context, [x(tick), frame.top], [x(tick), frame.bottom]);
   for (const tick of ticks.y) line(context, [frame.left, y(tick)], [frame.right, y(tick)]);
   context.stroke();
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.textAlign = 'right';
-  context.textBaseline = 'middle';
+  setLettering(context, { align: 'right' });
   for (const [i, tick] of ticks.y.entries()) context.fillText(texts[i], frame.left - 6, y(tick));
 }
 
 /** The numbers below. @param {CanvasRenderingContext2D} context @param {Scale} x @param {number} bottom @param {readonly number[]} ticks @param {readonly string[]} texts */
 export function drawNumbersBelow(context, x, bottom, ticks, texts) {
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.textAlign = 'center';
-  context.textBaseline = 'top';
+  setLettering(context, { align: 'center', baseline: 'top' });
   for (const [i, tick] of ticks.entries()) context.fillText(texts[i], x(tick), bottom + 7);
 }
 

@@ -2,6 +2,7 @@
 /** @import { Size } from './canvas.js' */
 /** @import { Frame } from './chart.js' */
 import { strongFont, textFont } from './fonts.js';
+import { setLettering } from './lettering.js';
 import { colour } from './palette.js';
 
 /**
@@ -41,9 +42,7 @@ export function drawName(context, { text, x, y, align = 'left', token = '--muted
   context.fillStyle = colour('--paper');
   context.fillRect(left, y - high / 2, width, high);
   context.globalAlpha = 1;
-  context.fillStyle = colour(token);
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
+  setLettering(context, { token });
   left += padding;
   for (const [i, piece] of pieces.entries()) {
     context.font = fonts[i];
@@ -57,10 +56,7 @@ const italic = (/** @type {number} */ size) =>
 
 /** A letter with its index, as in formulas. @param {CanvasRenderingContext2D} context @param {{ letter: string, index: string }} symbol @param {string} token @param {number} x @param {number} y Of the line it stands on. */
 export function drawSymbol(context, { letter, index }, token, x, y) {
-  context.fillStyle = colour(token);
-  context.textAlign = 'left';
-  context.textBaseline = 'alphabetic';
-  context.font = italic(18);
+  setLettering(context, { token, font: italic(18), baseline: 'alphabetic' });
   context.fillText(letter, x, y);
   context.font = italic(13);
   context.fillText(index, x + 9, y + 4);

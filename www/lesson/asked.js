@@ -13,7 +13,7 @@ import {
 } from '../kit/chart.js';
 import { create } from '../kit/elements.js';
 import { strongFont } from '../kit/fonts.js';
-import { colour } from '../kit/palette.js';
+import { setLettering } from '../kit/lettering.js';
 import { fixed, powerOfTen } from '../words/numbers.js';
 
 /** @import { Axes, Size } from '../kit/chart.js' */
@@ -146,17 +146,12 @@ function drawHalf(context, { width, height }, top, half, { run, time }, isLast =
     drawCurve(context, line(done), { token, width: 3 });
   });
   drawUpright(context, axes.x(time), frame, { token: '--muted', width: 1 });
-  context.font = strongFont;
-  context.fillStyle = colour(token);
-  context.textAlign = 'left';
-  context.textBaseline = 'alphabetic';
+  setLettering(context, { token, font: strongFont, baseline: 'alphabetic' });
   context.fillText(name, frame.left, top + 15);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {string} signs */
 function drawSigns(context, { width }, signs) {
-  context.font = strongFont;
-  context.fillStyle = colour('--muted');
-  context.textAlign = 'right';
+  setLettering(context, { font: strongFont, align: 'right', baseline: 'alphabetic' });
   context.fillText(signs, width - 12, 15);
 }
