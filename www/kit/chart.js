@@ -270,17 +270,3 @@ export function drawDot(context, px, py, token) {
   context.arc(px, py, 3.5, 0, 2 * Math.PI);
   context.fill();
 }
-
-/** The mouse over a picture, or a finger or the mouse that drags on it. @param {HTMLElement} element @param {(px: number) => void} onPoint */
-export function followPointer(element, onPoint) {
-  const point = (/** @type {PointerEvent} */ event) =>
-    onPoint(event.clientX - element.getBoundingClientRect().left);
-  element.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0) return;
-    element.setPointerCapture(event.pointerId);
-    point(event);
-  });
-  element.addEventListener('pointermove', (event) => {
-    if (event.pointerType !== 'touch' || element.hasPointerCapture(event.pointerId)) point(event);
-  });
-}

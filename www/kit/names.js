@@ -1,7 +1,7 @@
 // The names at the lines of a chart, on its canvas.
 /** @import { Size } from './canvas.js' */
 /** @import { Frame } from './chart.js' */
-import { strongFont, textFont } from './fonts.js';
+import { italicFont, strongFont, textFont } from './fonts.js';
 import { setLettering } from './lettering.js';
 import { colour } from './palette.js';
 
@@ -51,14 +51,11 @@ export function drawName(context, { text, x, y, align = 'left', token = '--muted
   }
 }
 
-const italic = (/** @type {number} */ size) =>
-  `italic ${size}px "STIX Two Text", "Cambria Math", Georgia, serif`;
-
 /** A letter with its index, as in formulas. @param {CanvasRenderingContext2D} context @param {{ letter: string, index: string }} symbol @param {string} token @param {number} x @param {number} y Of the line it stands on. */
 export function drawSymbol(context, { letter, index }, token, x, y) {
-  setLettering(context, { token, font: italic(18), baseline: 'alphabetic' });
+  setLettering(context, { token, font: italicFont(18), baseline: 'alphabetic' });
   context.fillText(letter, x, y);
-  context.font = italic(13);
+  context.font = italicFont(13);
   context.fillText(index, x + 9, y + 4);
 }
 

@@ -5,20 +5,25 @@ import words from '../parts/generation/words/index.js';
 import { lab } from '../words/index.js';
 import { degreesText, signed } from '../words/numbers.js';
 import { anatomyOf, chosenIn } from './anatomy.js';
+/** @import { Sample, Triple } from '../core/engine.js' */
 /** @import { Formula } from './notation.js' */
 /** @import { Live } from './page.js' */
 
+/** @param {Pick<Sample, 'error'>} sample @param {number} digits */
+export const errorNumbers = ({ error: { x, y, theta } }, digits) => ({
+  xe: signed(x, digits),
+  ye: signed(y, digits),
+  te: degreesText(theta),
+});
+
+/** @param {Triple} gains @param {number} digits */
+const gainNumbers = (gains, digits) => named((i) => ({ k: signed(gains[i], digits) }));
+
 /** The numbers that the law works with. @param {Pick<Live, 'sample' | 'gains'>} live */
 function lawNumbers({ sample, gains }) {
-  const { x, y, theta } = sample.error;
-  const [kx, ky, kt] = gains;
   return {
-    xe: signed(x, 2),
-    ye: signed(y, 2),
-    te: degreesText(theta),
-    kx: signed(kx, 2),
-    ky: signed(ky, 2),
-    kt: signed(kt, 2),
+    ...errorNumbers(sample, 2),
+    ...gainNumbers(gains, 2),
     v: signed(sample.command.linear, 2),
     w: signed(sample.command.angular, 2),
   };
@@ -33,9 +38,7 @@ export const errorFormula = {
     'te = tr − tc',
   ],
   numbers: ({ sample }) => ({
-    xe: signed(sample.error.x, 2),
-    ye: signed(sample.error.y, 2),
-    te: degreesText(sample.error.theta),
+    ...errorNumbers(sample, 2),
     xr: signed(sample.reference.x, 2),
     yr: signed(sample.reference.y, 2),
     tr: degreesText(sample.reference.theta),
@@ -94,14 +97,10 @@ export const robustFormula = {
   numbers({ sample, gains, scene }) {
     const { linear, angular } = scene.experiment.disturbance;
     return {
-      kx: signed(gains[0], 3),
-      ky: signed(gains[1], 3),
-      kt: signed(gains[2], 3),
+      ...gainNumbers(gains, 3),
       e1: signed(Math.abs(linear), 3),
       e2: signed(Math.abs(angular), 3),
-      xe: signed(sample.error.x, 3),
-      ye: signed(sample.error.y, 3),
-      te: degreesText(sample.error.theta),
+      ...errorNumbers(sample, 3),
     };
   },
 };

@@ -8,6 +8,7 @@ import { degreesText, fixed, postureText } from '../words/numbers.js';
 /** @import { Block, Tools } from './page.js' */
 
 const generations = 200;
+const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
 
 /** @param {'col' | 'row'} scope @param {Node | string} content */
 function headCell(scope, content) {
@@ -31,6 +32,13 @@ export function tableOf(className, head, rows) {
   );
 }
 
+/** On a small screen, also by keyboard. @param {HTMLElement} table */
+function scrolling(table) {
+  const element = create('div', 'lesson-scroll', table);
+  element.tabIndex = 0;
+  return element;
+}
+
 const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) => fixed(gain, 2)).join(', ');
 
 /** @param {Tools} tools @param {any} words @returns {Block} */
@@ -44,7 +52,7 @@ export function createPaperTable({ engine }, words) {
       const [run] = engine.drive(engine.experiment(preset), [gains]);
       return [words.row(figure, method), gainsText(gains), String(cost), lab.costText(run.cost.total)];
     });
-    for (const [i, preset] of /** @type {const} */ (['velocity-limits', 'acceleration-limits']).entries()) {
+    for (const [i, preset] of presets.entries()) {
       const best = found instanceof Map ? found.get(preset) : null;
       rows.splice(3 * i + 2, 0, [
         words.ours(generations),
@@ -53,9 +61,7 @@ export function createPaperTable({ engine }, words) {
         best ? lab.costText(best.cost) : '…',
       ]);
     }
-    const wrapper = create('div', 'lesson-scroll', tableOf('lesson-table', words.head, rows));
-    wrapper.tabIndex = 0;
-    element.replaceChildren(wrapper);
+    element.replaceChildren(scrolling(tableOf('lesson-table', words.head, rows)));
   };
   return {
     element,
@@ -63,7 +69,6 @@ export function createPaperTable({ engine }, words) {
       if (found) return;
       found = 'asked';
       draw(paper);
-      const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
       engine.surveys
         .evolveAll(presets.map(engine.experiment), generations)
         .then((results) => {
@@ -84,13 +89,8 @@ export function createChoicesTable({ engine }, words) {
     .paper()
     .map((_, row) => lab.costText(asPrinted({ engine, paper: engine.paper() }, row)));
   const rows = words.choices({ ...textsOf(e, a), printed });
-  const wrapper = create(
-    'div',
-    'lesson-scroll',
-    tableOf('lesson-table choices-table', words.choicesHead, rows),
-  );
-  wrapper.tabIndex = 0;
-  const element = create('section', '', create('h3', '', words.choicesTitle), wrapper);
+  const table = tableOf('lesson-table choices-table', words.choicesHead, rows);
+  const element = create('section', '', create('h3', '', words.choicesTitle), scrolling(table));
   return { element, draw() {} };
 }
 
