@@ -69,7 +69,7 @@ export function createBowl(_tools, { bowl: words }) {
       render(
         html`<svg viewBox="0 0 ${width} ${height}" role="img" aria-label=${words.label(sample.lyapunov)}>
           <path class="bowl-wall" d=${`M${outline}Z`} />
-          ${levels.map(({ y, rx, ry }) => svgRing(y, rx, ry))}
+          ${levels.map(({ y, rx, ry }) => svg`<ellipse class="bowl-ring" cx=${middle.x} cy=${y} rx=${rx} ry=${ry} />`)}
           <path class="bowl-ahead" d=${ahead} /><path class="bowl-way" d=${behind} />
           <path class="bowl-height" d=${`M${ball.x},${ball.y}H${width - 8}`} />
           <text class="bowl-text" x=${width - 8} y=${ball.y + (isAside(ball.x) ? 16 : -6)}>${`${words.height} ${heightText(sample.lyapunov)}`}</text>
@@ -90,6 +90,3 @@ const isAside = (x) => x > width - 96;
 const heightText = (V) => (V < 100 ? fixed(V, 3) : rimText(V));
 /** @param {number} V */
 const rimText = (V) => (V < 100 ? fixed(V, 2) : V < 1e5 ? fixed(V, 0) : powerText(V));
-
-/** @param {number} y @param {number} rx @param {number} ry */
-const svgRing = (y, rx, ry) => svg`<ellipse class="bowl-ring" cx=${middle.x} cy=${y} rx=${rx} ry=${ry} />`;

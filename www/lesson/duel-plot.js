@@ -36,15 +36,10 @@ export const looks = {
 const lines = /** @type {const} */ (['random', 'evolution', 'you']);
 
 /** @param {HTMLElement} root @param {PlotWords} words */
-export function createDuelPlot(root, words) {
-  const chart = createChart(root, (context, size, /** @type {{ duel: Duel, theme: number }} */ { duel }) =>
+export const createDuelPlot = (root, words) =>
+  createChart(root, (context, size, /** @type {{ duel: Duel, theme: number }} */ { duel }) =>
     drawDuel(context, size, duel, words),
   );
-  return {
-    /** @param {Duel} duel @param {number} theme */
-    draw: (duel, theme) => chart.draw({ duel, theme }),
-  };
-}
 
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {Duel} duel @param {PlotWords} words */
 function drawDuel(context, size, duel, words) {

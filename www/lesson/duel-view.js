@@ -160,7 +160,7 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
         element,
       );
       picture.setAttribute('aria-label', words.plotLabel(`${sentence} ${later}`));
-      plot.draw(duel, theme);
+      plot.draw({ duel, theme });
     },
   };
 }
