@@ -1,6 +1,6 @@
 // Where the goal is, seen from the robot.
-import { errorFormula, errorNumbers } from '../formulas.js';
-import { quiz, tries } from '../asks.js';
+import { errorFormula, errorNumbers } from '../formulas/formulas.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
