@@ -2,7 +2,7 @@
 import { createLayer } from './canvas.js';
 import { followSize } from './elements.js';
 import { outlineOf } from './extent.js';
-import { textFont } from './fonts.js';
+import { setLettering } from './lettering.js';
 import { watch } from './memo.js';
 import { colour } from './palette.js';
 
@@ -107,20 +107,21 @@ export function drawGrid(context, { x, y, frame }, ticks, texts) {
   for (const tick of ticks.x) line(context, [x(tick), frame.top], [x(tick), frame.bottom]);
   for (const tick of ticks.y) line(context, [frame.left, y(tick)], [frame.right, y(tick)]);
   context.stroke();
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.textAlign = 'right';
-  context.textBaseline = 'middle';
+  setLettering(context, { align: 'right' });
   for (const [i, tick] of ticks.y.entries()) context.fillText(texts[i], frame.left - 6, y(tick));
 }
 
 /** The numbers below. @param {CanvasRenderingContext2D} context @param {Scale} x @param {number} bottom @param {readonly number[]} ticks @param {readonly string[]} texts */
 export function drawNumbersBelow(context, x, bottom, ticks, texts) {
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.textAlign = 'center';
-  context.textBaseline = 'top';
+  setLettering(context, { align: 'center', baseline: 'top' });
   for (const [i, tick] of ticks.entries()) context.fillText(texts[i], x(tick), bottom + 7);
+}
+
+/** A grid over whole numbers, such as generations, with these levels on the left. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {readonly number[]} levels @param {readonly string[]} [texts] */
+export function drawGridOverWholes(context, axes, levels, texts = sameDigits(levels)) {
+  const wholes = wholeTicks(axes.x);
+  drawGrid(context, axes, { x: wholes, y: levels }, texts);
+  drawNumbersBelow(context, axes.x, axes.frame.bottom, wholes, wholes.map(String));
 }
 
 /** What is drawn stays within the frame. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {() => void} draw */
@@ -217,6 +218,12 @@ export function drawCurve(context, points, stroke) {
   context.stroke();
 }
 
+/** A curve that is level all the way. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} value @param {Stroke} stroke */
+export function drawLevel(context, { y, frame: { left, right } }, value, stroke) {
+  const ends = [left, right].map((px) => /** @type {const} */ ([px, y(value)]));
+  drawCurve(context, ends, stroke);
+}
+
 /** What lies between two curves. @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} upper @param {readonly (readonly [number, number])[]} lower @param {string} token @param {number} alpha */
 export function drawBand(context, upper, lower, token, alpha) {
   context.beginPath();
@@ -262,18 +269,4 @@ export function drawDot(context, px, py, token) {
   context.beginPath();
   context.arc(px, py, 3.5, 0, 2 * Math.PI);
   context.fill();
-}
-
-/** The mouse over a picture, or a finger or the mouse that drags on it. @param {HTMLElement} element @param {(px: number) => void} onPoint */
-export function followPointer(element, onPoint) {
-  const point = (/** @type {PointerEvent} */ event) =>
-    onPoint(event.clientX - element.getBoundingClientRect().left);
-  element.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0) return;
-    element.setPointerCapture(event.pointerId);
-    point(event);
-  });
-  element.addEventListener('pointermove', (event) => {
-    if (event.pointerType !== 'touch' || element.hasPointerCapture(event.pointerId)) point(event);
-  });
 }

@@ -5,4 +5,6 @@ const family =
 
 export const textFont = `13px ${family}`;
 export const strongFont = `600 13px ${family}`;
-export const symbolFont = 'italic 17px "STIX Two Text", "Cambria Math", Georgia, serif';
+/** As letters stand in formulas. @param {number} size */
+export const italicFont = (size) => `italic ${size}px "STIX Two Text", "Cambria Math", Georgia, serif`;
+export const symbolFont = italicFont(17);

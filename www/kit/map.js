@@ -86,6 +86,14 @@ export function followPointing(element, onPoint, isHeld = () => false) {
   element.addEventListener('blur', () => onPoint(null));
 }
 
+/** How far right one points, with the mouse over a picture, or with a finger or the mouse that drags on it. @param {HTMLElement} element @param {(px: number) => void} onPoint */
+export function followPointer(element, onPoint) {
+  const point = (/** @type {PointerEvent | null} */ event) => {
+    if (event) onPoint(pointIn(element, event)[0]);
+  };
+  followPointing(element, point, followHeld(element, point));
+}
+
 /**
  * What keys do with a cursor.
  * @param {HTMLElement} element

@@ -1,7 +1,8 @@
 // The names at the lines of a chart, on its canvas.
 /** @import { Size } from './canvas.js' */
 /** @import { Frame } from './chart.js' */
-import { strongFont, symbolFont, textFont } from './fonts.js';
+import { italicFont, strongFont, symbolFont, textFont } from './fonts.js';
+import { setLettering } from './lettering.js';
 import { colour } from './palette.js';
 
 /**
@@ -42,9 +43,7 @@ export function drawName(context, { text, x, y, align = 'left', token = '--muted
   context.fillStyle = colour('--paper');
   context.fillRect(left, y - high / 2, width, high);
   context.globalAlpha = 1;
-  context.fillStyle = colour(token);
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
+  setLettering(context, { token });
   left += padding;
   for (const [i, piece] of pieces.entries()) {
     context.font = fonts[i];
@@ -53,17 +52,11 @@ export function drawName(context, { text, x, y, align = 'left', token = '--muted
   }
 }
 
-const italic = (/** @type {number} */ size) =>
-  `italic ${size}px "STIX Two Text", "Cambria Math", Georgia, serif`;
-
 /** A letter with its index, as in formulas. @param {CanvasRenderingContext2D} context @param {{ letter: string, index: string }} symbol @param {string} token @param {number} x @param {number} y Of the line it stands on. */
 export function drawSymbol(context, { letter, index }, token, x, y) {
-  context.fillStyle = colour(token);
-  context.textAlign = 'left';
-  context.textBaseline = 'alphabetic';
-  context.font = italic(18);
+  setLettering(context, { token, font: italicFont(18), baseline: 'alphabetic' });
   context.fillText(letter, x, y);
-  context.font = italic(13);
+  context.font = italicFont(13);
   context.fillText(index, x + 9, y + 4);
 }
 

@@ -6,14 +6,12 @@ import {
   createChart,
   drawCurve,
   drawDot,
-  drawGrid,
-  drawNumbersBelow,
+  drawGridOverWholes,
+  drawLevel,
   drawUpright,
   frameIn,
   pointsOf,
-  sameDigits,
   ticksOn,
-  wholeTicks,
   within,
 } from '../kit/chart.js';
 import { extentOf } from '../kit/extent.js';
@@ -41,24 +39,17 @@ function drawCosts(context, size, model) {
     x: generationScale(history, frame),
     y: scaleLinear(costRange(model), [frame.bottom, frame.top]),
   };
-  const ticks = { x: wholeTicks(axes.x), y: ticksOn(axes.y, 32) };
-  drawGrid(context, axes, ticks, sameDigits(ticks.y));
-  drawNumbersBelow(context, axes.x, frame.bottom, ticks.x, ticks.x.map(String));
+  drawGridOverWholes(context, axes, ticksOn(axes.y, 32));
   const lines = [
     { token: '--muted', width: 1.5, costs: columns.median },
     { token: '--ink', width: 2.5, costs: columns.best },
   ];
   within(context, frame, () => {
-    const acrossAll = /** @type {const} */ ([frame.left, frame.right]);
     for (const { costs, ...stroke } of lines) {
       drawCurve(context, pointsOf(axes, columns.generation, costs), stroke);
       // The paper's line lies between the two.
       if (stroke.token === '--muted' && paper !== null)
-        drawCurve(
-          context,
-          acrossAll.map((px) => [px, axes.y(paper)]),
-          { ...stroke, dash: [2, 5] },
-        );
+        drawLevel(context, axes, paper, { ...stroke, dash: [2, 5] });
     }
   });
   if (history.length === 1)

@@ -1,7 +1,7 @@
 // What the pictures say in words: the legend on the plane, the two postures, and the texts for who cannot see them.
-/** @import { Experiment, Posture, Run, Statistics } from '../core/engine.js' */
+/** @import { Experiment, Posture, Run } from '../core/engine.js' */
 /** @import { Scene } from '../run/scene.js' */
-/** @import { Driver } from '../run/state.js' */
+/** @import { endsOf, State } from '../run/state.js' */
 import { createSwatch } from '../kit/swatch.js';
 import { differenceOf, styles } from '../run/pins.js';
 import { isTracking } from '../core/reference.js';
@@ -10,22 +10,8 @@ import { byId, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings, pins as pinWords } from '../words/index.js';
 
-/**
- * @typedef {object} NotesModel
- * @property {Posture} start
- * @property {Posture} goal
- * @property {Scene} scene
- * @property {Driver} driver
- * @property {import('../run/state.js').Found} found
- * @property {Statistics[]} history
- * @property {number} generation The one that is shown.
- * @property {number} population
- * @property {number} time
- * @property {import('../run/pins.js').Pins} pins
- * @property {boolean} atRest
- * @property {boolean} moved Start or goal is not the paper's.
- * @property {boolean} tried The start is one that evolution does not see.
- */
+/** What it takes from the state. @typedef {Pick<State, 'driver' | 'found' | 'history' | 'generation' | 'pins'> & ReturnType<typeof endsOf>} Told */
+/** `moved`: start or goal is not the paper's; `tried`: the start is one that evolution does not see. @typedef {Told & { scene: Scene, population: number, time: number, atRest: boolean, moved: boolean, tried: boolean }} NotesModel */
 
 /** @param {{ onRestore: () => void }} events */
 export function createNotes({ onRestore }) {

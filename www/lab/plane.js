@@ -7,7 +7,8 @@
 import { scaleLinear } from 'd3-scale';
 import { createLayer, fillTextWithHalo } from '../kit/canvas.js';
 import { paidAt } from '../core/paid.js';
-import { textFont } from '../kit/fonts.js';
+import { take } from '../kit/chart.js';
+import { setLettering } from '../kit/lettering.js';
 import { colour } from '../kit/palette.js';
 import { styles } from '../run/pins.js';
 import { knobOf } from '../kit/transform.js';
@@ -15,7 +16,7 @@ import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 import { drawRobots } from './robots.js';
-import { inMetres, kite, referenceOf, sizes, trace } from './track.js';
+import { emptyKite, inMetres, kite, referenceOf, sizes, trace } from './track.js';
 
 /** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, pins: Pins, pays: boolean, time: number, theme: number }} PlaneModel With `pays`, where along the path J was paid. */
 
@@ -38,8 +39,8 @@ export function createPlane(pathsCanvas, robotsCanvas) {
         drawPinnedGoals(context, view, pins, goal);
         drawPaths(context, view, scene, pins);
         if (isPaid) drawPayments(context, view, driving);
-        drawTarget(context, view, start, colour('--muted'));
-        drawTarget(context, view, goal, colour('--ink'));
+        drawTarget(context, view, start, '--muted');
+        drawTarget(context, view, goal, '--ink');
         drawPostureNames(context, names);
       });
     }
@@ -59,12 +60,8 @@ function drawGrid(context, view, names) {
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const low = view.world(0, view.height);
   const high = view.world(view.width, 0);
-  context.font = textFont;
-  context.lineWidth = 1;
-  context.strokeStyle = colour('--hairline');
-  context.fillStyle = colour('--muted');
-  context.textAlign = 'center';
-  context.textBaseline = 'alphabetic';
+  take(context, { token: '--hairline', width: 1 });
+  setLettering(context, { align: 'center', baseline: 'alphabetic' });
   context.beginPath();
   for (const x of multiples(low.x, high.x, step)) {
     const px = Math.round(view.screenX(x)) + 0.5;
@@ -75,8 +72,7 @@ function drawGrid(context, view, names) {
     if (px < view.width - 20 && !isNamed)
       context.fillText(`${strings.fixed(x, digits)} m`, px, view.height - 10);
   }
-  context.textAlign = 'right';
-  context.textBaseline = 'middle';
+  setLettering(context, { align: 'right' });
   for (const y of multiples(low.y, high.y, step)) {
     const py = Math.round(view.screenY(y)) + 0.5;
     if (py > view.height - 32) continue;
@@ -133,9 +129,8 @@ function drawPinnedGoals(context, view, pins, goal) {
     const { x, y, theta } = experiment.goal;
     if (x === goal.x && y === goal.y && theta === goal.theta) continue;
     kite(context, view.screenX(x), view.screenY(y), theta, sizes.posture);
-    context.strokeStyle = colour(styles[slot].token);
+    take(context, { token: styles[slot].token, width: 1.5 });
     context.globalAlpha = 0.6;
-    context.lineWidth = 1.5;
     context.stroke();
     context.globalAlpha = 1;
   }
@@ -145,9 +140,7 @@ function drawPinnedGoals(context, view, pins, goal) {
 function drawPayments(context, view, run) {
   const last = run.time.length - 1;
   const half = 5;
-  context.font = textFont;
-  context.textBaseline = 'middle';
-  context.textAlign = 'center';
+  setLettering(context, { align: 'center' });
   const total = paidAt(run, last);
   let i = 0;
   /** Where there is no room between two, only the first has its number. */
@@ -158,8 +151,7 @@ function drawPayments(context, view, run) {
     const { x, y, theta } = { x: run.x[i], y: run.y[i], theta: run.theta[i] };
     const [px, py] = [view.screenX(x), view.screenY(y)];
     const [across, up] = [Math.sin(theta), Math.cos(theta)];
-    context.lineWidth = 1.5;
-    context.strokeStyle = colour('--ink');
+    take(context, { token: '--ink', width: 1.5 });
     context.beginPath();
     context.moveTo(px - half * across, py - half * up);
     context.lineTo(px + half * across, py + half * up);
@@ -200,31 +192,23 @@ function nameAt(view, { x, y, theta }, text, side) {
 
 /** @param {CanvasRenderingContext2D} context @param {readonly PostureName[]} names */
 function drawPostureNames(context, names) {
-  context.font = textFont;
-  context.textBaseline = 'middle';
   for (const { text, px, py, align } of names) {
-    context.textAlign = align;
+    setLettering(context, { align });
     fillTextWithHalo(context, text, px, py, { fill: colour('--muted'), halo: colour('--paper') });
   }
 }
 
-/** Start or goal: an empty arrow, and the knob that turns it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} stroke */
-function drawTarget(context, view, posture, stroke) {
+/** Start or goal: an empty arrow, and the knob that turns it. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture @param {string} token */
+function drawTarget(context, view, posture, token) {
   const knob = knobOf(view, posture);
   const [px, py] = [view.screenX(posture.x), view.screenY(posture.y)];
   const angle = Math.atan2(knob.py - py, knob.px - px);
-  context.strokeStyle = colour('--muted');
-  context.lineWidth = 1;
+  take(context, { token: '--muted', width: 1 });
   context.beginPath();
   context.moveTo(px + sizes.posture * Math.cos(angle), py + sizes.posture * Math.sin(angle));
   context.lineTo(knob.px - 5 * Math.cos(angle), knob.py - 5 * Math.sin(angle));
   context.moveTo(knob.px + 5, knob.py);
   context.arc(knob.px, knob.py, 5, 0, 2 * Math.PI);
   context.stroke();
-  kite(context, px, py, posture.theta, sizes.posture);
-  context.fillStyle = colour('--paper');
-  context.strokeStyle = stroke;
-  context.lineWidth = 2;
-  context.fill();
-  context.stroke();
+  emptyKite(context, px, py, posture.theta, token);
 }

@@ -5,14 +5,14 @@
 /** @import { Scene } from '../run/scene.js' */
 import { isTracking } from '../core/reference.js';
 import { fillTextWithHalo } from '../kit/canvas.js';
-import { textFont } from '../kit/fonts.js';
+import { setLettering } from '../kit/lettering.js';
 import { colour } from '../kit/palette.js';
 import { drawMark } from '../kit/swatch.js';
 import { keepInside } from '../kit/transform.js';
 import { styles } from '../run/pins.js';
 import { lab as strings } from '../words/index.js';
 import { drawCar } from './car.js';
-import { inMetres, kite, postureAt, referenceOf, sampleBefore, sizes, trace } from './track.js';
+import { emptyKite, inMetres, kite, postureAt, referenceOf, sampleBefore, sizes, trace } from './track.js';
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins @param {number} time */
 export function drawRobots(context, view, scene, pins, time) {
@@ -47,15 +47,8 @@ const inkOnPaper = () => ({ fill: colour('--ink'), halo: colour('--paper') });
 function drawReference(context, view, run, time) {
   const { x, y, theta } = postureAt(referenceOf(run), time);
   const [px, py] = [view.screenX(x), view.screenY(y)];
-  kite(context, px, py, theta, sizes.posture);
-  context.strokeStyle = colour('--ink');
-  context.fillStyle = colour('--paper');
-  context.lineWidth = 2;
-  context.fill();
-  context.stroke();
-  context.font = textFont;
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
+  emptyKite(context, px, py, theta, '--ink');
+  setLettering(context, {});
   fillTextWithHalo(context, strings.referenceName, px + 22, py + 22, inkOnPaper());
 }
 
@@ -84,10 +77,8 @@ function drawStray(context, view, { x, y }) {
   context.fillStyle = colour('--ink');
   kite(context, edge.px, edge.py, Math.atan2(edge.py - py, px - edge.px), 10);
   context.fill();
-  context.font = textFont;
-  context.textBaseline = 'middle';
   const inward = edge.px > view.width / 2 ? -1 : 1;
   const text = strings.outside(beyond / view.scale);
-  context.textAlign = inward < 0 ? 'right' : 'left';
+  setLettering(context, { align: inward < 0 ? 'right' : 'left' });
   fillTextWithHalo(context, text, edge.px + 18 * inward, edge.py, inkOnPaper());
 }

@@ -6,11 +6,9 @@ import {
   createChart,
   drawCurve,
   drawDot,
-  drawGrid,
-  drawNumbersBelow,
+  drawGridOverWholes,
   frameIn,
   pointsOf,
-  wholeTicks,
   within,
 } from '../kit/chart.js';
 import { extentOf } from '../kit/extent.js';
@@ -50,9 +48,8 @@ function drawSigmas(context, size, { history, generation, columns }) {
     x: generationScale(history, frame),
     y: scaleLog(range, [frame.bottom, frame.top]),
   };
-  const ticks = { x: wholeTicks(axes.x), y: powers(range) };
-  drawGrid(context, axes, ticks, ticks.y.map(powerText));
-  drawNumbersBelow(context, axes.x, frame.bottom, ticks.x, ticks.x.map(String));
+  const levels = powers(range);
+  drawGridOverWholes(context, axes, levels, levels.map(powerText));
   within(context, frame, () => {
     for (const [i, token] of tokens.entries())
       drawCurve(context, pointsOf(axes, columns.generation, columns[gains[i]]), { token, width: 2 });

@@ -1,6 +1,8 @@
 // A run on the plane: where it is at a time, its line, and the arrow that is a robot.
 /** @import { Posture, Run } from '../core/engine.js' */
 /** @import { View } from '../kit/transform.js' */
+import { take } from '../kit/chart.js';
+import { colour } from '../kit/palette.js';
 
 /** @typedef {Pick<Run, 'time' | 'x' | 'y' | 'theta'>} Track */
 
@@ -40,6 +42,15 @@ export function kite(context, px, py, theta, size) {
   context.lineTo(px - 0.35 * c, py - 0.35 * s);
   context.lineTo(px - 0.75 * c + 0.68 * s, py - 0.75 * s - 0.68 * c);
   context.closePath();
+}
+
+/** A posture at which no robot stands. @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {number} theta @param {string} token */
+export function emptyKite(context, px, py, theta, token) {
+  kite(context, px, py, theta, sizes.posture);
+  take(context, { token, width: 2 });
+  context.fillStyle = colour('--paper');
+  context.fill();
+  context.stroke();
 }
 
 /** @param {Pick<Track, 'time'>} run @param {number} time */

@@ -7,11 +7,11 @@ import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { generationSlice } from '../parts/generation/state.js';
 import { landscapeSlice } from '../parts/landscape/state.js';
 import { lesson as first } from '../words/index.js';
-import { isAskedIn } from './asked-in.js';
-import { createFormula } from './formula.js';
+import { isAskedIn } from './questions/asked-in.js';
+import { createFormula } from './formulas/formula.js';
 import { hrefOf, linkOfStep, pathLength, stepNames } from './path.js';
 import { inline, list, paragraphs } from './prose.js';
-import { createQuiz } from './quiz.js';
+import { createQuiz } from './questions/quiz.js';
 import { progressSlice } from './state.js';
 import words from './words/index.js';
 

@@ -1,6 +1,6 @@
 // The text of the lesson: paragraphs with *what matters*, {symbols}, {=values of the running program} and [words](that open a part).
 import { create } from '../kit/elements.js';
-import { isSymbol, symbolInText } from './symbols.js';
+import { isSymbol, symbolInText } from './formulas/symbols.js';
 
 const marks = /\*([^*]+)\*|\{(=?)(\w+)\}|\[([^\]]+)\]\(([^)]+)\)/g;
 

@@ -2,7 +2,7 @@
 import { createSlice } from '../run/store.js';
 
 /** @import { Triple } from '../core/engine.js' */
-/** @import { Duel } from './duel.js' */
+/** @import { Duel } from './duel/duel.js' */
 
 /** A prediction, and once it is known the right one and what is said of it; `said` in which language, if not in that of the page. @typedef {{ choice: number, right: number | null, why: string, said?: string }} Answer */
 /** Drives with different gains, in the experiment with this text, the J of each, and the best that arrived, or of which most did. @typedef {{ experiment: string, drives: number, costs: readonly number[], best: { gains: Triple, cost: number } | null, lowest: { gains: Triple, cost: number } | null }} Tally */

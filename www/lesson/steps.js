@@ -6,9 +6,9 @@ import * as every from './steps/all.js';
 /** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
 /** @import { Sight } from './sights.js' */
-/** @import { Formula } from './notation.js' */
+/** @import { Formula } from './formulas/notation.js' */
 /** @import { Block, Live, Tools } from './page.js' */
-/** @import { Quiz } from './quiz.js' */
+/** @import { Quiz } from './questions/quiz.js' */
 /** @import { StepName } from './path.js' */
 /** In the place of the plane, beside it or under it, while one of these parts is open, or any; with `after` once somebody has predicted that question. @typedef {{ create: (tools: Tools, words: any) => Block, place: 'instead' | 'beside' | 'under', pages?: readonly string[], after?: string }} Stage */
 /** What a drive came to: in the experiment with this text. @typedef {{ experiment: string, gains: Triple, cost: number, arrived: boolean }} Priced */

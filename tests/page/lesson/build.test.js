@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
-import { checkValues } from '../../../www/lesson/check-values.js';
-import { rateAmounts } from '../../../www/lesson/formulas-motion.js';
+import { checkValues } from '../../../www/lesson/views/check-values.js';
+import { rateAmounts } from '../../../www/lesson/formulas/formulas-motion.js';
 import { build as en } from '../../../www/lesson/words/en/build.js';
 import { build as ko } from '../../../www/lesson/words/ko/build.js';
 import { phases } from '../../../www/parts/generation/state.js';

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { beatOf, gentle } from '../../../www/lesson/standings.js';
+import { beatOf, gentle } from '../../../www/lesson/views/standings.js';
 import { cost as step, withKy } from '../../../www/lesson/steps/cost.js';
 import { cost as words } from '../../../www/lesson/words/en/cost.js';
 import { costText } from '../../../www/words/numbers.js';

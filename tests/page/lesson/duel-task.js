@@ -1,6 +1,6 @@
 // The task of the duel, and what evolution makes of it.
 import { duel as step } from '../../../www/lesson/steps/duel.js';
-import { yardOf } from '../../../www/lesson/yard.js';
+import { yardOf } from '../../../www/lesson/duel/yard.js';
 import { Evolution } from '../harness/core.js';
 import { opened } from './links.js';
 import { liveOf } from './live.js';

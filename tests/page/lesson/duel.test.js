@@ -9,11 +9,11 @@ import {
   roundOf,
   scoreOf,
   winners,
-} from '../../../www/lesson/duel.js';
-import { marksOf } from '../../../www/lesson/marks.js';
+} from '../../../www/lesson/duel/duel.js';
+import { marksOf } from '../../../www/lesson/duel/marks.js';
 import { duel as step } from '../../../www/lesson/steps/duel.js';
 import { noTally } from '../../../www/lesson/state.js';
-import { taskText } from '../../../www/lesson/tally.js';
+import { taskText } from '../../../www/lesson/duel/tally.js';
 import { swarm } from '../../../www/lesson/words/en.js';
 import { duel as words } from '../../../www/lesson/words/en/duel.js';
 import { Key, pageTest } from '../harness/browsers.js';
@@ -63,7 +63,7 @@ test('the duel compares with the core’s evolution and random search of that se
 test('who has the lowest J wins', async () => {
   const evolution = Array.from({ length: 61 }, (_, i) => 13 - i / 60);
   const random = evolution.map((cost, i) => (i < 30 ? 12.8 : cost + 0.5));
-  /** @type {import('../../../www/lesson/duel.js').Round} */
+  /** @type {import('../../../www/lesson/duel/duel.js').Round} */
   const round = { seed: 1, evolution, random, champion: [1, 1, 1] };
   const winnerWith = (/** @type {number} */ best) => judge(driven([30, best]), round).winner;
   assert.equal(winnerWith(12.5), 'you');

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { generationSlice } from '../../../www/parts/generation/state.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { anatomyOf as anatomyIn, placeByCost } from '../../../www/lesson/anatomy.js';
-import { gainFormula, sigmaFormula } from '../../../www/lesson/formulas.js';
+import { gainFormula, sigmaFormula } from '../../../www/lesson/formulas/formulas.js';
 import { generation as step, question } from '../../../www/lesson/steps/generation.js';
 import { generation as words } from '../../../www/lesson/words/en/generation.js';
 import { Key, pageTest } from '../harness/browsers.js';

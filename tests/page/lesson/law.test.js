@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { pushesOf } from '../../../www/lesson/push-terms.js';
+import { pushesOf } from '../../../www/lesson/views/push-terms.js';
 import { law as step } from '../../../www/lesson/steps/law.js';
 import { law as words } from '../../../www/lesson/words/en/law.js';
 import { signed } from '../../../www/words/numbers.js';

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { lockedIn } from '../../../www/lesson/duel.js';
+import { lockedIn } from '../../../www/lesson/duel/duel.js';
 import { progressOf, textOf } from '../../../www/lesson/keepsake.js';
 import { links } from '../../../www/lesson/links.js';
 import {

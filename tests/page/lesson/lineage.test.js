@@ -1,6 +1,6 @@
 // The family of the best robot: who descends from whom, and how it is drawn.
 import assert from 'node:assert/strict';
-import { lineageOf, numbersBelow } from '../../../www/lesson/lineage.js';
+import { lineageOf, numbersBelow } from '../../../www/lesson/views/lineage.js';
 import { sigma as words } from '../../../www/lesson/words/en/sigma.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { largestAt, pushesOf, pushesOver } from '../../../www/lesson/push-terms.js';
+import { largestAt, pushesOf, pushesOver } from '../../../www/lesson/views/push-terms.js';
 import { law as step } from '../../../www/lesson/steps/law.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { engine, linkOf, opened } from './links.js';

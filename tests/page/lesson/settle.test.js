@@ -1,8 +1,8 @@
 // When a prediction is answered, and when it is free again.
 import assert from 'node:assert/strict';
 import { Pending } from '../../../www/core/pending.js';
-import { isAskedIn } from '../../../www/lesson/asked-in.js';
-import { settle } from '../../../www/lesson/settle.js';
+import { isAskedIn } from '../../../www/lesson/questions/asked-in.js';
+import { settle } from '../../../www/lesson/questions/settle.js';
 import { progressSlice } from '../../../www/lesson/state.js';
 import { lapsed } from '../../../www/lesson/words/en.js';
 import { Key, pageTest } from '../harness/browsers.js';
@@ -10,7 +10,7 @@ import { test } from '../harness/once.js';
 import { liveOf } from './live.js';
 
 /** @typedef {import('../../../www/lesson/page.js').Live} Live */
-/** @typedef {import('../../../www/lesson/quiz.js').Quiz} Quiz */
+/** @typedef {import('../../../www/lesson/questions/quiz.js').Quiz} Quiz */
 
 const asked = { choice: 1, right: null, why: '' };
 const key = 'drive.bolder';

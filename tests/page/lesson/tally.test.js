@@ -1,7 +1,7 @@
 // Which drives by hand count, without a page: the events of its sliders are made up.
 import assert from 'node:assert/strict';
 import { progressSlice } from '../../../www/lesson/state.js';
-import { createTally } from '../../../www/lesson/tally.js';
+import { createTally } from '../../../www/lesson/duel/tally.js';
 import { test } from '../harness/once.js';
 import { liveOf } from './live.js';
 

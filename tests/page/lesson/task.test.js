@@ -13,7 +13,7 @@ import {
   simulate,
   startsOnCircle,
 } from '../harness/core.js';
-import { yardOf } from '../../../www/lesson/yard.js';
+import { yardOf } from '../../../www/lesson/duel/yard.js';
 import { driven, engine, opened } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';

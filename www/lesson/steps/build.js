@@ -1,9 +1,9 @@
 // Build it yourself: what a program needs, the numbers by which one knows that it is right, and a task that is open.
-import { createProgram } from '../program.js';
-import { createDownloads, createCheckValues } from '../check-values.js';
-import { errorRateFormula, motionFormula } from '../formulas-motion.js';
-import { lawFormula } from '../formulas.js';
-import { tries } from '../asks.js';
+import { createProgram } from '../views/program.js';
+import { createDownloads, createCheckValues } from '../views/check-values.js';
+import { errorRateFormula, motionFormula } from '../formulas/formulas-motion.js';
+import { lawFormula } from '../formulas/formulas.js';
+import { tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */

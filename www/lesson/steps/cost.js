@@ -2,10 +2,10 @@
 import { remember } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
-import { costFormula } from '../formulas.js';
-import { entrantsOf, createStandings, gentle, winnerOf } from '../standings.js';
-import { createWeights } from '../weights.js';
-import { quiz, tries } from '../asks.js';
+import { costFormula } from '../formulas/formulas.js';
+import { entrantsOf, createStandings, gentle, winnerOf } from '../views/standings.js';
+import { createWeights } from '../views/weights.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Engine, Triple } from '../../core/engine.js' */

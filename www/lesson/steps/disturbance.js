@@ -3,10 +3,10 @@ import { disturbanceSlice } from '../../parts/disturbance/state.js';
 import { gainsOf } from '../../run/drivers.js';
 import { withDisturbance } from '../../run/scene.js';
 import { fixed, threeDigits } from '../../words/numbers.js';
-import { robustFormula } from '../formulas.js';
-import { createNearGoal } from '../near-goal.js';
-import { createTheoremNow } from '../theorem-now.js';
-import { quiz, tries } from '../asks.js';
+import { robustFormula } from '../formulas/formulas.js';
+import { createNearGoal } from '../views/near-goal.js';
+import { createTheoremNow } from '../views/theorem-now.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Engine, Experiment, Posture, Run, Triple } from '../../core/engine.js' */

@@ -1,8 +1,8 @@
 // Drive it yourself. No theory yet.
 import { gainsOf } from '../../run/drivers.js';
-import { createTallyLine } from '../tally-line.js';
+import { createTallyLine } from '../duel/tally-line.js';
 import { lab } from '../../words/index.js';
-import { quiz, tries } from '../asks.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */

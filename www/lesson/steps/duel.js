@@ -1,8 +1,14 @@
 // You against evolution, on a task that a hand loses.
 import { lab } from '../../words/index.js';
-import { drivesUntil, generationsIn, judge, lowestOf, nextSeed, roundOf, winners } from '../duel.js';
-import { createDuelDrives, createDuelResult, createDuelStage, duelIn, priceInYard } from '../duel-view.js';
-import { quiz, tries } from '../asks.js';
+import { drivesUntil, generationsIn, judge, lowestOf, nextSeed, roundOf, winners } from '../duel/duel.js';
+import {
+  createDuelDrives,
+  createDuelResult,
+  createDuelStage,
+  duelIn,
+  priceInYard,
+} from '../duel/duel-view.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 import words from '../words/index.js';
 

@@ -1,7 +1,6 @@
 // Where the goal is, seen from the robot.
-import { errorFormula } from '../formulas.js';
-import { degreesText, signed } from '../../words/numbers.js';
-import { quiz, tries } from '../asks.js';
+import { errorFormula, errorNumbers } from '../formulas/formulas.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */
@@ -33,9 +32,5 @@ export const error = {
     ]),
     { kind: 'notice' },
   ],
-  values: ({ sample }) => ({
-    xe: signed(sample.error.x, 2),
-    ye: signed(sample.error.y, 2),
-    te: degreesText(sample.error.theta),
-  }),
+  values: ({ sample }) => errorNumbers(sample, 2),
 };

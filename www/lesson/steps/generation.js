@@ -3,9 +3,9 @@ import { birthOf } from '../../parts/generation/birth.js';
 import words from '../../parts/generation/words/index.js';
 import lesson from '../words/index.js';
 import { anatomyOf, chosenIn, placeByCost } from '../anatomy.js';
-import { gainFormula } from '../formulas.js';
-import { createNewborn } from '../newborn.js';
-import { quiz, tries } from '../asks.js';
+import { gainFormula } from '../formulas/formulas.js';
+import { createNewborn } from '../views/newborn.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */

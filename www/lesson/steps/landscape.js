@@ -4,7 +4,7 @@ import { remember } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { lowestPoint } from '../lowest.js';
-import { quiz, tries } from '../asks.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */

@@ -1,10 +1,10 @@
 // The control law, term by term, and what each gain does alone.
 import { remember } from '../../kit/memo.js';
 import { degreesText, fixed, signed } from '../../words/numbers.js';
-import { lawFormula } from '../formulas.js';
-import { largestAt } from '../push-terms.js';
-import { createPushes } from '../pushes.js';
-import { quiz, tries } from '../asks.js';
+import { lawFormula } from '../formulas/formulas.js';
+import { largestAt } from '../views/push-terms.js';
+import { createPushes } from '../views/pushes.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Engine, Experiment, Triple } from '../../core/engine.js' */

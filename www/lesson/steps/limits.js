@@ -2,8 +2,8 @@
 import { largest } from '../../kit/extent.js';
 import { remember } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
-import { createAsked } from '../asked.js';
-import { quiz, tries } from '../asks.js';
+import { createAsked } from '../views/asked.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Samples, Triple } from '../../core/engine.js' */

@@ -2,8 +2,8 @@
 import { largest } from '../../kit/extent.js';
 import { fixed } from '../../words/numbers.js';
 import { asPrinted } from '../printed.js';
-import { createChoicesTable, createPaperTable } from '../paper-table.js';
-import { quiz, tries } from '../asks.js';
+import { createChoicesTable, createPaperTable } from '../views/paper-table.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Live } from '../page.js' */

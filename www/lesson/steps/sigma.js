@@ -2,9 +2,9 @@
 import words from '../../parts/generation/words/index.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
-import { sigmaFormula } from '../formulas.js';
-import { createLineage } from '../lineage.js';
-import { quiz, tries } from '../asks.js';
+import { sigmaFormula } from '../formulas/formulas.js';
+import { createLineage } from '../views/lineage.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */

@@ -1,11 +1,11 @@
 // Why it gets there. The Lyapunov function and its rate.
 import { largest } from '../../kit/extent.js';
 import { fixed, signed } from '../../words/numbers.js';
-import { createBowl } from '../bowl.js';
-import { createCancel } from '../cancel.js';
-import { chainFormula, errorRateFormula } from '../formulas-motion.js';
-import { lyapunovFormula, rateFormula } from '../formulas.js';
-import { quiz, tries } from '../asks.js';
+import { createBowl } from '../views/bowl.js';
+import { createCancel } from '../views/cancel.js';
+import { chainFormula, errorRateFormula } from '../formulas/formulas-motion.js';
+import { lyapunovFormula, rateFormula } from '../formulas/formulas.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Step } from '../steps.js' */

@@ -7,17 +7,17 @@ import { gainsOf } from '../../run/drivers.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { mapsAreDone, shareOfStarts, trainedOn, trainingIsDone } from '../robust.js';
-import { filmRuns } from '../film.js';
-import { createSwarm } from '../swarm.js';
+import { filmRuns } from '../duel/film.js';
+import { createSwarm } from '../duel/swarm.js';
 import shared from '../words/index.js';
-import { createWeights } from '../weights.js';
-import { yardOf } from '../yard.js';
-import { quiz, tries } from '../asks.js';
+import { createWeights } from '../views/weights.js';
+import { yardOf } from '../duel/yard.js';
+import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
 /** @import { Engine } from '../../core/engine.js' */
 /** @import { Live, Tools } from '../page.js' */
-/** @import { Quiz } from '../quiz.js' */
+/** @import { Quiz } from '../questions/quiz.js' */
 /** @import { Step } from '../steps.js' */
 
 /** The generation that the step speaks of. */

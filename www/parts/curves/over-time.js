@@ -6,8 +6,8 @@
 /** @import { View } from './page.js' */
 import { html, render } from 'lit-html';
 import { paidUntil } from '../../core/paid.js';
-import { followPointer } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
+import { followPointer } from '../../kit/map.js';
 import { remember, watch } from '../../kit/memo.js';
 import { pinTextsOf } from '../../lab/notes.js';
 import { sampleBefore } from '../../lab/track.js';

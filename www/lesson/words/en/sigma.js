@@ -1,7 +1,7 @@
 // The step “sigma” in English.
 import { costText, fixed } from '../../../words/en/numbers.js';
 
-/** @import { Ancestor } from '../../lineage.js' */
+/** @import { Ancestor } from '../../views/lineage.js' */
 import { gainText, sigmaText } from '../../../parts/generation/words/common.js';
 
 export const sigma = {

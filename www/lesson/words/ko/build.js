@@ -1,6 +1,6 @@
 // The step “build” in Korean.
 
-/** @typedef {import('../../program.js').Line} Line */
+/** @typedef {import('../../views/program.js').Line} Line */
 
 export const build = {
   texts: {

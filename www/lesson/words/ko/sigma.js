@@ -1,7 +1,7 @@
 // The step “sigma” in Korean.
 import { costText, fixed } from '../../../words/ko/numbers.js';
 
-/** @import { Ancestor } from '../../lineage.js' */
+/** @import { Ancestor } from '../../views/lineage.js' */
 import { gainText, sigmaText } from '../../../parts/generation/words/common.js';
 
 export const sigma = {

@@ -5,9 +5,9 @@
 /** @import { View } from '../page.js' */
 import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { followPointer } from '../../../kit/chart.js';
 import { followSize } from '../../../kit/elements.js';
 import { formula } from '../../../kit/formula.js';
+import { followPointer } from '../../../kit/map.js';
 import { remember, watch } from '../../../kit/memo.js';
 import { showTable } from '../../../lab/table-sheet.js';
 import { sampleBefore } from '../../../lab/track.js';

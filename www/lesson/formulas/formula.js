@@ -1,0 +1,59 @@
+// Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
+import { create, write } from '../../kit/elements.js';
+import words from '../words/index.js';
+import { isFirst, lineOf, withDots } from './notation.js';
+import { isSymbol, mathml, symbol } from './symbols.js';
+
+/** @import { Formula, Leaf } from './notation.js' */
+/** @import { Block } from '../page.js' */
+
+/** On a small screen a long formula scrolls, also by keyboard. @param {string} className @param {readonly string[]} lines @param {Leaf} leaf */
+function scroller(className, lines, leaf) {
+  const math = mathml('math', mathml('mtable', ...lines.map((text) => lineOf(text, leaf))));
+  math.setAttribute('display', 'block');
+  const element = create('div', className, math);
+  element.tabIndex = 0;
+  element.setAttribute('role', 'group');
+  element.setAttribute('aria-label', words.formula);
+  return element;
+}
+
+/** @param {Formula} formula @returns {Block} */
+export function createFormula({ label, lines, filled = lines, numbers }) {
+  const shown = scroller('formula-lines', lines, symbol);
+  shown.querySelector('mtable')?.setAttribute('displaystyle', 'true');
+  const element = create('div', 'formula', shown, create('span', 'formula-number', label));
+  if (!numbers) return { element, draw() {} };
+
+  /** @type {Map<string, Element[]>} */
+  const leaves = new Map();
+  const leafOf = (/** @type {string} */ term) => {
+    const leaf = mathml('mn', '–');
+    leaf.setAttribute('data-term', term);
+    leaf.setAttribute('class', `live ${(isSymbol(term) && symbol(term).getAttribute('class')) || ''}`);
+    leaves.set(term, [...(leaves.get(term) ?? []), leaf]);
+    return leaf;
+  };
+  const now = scroller('formula-lines formula-now', filled, leafOf);
+  withDots(now);
+  now.hidden = true;
+  const button = create('button', 'link formula-button', words.showNumbers);
+  button.setAttribute('type', 'button');
+  button.setAttribute('aria-expanded', 'false');
+  button.addEventListener('click', () => {
+    now.hidden = !now.hidden;
+    button.setAttribute('aria-expanded', String(!now.hidden));
+    button.textContent = now.hidden ? words.showNumbers : words.hideNumbers;
+  });
+  element.append(now, button);
+  return {
+    element,
+    draw(live) {
+      const known = numbers(live);
+      for (const [term, all] of leaves) {
+        const text = known[term] ?? '–';
+        for (const leaf of all) write(leaf, text.startsWith('−') && !isFirst(leaf) ? `(${text})` : text);
+      }
+    },
+  };
+}

@@ -1,0 +1,48 @@
+// How the robot and its errors move, and what becomes of V when the law is put in.
+
+/** @import { Formula } from './notation.js' */
+
+/** (2) @type {Formula} */
+export const motionFormula = {
+  label: '(2)',
+  lines: ["x' = v · cos theta", "y' = v · sin theta", "theta' = w"],
+};
+
+/** (4) @type {Formula} */
+export const errorRateFormula = {
+  label: '(4)',
+  lines: ["xe' = ye · wr + vr − v · cos te", "ye' = − xe · wr + v · sin te", "te' = wr − w"],
+};
+
+/** V̇ by the chain rule, for a goal at rest. @type {Formula} */
+export const chainFormula = {
+  label: '',
+  lines: [
+    "Vdot = {xe · xe'} + {ye · ye'} + {sin te · te'}",
+    '= {− xe · v · cos te} + {ye · v · sin te} − {sin te · w}',
+  ],
+};
+
+/** A term of V̇ with the law (5) put in, its sign before it, and with which other it cancels. @typedef {{ text: string, pair: 'kx' | 'ky' | null, of: 'x' | 'y' | 'theta' }} RateTerm */
+
+const steep = 'ky · {xe · ye^3 · cos te} / sin te';
+const cross = 'kx · xe · ye · sin te · cos te';
+
+/** From −x_e v cos θ_e, then from y_e v sin θ_e, then from −sin θ_e ω. @type {readonly RateTerm[]} */
+export const rateTerms = [
+  { text: '− kx · xe^2 · cos^2 te', pair: null, of: 'x' },
+  { text: `+ ${steep}`, pair: 'ky', of: 'y' },
+  { text: `+ ${cross}`, pair: 'kx', of: 'x' },
+  { text: '− ky · ye^4', pair: null, of: 'y' },
+  { text: '− kt · sin^2 te', pair: null, of: 'theta' },
+  { text: `− ${steep}`, pair: 'ky', of: 'y' },
+  { text: `− ${cross}`, pair: 'kx', of: 'x' },
+];
+
+/** What the seven terms come to. @param {readonly [number, number, number]} gains @param {{ x: number, y: number, theta: number }} error */
+export function rateAmounts([kx, ky, kt], { x, y, theta }) {
+  const [s, c] = [Math.sin(theta), Math.cos(theta)];
+  const steep = (ky * x * y ** 3 * c) / s;
+  const cross = kx * x * y * s * c;
+  return [-kx * x * x * c * c, steep, cross, -ky * y ** 4, -kt * s * s, -steep, -cross];
+}

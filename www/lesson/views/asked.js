@@ -1,0 +1,157 @@
+// What the law asks for against what the wheels do, on an axis on which both have room.
+import { scaleLinear, scaleSymlog } from 'd3-scale';
+import {
+  createChart,
+  drawCurve,
+  drawGrid,
+  drawLevel,
+  drawNumbersBelow,
+  drawUpright,
+  pointsOf,
+  ticksOn,
+  within,
+} from '../../kit/chart.js';
+import { create } from '../../kit/elements.js';
+import { strongFont } from '../../kit/fonts.js';
+import { setLettering } from '../../kit/lettering.js';
+import { fixed, powerOfTen } from '../../words/numbers.js';
+
+/** @import { Axes, Size } from '../../kit/chart.js' */
+/** @import { Experiment, Run } from '../../core/engine.js' */
+/** @import { Block, Live, Tools } from '../page.js' */
+/** @typedef {{ asked: { label: (asked: string, done: string) => string, linear: string, angular: string, asked: string, done: string, limit: string } }} AskedWords */
+/** @typedef {{ run: Run, limits: Experiment['limits'], time: number, theme: number }} Model */
+/** One velocity: what the law asks for, what the wheels do, and the most that they can. @typedef {{ asked: ArrayLike<number>, done: ArrayLike<number>, limit: number | null, token: string, name: string }} Half */
+
+const gap = 34;
+const [left, right] = [52, 24];
+
+/** Of the axis: 0, ±1, ±10, …, not all where there are many. @param {number} most */
+const powers = (most) => {
+  const ticks = [0];
+  for (let power = 1; power <= most; power *= 10) ticks.push(power, -power);
+  const every = ticks.length < 8 ? 1 : 2 * Math.ceil(ticks.length / 16);
+  return ticks.sort((a, b) => a - b).filter((_, i, all) => (i - (all.length >> 1)) % every === 0);
+};
+
+/** @param {ArrayLike<number>} values */
+const isBelow = (values) => Array.from(values).some((value) => value < 0);
+
+/** Beyond it an axis has no numbers. */
+const longest = 1e300;
+
+/** @param {ArrayLike<number>} values */
+const largest = (values) =>
+  Array.from(values).reduce((most, value) => Math.max(most, Math.min(Math.abs(value) || 0, longest)), 0);
+
+/** @param {Tools} _tools @param {AskedWords} words @returns {Block} */
+export function createAsked(_tools, { asked: words }) {
+  const element = create('div', 'asked');
+  element.id = 'asked';
+  element.setAttribute('role', 'img');
+  const chart = createChart(element, (context, size, /** @type {Model} */ model) => {
+    context.font = strongFont;
+    const { run, limits } = model;
+    const isLimited = limits.speed !== null || limits.turnRate !== null;
+    const signs = `─ ${words.asked}   ━ ${words.done}${isLimited ? `   ╌ ${words.limit}` : ''}`;
+    const widthOf = (/** @type {string} */ text) => context.measureText(text).width;
+    // Where the first name leaves them no room they stand above it.
+    const head = widthOf(words.linear) + widthOf(signs) + left + right > size.width ? 20 : 0;
+    const half = { ...size, height: (size.height - gap - head) / 2 };
+    const [linear, angular] = halvesOf(run, limits, words);
+    drawHalf(context, half, head, linear, model);
+    drawHalf(context, half, head + half.height, angular, model, true);
+    drawSigns(context, size, signs);
+  });
+  return {
+    element,
+    draw(/** @type {Live} */ { state, scene: { driving, experiment } }) {
+      const drawn = chart.draw({
+        run: driving,
+        limits: experiment.limits,
+        time: Math.min(state.robot.time, driving.finalTime),
+        theme: state.theme,
+      });
+      if (!drawn) return;
+      const [asked, done] = [driving.commandAngular, driving.angular].map((all) => fixed(largest(all), 0));
+      element.setAttribute('aria-label', words.label(asked, done));
+    },
+  };
+}
+
+/** @param {Run} run @param {Experiment['limits']} limits @param {AskedWords['asked']} names @returns {[Half, Half]} */
+const halvesOf = (run, { speed, turnRate }, { linear, angular }) => [
+  { asked: run.commandLinear, done: run.linear, limit: speed, token: '--energy', name: linear },
+  { asked: run.commandAngular, done: run.angular, limit: turnRate, token: '--omega', name: angular },
+];
+
+/** A power of ten with its sign, or 0. @param {number} tick */
+const tickText = (tick) =>
+  tick === 0 ? '0' : `${tick < 0 ? '−' : ''}${powerOfTen(Math.round(Math.log10(Math.abs(tick))))}`;
+
+/** Its numbers: powers of ten, and the limit, before which one that is too near gives way. @param {Axes['y']} y @param {number} most @param {number | null} limit @returns {{ at: number, text: string }[]} */
+function numbersOn(y, most, limit) {
+  const [lowest] = y.domain();
+  const limits = limit === null ? [] : [limit, -limit].filter((one) => one >= lowest);
+  const isFree = (/** @type {number} */ tick) => limits.every((one) => Math.abs(y(one) - y(tick)) > 13);
+  return [
+    ...limits.map((at) => ({ at, text: fixed(at, 1) })),
+    ...powers(most)
+      .filter((tick) => tick >= lowest && isFree(tick))
+      .map((at) => ({ at, text: tickText(at) })),
+  ];
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {number} top @param {Half} half @param {Model} model @param {boolean} [isLast] */
+function drawHalf(context, { width, height }, top, half, { run, time }, isLast = false) {
+  const { asked, done, limit, token, name } = half;
+  const most = 1.4 * Math.max(2, largest(asked), largest(done));
+  const frame = { left, right: width - right, top: top + 22, bottom: top + height - 4 };
+  /** @type {Axes} */
+  const axes = {
+    frame,
+    x: scaleLinear([0, run.finalTime || 1], [frame.left, frame.right]),
+    // Where nothing goes backwards the picture is of what goes forwards.
+    y: scaleSymlog([isBelow(asked) || isBelow(done) ? -most : 0, most], [frame.bottom, frame.top]).constant(
+      1,
+    ),
+  };
+  const numbers = numbersOn(axes.y, most, limit !== null && limit < most ? limit : null);
+  const ticks = { x: ticksOn(axes.x, 70), y: numbers.map(({ at }) => at) };
+  drawGrid(
+    context,
+    axes,
+    ticks,
+    numbers.map(({ text }) => text),
+  );
+  if (isLast)
+    drawNumbersBelow(
+      context,
+      axes.x,
+      frame.bottom,
+      ticks.x,
+      ticks.x.map((tick) => `${fixed(tick, 1)} s`),
+    );
+  within(context, frame, () => {
+    const line = (/** @type {ArrayLike<number>} */ all) =>
+      pointsOf(
+        axes,
+        run.time,
+        run.time.map((_, i) => all[Math.min(i, all.length - 1)]),
+        true,
+      );
+    for (const at of limit === null ? [] : [limit, -limit])
+      drawLevel(context, axes, at, { token: '--muted', width: 1, dash: [3, 3] });
+    drawCurve(context, line(asked), { token, width: 1.25 });
+    drawCurve(context, line(done), { token, width: 3 });
+  });
+  drawUpright(context, axes.x(time), frame, { token: '--muted', width: 1 });
+  setLettering(context, { token, font: strongFont, baseline: 'alphabetic' });
+  context.fillText(name, frame.left, top + 15);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {string} signs */
+function drawSigns(context, { width }, signs) {
+  setLettering(context, { font: strongFont, align: 'right', baseline: 'alphabetic' });
+  context.fillText(signs, width - 12, 15);
+}

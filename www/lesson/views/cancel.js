@@ -1,0 +1,54 @@
+// The terms of V̇ strike each other out, in three presses.
+import { html, render } from 'lit-html';
+import { create } from '../../kit/elements.js';
+import { watch } from '../../kit/memo.js';
+import { signed } from '../../words/numbers.js';
+import { rateAmounts, rateTerms } from '../formulas/formulas-motion.js';
+import { piecesOf } from '../formulas/notation.js';
+import { mathml, symbol } from '../formulas/symbols.js';
+
+/** @import { Block, Live, Tools } from '../page.js' */
+/** @typedef {{ cancel: { label: string, said: readonly string[], presses: readonly string[], again: string } }} CancelWords */
+
+const presses = 3;
+
+/** @param {Tools} tools @param {CancelWords} words @returns {Block} */
+export function createCancel({ store }, { cancel: words }) {
+  const element = create('div', 'cancel');
+  element.id = 'cancel';
+  let pressed = 0;
+  const terms = rateTerms.map(({ text, pair, of }) => {
+    const math = mathml('math', ...piecesOf(text, symbol));
+    math.setAttribute('displaystyle', 'true');
+    return { math, pair, of };
+  });
+  const changed = watch();
+  const press = () => {
+    pressed = (pressed + 1) % (presses + 1);
+    store.redraw();
+  };
+  /** When a pair is struck out. @param {'kx' | 'ky' | null} pair */
+  const isStruck = (pair) => (pair === 'ky' && pressed >= 2) || (pair === 'kx' && pressed >= 3);
+
+  return {
+    element,
+    draw(/** @type {Live} */ { gains, sample, state }) {
+      if (!changed(pressed, gains, sample)) return;
+      const amounts = rateAmounts(gains, sample.error);
+      const isTheLaw = state.experiment.law === 'shim-kim';
+      const items = terms.map(
+        (
+          { math, pair, of },
+          i,
+        ) => html`<li class=${`of-${of}${isStruck(pair) ? ' struck' : ''}${pair ? '' : ' stays'}`}>
+          ${math}<span class="cancel-amount">${isTheLaw ? signed(amounts[i], 2) : ''}</span></li>`,
+      );
+      render(
+        html`<ul class="cancel-terms" aria-label=${words.label} ?hidden=${pressed === 0}>${items}</ul>
+          <p class="cancel-said" role="status">${words.said[pressed]}</p>
+          <button id="cancel-press" type="button" class="primary" @click=${press}>${words.presses[pressed] ?? words.again}</button>`,
+        element,
+      );
+    },
+  };
+}

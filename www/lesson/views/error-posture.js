@@ -1,0 +1,107 @@
+// The error posture on the plane: x_e and y_e as lengths along and across the goal's heading, θ_e as an angle at the robot.
+import { html, render, svg } from 'lit-html';
+import { createView } from '../../kit/transform.js';
+import { watch } from '../../kit/memo.js';
+import { symbolInText } from '../formulas/symbols.js';
+
+/** @import { Sample } from '../../core/engine.js' */
+/** @import { Live } from '../page.js' */
+
+/** In pixels. @typedef {readonly [x: number, y: number]} At */
+/** One of the three: its line, where its name stands, and whether it is long enough to be seen. @typedef {{ path: string, at: At, seen: boolean }} Mark */
+
+/** Their terms and their colours. */
+const terms = /** @type {const} */ ([
+  ['xe', 'x'],
+  ['ye', 'y'],
+  ['te', 'theta'],
+]);
+
+/** @param {HTMLElement} root */
+export function createErrorPosture(root) {
+  const symbols = terms.map(([name]) => symbolInText(name));
+  const changed = watch();
+
+  return {
+    /** @param {boolean} hidden */
+    hide(hidden) {
+      root.hidden = hidden;
+    },
+    /** @param {Live} live */
+    draw({ state: { size, box }, sample }) {
+      if (size.width === 0 || !changed(sample, box, size)) return;
+      const { marks, ahead } = errorOn(createView(box, size), sample);
+      const lines = terms.map(([name, colour], i) => {
+        const path = marks[i].seen ? marks[i].path : '';
+        return svg`<g data-term=${name}>
+          <path class=${`error-line of-${colour}`} d=${path} /><path class="error-grip" d=${path} />
+        </g>`;
+      });
+      const labels = terms.map(([name, colour], i) => {
+        const { at, seen } = marks[i];
+        const place = `translate(${clamp(at[0], size.width)}px, ${clamp(at[1], size.height)}px)`;
+        return html`<span class=${`error-label of-${colour}`} data-term=${name} ?hidden=${!seen}
+          .style=${`transform: ${place} translate(-50%, -50%)`}>${symbols[i]}</span>`;
+      });
+      render(
+        html`<svg aria-hidden="true"><path class="error-ahead" d=${ahead} />${lines}</svg>${labels}`,
+        root,
+      );
+    },
+  };
+}
+
+/** Within the plane. @param {number} at @param {number} end */
+const clamp = (at, end) => Math.max(16, Math.min(end - 16, at));
+
+/** The marks of x_e, y_e and θ_e, and the two directions between which θ_e lies. @param {import('../../kit/transform.js').View} view @param {Sample} sample */
+function errorOn(view, { posture, reference, error }) {
+  const at = (/** @type {number} */ x, /** @type {number} */ y) =>
+    /** @type {At} */ ([view.screenX(x), view.screenY(y)]);
+  const [cos, sin] = [Math.cos(reference.theta), Math.sin(reference.theta)];
+  // On the goal's own axis, beside the robot.
+  const corner = at(reference.x - error.x * cos, reference.y - error.x * sin);
+  const robot = at(posture.x, posture.y);
+  const goal = at(reference.x, reference.y);
+  const radius = radiusIn(view);
+  const beyond = (/** @type {number} */ angle) =>
+    `M${robot}l${(radius + 12) * Math.cos(angle)},${-(radius + 12) * Math.sin(angle)}`;
+  return {
+    marks: [
+      lineOf(corner, goal, robot),
+      lineOf(robot, corner, goal),
+      arcOf(robot, radius, posture.theta, error.theta),
+    ],
+    ahead: beyond(posture.theta) + beyond(posture.theta + error.theta),
+  };
+}
+
+/** Its name stands beside the middle of the line, away from the third corner. @param {At} from @param {At} to @param {At} third @returns {Mark} */
+function lineOf(from, to, third) {
+  const [[ax, ay], [bx, by], [ox, oy]] = [from, to, third];
+  const [nx, ny] = [by - ay, ax - bx];
+  const side = Math.sign(nx * (ax - ox) + ny * (ay - oy)) || 1;
+  const length = Math.hypot(nx, ny);
+  const away = (/** @type {number} */ n) => (18 * side * n) / (length || 1);
+  return {
+    path: `M${from}L${to}`,
+    at: [(ax + bx) / 2 + away(nx), (ay + by) / 2 + away(ny)],
+    seen: length > 4,
+  };
+}
+
+/** Of the angle at the robot, which stays within a low plane. @param {{ width: number, height: number }} size */
+const radiusIn = ({ width, height }) => Math.min(56, Math.max(28, Math.min(width, height) / 6));
+
+/** @param {At} centre @param {number} radius @param {number} from @param {number} turn @returns {Mark} */
+function arcOf([x, y], radius, from, turn) {
+  const to = from + turn;
+  /** @param {number} angle @param {number} far @returns {At} */
+  const on = (angle, far) => [x + far * Math.cos(angle), y - far * Math.sin(angle)];
+  const sweep = turn > 0 ? 0 : 1;
+  return {
+    path: `M${on(from, radius)}A${radius},${radius} 0 0 ${sweep} ${on(to, radius)}`,
+    at: on((from + to) / 2, radius + 18),
+    seen: Math.abs(turn) > 0.03,
+  };
+}

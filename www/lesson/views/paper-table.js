@@ -1,0 +1,116 @@
+// What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
+import { create } from '../../kit/elements.js';
+import { asPrinted } from '../printed.js';
+import { lab } from '../../words/index.js';
+import { degreesText, fixed, postureText } from '../../words/numbers.js';
+
+/** @import { Experiment, Individual, PaperResult } from '../../core/engine.js' */
+/** @import { Block, Tools } from '../page.js' */
+
+const generations = 200;
+const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
+
+/** @param {'col' | 'row'} scope @param {Node | string} content */
+function headCell(scope, content) {
+  const cell = create('th', '', content);
+  cell.setAttribute('scope', scope);
+  return cell;
+}
+
+/** Heads above and before cells. @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
+export function tableOf(className, head, rows) {
+  // A corner that names nothing heads no column.
+  const heads = head.map((text) => (text ? headCell('col', text) : create('td', '')));
+  const body = rows.map(([first, ...rest]) =>
+    create('tr', '', headCell('row', first), ...rest.map((content) => create('td', '', content))),
+  );
+  return create(
+    'table',
+    className,
+    create('thead', '', create('tr', '', ...heads)),
+    create('tbody', '', ...body),
+  );
+}
+
+/** On a small screen, also by keyboard. @param {HTMLElement} table */
+function scrolling(table) {
+  const element = create('div', 'lesson-scroll', table);
+  element.tabIndex = 0;
+  return element;
+}
+
+const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) => fixed(gain, 2)).join(', ');
+
+/** @param {Tools} tools @param {any} words @returns {Block} */
+export function createPaperTable({ engine }, words) {
+  const element = create('div', '');
+  element.id = 'paper-table';
+  /** What evolution finds with the first seed, in each preset. @type {Map<string, Individual> | 'asked' | null} */
+  let found = null;
+  const draw = (/** @type {PaperResult[]} */ paper) => {
+    const rows = paper.map(({ preset, figure, method, gains, cost }) => {
+      const [run] = engine.drive(engine.experiment(preset), [gains]);
+      return [words.row(figure, method), gainsText(gains), String(cost), lab.costText(run.cost.total)];
+    });
+    for (const [i, preset] of presets.entries()) {
+      const best = found instanceof Map ? found.get(preset) : null;
+      rows.splice(3 * i + 2, 0, [
+        words.ours(generations),
+        best ? gainsText(best.gains) : '…',
+        '',
+        best ? lab.costText(best.cost) : '…',
+      ]);
+    }
+    element.replaceChildren(scrolling(tableOf('lesson-table', words.head, rows)));
+  };
+  return {
+    element,
+    draw({ paper }) {
+      if (found) return;
+      found = 'asked';
+      draw(paper);
+      engine.surveys
+        .evolveAll(presets.map(engine.experiment), generations)
+        .then((results) => {
+          found = new Map(presets.map((preset, i) => [preset, results[i]]));
+          draw(paper);
+        })
+        // Without workers the rows of our own stay open.
+        .catch(() => {});
+    },
+  };
+}
+
+/** @param {Tools} tools @param {any} words @returns {Block} */
+export function createChoicesTable({ engine }, words) {
+  const e = engine.experiment('velocity-limits');
+  const a = engine.experiment('acceleration-limits');
+  const printed = engine
+    .paper()
+    .map((_, row) => lab.costText(asPrinted({ engine, paper: engine.paper() }, row)));
+  const rows = words.choices({ ...textsOf(e, a), printed });
+  const table = tableOf('lesson-table choices-table', words.choicesHead, rows);
+  const element = create('section', '', create('h3', '', words.choicesTitle), scrolling(table));
+  return { element, draw() {} };
+}
+
+/** The choices as the core has them. @param {Experiment} e @param {Experiment} a */
+const textsOf = (e, a) => ({
+  start: postureText(e.starts[0]),
+  goal: postureText(e.goal),
+  speed: fixed(e.limits.speed ?? 0, 0),
+  turnRate: fixed((e.limits.turnRate ?? 0) / Math.PI, 0),
+  acceleration: fixed(a.limits.acceleration ?? 0, 0),
+  turnAcceleration: fixed((a.limits.turnAcceleration ?? 0) / Math.PI, 0),
+  weights: e.weights.final.map(String).join(', '),
+  velocityWeights: e.weights.velocity.map(String).join(', '),
+  penalty: String(e.weights.penalty),
+  position: fixed(100 * e.tolerance.position, 0),
+  heading: degreesText(e.tolerance.heading),
+  horizon: fixed(e.horizon, 0),
+  population: String(e.evolution.population),
+  opponents: String(e.evolution.opponents),
+  range: e.evolution.initialRange.map(String),
+  sigma: String(e.evolution.initialSigma),
+  sampleTime: String(e.sampleTime),
+});

@@ -1,0 +1,84 @@
+// Drives as small pictures side by side, each from the same start to the same goal, at the same time.
+import { drawBay, drawCar } from '../../lab/car.js';
+import { inMetres, postureAt, trace } from '../../lab/track.js';
+import { createLayer } from '../../kit/canvas.js';
+import { create, followSize } from '../../kit/elements.js';
+import { watch } from '../../kit/memo.js';
+import { colour } from '../../kit/palette.js';
+import { planeAround } from './plane-around.js';
+
+/** @import { Experiment, Run } from '../../core/engine.js' */
+/** @import { Size } from '../../kit/canvas.js' */
+/** @import { Store } from '../../run/store.js' */
+
+/** @param {Store} store */
+export function createSmallDrive(store) {
+  const canvas = /** @type {HTMLCanvasElement} */ (create('canvas', ''));
+  canvas.setAttribute('aria-hidden', 'true');
+  const element = create('div', 'small-drive layers', canvas);
+  const layer = createLayer(canvas);
+  const sizeOf = followSize(element, () => store.redraw());
+  const changed = watch();
+  return {
+    element,
+    /**
+     * @param {Experiment} experiment @param {Run} run @param {number} time @param {number} theme
+     * @param {{ car: number, token?: string, others: readonly (Run | null)[], beat?: number }} look With the drives of others, pale, and a dot on its own every so many seconds.
+     */
+    draw(experiment, run, time, theme, { car, token = '--ink', others, beat = 0 }) {
+      const size = sizeOf();
+      if (
+        size.width === 0 ||
+        !changed(
+          experiment,
+          run,
+          others,
+          Math.min(time, run.finalTime),
+          theme,
+          token,
+          size.width,
+          size.height,
+        )
+      )
+        return;
+      const half = Math.min(car, Math.min(size.width, size.height) / 12);
+      layer.draw(size, (context) =>
+        drawRun(context, size, { experiment, run, others, beat, time, car: half, token }),
+      );
+    },
+  };
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Size} size @param {{ experiment: Experiment, run: Run, others: readonly (Run | null)[], beat: number, time: number, car: number, token: string }} what */
+function drawRun(context, size, { experiment, run, others, beat, time, car, token }) {
+  const plane = planeAround([experiment.starts[0], experiment.goal], size, 2.6 * car);
+  drawBay(context, plane.placeOf(experiment.goal), 1.3 * car, colour('--muted'));
+  context.save();
+  inMetres(context, plane);
+  context.lineWidth = 1.5 / plane.scale;
+  for (const one of [...others, run]) {
+    if (!one) continue;
+    context.strokeStyle = colour(one === run ? token : '--muted');
+    context.globalAlpha = one === run ? 0.7 : 0.3;
+    context.beginPath();
+    trace(context, plane, one, one.time.length - 1);
+    context.stroke();
+  }
+  context.restore();
+  context.fillStyle = colour(token);
+  for (const moment of beats(run, beat)) {
+    const { x, y } = plane.placeOf(postureAt(run, moment));
+    context.beginPath();
+    context.arc(x, y, 2.5, 0, 2 * Math.PI);
+    context.fill();
+  }
+  drawCar(context, plane.placeOf(postureAt(run, time)), car, {
+    body: colour(token),
+    wheel: colour('--muted'),
+    nose: colour('--paper'),
+  });
+}
+
+/** The moments of a drive that have a dot. @param {Run} run @param {number} beat */
+const beats = ({ finalTime }, beat) =>
+  beat > 0 ? Array.from({ length: Math.floor(finalTime / beat) + 1 }, (_, i) => i * beat) : [];

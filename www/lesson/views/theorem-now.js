@@ -1,0 +1,43 @@
+// Which of the inequalities of Theorem 2 hold at the robot's clock, and what follows.
+import { html, render } from 'lit-html';
+import { create } from '../../kit/elements.js';
+import { disturbanceSlice } from '../../parts/disturbance/state.js';
+import { isInside, parts } from '../../parts/disturbance/summary.js';
+import { watch } from '../../kit/memo.js';
+import names from '../../parts/disturbance/words/index.js';
+
+/** @import { Block, Tools } from '../page.js' */
+/** @typedef {{ holds: { one: (holds: boolean, formula: string, size: string, set: string | null) => string, all: (time: number, count: number) => string } }} HoldsWords */
+
+/** @param {Tools} _tools @param {HoldsWords} words @returns {Block} */
+export function createTheoremNow(_tools, { holds: words }) {
+  const element = create('div', 'holds');
+  element.id = 'theorem-now';
+  const changed = watch();
+
+  return {
+    element,
+    draw({ state, scene }) {
+      const { measured } = disturbanceSlice.of(state);
+      if (!measured) return;
+      const { runs, disturbed } = measured;
+      const { time } = runs[0];
+      const now = Math.min(state.robot.time, scene.driving.finalTime);
+      const at = Math.min(Math.round(now / (time[1] - time[0])), time.length - 1);
+      if (!changed(measured, at)) return;
+      const found = parts.map((part) => {
+        const [size, set] = [runs[0][part][at], part === 'y' ? runs[0].ySet[at] : disturbed.sets[part][0]];
+        const holds = set === 0 || !isInside(size, set);
+        const bound = set === 0 ? null : names.sizeText(set);
+        return { part, holds, text: words.one(holds, names.formulaText(part), names.sizeText(size), bound) };
+      });
+      const rows = found.map(
+        ({ part, holds, text }) => html`<li class=${`of-${part}${holds ? ' held' : ''}`}>
+          <span class="holds-number">${names.equations[part]}</span>${text}
+        </li>`,
+      );
+      const count = found.filter(({ holds }) => holds).length;
+      render(html`<ul>${rows}</ul><p>${words.all(time[at], count)}</p>`, element);
+    },
+  };
+}
