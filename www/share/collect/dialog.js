@@ -20,8 +20,6 @@ import words from './words/index.js';
 const { texts } = words;
 
 /** What the sheet shows. `note`: what came of a press in the table; `opened`: the hand-in that is on the page, and since when it is. @typedef {{ status: string, isBad: boolean, note: string, share: number | null, rows: Row[], given: Given | null, files: File[], order: import('./table.js').Order, first: number, opened: { index: number, since: number } | null }} View */
-/** @typedef {Omit<SheetTools, 'openChecks' | 'openCode'>} Tools */
-
 /** @type {View} */
 const noView = {
   status: '',
@@ -36,7 +34,7 @@ const noView = {
   opened: null,
 };
 
-/** @param {Tools} tools @param {Sheet} sheet */
+/** @param {SheetTools} tools @param {Sheet} sheet */
 export function createCollect(tools, sheet) {
   const { engine, store, links } = tools;
   const rowsElement = /** @type {HTMLTableElement} */ (create('table', 'collect-table'));
