@@ -1,5 +1,6 @@
 // A drawing as an SVG file: shapes and texts as such, the cells of maps as images, and what made it.
 /** @import { About, Drawing, Gradient, Mark, Paint, Pattern } from './marks.js' */
+import { escaped } from '../kit/markup.js';
 import { isGradient } from './marks.js';
 
 /** @typedef {ReturnType<typeof createDefinitions>} Definitions */
@@ -133,7 +134,7 @@ function paintAs(property, paint, definitions) {
 /** @param {Gradient | Pattern} paint @param {Definitions} definitions */
 function paintServer(paint, definitions) {
   if (isGradient(paint)) {
-    const { from, to, stops } = /** @type {Gradient} */ (paint);
+    const { from, to, stops } = paint;
     const line = attributes({
       gradientUnits: 'userSpaceOnUse',
       x1: from[0],
@@ -146,7 +147,7 @@ function paintServer(paint, definitions) {
     );
     return definitions.name('linearGradient', ` ${line}>${colours.join('')}`);
   }
-  const { tile, scale } = /** @type {Pattern} */ (paint);
+  const { tile, scale } = paint;
   const [width, height] = [tile.width * scale, tile.height * scale];
   const image = `<image ${attributes({ width, height, href: tile.toDataURL() })}/>`;
   return definitions.name(
@@ -170,7 +171,3 @@ const attributes = (values) =>
     .filter(([, value]) => value !== null)
     .map(([name, value]) => `${name}="${escaped(String(value))}"`)
     .join(' ');
-
-/** @param {string} text */
-const escaped = (text) =>
-  text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
