@@ -148,13 +148,3 @@ export function differing(a, b) {
 
 /** The angle in (−π, π] that points the same way. @param {number} angle */
 export const wrap = (angle) => angle - 2 * Math.PI * Math.ceil((angle - Math.PI) / (2 * Math.PI));
-
-/** Computed at the first call only. @template T @param {(core: Core) => T} compute */
-export function once(compute) {
-  /** @type {{ value: T } | null} */
-  let computed = null;
-  return (/** @type {Core} */ core) => {
-    computed ??= { value: compute(core) };
-    return computed.value;
-  };
-}

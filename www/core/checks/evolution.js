@@ -1,13 +1,14 @@
 // Laws of evolution, in the record of a whole run: mutation, tournament, survival.
 /** @import { Check, Core, Golden } from './check.js' */
-import { atMost, between, check, differing, largest, near, once, same } from './check.js';
+import { once } from '../once.js';
+import { atMost, between, check, differing, largest, near, same } from './check.js';
 
 /** So many generations are looked at in full. */
 const generations = 30;
 
 /** @param {Golden} golden @returns {Check[]} */
 export function evolutionChecks({ optimum }) {
-  const history = once((core) => recorded(core, optimum));
+  const history = once((/** @type {Core} */ core) => recorded(core, optimum));
   return [...mutationChecks(history), ...tournamentChecks(history), ...progressChecks(history, optimum)];
 }
 

@@ -1,7 +1,8 @@
 // Laws of the robot: the control law, the arcs of its motion, the Lyapunov function, the limits.
 /** @import { Gains, PartialExperiment } from '../../../pkg/ep_locomotion.js' */
 /** @import { Check, Core, Golden } from './check.js' */
-import { atMost, check, differing, largest, near, once, same, scattered, wrap } from './check.js';
+import { once } from '../once.js';
+import { atMost, check, differing, largest, near, same, scattered, wrap } from './check.js';
 
 const origin = { x: 0, y: 0, theta: 0 };
 const unlimited = { speed: null, turnRate: null, acceleration: null, turnAcceleration: null };
@@ -101,7 +102,7 @@ function arcChecks() {
     return [x + chord * Math.cos(theta + half), y + chord * Math.sin(theta + half), theta + 2 * half];
   }
 
-  const wholes = once((core) => arcs.map((arc) => endOf(core, arc, 1)));
+  const wholes = once((/** @type {Core} */ core) => arcs.map((arc) => endOf(core, arc, 1)));
   return [
     check('halfArcs', [arcs.length], (core) => {
       const differences = wholes(core).map((whole, i) => distance(whole, endOf(core, arcs[i], 2)));
@@ -117,7 +118,7 @@ function arcChecks() {
 /** @returns {Check[]} */
 function limitChecks() {
   const gains = scattered(10, [0, 30], [0, 30], [0, 30]);
-  const drives = once((core) => {
+  const drives = once((/** @type {Core} */ core) => {
     const experiment = { ...core.experiment('acceleration-limits'), horizon: 3 };
     return { ...experiment, runs: core.simulateAll(experiment, gains.flat()) };
   });
