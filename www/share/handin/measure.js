@@ -2,6 +2,7 @@
 /** @import { Engine, Experiment, Triple } from '../../core/engine.js' */
 /** @import { SurveyOptions } from '../../core/surveys.js' */
 /** @import { Aim } from '../../run/aim.js' */
+import { samplesOfDrive } from '../../core/bounds.js';
 import { remember } from '../../kit/memo.js';
 import { circle } from '../../parts/park/task.js';
 import { createSets, testOn } from '../../parts/training/sets.js';
@@ -52,5 +53,5 @@ const countOf = (arrived) => arrived.reduce((sum, one) => sum + one, 0);
 /** How much there is to drive, in samples at most. @param {Engine} engine @param {Aim | null} aim @param {Experiment} experiment */
 export function samplesToMeasure(engine, aim, experiment) {
   const apart = startsFor(engine, aim, experiment)?.length ?? 0;
-  return ((2 * experiment.starts.length + apart) * experiment.horizon) / experiment.sampleTime;
+  return (2 * experiment.starts.length + apart) * samplesOfDrive(experiment);
 }
