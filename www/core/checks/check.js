@@ -139,11 +139,11 @@ export const scattered = (count, ...ranges) =>
 export const largest = (values) =>
   values.length === 0 ? Number.NaN : values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 
-/** How many differ in any bit. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-export function differing(a, b) {
+/** How many differ in any bit: none may. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+export function sameBits(a, b) {
   let count = Math.abs(a.length - b.length);
   for (let i = 0; i < Math.min(a.length, b.length); i++) if (!Object.is(a[i], b[i])) count += 1;
-  return a.length === 0 ? Number.NaN : count;
+  return same(0, a.length === 0 ? Number.NaN : count);
 }
 
 /** The angle in (−π, π] that points the same way. @param {number} angle */

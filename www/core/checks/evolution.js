@@ -1,7 +1,7 @@
 // Laws of evolution, in the record of a whole run: mutation, tournament, survival.
 /** @import { Check, Core, Golden } from './check.js' */
 import { once } from '../once.js';
-import { atMost, between, check, differing, largest, near, same } from './check.js';
+import { atMost, between, check, largest, near, same, sameBits } from './check.js';
 
 /** So many generations are looked at in full. */
 const generations = 30;
@@ -48,7 +48,7 @@ function mutationChecks(history) {
           gains.map((gain, j) => [gain, parents[i].gains[j] + parents[i].sigmas[j] * mutations[i].gains[j]]),
         ),
       );
-      return same(0, differingPairs(pairs));
+      return samePairs(pairs);
     }),
     check('offspringSigmas', [], (core) => {
       const { own, common } = core.learningRates();
@@ -86,12 +86,9 @@ function mutationChecks(history) {
         experiment,
         offspring.flatMap(({ gains }) => gains),
       );
-      return same(
-        0,
-        differing(
-          again,
-          offspring.map(({ cost }) => cost),
-        ),
+      return sameBits(
+        again,
+        offspring.map(({ cost }) => cost),
       );
     }),
   ];
@@ -114,7 +111,7 @@ function tournamentChecks(history) {
           wins[own],
         ]),
       );
-      return same(0, differingPairs(pairs));
+      return samePairs(pairs);
     }),
     check('survivors', [], (core) => {
       const pairs = history(core).records.flatMap(({ all, wins, survivors }) => {
@@ -123,7 +120,7 @@ function tournamentChecks(history) {
           .sort((a, b) => wins[b] - wins[a] || all[a].cost - all[b].cost || a - b);
         return survivors.map((number, place) => [number, ranking[place]]);
       });
-      return same(0, differingPairs(pairs));
+      return samePairs(pairs);
     }),
     check('parents', [], (core) => {
       const { founders, records } = history(core);
@@ -137,7 +134,7 @@ function tournamentChecks(history) {
           ]);
         });
       });
-      return same(0, differingPairs(pairs));
+      return samePairs(pairs);
     }),
   ];
 }
@@ -152,8 +149,8 @@ const progressChecks = (history, { generations, cost: [low, high] }) => [
 ];
 
 /** @param {readonly number[][]} pairs */
-const differingPairs = (pairs) =>
-  differing(
+const samePairs = (pairs) =>
+  sameBits(
     pairs.map(([a]) => a),
     pairs.map(([, b]) => b),
   );
