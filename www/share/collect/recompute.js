@@ -51,7 +51,6 @@ export async function recompute(tools, run, entry, given, { signal, turn }) {
     how: howOf(run),
     cost: there.cost,
     own: own.cost,
-    value: there.value,
     drives: made,
     minutes: told?.minutes ?? null,
     isTold: drives === null,

@@ -18,7 +18,6 @@ export function createStrip(on) {
   byId('exercise').before(root);
   const changed = watch();
   return {
-    root,
     /** @param {View} view @param {number} since When what is on the page was opened. */
     draw(view, since) {
       if (!changed(view, since)) return;

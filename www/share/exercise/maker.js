@@ -95,13 +95,13 @@ export function createMaker({ engine, store, actions, links, paper }) {
       // What was said of another exercise is not true of this one.
       if (link !== linkSaid) status = '';
       const isRefused = state.page === withoutAnswer && asksSomething(draft);
-      if (changed(draft, link, status, aim.version(), preview.chosen(), packaging.asks(), isRefused)) {
+      if (changed(draft, link, status, aim.typed(), preview.chosen(), packaging.asks(), isRefused)) {
         const addresses = {
           link: addressOf(location.href, link, false),
           frame: frameOf(state, link, preview.chosen() ?? undefined),
         };
         render(
-          panelOf(draft, isRefused ? null : addresses, aim.isWrong(), status, {
+          panelOf(draft, isRefused ? null : addresses, aim.typed().error !== '', status, {
             ...on,
             fields: aim.fields(draft),
             preview: preview.choice(),
