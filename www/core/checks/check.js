@@ -83,9 +83,6 @@ export const groupNames = /** @type {const} */ (['motion', 'cost', 'evolution', 
  */
 export const check = (name, about, run) => ({ name, about, run });
 
-/** @param {Check} check @param {Core} core @returns {Result} */
-export const resultOf = ({ name, about, run }, core) => ({ name, about, ...run(core) });
-
 /** @param {Bound} bound @param {Outcome['expected']} expected @param {Outcome['found']} found @param {readonly string[]} units @param {boolean} passed */
 const outcome = (bound, expected, found, units, passed, tolerance = 0) => ({
   bound,
