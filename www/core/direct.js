@@ -135,10 +135,8 @@ function createEvolution(ask, evolving) {
       }
       const here = new Evolution(from);
       const population = here.population();
-      return take(
-        { experiment: from, here, newest: 0, hash: () => here.hash(), population },
-        here.statistics(),
-      );
+      const begun = { experiment: from, here, newest: 0, hash: () => here.hash(), population };
+      return take(begun, here.statistics());
     },
 
     /** One generation more. */

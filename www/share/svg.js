@@ -8,16 +8,10 @@ import { isGradient } from './marks.js';
 /** @param {Drawing} drawing @param {About} about */
 export function svgOf({ width, height, paper, marks }, { title, description, link, version }) {
   const definitions = createDefinitions();
-  const content = grouped(
-    marks,
-    (mark) => clipOf(mark, definitions),
-    (clipped) =>
-      grouped(
-        clipped,
-        ({ matrix }) => attributes({ transform: transformOf(matrix) }),
-        (placed) => placed.map((mark) => element(mark, definitions)).join('\n'),
-      ),
-  );
+  const clip = (/** @type {Mark} */ mark) => clipOf(mark, definitions);
+  const place = (/** @type {Mark} */ { matrix }) => attributes({ transform: transformOf(matrix) });
+  const write = (/** @type {Mark[]} */ placed) => placed.map((mark) => element(mark, definitions)).join('\n');
+  const content = grouped(marks, clip, (clipped) => grouped(clipped, place, write));
   return `<svg xmlns="http://www.w3.org/2000/svg" ${attributes({ width, height, viewBox: `0 0 ${width} ${height}`, role: 'img', 'stroke-miterlimit': 10 })}>
 <title>${escaped(title)}</title>
 <desc>${escaped(description)}</desc>
@@ -150,10 +144,8 @@ function paintServer(paint, definitions) {
   const { tile, scale } = paint;
   const [width, height] = [tile.width * scale, tile.height * scale];
   const image = `<image ${attributes({ width, height, href: tile.toDataURL() })}/>`;
-  return definitions.name(
-    'pattern',
-    ` ${attributes({ patternUnits: 'userSpaceOnUse', width, height })}>${image}`,
-  );
+  const size = attributes({ patternUnits: 'userSpaceOnUse', width, height });
+  return definitions.name('pattern', ` ${size}>${image}`);
 }
 
 /** @param {DOMMatrix} matrix */

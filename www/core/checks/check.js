@@ -111,14 +111,10 @@ export function atMost(limits, found, units = []) {
 }
 
 /** Each under its limit. @param {readonly number[]} limits @param {readonly number[]} found @returns {Outcome} */
-export const below = (limits, found) =>
-  outcome(
-    'below',
-    limits,
-    found,
-    [],
-    limits.every((limit, i) => found[i] < limit),
-  );
+export function below(limits, found) {
+  const passed = limits.every((limit, i) => found[i] < limit);
+  return outcome('below', limits, found, [], passed);
+}
 
 /** @param {number} low @param {number} high @param {number} found @returns {Outcome} */
 export const between = (low, high, found) =>

@@ -82,14 +82,9 @@ function mutationChecks(history) {
     check('offspringCosts', [], (core) => {
       const { experiment, records } = history(core);
       const offspring = records.flatMap((record) => record.offspring);
-      const again = core.evaluate(
-        experiment,
-        offspring.flatMap(({ gains }) => gains),
-      );
-      return sameBits(
-        again,
-        offspring.map(({ cost }) => cost),
-      );
+      const gains = offspring.flatMap((one) => one.gains);
+      const costs = offspring.map((one) => one.cost);
+      return sameBits(core.evaluate(experiment, gains), costs);
     }),
   ];
 }

@@ -133,22 +133,19 @@ function limitChecks() {
     check('accelerations', [gains.length], (core) => {
       const { limits, runs, sampleTime } = drives(core);
       const found = [runs.flatMap((run) => changes(run.linear)), runs.flatMap((run) => changes(run.angular))];
-      return atMost(
-        [Number(limits.acceleration), Number(limits.turnAcceleration)],
-        found.map((all) => largest(all) / sampleTime),
-        ['m/s²', 'rad/s²'],
-      );
+      const rates = found.map((all) => largest(all) / sampleTime);
+      const most = [Number(limits.acceleration), Number(limits.turnAcceleration)];
+      return atMost(most, rates, ['m/s²', 'rad/s²']);
     }),
     check('limitsTwice', [gains.length], (core) => {
       const { limits, runs, sampleTime } = drives(core);
+      const counts = runs.flatMap(({ linear, angular, commandLinear, commandAngular }) => [
+        differentTwice(commandLinear, linear, limits.speed, limits.acceleration, sampleTime),
+        differentTwice(commandAngular, angular, limits.turnRate, limits.turnAcceleration, sampleTime),
+      ]);
       return same(
         0,
-        runs
-          .flatMap(({ linear, angular, commandLinear, commandAngular }) => [
-            differentTwice(commandLinear, linear, limits.speed, limits.acceleration, sampleTime),
-            differentTwice(commandAngular, angular, limits.turnRate, limits.turnAcceleration, sampleTime),
-          ])
-          .reduce((sum, count) => sum + count, 0),
+        counts.reduce((sum, count) => sum + count, 0),
       );
     }),
   ];

@@ -91,11 +91,8 @@ export function createCollect(tools, sheet) {
     const { rows, order, first, given } = view;
     strip.draw(view, store.get().work.since);
     if (rows.length === 0) return;
-    fillTable(
-      rowsElement,
-      tableOf(rows, order, (row) => isPinned(tools, row), on),
-      first,
-    );
+    const table = tableOf(rows, order, (row) => isPinned(tools, row), on);
+    fillTable(rowsElement, table, first);
     // The sheet has its name already.
     rowsElement.caption?.classList.add('visually-hidden');
     charts.draw(rows, given, store.get().theme);

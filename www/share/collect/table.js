@@ -32,6 +32,7 @@ export const nameOf = ({ entry, checked }) => entry.name || checked?.who || '';
 export function remarksOf({ entry, checked, problem, same }, rows) {
   if (!checked) return [words.problemText(entry.text, problem)];
   const { worth, told, lacksDrives, differs, cost, own } = checked;
+  const [numbers, names] = [same.map((i) => i + 1), same.map((i) => nameOf(rows[i]))];
   return [
     ...(worth === 'holds'
       ? []
@@ -39,14 +40,7 @@ export function remarksOf({ entry, checked, problem, same }, rows) {
     ...(lacksDrives ? [words.lacksDrives] : []),
     ...(differs.length > 0 ? [words.differs(differs)] : []),
     ...(own === cost || Number.isNaN(own) ? [] : [words.ownCost(words.numberText(own))]),
-    ...(same.length > 0
-      ? [
-          words.same(
-            same.map((i) => i + 1),
-            same.map((i) => nameOf(rows[i])),
-          ),
-        ]
-      : []),
+    ...(same.length > 0 ? [words.same(numbers, names)] : []),
   ];
 }
 

@@ -105,13 +105,10 @@ export function createAimFields(draft, change, redraw) {
 }
 
 /** @param {string} id @param {string} label @param {string} value @param {(text: string) => void} onInput */
-const field = (
-  id,
-  label,
-  value,
-  onInput,
-) => html`<input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" aria-label=${label}
+function field(id, label, value, onInput) {
+  return html`<input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" aria-label=${label}
   .value=${live(value)} @input=${(/** @type {Event} */ event) => onInput(valueIn(event))}>`;
+}
 
 /**
  * @param {{ fields: Fields, error: string }} typed @param {Exercise} exercise

@@ -129,14 +129,8 @@ export function toldIn(text) {
     /^\d{1,12}$/.test(one ?? '') ? Number(one) : Number.NaN,
   );
   const J = cost === '' ? Number.NaN : Number(cost);
-  if (
-    of !== version ||
-    Number.isNaN(J) ||
-    numbers.some(Number.isNaN) ||
-    answers === undefined ||
-    rest.length > 1
-  )
-    return null;
+  const isUnreadable = [J, ...numbers].some(Number.isNaN);
+  if (of !== version || isUnreadable || answers === undefined || rest.length > 1) return null;
   return {
     cost: J,
     parked: numbers[0],
