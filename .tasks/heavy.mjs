@@ -4,9 +4,8 @@
 //
 //   npm run heavy -- [--site DIR] [--only TEXT]
 import { parseArgs } from 'node:util';
-import { Builder } from 'selenium-webdriver';
-import { findEngines } from '../tests/page/harness/engines.js';
 import { pageNames } from '../www/parts/parts.js';
+import { openChromium } from './chromium.mjs';
 import { Failure, task } from './run.mjs';
 import { serveCompressed } from './serve.mjs';
 
@@ -91,25 +90,15 @@ const probe = `
     return { exports: Object.fromEntries(exports) };
   };`;
 
-/** @typedef {ReturnType<typeof import('selenium-webdriver/chrome.js').Driver.createSession>} Driver */
+/** @typedef {import('./chromium.mjs').Driver} Driver */
 
-async function openBrowser() {
-  const engine = findEngines().found.find(({ name }) => name === 'chromium');
-  if (!engine) throw new Failure('this is measured in Chromium, which this machine lacks');
-  if (engine.driver !== null) process.env.SE_CHROMEDRIVER = engine.driver;
-  const args = ['--headless=new', '--disable-gpu', '--window-size=1200,900', '--accept-lang=en'];
-  if (process.getuid?.() === 0) args.push('--no-sandbox');
-  const capabilities = {
-    browserName: 'chrome',
-    'goog:loggingPrefs': { performance: 'ALL' },
-    'goog:chromeOptions': {
-      binary: engine.browser,
-      args,
-      perfLoggingPrefs: { enableNetwork: false, traceCategories: 'toplevel,devtools.timeline' },
-    },
-  };
-  return /** @type {Driver} */ (await new Builder().withCapabilities(capabilities).build());
-}
+const openBrowser = () =>
+  openChromium(
+    'this is measured in',
+    ['--window-size=1200,900'],
+    { perfLoggingPrefs: { enableNetwork: false, traceCategories: 'toplevel,devtools.timeline' } },
+    { 'goog:loggingPrefs': { performance: 'ALL' } },
+  );
 
 /** @typedef {{ name: string, ph: string, pid: number, tid: number, dur?: number, tdur?: number, args?: { name?: string, data?: { url?: string } } }} TraceEvent */
 

@@ -7,7 +7,7 @@ import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { findEngines } from '../tests/page/harness/engines.js';
+import { findChromium, flags } from './chromium.mjs';
 import { Failure, npm, task } from './run.mjs';
 import { serveCompressed } from './serve.mjs';
 
@@ -27,9 +27,7 @@ const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.l
 async function lookOnce(address, form) {
   const folder = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
   const output = join(folder, 'report.json');
-  const flags = ['--headless=new', '--disable-gpu', ...(process.getuid?.() === 0 ? ['--no-sandbox'] : [])];
-  const chromium = findEngines().found.find(({ name }) => name === 'chromium');
-  if (!chromium) throw new Failure('Lighthouse needs Chromium, which this machine lacks');
+  const { browser } = findChromium('Lighthouse needs');
   try {
     await npm(
       [
@@ -37,7 +35,7 @@ async function lookOnce(address, form) {
         ...['--output=json', `--output-path=${output}`, `--chrome-flags=${flags.join(' ')}`],
         ...[`--only-categories=${categories.join(',')}`, ...(form === 'desktop' ? ['--preset=desktop'] : [])],
       ],
-      { env: { CHROME_PATH: chromium.browser } },
+      { env: { CHROME_PATH: browser } },
     );
     const { categories: found, audits } = JSON.parse(await readFile(output, 'utf8'));
     return {

@@ -14,10 +14,7 @@ export class Failure extends Error {
   output = '';
 }
 
-/**
- * Runs a whole task: its failure is printed and becomes the exit code.
- * @param {() => Promise<void>} body
- */
+/** Runs a whole task: its failure is printed and becomes the exit code. @param {() => Promise<void>} body */
 export async function task(body) {
   process.chdir(top);
   try {
@@ -116,11 +113,7 @@ export function npm(args, options) {
   return program ? run(process.execPath, [program, ...args], options) : run('npm', args, options);
 }
 
-/**
- * What a program prints, or null if it is absent or fails.
- * @param {string} program
- * @param {string[]} args
- */
+/** What a program prints, or null if it is absent or fails. @param {string} program @param {string[]} args */
 export function ask(program, args) {
   const { status, stdout } = spawnSync(program, args, { cwd: top, encoding: 'utf8' });
   return status === 0 ? stdout.trim() : null;

@@ -1,19 +1,15 @@
 // A browser that takes the same picture of the same page again.
 import { PNG } from 'pngjs';
-import { Builder } from 'selenium-webdriver';
-import { findEngines } from '../../tests/page/harness/engines.js';
+import { openChromium } from '../chromium.mjs';
 import { linkOf } from './states.js';
 
 /** @typedef {import('./states.js').View} View */
-/** @typedef {ReturnType<typeof import('selenium-webdriver/chrome.js').Driver.createSession>} Driver */
+/** @typedef {import('../chromium.mjs').Driver} Driver */
 
 const patience = 60_000;
 const args = [
-  '--headless=new',
-  '--disable-gpu',
   '--disable-background-networking',
   '--no-first-run',
-  '--accept-lang=en',
   '--force-prefers-reduced-motion',
   '--hide-scrollbars',
   '--force-color-profile=srgb',
@@ -21,7 +17,8 @@ const args = [
 
 /** @param {string} host where the pages are @param {number} port where they are served */
 export async function createCamera(host, port) {
-  const driver = await openBrowser(host, port);
+  const toServer = `--host-resolver-rules=MAP ${host}:80 127.0.0.1:${port}`;
+  const driver = await openChromium('pictures are taken in', [...args, toServer]);
 
   /** @param {string} command @param {object} parameters @returns {Promise<any>} */
   const tell = (command, parameters = {}) => driver.sendAndGetDevToolsCommand(command, parameters);
@@ -74,19 +71,6 @@ export async function createCamera(host, port) {
   }
 
   return { picture, close: () => driver.quit() };
-}
-
-/** @param {string} host @param {number} port @returns {Promise<Driver>} */
-async function openBrowser(host, port) {
-  const engine = findEngines().found.find(({ name }) => name === 'chromium');
-  if (!engine) throw new Error('pictures are taken in Chromium, which this machine lacks');
-  if (engine.driver !== null) process.env.SE_CHROMEDRIVER = engine.driver;
-  const asRoot = process.getuid?.() === 0;
-  const toServer = `--host-resolver-rules=MAP ${host}:80 127.0.0.1:${port}`;
-  const all = [...args, toServer, ...(asRoot ? ['--no-sandbox'] : [])];
-  const options = { binary: engine.browser, args: all };
-  const capabilities = { browserName: 'chrome', 'goog:chromeOptions': options };
-  return /** @type {Driver} */ (await new Builder().withCapabilities(capabilities).build());
 }
 
 /** Waits until the page is at rest, but for pages without scripts. @param {Driver} driver */

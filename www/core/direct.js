@@ -3,7 +3,6 @@
 /** @import { Experiment, Generation, GenerationRecord, Individual, PartialExperiment, Preset, Sample, Triple } from './engine.js' */
 /** @import { Pool } from './pool.js' */
 /** @import { Samples } from './samples.js' */
-/** @import { Surveys } from './surveys.js' */
 import {
   Evolution,
   experiment,
@@ -21,20 +20,20 @@ import {
 import { createAnswers } from './answers.js';
 import { isLongDrive, isLongEvolution, isLongRecord, isLongReplay } from './bounds.js';
 import { unpacked } from './history.js';
+import { once } from './once.js';
 import { driveOn, samplesOf } from './samples.js';
+import { createSurveys } from './surveys.js';
 
 /**
  * An evolution here, or, where there is no such object, in a worker.
  * @typedef {{ experiment: Experiment, here: Evolution | null, newest: number, hash: () => string, population: Individual[] }} Run
  */
 
-/** What the core does in workers, which are started when they are needed. @typedef {{ surveys: () => Surveys, pool: () => Pool, lone: () => Pool }} Helpers `lone` has one worker, which keeps an evolution. */
-
-/** The core is there. @param {Helpers} helpers */
-export function engineOf({ surveys: createSurveys, pool, lone }) {
+/** The core is there. @param {{ pool: () => Pool, lone: () => Pool }} workers Which are started when they are needed; `lone` has one, which keeps an evolution. */
+export function engineOf({ pool, lone }) {
   const ask = createAnswers();
-  const surveys = once(createSurveys);
-  const drives = once(pool);
+  const shared = once(pool);
+  const surveys = once(() => createSurveys(shared()));
   /** Of each, only the newest question is worth an answer. */
   const evolving = once(() => {
     const own = lone();
@@ -79,12 +78,12 @@ export function engineOf({ surveys: createSurveys, pool, lone }) {
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) =>
       isLongDrive(from, gains.length)
-        ? ask(drives().run, 'simulateAll', from, gains.flat())
+        ? ask(shared().run, 'simulateAll', from, gains.flat())
         : simulateAll(from, gains.flat()),
 
     /** All that a robot sees, is told and does, sample by sample. @param {Experiment} from @param {Triple} gains @returns {Samples} */
     samples(from, gains) {
-      if (isLongDrive(from)) return samplesOf(ask(drives().run, 'samples', from, gains));
+      if (isLongDrive(from)) return samplesOf(ask(shared().run, 'samples', from, gains));
       /** @type {Sample[]} */
       const samples = [];
       driveOn(new Simulation(from, gains), (sample) => samples.push(sample));
@@ -93,7 +92,7 @@ export function engineOf({ surveys: createSurveys, pool, lone }) {
 
     /** The Lyapunov function of a run. @param {Experiment} from @param {Triple} gains */
     stability: (from, gains) =>
-      isLongDrive(from) ? ask(drives().run, 'stability', from, gains) : stability(from, gains),
+      isLongDrive(from) ? ask(shared().run, 'stability', from, gains) : stability(from, gains),
 
     /** Long jobs, which workers do; they are started at the first one. */
     get surveys() {
@@ -136,10 +135,8 @@ function createEvolution(ask, evolving) {
       }
       const here = new Evolution(from);
       const population = here.population();
-      return take(
-        { experiment: from, here, newest: 0, hash: () => here.hash(), population },
-        here.statistics(),
-      );
+      const begun = { experiment: from, here, newest: 0, hash: () => here.hash(), population };
+      return take(begun, here.statistics());
     },
 
     /** One generation more. */
@@ -173,19 +170,5 @@ function createEvolution(ask, evolving) {
 
     /** Digits over every number of the history, the same wherever it ran. */
     hash: () => current().hash(),
-  };
-}
-
-/**
- * Made when it is asked for first.
- * @template T
- * @param {() => T} make
- */
-function once(make) {
-  /** @type {T | undefined} */
-  let made;
-  return () => {
-    made ??= make();
-    return made;
   };
 }

@@ -2,7 +2,6 @@
 import { initSync } from '../../pkg/ep_locomotion.js';
 import { engineOf } from './direct.js';
 import { createPool } from './pool.js';
-import { createSurveys } from './surveys.js';
 import SurveyWorker from './worker.js?worker';
 
 /** @typedef {import('../../pkg/ep_locomotion.js').ErrorParts} ErrorParts */
@@ -42,17 +41,7 @@ export async function createEngine() {
     return worker;
   }
 
-  /** @type {import('./pool.js').Pool | null} */
-  let pool = null;
-  const shared = () => {
-    pool ??= createPool({ spawn });
-    return pool;
-  };
-  return engineOf({
-    surveys: () => createSurveys(shared()),
-    pool: shared,
-    lone: () => createPool({ spawn, size: 1 }),
-  });
+  return engineOf({ pool: () => createPool({ spawn }), lone: () => createPool({ spawn, size: 1 }) });
 }
 
 /** Compiled once, for the page and its workers. */

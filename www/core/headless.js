@@ -4,7 +4,6 @@ import { readFile } from 'node:fs/promises';
 import init, { paper } from '../../pkg/ep_locomotion.js';
 import { engineOf } from './direct.js';
 import { createJobs } from './jobs.js';
-import { createSurveys } from './surveys.js';
 
 export * from '../../pkg/ep_locomotion.js';
 
@@ -25,7 +24,7 @@ const jobs = createJobs(() => {});
 /** The page's engine, with an evolution of its own. */
 export function createEngine() {
   const pool = { size: 1, run, channel: () => ({ run }) };
-  return engineOf({ surveys: () => createSurveys(pool), pool: () => pool, lone: () => pool });
+  return engineOf({ pool: () => pool, lone: () => pool });
 }
 
 /** @param {Preset} preset @param {'ep' | 'arbitrary'} method */

@@ -53,10 +53,7 @@ const abortError = (reason) => new DOMException(reason, 'AbortError');
 export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrency || 2, 8) }) {
   const { add, fail } = createQueue(spawn, size);
 
-  /**
-   * @template {keyof Jobs} K
-   * @param {Job<K>} job @param {RunOptions} options @param {boolean} urgent
-   */
+  /** @template {keyof Jobs} K @param {Job<K>} job @param {RunOptions} options @param {boolean} urgent */
   function begin({ call, parts }, { onProgress, signal }, urgent) {
     const abort = () => fail(task, abortError('The job was aborted'));
     /** @type {Task} */

@@ -9,7 +9,6 @@ import { samplesOfDrive, samplesOfRobot } from './bounds.js';
 
 /** With a channel, the newest request makes the earlier one reject. @typedef {RunOptions & { channel?: Channel }} SurveyOptions */
 /** Seeds from `first` on. @typedef {{ first: number, count: number, generations: number }} Seeds */
-/** @typedef {ReturnType<typeof createSurveys>} Surveys */
 
 /** As many samples as a worker drives in 4 to 8 ms: so short that a newer request need not wait. */
 const samplesOfPart = 8e5;

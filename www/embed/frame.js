@@ -1,4 +1,5 @@
 // The text that puts a figure into another page, and the height that a figure asks for.
+import { escaped } from '../kit/markup.js';
 
 /** Of the messages between a figure and its host, which messages.js describes. */
 export const version = 1;
@@ -30,9 +31,6 @@ export function wantedHeight(parts, page, lesson, width) {
   return Math.round(Math.min(most, Math.max(leastHeight, share * width)));
 }
 
-/** What begins and ends a value in HTML is written otherwise. @param {string} text */
-const quoted = (text) => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
-
 /** The iframe, to be pasted into a page. @param {{ address: string, title: string, width: number, height: number }} frame */
 export const frameText = ({ address, title, width, height }) =>
-  `<iframe src="${quoted(address)}" title="${quoted(title)}" width="${width}" height="${height}" style="border: 0; max-width: 100%" loading="lazy" allow="fullscreen"></iframe>`;
+  `<iframe src="${escaped(address)}" title="${escaped(title)}" width="${width}" height="${height}" style="border: 0; max-width: 100%" loading="lazy" allow="fullscreen"></iframe>`;

@@ -95,9 +95,8 @@ export function messageIn({ ep, type, ...given }) {
   if (unknown !== undefined) throw new Error(words.unknownField(type, told(unknown), known));
   /** What is undefined is left out. @param {string} name */
   const saidOf = (name) => (looked[name] === undefined ? usual[name] : looked[name]);
-  const said = Object.fromEntries(
-    Object.entries(fields).map(([name, check]) => [name, check(name, saidOf(name))]),
-  );
+  const checked = Object.entries(fields).map(([name, check]) => [name, check(name, saidOf(name))]);
+  const said = Object.fromEntries(checked);
   if (type === 'set' && said.link === null && said.experiment === null)
     throw new Error(words.linkOrExperiment);
   return /** @type {any} */ ({ type, said });

@@ -24,18 +24,25 @@ import { number, numberText, oneOf, wholeNumber } from './values.js';
 /** @param {Opened} opened @param {Partial<Exercise>} patch @returns {Opened} */
 const asking = (opened, patch) => ({ ...opened, exercise: { ...opened.exercise, ...patch } });
 
+/** A key of some of these names, each once and in their order. What is none of them is refused, the others are read all the same. @param {string} key @param {'locked' | 'hidden' | 'vary'} field @param {readonly string[]} names @returns {Key} */
+const severalKey = (key, field, names) => ({
+  key,
+  text: ({ exercise }) => exercise[field].join(',') || null,
+  read(opened, text) {
+    const named = text.split(',');
+    const known = names.filter((name) => named.includes(name));
+    const read = asking(opened, /** @type {Partial<Exercise>} */ ({ [field]: known }));
+    const stranger = named.find((one) => !names.includes(one));
+    if (stranger === undefined) return read;
+    const why = words.expected(words.oneOf(names), stranger);
+    throw known.length > 0 ? new PartlyRead(why, read) : new Error(why);
+  },
+});
+
 /** @type {readonly Key[]} */
 export const exerciseKeys = [
-  {
-    key: 'lock',
-    text: ({ exercise }) => exercise.locked.join(',') || null,
-    read: (opened, text) => severalOf(groupNames, text, (locked) => asking(opened, { locked })),
-  },
-  {
-    key: 'hide',
-    text: ({ exercise }) => exercise.hidden.join(',') || null,
-    read: (opened, text) => severalOf(groupNames, text, (hidden) => asking(opened, { hidden })),
-  },
+  severalKey('lock', 'locked', groupNames),
+  severalKey('hide', 'hidden', groupNames),
   {
     key: 'task',
     text: ({ exercise }) => tidyTask(exercise.task) || null,
@@ -55,11 +62,7 @@ export const exerciseKeys = [
     text: ({ exercise }) => exercise.scale && scaleText(exercise.scale),
     read: (opened, text) => asking(opened, { scale: scaleOf(text) }),
   },
-  {
-    key: 'vary',
-    text: ({ exercise }) => exercise.vary.join(',') || null,
-    read: (opened, text) => severalOf(variedNames, text, (vary) => asking(opened, { vary })),
-  },
+  severalKey('vary', 'vary', variedNames),
   {
     key: 'who',
     text: ({ exercise, student }) => (isEmpty(exercise) ? null : student.who || null),
@@ -165,16 +168,6 @@ export const givenKey = {
     return { ...opened, student: { ...opened.student, base: { preset, experiment } } };
   },
 };
-
-/** Some of these, each once and in their order. What is none of them is refused, the others are read all the same. @template {string} T @param {readonly T[]} names @param {string} text @param {(several: T[]) => Opened} read */
-function severalOf(names, text, read) {
-  const named = text.split(',');
-  const known = names.filter((name) => named.includes(name));
-  const stranger = named.find((one) => names.every((name) => name !== one));
-  if (stranger === undefined) return read(known);
-  const why = words.expected(words.oneOf(names), stranger);
-  throw known.length > 0 ? new PartlyRead(why, read(known)) : new Error(why);
-}
 
 /** @param {Aim} aim */
 export function aimText({ wanted, drives }) {

@@ -1,6 +1,7 @@
 // An experiment in a link: every number and word of it by its path, as text, and back again.
 /** @import { Experiment } from '../core/engine.js' */
 import { rememberEach } from '../kit/memo.js';
+import { valueAt, withValue } from '../run/paths.js';
 import { link as words } from '../words/index.js';
 import { angle, angleText, number, numberText, posture, postureText } from './values.js';
 
@@ -64,17 +65,14 @@ export const namesIn = (experiment) => fieldsOf({ ...experiment, starts: [] });
 /** The experiment with one field read from text, which the core has still to accept. @param {Experiment} experiment @param {string} path @param {string} text */
 export function withField(experiment, path, text) {
   if (!namesIn(experiment).has(path)) throw new Error(words.unknownField);
-  const copy = structuredClone(experiment);
-  const keys = path.split('.');
-  const last = /** @type {string} */ (keys.pop());
-  /** @type {any} */
-  let inner = copy;
-  for (const key of keys) inner = inner[key];
-  const before = inner[last];
-  if (path === 'starts') inner[last] = text.split(';').map(posture);
-  else if (Array.isArray(before)) inner[last] = text.split(',').map(number);
-  else if (typeof before === 'string') inner[last] = text;
-  else if (text === 'off') inner[last] = null;
-  else inner[last] = path.endsWith('theta') ? angle(text) : number(text);
-  return copy;
+  return withValue(experiment, path, readLike(valueAt(experiment, path), path, text));
+}
+
+/** @param {unknown} before What stands there. @param {string} path @param {string} text @returns {any} */
+function readLike(before, path, text) {
+  if (path === 'starts') return text.split(';').map(posture);
+  if (Array.isArray(before)) return text.split(',').map(number);
+  if (typeof before === 'string') return text;
+  if (text === 'off') return null;
+  return path.endsWith('theta') ? angle(text) : number(text);
 }

@@ -105,12 +105,10 @@ export const pinKeys = styles.map((_, slot) => ({
     const pin = pins.find((one) => one.slot === slot);
     return pin ? pinText(pin, usual) : null;
   },
-  read: (opened, text, engine) => ({
-    ...opened,
-    pins: [...opened.pins, pinOf(text, slot, engine.experiment(opened.preset), engine)].sort(
-      (a, b) => a.slot - b.slot,
-    ),
-  }),
+  read(opened, text, engine) {
+    const pin = pinOf(text, slot, engine.experiment(opened.preset), engine);
+    return { ...opened, pins: [...opened.pins, pin].sort((a, b) => a.slot - b.slot) };
+  },
 }));
 
 /** How links name the steps of the lesson; one that is not there has a nearest. @typedef {{ named: (text: string) => { number: number, isThere: boolean }, textOf: (step: number) => string, linkOf: (step: number) => string }} Steps */
@@ -124,9 +122,8 @@ export const lessonKey = (steps) => ({
 
 /** A pinned run: its name, gains, and what its experiment has different. @param {Pin} pin @param {Experiment} usual */
 function pinText({ name, gains, experiment }, usual) {
-  return [name.replaceAll('~', '-'), gains.map(numberText).join(','), ...changesText(experiment, usual)].join(
-    '~',
-  );
+  const changes = changesText(experiment, usual);
+  return [name.replaceAll('~', '-'), gains.map(numberText).join(','), ...changes].join('~');
 }
 
 /** @param {string} text @param {number} slot @param {Experiment} usual @param {Engine} engine @returns {Pin} */

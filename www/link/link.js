@@ -160,17 +160,14 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
 }
 
 /** What is said of the pairs that could not be read. @param {[key: string, error: unknown][]} refused */
-const ignoredOf = (refused) => [
-  ...refused
-    .slice(0, mostNamed)
-    .map(([key, error]) =>
-      (error instanceof PartlyRead ? words.partlyIgnored : words.ignored)(
-        short(key),
-        short(messageOf(error), mostOfReason),
-      ),
-    ),
-  ...(refused.length > mostNamed ? [words.moreIgnored(refused.length - mostNamed)] : []),
-];
+function ignoredOf(refused) {
+  const said = refused.slice(0, mostNamed).map(([key, error]) => {
+    const say = error instanceof PartlyRead ? words.partlyIgnored : words.ignored;
+    return say(short(key), short(messageOf(error), mostOfReason));
+  });
+  const more = refused.length - mostNamed;
+  return more > 0 ? [...said, words.moreIgnored(more)] : said;
+}
 
 /** A step of the lesson may be asked for alone, as lesson&step=3; what else stands there is kept. @param {string} link @param {Steps} lesson */
 function whole(link, lesson) {

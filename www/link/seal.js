@@ -5,8 +5,8 @@ import { pairOf } from './values.js';
 /** Of these a link is the same without. */
 const beside = ['handin', 'lang', 'v'];
 
-/** @param {string} link the text after # @param {string} [more] what is sealed beside it */
-export function sealOf(link, more = '') {
+/** @param {string} link the text after # @param {string} more what is sealed beside it */
+export function sealOf(link, more) {
   const [page, ...rest] = link.split('&');
   const pairs = rest.map(pairOf).filter(([key]) => !beside.includes(key));
   return digitsOf(JSON.stringify([page, pairs, more]));

@@ -8,7 +8,7 @@
 /** `drives`: at most so many, or null. @typedef {{ wanted: Wanted, drives: number | null }} Aim */
 /** Points at two values of what is measured, to hundredths on the straight line between them, and beyond them as at the nearer. @typedef {{ values: readonly [number, number], points: readonly [number, number] }} Scale */
 /** What an answer came to. `value`: what is wanted, measured. @typedef {{ value: number, drives: number }} Reached */
-/** @typedef {{ isReached: boolean, isWithin: boolean, isMet: boolean, points: number | null, most: number | null }} Judged `points` out of `most`, if there are any. */
+/** @typedef {{ isMet: boolean, points: number | null, most: number | null }} Judged `points` out of `most`, if there are any. */
 
 /** What may be asked for. */
 export const most = { cost: 1e9, starts: 1000, drives: 1e9, points: 1000 };
@@ -29,10 +29,9 @@ function pointsAt({ values: [a, b], points: [p, q] }, value) {
 
 /** @param {Aim} aim @param {Scale | null} scale @param {Reached} reached @returns {Judged} */
 export function judged({ wanted, drives }, scale, reached) {
-  const isReached = isEnough(wanted, reached.value);
   const isWithin = drives === null || reached.drives <= drives;
-  const isMet = isReached && isWithin;
-  if (!scale) return { isReached, isWithin, isMet, points: null, most: null };
+  const isMet = isWithin && isEnough(wanted, reached.value);
+  if (!scale) return { isMet, points: null, most: null };
   const points = isWithin ? pointsAt(scale, reached.value) : Math.min(...scale.points);
-  return { isReached, isWithin, isMet, points, most: Math.max(...scale.points) };
+  return { isMet, points, most: Math.max(...scale.points) };
 }

@@ -92,20 +92,14 @@ export const undisturbed = (experiment) => ({
  * @returns {(state: State) => Scene}
  */
 export function createScene(drive, paper, chosenDrives) {
-  const driveOne = () =>
-    remember((/** @type {Experiment} */ e, /** @type {Triple} */ gains) => drive(e, [gains])[0]);
-  const driving = driveOne();
-  const comparison = driveOne();
-  const paperEp = driveOne();
+  const driveOne = (/** @type {Experiment} */ experiment, /** @type {Triple} */ gains) =>
+    drive(experiment, [gains])[0];
+  const driving = remember(driveOne);
+  const comparison = remember(driveOne);
+  const paperEp = remember(driveOne);
   const others = createOthers(drive);
   const pinned = remember((/** @type {State['pins']} */ pins) =>
-    together(
-      pins.map(
-        ({ experiment, gains }) =>
-          () =>
-            drive(experiment, [gains])[0],
-      ),
-    ),
+    together(pins.map((pin) => () => driveOne(pin.experiment, pin.gains))),
   );
   const triedOf = remember(tried);
   const undisturbedOf = remember(undisturbed);

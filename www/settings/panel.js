@@ -11,7 +11,7 @@ import { byId, create } from '../kit/elements.js';
 import { once, remember, watch } from '../kit/memo.js';
 import { closeButton } from '../kit/templates.js';
 import { fieldPath, valueAt } from '../run/paths.js';
-import { asked } from '../run/state.js';
+import { asked, presets } from '../run/state.js';
 import { settings as words } from '../words/index.js';
 import { createChoice, createNumber, typingMark } from './rows.js';
 import { rows, table } from './table.js';
@@ -22,17 +22,23 @@ const groups = /** @type {[GroupName, readonly Row[]][]} */ (Object.entries(tabl
 /** Open from the beginning; the others show how much in them is changed. @type {readonly GroupName[]} */
 const openGroups = ['limits', 'weights'];
 
+/** Beside the instrument, closed. Its title is still to come. @param {string} id @param {string} className */
+export function createPanel(id, className) {
+  const panel = create('aside', className);
+  panel.id = id;
+  panel.hidden = true;
+  panel.setAttribute('aria-labelledby', `${id}-title`);
+  byId('instrument').prepend(panel);
+  return panel;
+}
+
 /** @param {{ engine: Engine, store: Store, actions: Actions }} parts */
 export function createSettingsPanel({ engine, store, actions }) {
   const button = byId('settings-button');
-  const panel = create('aside', 'settings');
-  panel.id = 'settings';
-  panel.hidden = true;
-  panel.setAttribute('aria-labelledby', 'settings-title');
-  byId('instrument').prepend(panel);
+  const panel = createPanel('settings', 'settings');
   button.hidden = false;
-  const presets = createPresets(engine);
-  const rowsMade = once(() => createRows(engine, actions, presets.somewhere));
+  const originals = createOriginals(engine);
+  const rowsMade = once(() => createRows(engine, actions, originals.somewhere));
   const open = (/** @type {boolean} */ isOpen) => {
     actions.openSettings(isOpen);
     button.focus();
@@ -61,7 +67,7 @@ export function createSettingsPanel({ engine, store, actions }) {
       panel.hidden = !settings.open;
       button.setAttribute('aria-expanded', String(settings.open));
       byId('instrument').classList.toggle('with-settings', settings.open || maker.open);
-      const original = presets.of(preset);
+      const original = originals.of(preset);
       const differing = rows.flatMap(({ path }) =>
         valueAt(experiment, path) === valueAt(original, path) ? [] : path,
       );
@@ -111,11 +117,9 @@ const isOpen = (name) =>
   openGroups.includes(name);
 
 /** @param {Engine} engine */
-function createPresets(engine) {
+function createOriginals(engine) {
   const of = remember((/** @type {State['preset']} */ preset) => engine.experiment(preset));
-  const all = /** @type {const} */ (['velocity-limits', 'acceleration-limits']).map((name) =>
-    engine.experiment(name),
-  );
+  const all = presets.map((name) => engine.experiment(name));
   return {
     of,
     /** A limit that a preset has, for who switches one on that the chosen preset has not. @param {string} path */

@@ -98,12 +98,8 @@ export function createNumber(row, field, actions, fallback, place) {
     known.find((value) => typeof value === 'number' && quantity.shown(value) === shown) ??
     quantity.value(shown);
 
-  const slider = createSlider(
-    row,
-    field.min === 0,
-    (shown) => change(meant(shown), true),
-    actions.releaseSetting,
-  );
+  const slide = (/** @type {number} */ shown) => change(meant(shown), true);
+  const slider = createSlider(row, field.min === 0, slide, actions.releaseSetting);
   const frame = createFrame(row, id, text, change);
   frame.element.classList.toggle('wide', field.max > 1e8);
 

@@ -13,7 +13,7 @@ const row = (path, symbol, slider, isIdle, first) => ({ path, symbol, slider, is
 const symbol = (letter, index, colour) => ({ letter, index, colour });
 
 const weight = { from: 0.01, to: 100, log: true };
-const turn = { from: -180, to: 180, step: 1 };
+const turn = { from: -180, to: 180 };
 
 /** @param {Experiment} experiment */
 const isUndisturbed = ({ disturbance }) => disturbance.kind === 'none';
@@ -66,13 +66,7 @@ export const table = {
       undefined,
       0.1,
     ),
-    row(
-      'tolerance.turnRate',
-      symbol('ω', undefined, 'angular'),
-      { from: 0, to: 360, step: 1 },
-      undefined,
-      0.1,
-    ),
+    row('tolerance.turnRate', symbol('ω', undefined, 'angular'), { from: 0, to: 360 }, undefined, 0.1),
     row('horizon', undefined, { from: 1, to: 30, step: 0.5 }),
     row('sampleTime', symbol('Δt'), { from: 0.001, to: 0.1, log: true }),
   ],
@@ -84,8 +78,8 @@ export const table = {
     row('disturbance.seed', undefined, undefined, isWithoutNoise),
   ],
   evolution: [
-    row('evolution.population', symbol('N'), { from: 2, to: 100, step: 1 }, goesPointByPoint),
-    row('evolution.opponents', symbol('q'), { from: 1, to: 40, step: 1 }, isWithoutTournament),
+    row('evolution.population', symbol('N'), { from: 2, to: 100 }, goesPointByPoint),
+    row('evolution.opponents', symbol('q'), { from: 1, to: 40 }, isWithoutTournament),
     row('evolution.seed'),
     row('evolution.initialRange[0]'),
     row('evolution.initialRange[1]'),

@@ -3,31 +3,23 @@
 
 /** Lines that say where the numbers come from, which readers of tables can skip. @typedef {readonly string[]} Origin */
 
+/** What stands in a column, from above. @typedef {readonly [head: string, values: ArrayLike<number>]} Column */
+
 /** @param {Statistics[]} history @param {Origin} origin */
 export function generationsCsv(history, origin) {
-  const header = [
-    'generation',
-    'drives',
-    'J best',
-    'J median',
-    'J worst',
-    'kx (1/s)',
-    'ky (1/(m^2 s))',
-    'ktheta (rad/s)',
-    'mean sigma_x (1/s)',
-    'mean sigma_y (1/(m^2 s))',
-    'mean sigma_theta (rad/s)',
-  ];
-  const rows = history.map(({ generation, evaluations, best, median, worst, meanSigmas }) => [
-    generation,
-    evaluations,
-    best.cost,
-    median,
-    worst,
-    ...best.gains,
-    ...meanSigmas,
+  /** @param {string} head @param {(statistics: Statistics) => number} of @returns {Column} */
+  const column = (head, of) => [head, history.map(of)];
+  const gains = ['kx (1/s)', 'ky (1/(m^2 s))', 'ktheta (rad/s)'];
+  const sigmas = ['mean sigma_x (1/s)', 'mean sigma_y (1/(m^2 s))', 'mean sigma_theta (rad/s)'];
+  return csv(origin, [
+    column('generation', ({ generation }) => generation),
+    column('drives', ({ evaluations }) => evaluations),
+    column('J best', ({ best }) => best.cost),
+    column('J median', ({ median }) => median),
+    column('J worst', ({ worst }) => worst),
+    ...gains.map((head, i) => column(head, ({ best }) => best.gains[i])),
+    ...sigmas.map((head, i) => column(head, ({ meanSigmas }) => meanSigmas[i])),
   ]);
-  return csv(origin, header, rows);
 }
 
 /** What a drive follows from and what it came to, so that its table can be read by itself. @param {Experiment} experiment @param {Triple} gains @param {Run} run @returns {Origin} */
@@ -43,9 +35,8 @@ export function driveOrigin({ law, goal, limits, disturbance }, [kx, ky, ktheta]
 }
 
 /** @param {Run} run @param {Stability} stability Of the same run. @param {Origin} origin */
-export function driveCsv(run, stability, origin) {
-  /** @type {readonly (readonly [string, Float64Array])[]} */
-  const columns = [
+export const driveCsv = (run, stability, origin) =>
+  csv(origin, [
     ['t (s)', run.time],
     ['x (m)', run.x],
     ['y (m)', run.y],
@@ -62,17 +53,11 @@ export function driveCsv(run, stability, origin) {
     ['dV/dt promised on y_e (m^2/s)', stability.promisedY],
     ['dV/dt promised on theta_e (m^2/s)', stability.promisedTheta],
     ['dV/dt (m^2/s)', stability.rate],
-  ];
-  const rows = Array.from(run.time, (_, i) => columns.map(([, values]) => values[i]));
-  return csv(
-    origin,
-    columns.map(([name]) => name),
-    rows,
-  );
-}
+  ]);
 
-/** @param {Origin} origin @param {readonly string[]} header @param {readonly (readonly number[])[]} rows */
-const csv = (origin, header, rows) =>
-  [...origin.map((line) => `# ${line}`), header.join(','), ...rows.map((row) => row.join(','))]
-    .map((line) => `${line}\r\n`)
-    .join('');
+/** @param {Origin} origin @param {readonly Column[]} columns As long as each other. */
+function csv(origin, columns) {
+  const rows = Array.from(columns[0][1], (_, i) => columns.map(([, values]) => values[i]));
+  const lines = [columns.map(([head]) => head), ...rows].map((cells) => cells.join(','));
+  return [...origin.map((line) => `# ${line}`), ...lines].map((line) => `${line}\r\n`).join('');
+}

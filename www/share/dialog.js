@@ -13,13 +13,12 @@ import { choicesOf } from '../kit/segmented.js';
 import { selectAll } from '../kit/templates.js';
 import { messageOf } from '../words/errors.js';
 import { opening } from '../words/index.js';
-import { sizes } from '../embed/frame.js';
 import { createTask, inLab } from '../parts/park/task.js';
 import { driveCsv, driveOrigin, generationsCsv } from './csv.js';
 import { fingerprintOf } from './code/fingerprint.js';
 import { createMaker } from './exercise/maker.js';
 import { withoutAnswer } from './handin/work.js';
-import { frameOf, handedAddress, isOnDisk } from './frame-text.js';
+import { frameOf, frames, handedAddress, isOnDisk } from './frame-text.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
 import { pngOf } from './png.js';
 import { openRunFile, runFile } from './run-file.js';
@@ -32,7 +31,6 @@ const kinds = /** @type {const} */ ([
   ['png', 'image/png', pngOf],
   ['svg', 'image/svg+xml', svgOf],
 ]);
-const frames = sizes.map((size) => ({ value: size.join('x'), text: words.sizeText(size[0], size[1]), size }));
 
 /** @param {SheetTools} tools @param {Sheet} sheet */
 export function createKeep(tools, sheet) {

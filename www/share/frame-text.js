@@ -6,6 +6,13 @@ import { stepNames } from '../lesson/path.js';
 import { lab, lesson as lessonWords } from '../words/index.js';
 import words from './words/index.js';
 
+/** The sizes that are offered, as choices. */
+export const frames = sizes.map((size) => ({
+  value: size.join('x'),
+  text: words.sizeText(size[0], size[1]),
+  size,
+}));
+
 export const isOnDisk = () => location.protocol === 'file:';
 
 /** As it stands in what is handed on: a path on this disk is none on another, and is nobody's business. @param {string} link @param {boolean} [embed] */

@@ -17,89 +17,83 @@ import { load as loadCollect } from './collect/words/load.js';
 import { load as loadHandIn } from './handin/words/load.js';
 import { load as loadWords } from './words/load.js';
 
-/** What the sheets get. `open` opens a file whether or not the controls are locked; `keepPlace`: the browser's “back” will lead to the run that is there now. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], keepPlace: (next: { page: string, lesson: number }) => void, openChecks: () => void, openCode: () => void, openCollect: () => void }} SheetTools */
+/** `open` opens a file whether or not the controls are locked; `keepPlace`: the browser's “back” will lead to the run that is there now. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], keepPlace: (next: { page: string, lesson: number }) => void }} ShareTools */
+/** What the sheets get: they open each other. @typedef {ShareTools & Record<'openChecks' | 'openCode' | 'openCollect', () => void>} SheetTools */
 
 /**
- * Opens a sheet; then, if it is still open once what fills it is there, uses that.
- * @template T
- * @param {Sheet} sheet @param {() => Promise<T>} load
+ * A sheet that opens at once; then, if it is still open once what fills it is there, that is used.
+ * @template {{ start: () => void }} T
+ * @param {string} id @param {string} className @param {string} title @param {(sheet: Sheet) => Promise<T>} load
  */
-function createOnDemand(sheet, load) {
-  const filled = once(async () => {
+function createOnDemand(id, className, title, load) {
+  const sheet = createSheet(id, className, title, words.texts.close);
+  /** @type {T | null} */
+  let content = null;
+  const fill = once(async () => {
     const waiting = createWaiting();
     sheet.draw(waiting.element);
     try {
-      return await load();
+      content = await load(sheet);
     } catch (error) {
       waiting.fail(error);
-      return null;
     }
   });
-  return async (/** @type {(content: T) => void} */ use) => {
-    const content = filled();
+  const openFor = async (/** @type {(content: T) => void} */ use) => {
+    const filled = fill();
     sheet.open();
-    const there = await content;
-    if (there && sheet.dialog.open) use(there);
+    await filled;
+    if (content && sheet.dialog.open) use(content);
   };
+  return { open: () => openFor(({ start }) => start()), openFor, content: () => content };
 }
 
-/** @param {Omit<SheetTools, 'openChecks' | 'openCode' | 'openCollect'>} tools */
+/** @param {ShareTools} tools */
 export function createShare(tools) {
   const { texts } = words;
-  const checksSheet = createSheet('checks', 'table-sheet', texts.checksTitle, texts.close);
-  const checks = createOnDemand(checksSheet, async () =>
-    (await afterWords([loadChecks], () => import('./checks/dialog.js'))).createChecks(
-      tools.engine,
-      checksSheet,
-    ),
-  );
-  const openChecks = () => checks(({ start }) => start());
-  const codeSheet = createSheet('code', 'code-sheet', texts.codeTitle, texts.close);
-  const code = createOnDemand(codeSheet, async () =>
-    (await afterWords([loadCode], () => import('./code/dialog.js'))).createCode(tools, codeSheet),
-  );
-  const openCode = () => code(({ start }) => start());
-  const collectSheet = createSheet('collect', 'table-sheet collect-sheet', texts.collectTitle, texts.close);
-  /** @type {((state: State) => void) | null} */
-  let drawOpened = null;
-  const collect = createOnDemand(collectSheet, async () => {
-    const made = (await afterWords([loadCollect], () => import('./collect/dialog.js'))).createCollect(
-      { ...tools, openCollect },
-      collectSheet,
-    );
-    drawOpened = made.drawOpened;
-    return made;
+  const checks = createOnDemand('checks', 'table-sheet', texts.checksTitle, async (sheet) => {
+    const { createChecks } = await afterWords([loadChecks], () => import('./checks/dialog.js'));
+    return createChecks(tools.engine, sheet);
   });
-  const openCollect = () => collect(({ start }) => start());
-  /** @type {((state: State) => void) | null} */
-  let drawMaker = null;
-  const keepSheet = createSheet('keep', 'keep', texts.keepTitle, texts.close);
-  const keep = createOnDemand(keepSheet, async () => {
-    const made = (await afterWords([loadWords, loadHandIn], () => import('./dialog.js'))).createKeep(
-      { ...tools, openChecks, openCode, openCollect },
-      keepSheet,
-    );
-    drawMaker = made.drawMaker;
-    return made;
+  const code = createOnDemand('code', 'code-sheet', texts.codeTitle, async (sheet) => {
+    const { createCode } = await afterWords([loadCode], () => import('./code/dialog.js'));
+    return createCode(tools, sheet);
+  });
+  const opening = {
+    openChecks: checks.open,
+    openCode: code.open,
+    openCollect: () => collect.open(),
+  };
+  const collect = createOnDemand(
+    'collect',
+    'table-sheet collect-sheet',
+    texts.collectTitle,
+    async (sheet) => {
+      const { createCollect } = await afterWords([loadCollect], () => import('./collect/dialog.js'));
+      return createCollect({ ...tools, ...opening }, sheet);
+    },
+  );
+  const keep = createOnDemand('keep', 'keep', texts.keepTitle, async (sheet) => {
+    const { createKeep } = await afterWords([loadWords, loadHandIn], () => import('./dialog.js'));
+    return createKeep({ ...tools, ...opening }, sheet);
   });
   if (!isEmbedded) offer(tools, keep);
   return {
-    openChecks,
+    openChecks: checks.open,
     /** @param {State} state */
     draw(state) {
-      drawMaker?.(state);
-      drawOpened?.(state);
+      keep.content()?.drawMaker(state);
+      collect.content()?.drawOpened(state);
     },
   };
 }
 
-/** The button, and files that are dropped on the page. @param {Omit<SheetTools, 'openChecks' | 'openCode' | 'openCollect'>} tools @param {(use: (content: ReturnType<typeof import('./dialog.js').createKeep>) => void) => void} keep */
+/** The button, and files that are dropped on the page. @param {ShareTools} tools @param {ReturnType<typeof createOnDemand<ReturnType<typeof import('./dialog.js').createKeep>>>} keep */
 function offer({ store, actions }, keep) {
   const button = byId('keep-button');
   button.hidden = false;
   button.addEventListener('click', () => {
     actions.pauseEvolution();
-    keep(({ start }) => start());
+    keep.open();
   });
   addEventListener('dragover', (event) => {
     if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
@@ -108,6 +102,6 @@ function offer({ store, actions }, keep) {
     const [chosen] = event.dataTransfer?.files ?? [];
     if (!chosen) return;
     event.preventDefault();
-    if (isFree(store.get(), 'share')) keep(({ open }) => open(chosen));
+    if (isFree(store.get(), 'share')) keep.openFor(({ open }) => open(chosen));
   });
 }

@@ -14,7 +14,8 @@
 /** @typedef {{ title: string, description: string, link: string, version: string }} About What a file says of itself. */
 /** @typedef {{ width: number, height: number, paper: string, marks: Mark[] }} Drawing In pixels of CSS. */
 
-export const isGradient = (/** @type {Paint} */ paint) => typeof paint === 'object' && 'stops' in paint;
+/** @param {Gradient | Pattern} paint @returns {paint is Gradient} */
+export const isGradient = (paint) => 'stops' in paint;
 
 /** A path as SVG writes it, built by the methods of a canvas. */
 export class Outline {

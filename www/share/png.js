@@ -1,5 +1,5 @@
 // A drawing as a PNG file, twice as dense as CSS pixels or more, with texts inside that say what made it.
-/** @import { About, Drawing, Gradient, Mark, Paint, Pattern } from './marks.js' */
+/** @import { About, Drawing, Mark, Paint } from './marks.js' */
 import { isGradient } from './marks.js';
 import { cssFont } from './screen.js';
 
@@ -78,12 +78,12 @@ function paint(context, mark) {
 function styleOf(context, paint) {
   if (typeof paint === 'string') return paint;
   if (isGradient(paint)) {
-    const { from, to, stops } = /** @type {Gradient} */ (paint);
+    const { from, to, stops } = paint;
     const gradient = context.createLinearGradient(...from, ...to);
     for (const [offset, colour] of stops) gradient.addColorStop(offset, colour);
     return gradient;
   }
-  const { tile, scale } = /** @type {Pattern} */ (paint);
+  const { tile, scale } = paint;
   const pattern = /** @type {CanvasPattern} */ (context.createPattern(tile, 'repeat'));
   pattern.setTransform(new DOMMatrix().scale(scale));
   return pattern;

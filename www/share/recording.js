@@ -16,8 +16,8 @@ export function marksOf(paint) {
   return recorder.marks;
 }
 
-/** As much of a canvas's context as views use. */
-class Recorder {
+/** As much of a canvas's context as views use: an outline that is being drawn, and what is made of it. */
+class Recorder extends Outline {
   /** @type {Mark[]} */
   marks = [];
   matrix = new DOMMatrix();
@@ -40,9 +40,12 @@ class Recorder {
   /** @type {CanvasTextBaseline} */
   textBaseline = 'alphabetic';
 
-  #path = new Outline(2);
   /** @type {Partial<Recorder>[]} */
   #saved = [];
+
+  constructor() {
+    super(2);
+  }
 
   save() {
     this.#saved.push(Object.fromEntries(settings.map((name) => [name, this[/** @type {'font'} */ (name)]])));
@@ -72,41 +75,19 @@ class Recorder {
   }
 
   beginPath() {
-    this.#path = this.#outline();
-  }
-  /** @param {number} x @param {number} y */
-  moveTo(x, y) {
-    this.#path.moveTo(x, y);
-  }
-  /** @param {number} x @param {number} y */
-  lineTo(x, y) {
-    this.#path.lineTo(x, y);
-  }
-  /** @param {Parameters<Outline['quadraticCurveTo']>} numbers */
-  quadraticCurveTo(...numbers) {
-    this.#path.quadraticCurveTo(...numbers);
-  }
-  closePath() {
-    this.#path.closePath();
-  }
-  /** @param {Parameters<Outline['rect']>} box */
-  rect(...box) {
-    this.#path.rect(...box);
-  }
-  /** @param {Parameters<Outline['arc']>} numbers */
-  arc(...numbers) {
-    this.#path.arc(...numbers);
+    this.d = '';
+    this.digits = this.#digits();
   }
   clip() {
-    this.clips = [...this.clips, { d: this.#path.d, matrix: this.matrix }];
+    this.clips = [...this.clips, { d: this.d, matrix: this.matrix }];
   }
   /** @param {Path2D} [path] */
   fill(path) {
-    this.#shape(path ? outlineOf(path) : this.#path.d, this.#fill());
+    this.#shape(path ? outlineOf(path) : this.d, this.#fill());
   }
   /** @param {Path2D} [path] */
   stroke(path) {
-    this.#shape(path ? outlineOf(path) : this.#path.d, this.#stroke());
+    this.#shape(path ? outlineOf(path) : this.d, this.#stroke());
   }
   /** @param {Parameters<Outline['rect']>} box */
   fillRect(...box) {
@@ -159,14 +140,14 @@ class Recorder {
     return Object.assign(pattern, { setTransform });
   }
 
-  /** An outline as exact as a hundredth of a pixel, in whatever it is drawn. */
-  #outline() {
+  /** For an outline as exact as a hundredth of a pixel, in whatever it is drawn. */
+  #digits() {
     const { a, b } = this.matrix;
-    return new Outline(Math.max(0, 2 + Math.ceil(Math.log10(Math.hypot(a, b)))));
+    return Math.max(0, 2 + Math.ceil(Math.log10(Math.hypot(a, b))));
   }
   /** @param {Parameters<Outline['rect']>} box */
   #rect(box) {
-    const outline = this.#outline();
+    const outline = new Outline(this.#digits());
     outline.rect(...box);
     return outline.d;
   }

@@ -41,12 +41,7 @@ export async function openRunFile(text, engine, links, signal) {
   if (typeof link !== 'string' || typeof hash !== 'string') throw new Error(words.damagedFile('link, hash'));
   // To make a run again takes time: only as many generations as the file holds.
   const held = Array.isArray(statistics) ? statistics.length - 1 : -1;
-  if (
-    !Number.isInteger(generations) ||
-    generations < 0 ||
-    generations > lastGeneration ||
-    generations !== held
-  )
+  if (generations !== held || held < 0 || held > lastGeneration)
     throw new Error(words.damagedFile('generations'));
   const { opened, problems } = links.openLink(link, engine);
   if (problems.length > 0) throw new Error(words.damagedLink(problems));

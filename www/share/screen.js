@@ -146,10 +146,8 @@ function decorated(style, { left, top, width, height }, place) {
   const lines = edges.map(([side]) => lineOf(style, side));
   const [{ paint, width: thick }] = lines;
   const inside = thick / 2;
-  const frame = frameOf(
-    [left + inside, top + inside, right - inside, bottom - inside],
-    style.borderTopLeftRadius,
-  );
+  const box = /** @type {const} */ ([left + inside, top + inside, right - inside, bottom - inside]);
+  const frame = frameOf(box, style.borderTopLeftRadius);
   const background = gradientOf(style.backgroundImage, left, width) ?? style.backgroundColor;
   const marks = height > 0 && isVisible(background) ? [shape(frame, look, { fill: background })] : [];
   if (thick > 0 && height > 0 && lines.every((one) => one.paint === paint && one.width === thick))

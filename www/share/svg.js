@@ -1,5 +1,6 @@
 // A drawing as an SVG file: shapes and texts as such, the cells of maps as images, and what made it.
 /** @import { About, Drawing, Gradient, Mark, Paint, Pattern } from './marks.js' */
+import { escaped } from '../kit/markup.js';
 import { isGradient } from './marks.js';
 
 /** @typedef {ReturnType<typeof createDefinitions>} Definitions */
@@ -7,16 +8,10 @@ import { isGradient } from './marks.js';
 /** @param {Drawing} drawing @param {About} about */
 export function svgOf({ width, height, paper, marks }, { title, description, link, version }) {
   const definitions = createDefinitions();
-  const content = grouped(
-    marks,
-    (mark) => clipOf(mark, definitions),
-    (clipped) =>
-      grouped(
-        clipped,
-        ({ matrix }) => attributes({ transform: transformOf(matrix) }),
-        (placed) => placed.map((mark) => element(mark, definitions)).join('\n'),
-      ),
-  );
+  const clip = (/** @type {Mark} */ mark) => clipOf(mark, definitions);
+  const place = (/** @type {Mark} */ { matrix }) => attributes({ transform: transformOf(matrix) });
+  const write = (/** @type {Mark[]} */ placed) => placed.map((mark) => element(mark, definitions)).join('\n');
+  const content = grouped(marks, clip, (clipped) => grouped(clipped, place, write));
   return `<svg xmlns="http://www.w3.org/2000/svg" ${attributes({ width, height, viewBox: `0 0 ${width} ${height}`, role: 'img', 'stroke-miterlimit': 10 })}>
 <title>${escaped(title)}</title>
 <desc>${escaped(description)}</desc>
@@ -133,7 +128,7 @@ function paintAs(property, paint, definitions) {
 /** @param {Gradient | Pattern} paint @param {Definitions} definitions */
 function paintServer(paint, definitions) {
   if (isGradient(paint)) {
-    const { from, to, stops } = /** @type {Gradient} */ (paint);
+    const { from, to, stops } = paint;
     const line = attributes({
       gradientUnits: 'userSpaceOnUse',
       x1: from[0],
@@ -146,13 +141,11 @@ function paintServer(paint, definitions) {
     );
     return definitions.name('linearGradient', ` ${line}>${colours.join('')}`);
   }
-  const { tile, scale } = /** @type {Pattern} */ (paint);
+  const { tile, scale } = paint;
   const [width, height] = [tile.width * scale, tile.height * scale];
   const image = `<image ${attributes({ width, height, href: tile.toDataURL() })}/>`;
-  return definitions.name(
-    'pattern',
-    ` ${attributes({ patternUnits: 'userSpaceOnUse', width, height })}>${image}`,
-  );
+  const size = attributes({ patternUnits: 'userSpaceOnUse', width, height });
+  return definitions.name('pattern', ` ${size}>${image}`);
 }
 
 /** @param {DOMMatrix} matrix */
@@ -170,7 +163,3 @@ const attributes = (values) =>
     .filter(([, value]) => value !== null)
     .map(([name, value]) => `${name}="${escaped(String(value))}"`)
     .join(' ');
-
-/** @param {string} text */
-const escaped = (text) =>
-  text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');

@@ -94,11 +94,7 @@ async function startSite() {
   return started;
 }
 
-/**
- * @param {Engine} engine
- * @param {boolean} moves
- * @returns {Promise<WebDriver>}
- */
+/** @param {Engine} engine @param {boolean} moves @returns {Promise<WebDriver>} */
 async function startBrowser(engine, moves) {
   const screen = engine.name === 'webkit' ? await startScreen(moves) : {};
   const builder = new Builder().withCapabilities(capabilities(engine, moves));
@@ -125,11 +121,7 @@ function amongEquals(driver) {
   return isPossible ? ['setpriv', limit, driver] : [driver];
 }
 
-/**
- * @param {Engine} engine
- * @param {boolean} moves
- * @returns {Record<string, unknown>}
- */
+/** @param {Engine} engine @param {boolean} moves @returns {Record<string, unknown>} */
 function capabilities({ name, browser }, moves) {
   const asRoot = process.getuid?.() === 0;
   switch (name) {

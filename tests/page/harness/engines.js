@@ -48,10 +48,7 @@ export function findProgram(candidates) {
   return places.find((place) => existsSync(place)) ?? null;
 }
 
-/**
- * A path below each of the folders where Windows keeps programs.
- * @param {string} path
- */
+/** A path below each of the folders where Windows keeps programs. @param {string} path */
 const inProgramFiles = (path) =>
   [env.PROGRAMFILES, env['PROGRAMFILES(X86)'], env.LOCALAPPDATA]
     .filter((folder) => folder !== undefined)

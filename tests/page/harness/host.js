@@ -1,25 +1,15 @@
 // A page of someone else that holds figures in frames, on an origin of its own, as a course's page has one.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { createServer } from 'node:http';
-import { extname, join, normalize } from 'node:path';
+import { join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { By } from 'selenium-webdriver';
+import { listen, typeOf } from './http.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 /** What came to the host: from which of its frames, counted from 0. @typedef {{ frame: number, origin: string, data: any }} Heard */
 
 const top = fileURLToPath(new URL('../../../', import.meta.url));
-
-/** @type {Record<string, string>} */
-const types = {
-  '.html': 'text/html; charset=utf-8',
-  '.js': 'text/javascript',
-  '.mjs': 'text/javascript',
-  '.css': 'text/css',
-  '.wasm': 'application/wasm',
-  '.svg': 'image/svg+xml',
-};
 
 /** Keeps every message that comes. */
 const listener = `<script>
@@ -30,31 +20,19 @@ const listener = `<script>
   });
 </script>`;
 
-/**
- * Serves HTML as `/`, and the files of the project beside it.
- * @param {string} html
- */
+/** Serves HTML as `/`, and the files of the project beside it. @param {string} html */
 export async function serveHost(html) {
-  const server = createServer(async (request, response) => {
+  const { port, close } = await listen(async (request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     const body =
       pathname === '/'
         ? `<!doctype html><html lang="en"><title>A course</title>${listener}${html}`
         : await readFile(join(top, normalize(decodeURIComponent(pathname)))).catch(() => null);
-    const type = types[extname(pathname) || '.html'] ?? 'application/octet-stream';
-    response.writeHead(body === null ? 404 : 200, { 'Content-Type': type, 'Cache-Control': 'no-store' });
+    const headers = { 'Content-Type': typeOf(pathname), 'Cache-Control': 'no-store' };
+    response.writeHead(body === null ? 404 : 200, headers);
     response.end(body);
   });
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
-  const address = server.address();
-  if (address === null || typeof address === 'string') throw new Error('the server has no port');
-  return {
-    address: `http://127.0.0.1:${address.port}/`,
-    close: () => {
-      server.closeAllConnections();
-      server.close();
-    },
-  };
+  return { address: `http://127.0.0.1:${port}/`, close };
 }
 
 /**
@@ -73,7 +51,7 @@ export async function inHost(page, html, body) {
       assert.deepEqual(await within(page, frame, () => page.problems()), [], `frame ${frame}`);
   } finally {
     await page.leave();
-    host.close();
+    await host.close();
   }
 }
 

@@ -147,10 +147,7 @@ export class Page {
     return this.evaluate(obstaclesOf, axeAddress, within, this.engine === 'chromium');
   }
 
-  /**
-   * The one element that a CSS selector finds, scrolled into view.
-   * @param {string} selector
-   */
+  /** The one element that a CSS selector finds, scrolled into view. @param {string} selector */
   async element(selector) {
     await this.#begin();
     /** @type {import('selenium-webdriver').WebElement | number} */
@@ -177,10 +174,7 @@ export class Page {
     );
   }
 
-  /**
-   * The text that a person sees of an element.
-   * @param {string} selector
-   */
+  /** The text that a person sees of an element. @param {string} selector */
   async text(selector) {
     return (await this.element(selector)).getText();
   }

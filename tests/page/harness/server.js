@@ -2,10 +2,10 @@
 // works under, and keeps a record of all that goes wrong.
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
-import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import axe from 'axe-core';
+import { listen, typeOf } from './http.js';
 
 const folder = '/some/course/ep/';
 const collector = '/collector.js';
@@ -37,17 +37,6 @@ const strictest = {
   'report-uri': reports,
 };
 
-/** @type {Record<string, string>} */
-const types = {
-  '.html': 'text/html; charset=utf-8',
-  '.js': 'text/javascript',
-  '.css': 'text/css',
-  '.wasm': 'application/wasm',
-  '.json': 'application/json',
-  '.svg': 'image/svg+xml',
-  '.png': 'image/png',
-};
-
 /**
  * @typedef {object} Site
  * @property {string} address where the page is
@@ -64,11 +53,7 @@ const types = {
  * @property {(name: string, content: Buffer) => Buffer | null} [send] what is sent of a file
  */
 
-/**
- * @param {string} [root] the folder to serve
- * @param {Changes} [changes]
- * @returns {Promise<Site>}
- */
+/** @param {string} [root] the folder to serve @param {Changes} [changes] @returns {Promise<Site>} */
 export async function serve(root = dist, { policy = {}, before = '', send = (_, content) => content } = {}) {
   const header = Object.entries({ ...strictest, ...policy })
     .map((directive) => directive.join(' '))
@@ -93,7 +78,7 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
       .replace(/<head[^>]*>/i, `$&<script src="${collector}" data-late="${late}"></script>`);
   }
 
-  const server = createServer(async (request, response) => {
+  const { port, close } = await listen(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
     if (path === reports) {
       let text = '';
@@ -108,9 +93,8 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
     const content = await body(path);
     // Browsers look for this one by themselves.
     if (content === null && path !== '/favicon.ico') problems.push(`not found: ${request.method} ${path}`);
-    const type = extname(path) === '' ? types['.html'] : (types[extname(path)] ?? 'application/octet-stream');
     response.writeHead(content === null ? 404 : 200, {
-      'Content-Type': type,
+      'Content-Type': typeOf(path),
       'Content-Security-Policy': header,
       // A name in assets/ has a hash of what is in it; in a copy of the site that may have been changed.
       'Cache-Control':
@@ -120,17 +104,10 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
     });
     response.end(content);
   });
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
-  const address = server.address();
-  if (address === null || typeof address === 'string') throw new Error('the server has no port');
   return {
-    address: `http://localhost:${address.port}${folder}`,
-    blank: `http://localhost:${address.port}${blank}`,
+    address: `http://localhost:${port}${folder}`,
+    blank: `http://localhost:${port}${blank}`,
     problems,
-    close: () =>
-      new Promise((resolve) => {
-        server.close(() => resolve());
-        server.closeAllConnections();
-      }),
+    close,
   };
 }

@@ -1,7 +1,6 @@
 // An engine that keeps one waiting, as a busy machine does.
 import { engineOf } from '../../../www/core/direct.js';
 import { createJobs } from '../../../www/core/jobs.js';
-import { createSurveys } from '../../../www/core/surveys.js';
 import './core.js';
 
 /** The page's engine, the workers of which answer once they are let. */
@@ -18,6 +17,5 @@ export function slowEngine() {
     return parts.map((part) => /** @type {(...args: any[]) => any} */ (jobs[call])(...part));
   };
   const pool = { size: 1, run, channel: () => ({ run }) };
-  const engine = engineOf({ surveys: () => createSurveys(pool), pool: () => pool, lone: () => pool });
-  return { engine, open };
+  return { engine: engineOf({ pool: () => pool, lone: () => pool }), open };
 }

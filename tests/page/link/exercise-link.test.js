@@ -51,15 +51,13 @@ test('an answer meets its aim only within its budget; points lie on the line bet
   const scale = scaleOf('9:0,7.75:10');
   const of = (/** @type {number} */ value, drives = 100) => judged(aim, scale, { value, drives });
   assert.deepEqual(of(7.9), {
-    isReached: true,
-    isWithin: true,
     isMet: true,
     points: 8.8,
     most: 10,
   });
   assert.equal(of(8).isMet, false);
   assert.deepEqual([of(7).points, of(9).points, of(10).points], [10, 0, 0]);
-  assert.deepEqual(of(7, 101), { isReached: true, isWithin: false, isMet: false, points: 0, most: 10 });
+  assert.deepEqual(of(7, 101), { isMet: false, points: 0, most: 10 });
   for (const lost of [Number.POSITIVE_INFINITY, Number.NaN])
     assert.deepEqual([of(lost).isMet, of(lost).points], [false, 0]);
   const parks = (/** @type {number} */ value) =>

@@ -83,9 +83,6 @@ export const groupNames = /** @type {const} */ (['motion', 'cost', 'evolution', 
  */
 export const check = (name, about, run) => ({ name, about, run });
 
-/** @param {Check} check @param {Core} core @returns {Result} */
-export const resultOf = ({ name, about, run }, core) => ({ name, about, ...run(core) });
-
 /** @param {Bound} bound @param {Outcome['expected']} expected @param {Outcome['found']} found @param {readonly string[]} units @param {boolean} passed */
 const outcome = (bound, expected, found, units, passed, tolerance = 0) => ({
   bound,
@@ -114,14 +111,10 @@ export function atMost(limits, found, units = []) {
 }
 
 /** Each under its limit. @param {readonly number[]} limits @param {readonly number[]} found @returns {Outcome} */
-export const below = (limits, found) =>
-  outcome(
-    'below',
-    limits,
-    found,
-    [],
-    limits.every((limit, i) => found[i] < limit),
-  );
+export function below(limits, found) {
+  const passed = limits.every((limit, i) => found[i] < limit);
+  return outcome('below', limits, found, [], passed);
+}
 
 /** @param {number} low @param {number} high @param {number} found @returns {Outcome} */
 export const between = (low, high, found) =>
@@ -139,22 +132,12 @@ export const scattered = (count, ...ranges) =>
 export const largest = (values) =>
   values.length === 0 ? Number.NaN : values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 
-/** How many differ in any bit. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
-export function differing(a, b) {
+/** How many differ in any bit: none may. @param {ArrayLike<number>} a @param {ArrayLike<number>} b */
+export function sameBits(a, b) {
   let count = Math.abs(a.length - b.length);
   for (let i = 0; i < Math.min(a.length, b.length); i++) if (!Object.is(a[i], b[i])) count += 1;
-  return a.length === 0 ? Number.NaN : count;
+  return same(0, a.length === 0 ? Number.NaN : count);
 }
 
 /** The angle in (−π, π] that points the same way. @param {number} angle */
 export const wrap = (angle) => angle - 2 * Math.PI * Math.ceil((angle - Math.PI) / (2 * Math.PI));
-
-/** Computed at the first call only. @template T @param {(core: Core) => T} compute */
-export function once(compute) {
-  /** @type {{ value: T } | null} */
-  let computed = null;
-  return (/** @type {Core} */ core) => {
-    computed ??= { value: compute(core) };
-    return computed.value;
-  };
-}

@@ -1,7 +1,7 @@
 // The cost J: known values, its parts added up again, and the same J however a robot is driven.
 /** @import { Experiment, Run } from '../../../pkg/ep_locomotion.js' */
 /** @import { Check, Golden } from './check.js' */
-import { atMost, below, check, differing, largest, near, same, scattered, wrap } from './check.js';
+import { atMost, below, check, largest, near, sameBits, scattered, wrap } from './check.js';
 
 const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
 
@@ -69,14 +69,14 @@ function laneChecks() {
       check('lanes', [gains.length / 3, preset], (core) => {
         const experiment = { ...core.experiment(preset), horizon: 4 };
         const single = core.simulateAll(experiment, gains).map((run) => run.cost.total);
-        return same(0, differing(core.evaluate(experiment, gains), single));
+        return sameBits(core.evaluate(experiment, gains), single);
       }),
     ),
     check('lanesFromStarts', [starts.length], (core) => {
       const disturbance = { kind: /** @type {const} */ ('random'), linear: 0.2, angular: 0.3, seed: 4 };
       const experiment = { starts, disturbance, horizon: 4 };
       const single = starts.map((_, start) => core.simulate(experiment, robot, start).cost.total);
-      return same(0, differing(core.fares(experiment, robot).cost, single));
+      return sameBits(core.fares(experiment, robot).cost, single);
     }),
     check('mapRows', [rows], (core) => {
       /** @type {import('../../../pkg/ep_locomotion.js').Landscape} */
@@ -89,12 +89,9 @@ function laneChecks() {
       const parts = Array.from({ length: rows }, (_, row) =>
         core.landscape({}, { ...map, rows: [row, row + 1] }),
       );
-      return same(
-        0,
-        differing(
-          whole,
-          parts.flatMap((part) => [...part]),
-        ),
+      return sameBits(
+        whole,
+        parts.flatMap((part) => [...part]),
       );
     }),
   ];

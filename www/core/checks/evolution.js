@@ -1,13 +1,14 @@
 // Laws of evolution, in the record of a whole run: mutation, tournament, survival.
 /** @import { Check, Core, Golden } from './check.js' */
-import { atMost, between, check, differing, largest, near, once, same } from './check.js';
+import { once } from '../once.js';
+import { atMost, between, check, largest, near, same, sameBits } from './check.js';
 
 /** So many generations are looked at in full. */
 const generations = 30;
 
 /** @param {Golden} golden @returns {Check[]} */
 export function evolutionChecks({ optimum }) {
-  const history = once((core) => recorded(core, optimum));
+  const history = once((/** @type {Core} */ core) => recorded(core, optimum));
   return [...mutationChecks(history), ...tournamentChecks(history), ...progressChecks(history, optimum)];
 }
 
@@ -47,7 +48,7 @@ function mutationChecks(history) {
           gains.map((gain, j) => [gain, parents[i].gains[j] + parents[i].sigmas[j] * mutations[i].gains[j]]),
         ),
       );
-      return same(0, differingPairs(pairs));
+      return samePairs(pairs);
     }),
     check('offspringSigmas', [], (core) => {
       const { own, common } = core.learningRates();
@@ -81,17 +82,9 @@ function mutationChecks(history) {
     check('offspringCosts', [], (core) => {
       const { experiment, records } = history(core);
       const offspring = records.flatMap((record) => record.offspring);
-      const again = core.evaluate(
-        experiment,
-        offspring.flatMap(({ gains }) => gains),
-      );
-      return same(
-        0,
-        differing(
-          again,
-          offspring.map(({ cost }) => cost),
-        ),
-      );
+      const gains = offspring.flatMap((one) => one.gains);
+      const costs = offspring.map((one) => one.cost);
+      return sameBits(core.evaluate(experiment, gains), costs);
     }),
   ];
 }
@@ -113,7 +106,7 @@ function tournamentChecks(history) {
           wins[own],
         ]),
       );
-      return same(0, differingPairs(pairs));
+      return samePairs(pairs);
     }),
     check('survivors', [], (core) => {
       const pairs = history(core).records.flatMap(({ all, wins, survivors }) => {
@@ -122,7 +115,7 @@ function tournamentChecks(history) {
           .sort((a, b) => wins[b] - wins[a] || all[a].cost - all[b].cost || a - b);
         return survivors.map((number, place) => [number, ranking[place]]);
       });
-      return same(0, differingPairs(pairs));
+      return samePairs(pairs);
     }),
     check('parents', [], (core) => {
       const { founders, records } = history(core);
@@ -136,7 +129,7 @@ function tournamentChecks(history) {
           ]);
         });
       });
-      return same(0, differingPairs(pairs));
+      return samePairs(pairs);
     }),
   ];
 }
@@ -151,8 +144,8 @@ const progressChecks = (history, { generations, cost: [low, high] }) => [
 ];
 
 /** @param {readonly number[][]} pairs */
-const differingPairs = (pairs) =>
-  differing(
+const samePairs = (pairs) =>
+  sameBits(
     pairs.map(([a]) => a),
     pairs.map(([, b]) => b),
   );

@@ -1,7 +1,8 @@
 // Laws of the robot: the control law, the arcs of its motion, the Lyapunov function, the limits.
 /** @import { Gains, PartialExperiment } from '../../../pkg/ep_locomotion.js' */
 /** @import { Check, Core, Golden } from './check.js' */
-import { atMost, check, differing, largest, near, once, same, scattered, wrap } from './check.js';
+import { once } from '../once.js';
+import { atMost, check, largest, near, same, sameBits, scattered, wrap } from './check.js';
 
 const origin = { x: 0, y: 0, theta: 0 };
 const unlimited = { speed: null, turnRate: null, acceleration: null, turnAcceleration: null };
@@ -101,7 +102,7 @@ function arcChecks() {
     return [x + chord * Math.cos(theta + half), y + chord * Math.sin(theta + half), theta + 2 * half];
   }
 
-  const wholes = once((core) => arcs.map((arc) => endOf(core, arc, 1)));
+  const wholes = once((/** @type {Core} */ core) => arcs.map((arc) => endOf(core, arc, 1)));
   return [
     check('halfArcs', [arcs.length], (core) => {
       const differences = wholes(core).map((whole, i) => distance(whole, endOf(core, arcs[i], 2)));
@@ -117,7 +118,7 @@ function arcChecks() {
 /** @returns {Check[]} */
 function limitChecks() {
   const gains = scattered(10, [0, 30], [0, 30], [0, 30]);
-  const drives = once((core) => {
+  const drives = once((/** @type {Core} */ core) => {
     const experiment = { ...core.experiment('acceleration-limits'), horizon: 3 };
     return { ...experiment, runs: core.simulateAll(experiment, gains.flat()) };
   });
@@ -132,22 +133,19 @@ function limitChecks() {
     check('accelerations', [gains.length], (core) => {
       const { limits, runs, sampleTime } = drives(core);
       const found = [runs.flatMap((run) => changes(run.linear)), runs.flatMap((run) => changes(run.angular))];
-      return atMost(
-        [Number(limits.acceleration), Number(limits.turnAcceleration)],
-        found.map((all) => largest(all) / sampleTime),
-        ['m/s²', 'rad/s²'],
-      );
+      const rates = found.map((all) => largest(all) / sampleTime);
+      const most = [Number(limits.acceleration), Number(limits.turnAcceleration)];
+      return atMost(most, rates, ['m/s²', 'rad/s²']);
     }),
     check('limitsTwice', [gains.length], (core) => {
       const { limits, runs, sampleTime } = drives(core);
+      const counts = runs.flatMap(({ linear, angular, commandLinear, commandAngular }) => [
+        differentTwice(commandLinear, linear, limits.speed, limits.acceleration, sampleTime),
+        differentTwice(commandAngular, angular, limits.turnRate, limits.turnAcceleration, sampleTime),
+      ]);
       return same(
         0,
-        runs
-          .flatMap(({ linear, angular, commandLinear, commandAngular }) => [
-            differentTwice(commandLinear, linear, limits.speed, limits.acceleration, sampleTime),
-            differentTwice(commandAngular, angular, limits.turnRate, limits.turnAcceleration, sampleTime),
-          ])
-          .reduce((sum, count) => sum + count, 0),
+        counts.reduce((sum, count) => sum + count, 0),
       );
     }),
   ];
@@ -180,7 +178,7 @@ function symmetryChecks() {
       const mirrored = ({ x, y, theta }) => ({ x, y: -y, theta: -theta });
       const costs = core.evaluate({ starts, goal }, gains);
       const others = core.evaluate({ starts: starts.map(mirrored), goal: mirrored(goal) }, gains);
-      return same(0, differing(costs, others));
+      return sameBits(costs, others);
     }),
     check('parked', [gains.length / 3], (core) => {
       const runs = core.simulateAll({ law: 'kanayama', horizon: 2 }, gains);

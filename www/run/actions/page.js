@@ -47,6 +47,7 @@ export function createOpening(basis, catchUp) {
       attempt(() => {
         const before = store.get();
         const tried = run.trial.disturbance ?? before.tried;
+        const slices = places.slices.map((slice) => [slice.name, slice.opened(before, parts[slice.name])]);
         /** @type {Partial<State>} */
         const patch = {
           ...run,
@@ -55,12 +56,7 @@ export function createOpening(basis, catchUp) {
           work: newWork(String(run.handGains), generation, run.student.spent),
           trial: trialOf(run, tried),
           tried,
-          slices: {
-            ...before.slices,
-            ...Object.fromEntries(
-              places.slices.map((slice) => [slice.name, slice.opened(before, parts[slice.name])]),
-            ),
-          },
+          slices: { ...before.slices, ...Object.fromEntries(slices) },
           evolving: false,
           robot: shown(),
           // Nothing leads back out of an exercise, and what is locked is not open.

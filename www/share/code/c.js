@@ -1,34 +1,29 @@
 // The controller in C99, for a computer or, with float, for a small processor.
-/** @import { Posture } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
-/** @import { Words } from './parts.js' */
-import { controlGroups, driveGroups, headOf, limitsOf, rows, slowly } from './parts.js';
-import { beside, code, comment, literal, when } from './text.js';
+/** @import { Pieces, Syntax, Words } from './parts.js' */
+import { piecesOf, rows, slowly } from './parts.js';
+import { beside, code, comment, when } from './text.js';
 
-const number = (/** @type {number} */ value) => literal(value, 'INFINITY');
-const pose = (/** @type {Posture} */ { x, y, theta }) => `{${[x, y, theta].map(number).join(', ')}}`;
-
-/** @param {import('./parts.js').Group} group @returns {[string, string]} */
-const assigned = ([names, values, about]) => [
-  `static const real ${names.map((name, i) => `${name} = ${number(values[i])}`).join(', ')};`,
-  about,
-];
+/** @type {Syntax} */
+const syntax = {
+  mark: '// ',
+  infinity: 'INFINITY',
+  posture: (name, numbers) => `static const Pose ${name} = {${numbers.join(', ')}};`,
+  numbers: (names, numbers) =>
+    `static const real ${names.map((name, i) => `${name} = ${numbers[i]}`).join(', ')};`,
+};
 
 /** @param {string} text */
-const said = (text) => comment(text, '// ');
+const said = (text) => comment(text, syntax.mark);
 
 /** @param {Controller} controller @param {Words['comments']} words */
 export function c(controller, words) {
-  const { name, start, experiment, samples } = controller;
-  const head = headOf(controller, words, `cc ${name}.c -lm && ./a.out`).map(said);
-  /** @type {[string, string][]} */
-  const poses = [
-    [`static const Pose START = ${pose(start)};`, words.start],
-    [`static const Pose GOAL = ${pose(experiment.goal)};`, words.goal],
-    [`static const int SAMPLES = ${samples};`, words.samples],
-  ];
+  const { name, samples } = controller;
+  const pieces = piecesOf(controller, words, syntax, `cc ${name}.c -lm && ./a.out`);
+  /** @type {import('./parts.js').Line} */
+  const count = [`static const int SAMPLES = ${samples};`, words.samples];
   return code`
-${head.join('\n')}
+${pieces.head}
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -43,26 +38,23 @@ typedef REAL real;
 typedef struct { real x, y, theta; } Pose; // m, m, rad
 typedef struct { real v, w; } Velocity;    // m/s, rad/s
 
-${beside(controlGroups(controller, words).map(assigned), ' // ')}
+${beside(pieces.control, ' // ')}
 static const real PI = 3.141592653589793;
 
-${command(controller, words)}
+${command(pieces, words)}
 
 // ${words.driveTitle}
 
-${beside([...poses, ...driveGroups(controller, words).map(assigned)], ' // ')}
+${beside([...pieces.ends, count, ...pieces.drive], ' // ')}
 
-${drive(controller, words)}`;
+${drive(pieces, words)}`;
 }
 
-/** @param {Controller} controller @param {Words['comments']} words */
-function command(controller, words) {
-  const { law } = controller.experiment;
-  const limits = limitsOf(controller);
-  const isPaper = law === 'shim-kim';
+/** @param {Pieces} pieces @param {Words['comments']} words */
+function command({ experiment: { law }, isPaper, limits, isLimited }, words) {
   const axes = isPaper ? 'goal' : 'pose';
   return code`
-${when(limits.any, clamp(words))}
+${when(isLimited, clamp(words))}
 ${when(isPaper, inverse(words))}
 ${said(words.wrap)}
 static real wrap(real angle)
@@ -89,12 +81,12 @@ Velocity command(Pose pose, Pose goal, Velocity previous)
     const Pose e = error(pose, goal);
     const real xe = e.x, ye = e.y, te = e.theta;
     ${isPaper ? paperLaw : kanayamaRule}
-    ${when(limits.any, `// ${words.limits}`)}
-    ${when(limits.speed, 'v = clamp(v, -SPEED, SPEED);')}
-    ${when(limits.turnRate, 'w = clamp(w, -TURN_RATE, TURN_RATE);')}
-    ${when(limits.acceleration, 'v = clamp(v, previous.v - ACCELERATION * DT, previous.v + ACCELERATION * DT);')}
-    ${when(limits.turnAcceleration, 'w = clamp(w, previous.w - TURN_ACCELERATION * DT, previous.w + TURN_ACCELERATION * DT);')}
-    ${when(!limits.acceleration && !limits.turnAcceleration, '(void)previous;')}
+    ${when(isLimited, `// ${words.limits}`)}
+    ${when(limits.speed !== null, 'v = clamp(v, -SPEED, SPEED);')}
+    ${when(limits.turnRate !== null, 'w = clamp(w, -TURN_RATE, TURN_RATE);')}
+    ${when(limits.acceleration !== null, 'v = clamp(v, previous.v - ACCELERATION * DT, previous.v + ACCELERATION * DT);')}
+    ${when(limits.turnAcceleration !== null, 'w = clamp(w, previous.w - TURN_ACCELERATION * DT, previous.w + TURN_ACCELERATION * DT);')}
+    ${when(limits.acceleration === null && limits.turnAcceleration === null, '(void)previous;')}
     return (Velocity){v, w};
 }`;
 }
@@ -124,11 +116,9 @@ static real clamp(real value, real low, real high)
 }
 `;
 
-/** @param {Controller} controller @param {Words['comments']} words */
-function drive(controller, words) {
-  const { isTracking, canDiverge, page } = controller;
-  const { x, y, theta } = page.pose;
-  const numbers = [page.time, page.cost, x, y, theta].map(number).join(', ');
+/** @param {Pieces} pieces @param {Words['comments']} words */
+function drive(pieces, words) {
+  const { isTracking, canDiverge } = pieces;
   return code`
 typedef struct { real time, cost; Pose pose; } Run;
 
@@ -150,7 +140,7 @@ static Run drive(void)
         const real dx = goal.x - pose.x, dy = goal.y - pose.y, dtheta = wrap(goal.theta - pose.theta);
         const real square = dx * dx + dy * dy + dtheta * dtheta;
         ${when(canDiverge, `if (!isfinite(square)) return (Run){n * DT, INFINITY, pose}; // ${words.diverged}`)}
-        ${when(!isTracking, `const bool parked = dx * dx + dy * dy <= POSITION * POSITION && fabs(dtheta) <= HEADING${slowly(controller, { and: '&&', abs: 'fabs', v: 'q.v', w: 'q.w' })};`)}
+        ${when(!isTracking, `const bool parked = dx * dx + dy * dy <= POSITION * POSITION && fabs(dtheta) <= HEADING${slowly(pieces, { and: '&&', abs: 'fabs', v: 'q.v', w: 'q.w' })};`)}
         if (${isTracking ? '' : 'parked || '}n == SAMPLES) {
             const real time = ${isTracking ? 'HORIZON' : 'parked ? n * DT : HORIZON'};
             const real last = W_X * dx * dx + W_Y * dy * dy + W_THETA * dtheta * dtheta;
@@ -170,7 +160,7 @@ int main(void)
     const char *names[] = {${rows.map((name) => `"${name}"`).join(', ')}};
     const double own[] = {run.time, run.cost, run.pose.x, run.pose.y, run.pose.theta};
     // ${words.pageNumbers}
-    const double page[] = {${numbers}};
+    const double page[] = {${pieces.said.join(', ')}};
     for (int i = 0; i < 5; i++)
         printf("%-12s%-20.12gpage %.12g\n", names[i], own[i], page[i]);
     return 0;

@@ -43,16 +43,12 @@ const alone = (experiment) => ({
 /** Whether a drive from a hair's breadth beside ends the same. @param {Drive} drive @param {Experiment} experiment @param {Triple} gains @param {Run} run */
 function isSteady(drive, experiment, gains, run) {
   const [{ x, y, theta }] = experiment.starts;
+  const numbers = endOf(run);
+  const isNear = (/** @type {number} */ value, /** @type {number} */ i) =>
+    value === numbers[i] || Math.abs(value - numbers[i]) <= mostChange * Math.max(1, Math.abs(value));
   return [-nudge, nudge].every((by) => {
     const [other] = drive({ ...experiment, starts: [{ x: x + by, y: y + by, theta }] }, [gains]);
-    const numbers = endOf(run);
-    return (
-      other.finalTime === run.finalTime &&
-      endOf(other).every(
-        (value, i) =>
-          value === numbers[i] || Math.abs(value - numbers[i]) <= mostChange * Math.max(1, Math.abs(value)),
-      )
-    );
+    return other.finalTime === run.finalTime && endOf(other).every(isNear);
   });
 }
 

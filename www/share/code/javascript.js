@@ -1,53 +1,42 @@
 // The controller in JavaScript, a module for Node and for browsers.
-/** @import { Posture } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
-/** @import { Words } from './parts.js' */
-import { controlGroups, driveGroups, headOf, limitsOf, rows, slowly } from './parts.js';
-import { beside, code, comment, literal, when } from './text.js';
+/** @import { Pieces, Syntax, Words } from './parts.js' */
+import { piecesOf, rows, slowly } from './parts.js';
+import { beside, code, comment, when } from './text.js';
 
-const number = (/** @type {number} */ value) => literal(value, 'Infinity');
-const pose = (/** @type {Posture} */ { x, y, theta }) =>
-  `{ x: ${number(x)}, y: ${number(y)}, theta: ${number(theta)} }`;
-
-/** @param {import('./parts.js').Group} group @returns {[string, string]} */
-const assigned = ([names, values, about]) => [
-  names.length === 1
-    ? `const ${names[0]} = ${number(values[0])};`
-    : `const [${names.join(', ')}] = [${values.map(number).join(', ')}];`,
-  about,
-];
+/** @type {Syntax} */
+const syntax = {
+  mark: '// ',
+  infinity: 'Infinity',
+  posture: (name, [x, y, theta]) => `const ${name} = { x: ${x}, y: ${y}, theta: ${theta} };`,
+  numbers: (names, numbers) =>
+    names.length === 1
+      ? `const ${names[0]} = ${numbers[0]};`
+      : `const [${names.join(', ')}] = [${numbers.join(', ')}];`,
+};
 
 /** @param {string} text */
-const said = (text) => comment(text, '// ');
+const said = (text) => comment(text, syntax.mark);
 
 /** @param {Controller} controller @param {Words['comments']} words */
 export function javascript(controller, words) {
-  const { name, start, experiment } = controller;
-  const head = headOf(controller, words, `node ${name}.mjs`).map(said);
-  /** @type {[string, string][]} */
-  const poses = [
-    [`const START = ${pose(start)};`, words.start],
-    [`const GOAL = ${pose(experiment.goal)};`, words.goal],
-  ];
+  const pieces = piecesOf(controller, words, syntax, `node ${controller.name}.mjs`);
   return code`
-${head.join('\n')}
+${pieces.head}
 
-${beside(controlGroups(controller, words).map(assigned), ' // ')}
+${beside(pieces.control, ' // ')}
 
-${command(controller, words)}
+${command(pieces, words)}
 
 // ${words.driveTitle}
 
-${beside([...poses, ...driveGroups(controller, words).map(assigned)], ' // ')}
+${beside([...pieces.ends, ...pieces.drive], ' // ')}
 
-${drive(controller, words)}`;
+${drive(pieces, words)}`;
 }
 
-/** @param {Controller} controller @param {Words['comments']} words */
-function command(controller, words) {
-  const { law } = controller.experiment;
-  const limits = limitsOf(controller);
-  const isPaper = law === 'shim-kim';
+/** @param {Pieces} pieces @param {Words['comments']} words */
+function command({ experiment: { law }, isPaper, limits, isLimited }, words) {
   return code`
 ${said(words.command)}
 //
@@ -58,11 +47,11 @@ export function command(pose, goal, previous) {
   // ${words.law[law]}
   const { xe, ye, te } = error(pose, goal);
   ${isPaper ? paperLaw : kanayamaRule}
-  ${when(limits.any, `// ${words.limits}`)}
-  ${when(limits.speed, 'v = clamp(v, -SPEED, SPEED);')}
-  ${when(limits.turnRate, 'w = clamp(w, -TURN_RATE, TURN_RATE);')}
-  ${when(limits.acceleration, 'v = clamp(v, previous.v - ACCELERATION * DT, previous.v + ACCELERATION * DT);')}
-  ${when(limits.turnAcceleration, 'w = clamp(w, previous.w - TURN_ACCELERATION * DT, previous.w + TURN_ACCELERATION * DT);')}
+  ${when(isLimited, `// ${words.limits}`)}
+  ${when(limits.speed !== null, 'v = clamp(v, -SPEED, SPEED);')}
+  ${when(limits.turnRate !== null, 'w = clamp(w, -TURN_RATE, TURN_RATE);')}
+  ${when(limits.acceleration !== null, 'v = clamp(v, previous.v - ACCELERATION * DT, previous.v + ACCELERATION * DT);')}
+  ${when(limits.turnAcceleration !== null, 'w = clamp(w, previous.w - TURN_ACCELERATION * DT, previous.w + TURN_ACCELERATION * DT);')}
   return { v, w };
 }
 
@@ -79,7 +68,7 @@ function wrap(angle) {
 }
 
 ${when(isPaper, inverse(words))}
-${when(limits.any || isPaper, clamp(words))}`;
+${when(isLimited || isPaper, clamp(words))}`;
 }
 
 const paperLaw = `const [s, c] = [Math.sin(te), Math.cos(te)];
@@ -105,11 +94,9 @@ function clamp(value, low, high) {
 }
 `;
 
-/** @param {Controller} controller @param {Words['comments']} words */
-function drive(controller, words) {
-  const { isTracking, canDiverge, page } = controller;
-  const { x, y, theta } = page.pose;
-  const numbers = [page.time, page.cost, x, y, theta].map(number).join(', ');
+/** @param {Pieces} pieces @param {Words['comments']} words */
+function drive(pieces, words) {
+  const { isTracking, canDiverge } = pieces;
   return code`
 ${said(words.advance)}
 function advance({ x, y, theta }, { v, w }) {
@@ -128,7 +115,7 @@ export function drive() {
     const [dx, dy, dtheta] = [goal.x - pose.x, goal.y - pose.y, wrap(goal.theta - pose.theta)];
     const square = dx * dx + dy * dy + dtheta * dtheta;
     ${when(canDiverge, `if (!Number.isFinite(square)) return { time: n * DT, cost: Infinity, pose }; // ${words.diverged}`)}
-    ${when(!isTracking, `const parked = dx * dx + dy * dy <= POSITION ** 2 && Math.abs(dtheta) <= HEADING${slowly(controller, { and: '&&', abs: 'Math.abs', v: 'q.v', w: 'q.w' })};`)}
+    ${when(!isTracking, `const parked = dx * dx + dy * dy <= POSITION ** 2 && Math.abs(dtheta) <= HEADING${slowly(pieces, { and: '&&', abs: 'Math.abs', v: 'q.v', w: 'q.w' })};`)}
     if (${isTracking ? '' : 'parked || '}n * DT >= HORIZON) {
       const time = ${isTracking ? 'HORIZON' : 'parked ? n * DT : HORIZON'};
       const last = W_X * dx * dx + W_Y * dy * dy + W_THETA * dtheta * dtheta;
@@ -146,7 +133,7 @@ function main() {
   const { time, cost, pose } = drive();
   const own = [time, cost, pose.x, pose.y, pose.theta];
   // ${words.pageNumbers}
-  const page = [${numbers}];
+  const page = [${pieces.said.join(', ')}];
   const digits = (value) => String(Number(value.toPrecision(12)));
   for (const [i, name] of [${rows.map((name) => `'${name}'`).join(', ')}].entries())
     console.log(name.padEnd(12) + digits(own[i]).padEnd(20) + 'page ' + digits(page[i]));

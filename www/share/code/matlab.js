@@ -1,34 +1,27 @@
 // The controller for MATLAB and for GNU Octave: a function file, whose functions of its own follow it.
-/** @import { Posture } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
-/** @import { Words } from './parts.js' */
-import { controlGroups, driveGroups, headOf, limitsOf, rows, slowly } from './parts.js';
-import { beside, code, comment, literal, when } from './text.js';
+/** @import { Pieces, Syntax, Words } from './parts.js' */
+import { piecesOf, rows, slowly } from './parts.js';
+import { beside, code, comment, when } from './text.js';
 
-const number = (/** @type {number} */ value) => literal(value, 'Inf');
-const pose = (/** @type {Posture} */ { x, y, theta }) => `[${[x, y, theta].map(number).join(' ')}]`;
-
-/** @param {import('./parts.js').Group} group @returns {[string, string]} */
-const assigned = ([names, values, about]) => [
-  names.map((name, i) => `p.${name} = ${number(values[i])};`).join(' '),
-  about,
-];
+/** @type {Syntax} */
+const syntax = {
+  mark: '% ',
+  infinity: 'Inf',
+  posture: (name, numbers) => `p.${name} = [${numbers.join(' ')}];`,
+  numbers: (names, numbers) => names.map((name, i) => `p.${name} = ${numbers[i]};`).join(' '),
+};
 
 /** @param {string} text */
-const said = (text) => comment(text, '% ');
+const said = (text) => comment(text, syntax.mark);
 
 /** @param {Controller} controller @param {Words['comments']} words */
 export function matlab(controller, words) {
-  const { name, start, experiment } = controller;
-  const head = headOf(controller, words, name).map(said);
-  /** @type {[string, string][]} */
-  const poses = [
-    [`p.START = ${pose(start)};`, words.start],
-    [`p.GOAL = ${pose(experiment.goal)};`, words.goal],
-  ];
+  const { name } = controller;
+  const pieces = piecesOf(controller, words, syntax, name);
   return code`
 function control = ${name}
-${head.join('\n')}
+${pieces.head}
 % ${words.handle} control = ${name}; q = control(pose, goal, previous)
 if nargout == 0
     main
@@ -38,21 +31,18 @@ end
 end
 
 function p = numbers
-${beside(controlGroups(controller, words).map(assigned), ' % ')}
+${beside(pieces.control, ' % ')}
 
 % ${words.driveTitle}
-${beside([...poses, ...driveGroups(controller, words).map(assigned)], ' % ')}
+${beside([...pieces.ends, ...pieces.drive], ' % ')}
 end
 
-${command(controller, words)}
-${drive(controller, words)}`;
+${command(pieces, words)}
+${drive(pieces, words)}`;
 }
 
-/** @param {Controller} controller @param {Words['comments']} words */
-function command(controller, words) {
-  const { law } = controller.experiment;
-  const limits = limitsOf(controller);
-  const isPaper = law === 'shim-kim';
+/** @param {Pieces} pieces @param {Words['comments']} words */
+function command({ experiment: { law }, isPaper, limits, isLimited }, words) {
   return code`
 function q = command(pose, goal, previous)
 ${said(words.command)}
@@ -64,11 +54,11 @@ p = numbers;
 % ${words.law[law]}
 [xe, ye, te] = error_posture(pose, goal);
 ${isPaper ? paperLaw : kanayamaRule}
-${when(limits.any, `% ${words.limits}`)}
-${when(limits.speed, 'v = clamp(v, -p.SPEED, p.SPEED);')}
-${when(limits.turnRate, 'w = clamp(w, -p.TURN_RATE, p.TURN_RATE);')}
-${when(limits.acceleration, 'v = clamp(v, previous(1) - p.ACCELERATION * p.DT, previous(1) + p.ACCELERATION * p.DT);')}
-${when(limits.turnAcceleration, 'w = clamp(w, previous(2) - p.TURN_ACCELERATION * p.DT, previous(2) + p.TURN_ACCELERATION * p.DT);')}
+${when(isLimited, `% ${words.limits}`)}
+${when(limits.speed !== null, 'v = clamp(v, -p.SPEED, p.SPEED);')}
+${when(limits.turnRate !== null, 'w = clamp(w, -p.TURN_RATE, p.TURN_RATE);')}
+${when(limits.acceleration !== null, 'v = clamp(v, previous(1) - p.ACCELERATION * p.DT, previous(1) + p.ACCELERATION * p.DT);')}
+${when(limits.turnAcceleration !== null, 'w = clamp(w, previous(2) - p.TURN_ACCELERATION * p.DT, previous(2) + p.TURN_ACCELERATION * p.DT);')}
 q = [v w];
 end
 
@@ -87,7 +77,7 @@ angle = angle - 2 * pi * ceil((angle - pi) / (2 * pi));
 end
 
 ${when(isPaper, inverse(words))}
-${when(limits.any || isPaper, clamp(words))}`;
+${when(isLimited || isPaper, clamp(words))}`;
 }
 
 const paperLaw = `s = sin(te); c = cos(te);
@@ -113,11 +103,9 @@ value = max(low, min(high, value));
 end
 `;
 
-/** @param {Controller} controller @param {Words['comments']} words */
-function drive(controller, words) {
-  const { isTracking, canDiverge, page } = controller;
-  const { x, y, theta } = page.pose;
-  const numbers = [page.time, page.cost, x, y, theta].map(number).join(' ');
+/** @param {Pieces} pieces @param {Words['comments']} words */
+function drive(pieces, words) {
+  const { isTracking, canDiverge } = pieces;
   return code`
 function pose = advance(pose, q, dt)
 ${said(words.advance)}
@@ -141,7 +129,7 @@ while true
     ${when(canDiverge, '    time = n * p.DT; cost = Inf;')}
     ${when(canDiverge, '    return')}
     ${when(canDiverge, 'end')}
-    ${when(!isTracking, `parked = d(1)^2 + d(2)^2 <= p.POSITION^2 && abs(d(3)) <= p.HEADING${slowly(controller, { and: '&&', abs: 'abs', v: 'q(1)', w: 'q(2)', of: 'p.' })};`)}
+    ${when(!isTracking, `parked = d(1)^2 + d(2)^2 <= p.POSITION^2 && abs(d(3)) <= p.HEADING${slowly(pieces, { and: '&&', abs: 'abs', v: 'q(1)', w: 'q(2)', of: 'p.' })};`)}
     if ${isTracking ? '' : 'parked || '}n * p.DT >= p.HORIZON
         break
     end
@@ -165,7 +153,7 @@ function main
 names = {${rows.map((name) => `'${name}'`).join(', ')}};
 own = [time cost pose];
 % ${words.pageNumbers}
-page = [${numbers}];
+page = [${pieces.said.join(' ')}];
 for i = 1:5
     fprintf('%-12s%-20.12gpage %.12g\n', names{i}, own(i), page(i));
 end

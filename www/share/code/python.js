@@ -1,54 +1,43 @@
 // The controller in Python 3, which needs nothing but its own library.
 /** @import { Controller } from './controller.js' */
-/** @import { Words } from './parts.js' */
-import { controlGroups, driveGroups, headOf, limitsOf, rows, slowly } from './parts.js';
-import { beside, code, comment, literal, when } from './text.js';
+/** @import { Pieces, Syntax, Words } from './parts.js' */
+import { piecesOf, rows, slowly } from './parts.js';
+import { beside, code, comment, when } from './text.js';
 
-const number = (/** @type {number} */ value) => literal(value, 'math.inf');
-const pose = (/** @type {import('../../core/engine.js').Posture} */ { x, y, theta }) =>
-  `(${[x, y, theta].map(number).join(', ')})`;
-
-/** @param {import('./parts.js').Group} group @returns {[string, string]} */
-const assigned = ([names, values, about]) => [
-  `${names.join(', ')} = ${values.map(number).join(', ')}`,
-  about,
-];
+/** @type {Syntax} */
+const syntax = {
+  mark: '# ',
+  infinity: 'math.inf',
+  posture: (name, numbers) => `${name} = (${numbers.join(', ')})`,
+  numbers: (names, numbers) => `${names.join(', ')} = ${numbers.join(', ')}`,
+};
 
 /** @param {string} text */
 const doc = (text) => comment(`"""${text}"""`, '');
 
 /** @param {Controller} controller @param {Words['comments']} words */
 export function python(controller, words) {
-  const { name, start, experiment } = controller;
-  const head = headOf(controller, words, `python3 ${name}.py`).map((text) => comment(text, '# '));
-  /** @type {[string, string][]} */
-  const poses = [
-    [`START = ${pose(start)}`, words.start],
-    [`GOAL = ${pose(experiment.goal)}`, words.goal],
-  ];
+  const pieces = piecesOf(controller, words, syntax, `python3 ${controller.name}.py`);
   return code`
-${head.join('\n')}
+${pieces.head}
 
 import math
 
-${beside(controlGroups(controller, words).map(assigned), '  # ')}
+${beside(pieces.control, '  # ')}
 
 
-${command(controller, words)}
+${command(pieces, words)}
 
 # ${words.driveTitle}
 
-${beside([...poses, ...driveGroups(controller, words).map(assigned)], '  # ')}
+${beside([...pieces.ends, ...pieces.drive], '  # ')}
 
 
-${drive(controller, words)}`;
+${drive(pieces, words)}`;
 }
 
-/** @param {Controller} controller @param {Words['comments']} words */
-function command(controller, words) {
-  const { law } = controller.experiment;
-  const limits = limitsOf(controller);
-  const isPaper = law === 'shim-kim';
+/** @param {Pieces} pieces @param {Words['comments']} words */
+function command({ experiment: { law }, isPaper, limits, isLimited }, words) {
   return code`
 def command(pose, goal, previous):
     """${comment(words.command, '').replaceAll('\n', '\n    ')}
@@ -60,12 +49,12 @@ def command(pose, goal, previous):
     # ${words.law[law]}
     xe, ye, te = error(pose, goal)
     ${isPaper ? paperLaw : kanayamaRule}
-    ${when(limits.any, `# ${words.limits}`)}
-    ${when(limits.acceleration || limits.turnAcceleration, 'v0, w0 = previous')}
-    ${when(limits.speed, 'v = clamp(v, -SPEED, SPEED)')}
-    ${when(limits.turnRate, 'w = clamp(w, -TURN_RATE, TURN_RATE)')}
-    ${when(limits.acceleration, 'v = clamp(v, v0 - ACCELERATION * DT, v0 + ACCELERATION * DT)')}
-    ${when(limits.turnAcceleration, 'w = clamp(w, w0 - TURN_ACCELERATION * DT, w0 + TURN_ACCELERATION * DT)')}
+    ${when(isLimited, `# ${words.limits}`)}
+    ${when((limits.acceleration ?? limits.turnAcceleration) !== null, 'v0, w0 = previous')}
+    ${when(limits.speed !== null, 'v = clamp(v, -SPEED, SPEED)')}
+    ${when(limits.turnRate !== null, 'w = clamp(w, -TURN_RATE, TURN_RATE)')}
+    ${when(limits.acceleration !== null, 'v = clamp(v, v0 - ACCELERATION * DT, v0 + ACCELERATION * DT)')}
+    ${when(limits.turnAcceleration !== null, 'w = clamp(w, w0 - TURN_ACCELERATION * DT, w0 + TURN_ACCELERATION * DT)')}
     return v, w
 
 
@@ -83,7 +72,7 @@ def wrap(angle):
 
 
 ${when(isPaper, inverse(words))}
-${when(limits.any, clamp(words))}`;
+${when(isLimited, clamp(words))}`;
 }
 
 const paperLaw = `s, c = math.sin(te), math.cos(te)
@@ -108,11 +97,9 @@ const clamp = (words) => `def clamp(value, low, high):
     return max(low, min(high, value))
 `;
 
-/** @param {Controller} controller @param {Words['comments']} words */
-function drive(controller, words) {
-  const { isTracking, canDiverge, page } = controller;
-  const { x, y, theta } = page.pose;
-  const numbers = [page.time, page.cost, x, y, theta].map(number).join(', ');
+/** @param {Pieces} pieces @param {Words['comments']} words */
+function drive(pieces, words) {
+  const { isTracking, canDiverge } = pieces;
   return code`
 def advance(pose, q):
     ${doc(words.advance)}
@@ -132,7 +119,7 @@ def drive():
         square = dx * dx + dy * dy + dtheta * dtheta
         ${when(canDiverge, `if not math.isfinite(square):  # ${words.diverged}`)}
         ${when(canDiverge, '    return n * DT, math.inf, pose')}
-        ${when(!isTracking, `parked = dx * dx + dy * dy <= POSITION**2 and abs(dtheta) <= HEADING${slowly(controller, { and: 'and', abs: 'abs', v: 'q[0]', w: 'q[1]' })}`)}
+        ${when(!isTracking, `parked = dx * dx + dy * dy <= POSITION**2 and abs(dtheta) <= HEADING${slowly(pieces, { and: 'and', abs: 'abs', v: 'q[0]', w: 'q[1]' })}`)}
         if ${isTracking ? '' : 'parked or '}n * DT >= HORIZON:
             break
         v, w = q = command(pose, goal, q)
@@ -149,7 +136,7 @@ def drive():
 def main():
     time, cost, pose = drive()
     # ${words.pageNumbers}
-    page = ${numbers}
+    page = ${pieces.said.join(', ')}
     for name, own, said in zip((${rows.map((name) => `"${name}"`).join(', ')}), (time, cost, *pose), page):
         print(f"{name:12}{own:<20.12g}page {said:.12g}")
 

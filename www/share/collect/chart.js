@@ -140,13 +140,8 @@ const createHistogram = (root) =>
       context.clearRect(frame.right + 4, frame.top, left - frame.right - 8, frame.bottom - frame.top + 2);
       drawBar(context, [left + 3, whole.right - 3], y, beyond);
       const middle = left + apart.width / 2;
-      drawNumbersBelow(
-        context,
-        scaleLinear([0, 1], [middle, middle]),
-        frame.bottom,
-        [0],
-        [words.texts.larger],
-      );
+      const inMiddle = scaleLinear([0, 1], [middle, middle]);
+      drawNumbersBelow(context, inMiddle, frame.bottom, [0], [words.texts.larger]);
     }
     if (aim !== null) drawUpright(context, x(aim), frame, { token: '--ink', width: 1.5, dash: [4, 3] });
     drawAxisNames(context, { ...whole, top: 2 }, { x: words.texts.costAxis, y: words.texts.countAxis });
@@ -184,11 +179,8 @@ const createGainsPlane = (root) =>
   createChart(root, (context, size, /** @type {Model} */ { points }) => {
     const frame = frameIn(size, room);
     const domains = [across, up].map((gain) => reach(points.map(({ gains }) => gains[gain])));
-    const [x, y] = domains.map((domain, i) =>
-      scaleLinear(padded(domain), i === 0 ? [frame.left, frame.right] : [frame.bottom, frame.top]).clamp(
-        true,
-      ),
-    );
+    const x = scaleLinear(padded(domains[0]), [frame.left, frame.right]).clamp(true);
+    const y = scaleLinear(padded(domains[1]), [frame.bottom, frame.top]).clamp(true);
     const ticks = { x: ticksOn(x, 64), y: ticksOn(y, 32) };
     drawGrid(context, { frame, x, y }, ticks, sameDigits(ticks.y));
     drawNumbersBelow(context, x, frame.bottom, ticks.x, sameDigits(ticks.x));

@@ -1,6 +1,7 @@
 // The check that runs: of what was pasted and chosen, by the exercise that is asked for. Another one ends it.
 /** @import { Given } from './check.js' */
-/** @import { Tools, View } from './dialog.js' */
+/** @import { SheetTools } from '../load.js' */
+/** @import { View } from './dialog.js' */
 import { byId } from '../../kit/elements.js';
 import { messageOf } from '../../words/errors.js';
 import { createChecker } from './check.js';
@@ -12,7 +13,7 @@ import words from './words/index.js';
 /** What is not known before a check is over. @type {Pick<View, 'share' | 'status' | 'isBad' | 'note' | 'rows' | 'given' | 'first'>} */
 const unchecked = { share: null, status: '', isBad: false, note: '', rows: [], given: null, first: 0 };
 
-/** @param {Tools} tools @param {() => View} viewNow @param {(patch: Partial<View>) => void} update */
+/** @param {SheetTools} tools @param {() => View} viewNow @param {(patch: Partial<View>) => void} update */
 export function createChecking({ engine, links }, viewNow, update) {
   const reader = createReader(links.pages);
   const checker = createChecker(engine, links);

@@ -20,8 +20,6 @@ import words from './words/index.js';
 const { texts } = words;
 
 /** What the sheet shows. `note`: what came of a press in the table; `opened`: the hand-in that is on the page, and since when it is. @typedef {{ status: string, isBad: boolean, note: string, share: number | null, rows: Row[], given: Given | null, files: File[], order: import('./table.js').Order, first: number, opened: { index: number, since: number } | null }} View */
-/** @typedef {Omit<SheetTools, 'openChecks' | 'openCode'>} Tools */
-
 /** @type {View} */
 const noView = {
   status: '',
@@ -36,7 +34,7 @@ const noView = {
   opened: null,
 };
 
-/** @param {Tools} tools @param {Sheet} sheet */
+/** @param {SheetTools} tools @param {Sheet} sheet */
 export function createCollect(tools, sheet) {
   const { engine, store, links } = tools;
   const rowsElement = /** @type {HTMLTableElement} */ (create('table', 'collect-table'));
@@ -93,11 +91,8 @@ export function createCollect(tools, sheet) {
     const { rows, order, first, given } = view;
     strip.draw(view, store.get().work.since);
     if (rows.length === 0) return;
-    fillTable(
-      rowsElement,
-      tableOf(rows, order, (row) => isPinned(tools, row), on),
-      first,
-    );
+    const table = tableOf(rows, order, (row) => isPinned(tools, row), on);
+    fillTable(rowsElement, table, first);
     // The sheet has its name already.
     rowsElement.caption?.classList.add('visually-hidden');
     charts.draw(rows, given, store.get().theme);

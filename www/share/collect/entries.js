@@ -98,11 +98,8 @@ export function createReader(pages) {
   async function fromLines(text, name) {
     const isHtml = /<\/?(?:p|div|br|a|span|li|td|html|body|img|script)\b/i.test(text);
     if (isHtml && new Set(linksIn(text)).size < 2) return [entryOf(text, name)];
-    const lines = (
-      isHtml ? saidIn(text.replace(/<a\b[^<>]*\bhref=["']([^"'<>]*)["'][^<>]*>/gi, ' $1 ')) : text
-    )
-      .split(/\r?\n/)
-      .map((line) => line.trim());
+    const withLinks = text.replace(/<a\b[^<>]*\bhref=["']([^"'<>]*)["'][^<>]*>/gi, ' $1 ');
+    const lines = (isHtml ? saidIn(withLinks) : text).split(/\r?\n/).map((line) => line.trim());
     /** @type {Entry[]} */
     const entries = [];
     const add = (/** @type {string} */ one, /** @type {string} */ whose) =>
@@ -130,10 +127,11 @@ export function createReader(pages) {
   return {
     /** @param {string} text @returns {Promise<Entry[]>} */
     async read(text) {
-      const table = tableIn(text, (line) => linksIn(line).length > 0);
+      const hasLink = (/** @type {string} */ cell) => linksIn(cell).length > 0;
+      const table = tableIn(text, hasLink);
       if (!table) return fromLines(text, '');
       const turn = createTurns(slice);
-      const parts = partsOf(table.columns, table.rows, (cell) => linksIn(cell).length > 0);
+      const parts = partsOf(table.columns, table.rows, hasLink);
       const entries = [];
       for (const row of table.rows) {
         await turn();
@@ -152,7 +150,7 @@ export function createReader(pages) {
     },
 
     /** @param {string} name @returns {Entry} */
-    tooLong: (name) => ({ name, ident: {}, text: '', link: null, why: 'long', isReceipt: false }),
+    tooLong: (name) => ({ ...unread, name, why: 'long' }),
   };
 }
 
@@ -207,21 +205,13 @@ const mostIdents = 20;
 /** The column of what a student wrote: a row without a hand-in says how that begins. */
 const written = /^(online text|submission text|text|온라인 텍스트|texte en ligne|texteingabe online)$/i;
 
-/** A table with a head, if it is one. @param {string} text @param {(line: string) => boolean} hasLink */
+/** A table with a head, if it is one. @param {string} text @param {(cell: string) => boolean} hasLink */
 function tableIn(text, hasLink) {
   // A mark that some programs put before a text.
   const whole = text.replace(/^\ufeff/, '');
-  const [head, next] = Papa.parse(whole.slice(0, 100_000), { preview: 2, skipEmptyLines: 'greedy' }).data.map(
-    (row) => /** @type {string[]} */ (row),
-  );
-  if (
-    !head ||
-    !next ||
-    head.length < 2 ||
-    next.length < head.length - 1 ||
-    head.some((cell) => hasLink(cell))
-  )
-    return null;
+  const first = Papa.parse(whole.slice(0, 100_000), { preview: 2, skipEmptyLines: 'greedy' });
+  const [head, next] = /** @type {string[][]} */ (first.data);
+  if (!head || !next || head.length < 2 || next.length < head.length - 1 || head.some(hasLink)) return null;
   if (!head.some((cell) => Object.values(names).some((name) => name.test(cell.trim())))) return null;
   const [columns, ...rows] = /** @type {string[][]} */ (Papa.parse(whole, { skipEmptyLines: 'greedy' }).data);
   return { columns: columns.map((column) => column.trim()), rows };

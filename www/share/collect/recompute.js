@@ -6,6 +6,7 @@
 /** @import { Measured } from '../handin/measure.js' */
 /** @import { Checked, Given, Worth } from './check.js' */
 /** @import { Entry } from './entries.js' */
+import { samplesOfRobot } from '../../core/bounds.js';
 import { apartFrom } from '../../link/exercise.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
@@ -22,8 +23,7 @@ const mostSamples = 5e9;
 export function isHeavy(engine, run, given) {
   const { experiment, generation, driver } = run;
   const { population } = experiment.evolution;
-  const each = (experiment.starts.length * experiment.horizon) / experiment.sampleTime;
-  const evolved = driver === 'evolved' ? population * (generation + 1) * each : 0;
+  const evolved = driver === 'evolved' ? population * (generation + 1) * samplesOfRobot(experiment) : 0;
   return evolved + samplesToMeasure(engine, given.run.exercise.aim, experiment) > mostSamples;
 }
 
@@ -51,7 +51,6 @@ export async function recompute(tools, run, entry, given, { signal, turn }) {
     how: howOf(run),
     cost: there.cost,
     own: own.cost,
-    value: there.value,
     drives: made,
     minutes: told?.minutes ?? null,
     isTold: drives === null,

@@ -1,5 +1,6 @@
 // What can be done with the hand-ins that are there: sort, pin, save, and open them one after the other.
-/** @import { Tools, View } from './dialog.js' */
+/** @import { SheetTools } from '../load.js' */
+/** @import { View } from './dialog.js' */
 /** @import { Row } from './check.js' */
 /** @import { Sheet } from '../../kit/sheet.js' */
 /** @import { Column } from './words/common.js' */
@@ -15,13 +16,13 @@ import words from './words/index.js';
 /** What a pin holds. @param {Row} row */
 const drivenOf = ({ checked }) => checked && { experiment: checked.run.experiment, gains: checked.gains };
 
-/** @param {Tools} tools @param {Row} row */
+/** @param {SheetTools} tools @param {Row} row */
 export function isPinned({ store }, row) {
   const driven = drivenOf(row);
   return driven !== null && pinOf(store.get().pins, driven) !== undefined;
 }
 
-/** @param {Tools} tools @param {Sheet} sheet @param {() => View} viewNow @param {(patch: Partial<View>) => void} update */
+/** @param {SheetTools} tools @param {Sheet} sheet @param {() => View} viewNow @param {(patch: Partial<View>) => void} update */
 export function createRowEvents({ store, actions, open, keepPlace }, sheet, viewNow, update) {
   return {
     /** @param {Column} column */

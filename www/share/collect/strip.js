@@ -18,7 +18,6 @@ export function createStrip(on) {
   byId('exercise').before(root);
   const changed = watch();
   return {
-    root,
     /** @param {View} view @param {number} since When what is on the page was opened. */
     draw(view, since) {
       if (!changed(view, since)) return;
@@ -36,11 +35,8 @@ function contentOf(rows, readable, index, on) {
   const place = readable.indexOf(index);
   const row = rows[index];
   const remarks = remarksOf(row, rows);
-  const button = (
-    /** @type {string} */ id,
-    /** @type {string} */ text,
-    /** @type {number | undefined} */ to,
-  ) =>
+  /** @param {string} id @param {string} text @param {number | undefined} to */
+  const button = (id, text, to) =>
     html`<button id=${id} type="button" aria-disabled=${String(to === undefined)} @click=${() => to !== undefined && on.open(to)}>${text}</button>`;
   return html`
     <p role="status"><b>${nameOf(row) || words.rowNumber(index)}</b> · ${saidOf(row).join(' · ')}

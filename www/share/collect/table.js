@@ -32,6 +32,7 @@ export const nameOf = ({ entry, checked }) => entry.name || checked?.who || '';
 export function remarksOf({ entry, checked, problem, same }, rows) {
   if (!checked) return [words.problemText(entry.text, problem)];
   const { worth, told, lacksDrives, differs, cost, own } = checked;
+  const [numbers, names] = [same.map((i) => i + 1), same.map((i) => nameOf(rows[i]))];
   return [
     ...(worth === 'holds'
       ? []
@@ -39,14 +40,7 @@ export function remarksOf({ entry, checked, problem, same }, rows) {
     ...(lacksDrives ? [words.lacksDrives] : []),
     ...(differs.length > 0 ? [words.differs(differs)] : []),
     ...(own === cost || Number.isNaN(own) ? [] : [words.ownCost(words.numberText(own))]),
-    ...(same.length > 0
-      ? [
-          words.same(
-            same.map((i) => i + 1),
-            same.map((i) => nameOf(rows[i])),
-          ),
-        ]
-      : []),
+    ...(same.length > 0 ? [words.same(numbers, names)] : []),
   ];
 }
 
@@ -132,42 +126,37 @@ export const csvName = 'hand-ins.csv';
 /** What a spreadsheet takes for a formula; a number below zero is none. */
 const formula = /^[=+@\t\r]|^-(?!\d+(?:\.\d+)?(?:e[+-]?\d+)?$)/;
 
+/** What a row has in a column of the file, if it has anything. @typedef {readonly [head: string, cellOf: (row: Row) => string | number | null | undefined]} CsvColumn */
+
 /** For the gradebook: the columns by which the learning platform knows its students stand first. No cell is a formula. @param {readonly Row[]} rows @param {string} page The address of this page. */
 export function csvOf(rows, page) {
-  const idents = [...new Set(rows.flatMap(({ entry }) => Object.keys(entry.ident)))];
-  const lines = rows.map((row) => {
-    const { checked, entry } = row;
-    const { judged } = checked ?? {};
-    return [
-      nameOf(row),
-      ...idents.map((column) => entry.ident[column] ?? ''),
-      judged?.points ?? (judged ? Number(judged.isMet) : ''),
-      checked ? metText(checked) : '',
-      checked ? digits(checked.cost) : '',
-      checked?.drives ?? '',
-      checked?.minutes ?? '',
-      ...(checked ? checked.gains.map(digits) : ['', '', '']),
-      checked?.how ?? '',
-      checked?.answers ?? '',
-      remarksOf(row, rows).join('; '),
-      checked?.who ?? '',
-      entry.link && checked ? `${page}#${entry.link}` : '',
-    ];
-  });
+  const names = [...new Set(rows.flatMap(({ entry }) => Object.keys(entry.ident)))];
+  /** @type {readonly CsvColumn[]} */
+  const idents = names.map((name) => [name, ({ entry }) => entry.ident[name]]);
+  /** @type {readonly CsvColumn[]} */
+  const gains = ['kx', 'ky', 'ktheta'].map((name, i) => [
+    name,
+    ({ checked }) => checked && digits(checked.gains[i]),
+  ]);
   const { points, aim, drives, minutes, how, answers, remarks, link } = words.csvHead;
-  const numbers = ['J', drives, minutes, 'kx', 'ky', 'ktheta'];
-  const fields = [
-    words.columns.name,
+  /** @type {readonly CsvColumn[]} */
+  const columns = [
+    [words.columns.name, nameOf],
     ...idents,
-    points,
-    aim,
-    ...numbers,
-    how,
-    answers,
-    remarks,
-    words.columns.who,
-    link,
+    [points, ({ checked }) => checked?.judged && (checked.judged.points ?? Number(checked.judged.isMet))],
+    [aim, ({ checked }) => checked && metText(checked)],
+    ['J', ({ checked }) => checked && digits(checked.cost)],
+    [drives, ({ checked }) => checked?.drives],
+    [minutes, ({ checked }) => checked?.minutes],
+    ...gains,
+    [how, ({ checked }) => checked?.how],
+    [answers, ({ checked }) => checked?.answers],
+    [remarks, (row) => remarksOf(row, rows).join('; ')],
+    [words.columns.who, ({ checked }) => checked?.who],
+    [link, ({ entry, checked }) => checked && entry.link && `${page}#${entry.link}`],
   ];
+  const fields = columns.map(([head]) => head);
+  const data = rows.map((row) => columns.map(([, cellOf]) => cellOf(row)));
   // Spreadsheets know by the mark that it is UTF-8.
-  return `\ufeff${Papa.unparse({ fields, data: lines }, { escapeFormulae: formula })}\r\n`;
+  return `\ufeff${Papa.unparse({ fields, data }, { escapeFormulae: formula })}\r\n`;
 }

@@ -12,7 +12,7 @@ import words from '../words/index.js';
 
 const { texts } = words;
 
-/** As they are typed. @typedef {{ kind: 'none' | 'cost' | 'parks' | 'unseen', value: string, drives: string, points: [string, string, string, string] }} Fields */
+/** As they are typed. @typedef {{ kind: 'none' | 'cost' | 'parks' | 'unseen', value: string, drives: string, points: readonly string[] }} Fields */
 
 /** @type {Readonly<Record<'cost' | 'parks' | 'unseen', string>>} */
 const firstValues = { cost: '8', parks: '28/32', unseen: '0.6' };
@@ -28,12 +28,7 @@ function fieldsOf({ aim, scale }) {
   const { kind } = aim.wanted;
   const value = aimText({ ...aim, drives: null }).slice(heads[kind].length);
   const points = scale ? scaleText(scale).split(/[:,]/) : blank.points;
-  return {
-    kind,
-    value,
-    drives: aim.drives === null ? '' : String(aim.drives),
-    points: /** @type {Fields['points']} */ (points),
-  };
+  return { kind, value, drives: aim.drives === null ? '' : String(aim.drives), points };
 }
 
 /** What is wrong is said in the words of the field that it is in. @template T @param {string} why @param {() => T} read */
@@ -65,20 +60,17 @@ function asked({ kind, ...fields }) {
 
 /** @param {() => Exercise} draft @param {(patch: Partial<Exercise>) => void} change @param {() => void} redraw */
 export function createAimFields(draft, change, redraw) {
-  let fields = blank;
-  let error = '';
-  let version = 0;
+  let typed = { fields: blank, error: '' };
 
   /** @param {Partial<Fields>} patch */
   const type = (patch) => {
-    fields = { ...fields, ...patch };
-    version += 1;
+    const fields = { ...typed.fields, ...patch };
     try {
       const next = asked(fields);
-      error = '';
+      typed = { fields, error: '' };
       change(next);
     } catch (reason) {
-      error = messageOf(reason);
+      typed = { fields, error: messageOf(reason) };
       redraw();
     }
   };
@@ -92,9 +84,7 @@ export function createAimFields(draft, change, redraw) {
     },
     /** @param {number} index @param {string} text */
     points: (index, text) =>
-      type({
-        points: /** @type {Fields['points']} */ (fields.points.map((one, i) => (i === index ? text : one))),
-      }),
+      type({ points: typed.fields.points.map((one, i) => (i === index ? text : one)) }),
     /** @param {Varied} name */
     vary(name) {
       const { vary } = draft();
@@ -103,33 +93,28 @@ export function createAimFields(draft, change, redraw) {
   };
 
   return {
-    version: () => version,
-    isWrong: () => error !== '',
+    /** What is typed: another object when it has changed. */
+    typed: () => typed,
     /** @param {Exercise} exercise */
     read(exercise) {
-      fields = fieldsOf(exercise);
-      error = '';
-      version += 1;
+      typed = { fields: fieldsOf(exercise), error: '' };
     },
     /** @param {Exercise} exercise */
-    fields: (exercise) => fieldsHtml(fields, error, exercise, on),
+    fields: (exercise) => fieldsHtml(typed, exercise, on),
   };
 }
 
 /** @param {string} id @param {string} label @param {string} value @param {(text: string) => void} onInput */
-const field = (
-  id,
-  label,
-  value,
-  onInput,
-) => html`<input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" aria-label=${label}
+function field(id, label, value, onInput) {
+  return html`<input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" aria-label=${label}
   .value=${live(value)} @input=${(/** @type {Event} */ event) => onInput(valueIn(event))}>`;
+}
 
 /**
- * @param {Fields} fields @param {string} error @param {Exercise} exercise
+ * @param {{ fields: Fields, error: string }} typed @param {Exercise} exercise
  * @param {{ type: (patch: Partial<Fields>) => void, kind: (event: Event) => void, points: (index: number, text: string) => void, vary: (name: Varied) => void }} on
  */
-function fieldsHtml({ kind, value, drives, points }, error, { vary, aim }, on) {
+function fieldsHtml({ fields: { kind, value, drives, points }, error }, { vary, aim }, on) {
   return html`
     <label for="maker-aim" class="maker-label">${texts.makerAim}</label>
     <div class="maker-aim">

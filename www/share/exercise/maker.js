@@ -9,7 +9,7 @@ import './maker.css';
 import { html, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { copy } from '../../kit/copy.js';
-import { byId, create } from '../../kit/elements.js';
+import { byId } from '../../kit/elements.js';
 import { addressOf } from '../../kit/host.js';
 import { watch } from '../../kit/memo.js';
 import { choicesOf } from '../../kit/segmented.js';
@@ -26,6 +26,7 @@ import {
 } from '../../run/exercise.js';
 import { nothingDone } from '../../run/state.js';
 import { nobody, undrawn } from '../../run/variant.js';
+import { createPanel } from '../../settings/panel.js';
 import { exercise as exerciseWords } from '../../words/index.js';
 import { frameOf, isOnDisk } from '../frame-text.js';
 import { withoutAnswer } from '../handin/work.js';
@@ -38,7 +39,7 @@ const { texts } = words;
 
 /** @param {SheetTools} tools */
 export function createMaker({ engine, store, actions, links, paper }) {
-  const panel = createPanel();
+  const panel = createPanel('maker', 'settings maker');
   let status = '';
   let [linkNow, linkSaid] = ['', ''];
   const draftNow = () => store.get().maker.draft;
@@ -94,13 +95,13 @@ export function createMaker({ engine, store, actions, links, paper }) {
       // What was said of another exercise is not true of this one.
       if (link !== linkSaid) status = '';
       const isRefused = state.page === withoutAnswer && asksSomething(draft);
-      if (changed(draft, link, status, aim.version(), preview.chosen(), packaging.asks(), isRefused)) {
+      if (changed(draft, link, status, aim.typed(), preview.chosen(), packaging.asks(), isRefused)) {
         const addresses = {
           link: addressOf(location.href, link, false),
           frame: frameOf(state, link, preview.chosen() ?? undefined),
         };
         render(
-          panelOf(draft, isRefused ? null : addresses, aim.isWrong(), status, {
+          panelOf(draft, isRefused ? null : addresses, aim.typed().error !== '', status, {
             ...on,
             fields: aim.fields(draft),
             preview: preview.choice(),
@@ -113,15 +114,6 @@ export function createMaker({ engine, store, actions, links, paper }) {
       if (isOther) byId('maker-task').focus();
     },
   };
-}
-
-function createPanel() {
-  const panel = create('aside', 'settings maker');
-  panel.id = 'maker';
-  panel.hidden = true;
-  panel.setAttribute('aria-labelledby', 'maker-title');
-  byId('instrument').prepend(panel);
-  return panel;
 }
 
 /** What students get: as it is on screen, but drawn for nobody yet, and driven by what may be seen. @param {State} state @param {Exercise} draft @param {readonly PaperResult[]} paper @returns {Linked} */

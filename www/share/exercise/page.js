@@ -116,13 +116,11 @@ export function createExercise({ places, ...tools }) {
   // In a small frame a long task scrolls.
   if (isEmbedded) section.tabIndex = 0;
   // What moves is written into no address: only who is about to press takes it along as it is now.
-  for (const type of ['pointerdown', 'focus', 'click'])
-    leave.addEventListener(type, () =>
-      leave.setAttribute(
-        'href',
-        `#${links.linkOf({ ...store.get(), exercise: noExercise }, engine.experiment)}`,
-      ),
-    );
+  const follow = () => {
+    const link = links.linkOf({ ...store.get(), exercise: noExercise }, engine.experiment);
+    leave.setAttribute('href', `#${link}`);
+  };
+  for (const type of ['pointerdown', 'focus', 'click']) leave.addEventListener(type, follow);
   for (const type of ['click', 'auxclick']) document.addEventListener(type, keepFromLinks, true);
   const keeper = createKeeper(all, store);
 

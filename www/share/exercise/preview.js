@@ -1,17 +1,14 @@
 // What students will see: the page itself, or the very figure that they get in a frame.
 import { html } from 'lit-html';
-import { sizes } from '../../embed/frame.js';
 import { byId, create } from '../../kit/elements.js';
 import { choicesOf } from '../../kit/segmented.js';
+import { frames } from '../frame-text.js';
 import words from '../words/index.js';
 
 /** A figure is opened anew when nothing has been typed for so many milliseconds. */
 const pause = 400;
 
-const choices = [
-  { value: 'page', text: words.texts.makerPage, size: null },
-  ...sizes.map((size) => ({ value: size.join('x'), text: words.sizeText(size[0], size[1]), size })),
-];
+const choices = [{ value: 'page', text: words.texts.makerPage, size: null }, ...frames];
 
 /** @param {() => void} redraw */
 export function createPreview(redraw) {

@@ -2,6 +2,7 @@
 /** @import { Engine, Experiment, Triple } from '../../core/engine.js' */
 /** @import { SurveyOptions } from '../../core/surveys.js' */
 /** @import { Aim } from '../../run/aim.js' */
+import { samplesOfDrive } from '../../core/bounds.js';
 import { remember } from '../../kit/memo.js';
 import { circle } from '../../parts/park/task.js';
 import { createSets, testOn } from '../../parts/training/sets.js';
@@ -22,28 +23,17 @@ function startsFor(engine, aim, experiment) {
 /** @param {Engine} engine @param {Aim | null} aim @param {Experiment} experiment @param {Triple} gains @param {SurveyOptions} [options] @returns {Promise<Measured>} */
 export async function measure(engine, aim, experiment, gains, options) {
   const apart = startsFor(engine, aim, experiment);
-  const own = testOn(experiment, experiment.starts);
-  /** @type {[Experiment, Triple][]} */
-  const robots = [
-    [own, gains],
-    ...(apart ? [/** @type {[Experiment, Triple]} */ ([testOn(experiment, apart), gains])] : []),
-  ];
+  const robots = [experiment.starts, ...(apart ? [apart] : [])].map(
+    (starts) => /** @type {const} */ ([testOn(experiment, starts), gains]),
+  );
   // One after the other: of a channel's jobs only the newest is done.
-  const [cost] = await engine.surveys.costs([[own, gains]], options);
-  const [fares, aside] = await engine.surveys.fares(robots, options);
-  const parked = countOf(fares.arrived);
-  const wanted = aside ? countOf(aside.arrived) : parked;
-  return {
-    cost,
-    parked,
-    starts: experiment.starts.length,
-    value:
-      !aim || aim.wanted.kind === 'cost'
-        ? cost
-        : aim.wanted.kind === 'parks'
-          ? wanted
-          : wanted / aside.arrived.length,
-  };
+  const [cost] = await engine.surveys.costs([robots[0]], options);
+  const [own, aside = own] = await engine.surveys.fares(robots, options);
+  const parked = countOf(own.arrived);
+  const told = { cost, parked, starts: experiment.starts.length };
+  if (!aim || aim.wanted.kind === 'cost') return { ...told, value: cost };
+  const wanted = countOf(aside.arrived);
+  return { ...told, value: aim.wanted.kind === 'parks' ? wanted : wanted / aside.arrived.length };
 }
 
 /** @param {Uint8Array} arrived */
@@ -52,5 +42,5 @@ const countOf = (arrived) => arrived.reduce((sum, one) => sum + one, 0);
 /** How much there is to drive, in samples at most. @param {Engine} engine @param {Aim | null} aim @param {Experiment} experiment */
 export function samplesToMeasure(engine, aim, experiment) {
   const apart = startsFor(engine, aim, experiment)?.length ?? 0;
-  return ((2 * experiment.starts.length + apart) * experiment.horizon) / experiment.sampleTime;
+  return (2 * experiment.starts.length + apart) * samplesOfDrive(experiment);
 }

@@ -21,7 +21,7 @@ import { ownOf } from './own.js';
 
 /** Answers to the lesson's questions: the number of the choice, and whether the page found it right. @typedef {Readonly<Record<string, { choice: number, right: number | null }>>} Answers */
 /** @typedef {{ cost: number, parked: number, starts: number, drives: number, minutes: number, program: string, exercise: string, answers: string }} Told What a receipt says; the result of it is what whoever opens it computes again. */
-/** @typedef {Told & { who: string, link: string, gains: Triple, how: { driver: State['driver'], method: string, seed: number, generation: number }, measured: Measured, apart: readonly import('./own.js').Thing[], there: Measured, judged: Judged | null }} Receipt `there`: in the exercise as it was given, where it is judged; `apart`: what of the run is not as it has it. */
+/** @typedef {Told & { who: string, link: string, gains: Triple, how: { driver: State['driver'], method: string, seed: number, generation: number }, apart: readonly import('./own.js').Thing[], there: Measured, judged: Judged | null }} Receipt `there`: in the exercise as it was given, where it is judged; `apart`: what of the run is not as it has it. */
 /** What of a state says what is done. @typedef {import('../../link/keys.js').Linked & Pick<State, 'population' | 'history' | 'work'>} Done */
 
 const version = '1';
@@ -111,7 +111,6 @@ export async function receiptOf({ engine, links, paper }, state, answers = {}) {
     link: safe,
     gains,
     how: { driver, method, seed, generation },
-    measured,
     apart,
     there,
     judged: exercise.aim && judged(exercise.aim, exercise.scale, { value: there.value, drives: told.drives }),
@@ -130,14 +129,8 @@ export function toldIn(text) {
     /^\d{1,12}$/.test(one ?? '') ? Number(one) : Number.NaN,
   );
   const J = cost === '' ? Number.NaN : Number(cost);
-  if (
-    of !== version ||
-    Number.isNaN(J) ||
-    numbers.some(Number.isNaN) ||
-    answers === undefined ||
-    rest.length > 1
-  )
-    return null;
+  const isUnreadable = [J, ...numbers].some(Number.isNaN);
+  if (of !== version || isUnreadable || answers === undefined || rest.length > 1) return null;
   return {
     cost: J,
     parked: numbers[0],

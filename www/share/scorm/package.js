@@ -3,6 +3,7 @@
 import { Zip, ZipDeflate, strToU8 } from 'fflate';
 import { digitsOf } from '../../kit/hash.js';
 import { createTurns } from '../../kit/loop.js';
+import { escaped } from '../../kit/markup.js';
 
 /** @typedef {{ language: string, title: string, refused: string, tooLong: string, kept: string, nobody: string }} Sentences What the package says by itself. */
 
@@ -10,15 +11,6 @@ import { createTurns } from '../../kit/loop.js';
 const time = new Date(1995, 0, 1);
 /** So much is made smaller between two turns of the browser. */
 const slice = 65_536;
-
-const escapes = /** @type {Readonly<Record<string, string>>} */ ({
-  '&': '&amp;',
-  '<': '&lt;',
-  '>': '&gt;',
-  '"': '&quot;',
-});
-/** @param {string} text */
-const escaped = (text) => text.replace(/[&<>"]/g, (letter) => escapes[letter]);
 
 /** @param {string} id @param {string} title @param {readonly string[]} names */
 const manifest = (id, title, names) => `<?xml version="1.0" encoding="UTF-8"?>
