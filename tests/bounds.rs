@@ -173,8 +173,6 @@ fn a_grid_without_headings_or_columns_has_no_starts() {
 #[test]
 #[should_panic(expected = "there is no stream 536870912")]
 fn a_generation_beyond_the_last_has_no_draws() {
-    use ep_locomotion::search::GenerationRecord;
-    let setting = lasting(0.01, |_| ());
-    let parents = GenerationRecord::initial(&setting).population();
-    GenerationRecord::next(&setting, parents, LAST_GENERATION + 1);
+    let e = lasting(0.01, |_| ()).experiment().evolution;
+    ep_locomotion::search::search(Method::Ep).ask(&e, LAST_GENERATION + 1);
 }

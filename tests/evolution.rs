@@ -39,12 +39,12 @@ fn tau_and_tau_prime_are_the_papers_for_three_gains() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn gains_spread_by_the_old_sigma_and_sigmas_by_tau_and_tau_prime() {
-    let mut random = Random::new(1);
+    let (mut random, settings) = (Random::new(1), experiment(1).evolution);
     let count = 100_000;
     let mut steps = [const { Vec::new() }; 3];
     let mut logs = [const { Vec::new() }; 3];
     for _ in 0..count {
-        let offspring = Mutation::draw(&mut random.0).offspring(&PARENT);
+        let offspring = Mutation::draw(&mut random.0).offspring(&settings, &PARENT);
         for j in 0..3 {
             steps[j].push(
                 (offspring.gains.to_array()[j] - PARENT.gains.to_array()[j]) / PARENT.sigmas[j],
@@ -78,7 +78,7 @@ fn gains_spread_by_the_old_sigma_and_sigmas_by_tau_and_tau_prime() {
 #[wasm_bindgen_test(unsupported = test)]
 fn an_offspring_is_the_formula_of_its_draws() {
     let draws = Mutation { gains: [1.0, -2.0, 0.5], common: 0.3, sigmas: [-1.0, 0.0, 2.0] };
-    let offspring = draws.offspring(&PARENT);
+    let offspring = draws.offspring(&experiment(1).evolution, &PARENT);
     assert_eq!(offspring.gains, Gains::new(3.5, -3.5, 5.0005));
     for j in 0..3 {
         let exponent =
@@ -185,7 +185,7 @@ fn a_record_adds_up() {
         for (parent, (draws, offspring)) in
             record.parents.iter().zip(record.making.mutations.iter().zip(&record.offspring))
         {
-            let child = draws.offspring(parent);
+            let child = draws.offspring(&experiment(4).evolution, parent);
             assert_eq!((child.gains, child.sigmas), (offspring.gains, offspring.sigmas));
             let cost = evolution.setting().cost(&offspring.gains).total();
             assert_eq!(cost, offspring.cost);

@@ -7,7 +7,6 @@ use common::json::Given;
 use common::{assert_close, evolved};
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Velocity};
 use ep_locomotion::run::{Experiment, Preset, Setting};
-use ep_locomotion::search::GenerationRecord;
 use serde::Deserialize;
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -157,9 +156,8 @@ fn whole_runs_have_the_same_bits_everywhere() {
 #[wasm_bindgen_test(unsupported = test)]
 fn value_stability_of_the_random_streams() {
     let known = golden().draws;
-    let setting = Setting::new(seeded(Preset::VelocityLimits, known.seed)).expect("valid");
-    let first = GenerationRecord::initial(&setting);
-    let second = GenerationRecord::next(&setting, first.population(), 1);
+    let evolution = evolved(seeded(Preset::VelocityLimits, known.seed), 1);
+    let [first, second] = [0, 1].map(|number| evolution.record(number).expect("a generation"));
     let draws = second.making.mutations[0];
     assert_eq!(first.parents[0].gains.to_array(), known.parent);
     assert_eq!(draws.gains, known.gains);

@@ -116,7 +116,7 @@ fn who_survives_is_as_the_selection_says() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_crossed_parent_has_each_gain_and_its_sigma_of_one_of_two() {
     let evolution = evolved(searched_by(|e| e.crossover = 0.5), 40);
-    let mut crossed = 0;
+    let (mut crossed, e) = (0, &evolution.setting().experiment().evolution);
     for record in &records(&evolution)[1..] {
         for own in 0..20 {
             let (parent, base) = (record.parents[own], record.making.bases[own]);
@@ -131,7 +131,7 @@ fn a_crossed_parent_has_each_gain_and_its_sigma_of_one_of_two() {
                 let pair = |i: &Individual| (i.gains.to_array()[j], i.sigmas[j]);
                 assert!(pair(&base) == pair(&parent) || pair(&base) == pair(&partner));
             }
-            let child = record.making.mutations[own].offspring(&base);
+            let child = record.making.mutations[own].offspring(e, &base);
             assert_eq!(child.gains, record.offspring[own].gains);
         }
     }

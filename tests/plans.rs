@@ -245,7 +245,7 @@ fn a_simplex_keeps_what_nelder_and_mead_keep() {
         let mut last = search.best().gains;
         for (generation, motion) in (1..).zip(motions) {
             let brood = search.ask(&e, generation);
-            let trials = brood.trials();
+            let trials = brood.gains();
             let (own, others) = costs.split_at(trials.len());
             search.tell(&e, brood, own);
             assert_eq!(search.plan(&e).motion, Some(*motion), "{own:?}");

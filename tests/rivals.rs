@@ -24,7 +24,7 @@ fn runtime(e: &EvolutionSettings, function: Function) -> usize {
     let mut tried = 0;
     for generation in 0.. {
         let brood = search.ask(e, generation);
-        let costs: Vec<f64> = brood.trials().iter().map(|k| function(k.to_array())).collect();
+        let costs: Vec<f64> = brood.gains().iter().map(|k| function(k.to_array())).collect();
         if let Some(at) = costs.iter().position(|cost| *cost < 1e-8) {
             return (tried + at + 1).min(MOST);
         }

@@ -23,7 +23,7 @@ impl Setting {
         experiment.validate()?;
         let (starts, evolution) = (experiment.starts.len(), &experiment.evolution);
         let field = if evolution.is_by_population() { "evolution.population" } else { STARTS };
-        let count = evolution.most_trials().into();
+        let count = evolution.most_solutions().into();
         Work { field, count, starts, bytes: 0.0 }.check(&experiment)?;
         let (samples, rules) = (experiment.samples(), Rules::new(&experiment));
         Ok(Self { rules, samples, goal: Frame::new(experiment.goal), experiment })

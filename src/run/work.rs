@@ -41,9 +41,9 @@ impl Work<'_> {
         self.check_each(e, e.work_from(self.starts))
     }
 
-    /// The same for trials of a search, which does more than to drive.
-    pub(crate) fn check_trials(self, e: &Experiment) -> Result<(), InvalidInput> {
-        self.check_each(e, e.work_of_a_trial())
+    /// The same for new solutions of a search, which does more than to drive.
+    pub(crate) fn check_solutions(self, e: &Experiment) -> Result<(), InvalidInput> {
+        self.check_each(e, e.work_of_a_solution())
     }
 
     fn check_each(self, e: &Experiment, one: f64) -> Result<(), InvalidInput> {
@@ -72,11 +72,11 @@ impl Work<'_> {
 }
 
 impl Experiment {
-    /// What a trial of the search takes, in samples. Where it is not the driving that takes longest, it is the bouts (one
-    /// takes as long as half a sample, and for each trial there are two solutions), or the generation about it.
-    pub(crate) fn work_of_a_trial(&self) -> f64 {
+    /// What a new solution of the search takes, in samples. Where it is not the driving that takes longest, it is the bouts (one
+    /// takes as long as half a sample, and beside each there is a parent), or the generation about it.
+    pub(crate) fn work_of_a_solution(&self) -> f64 {
         let bouts = f64::from(self.evolution.bouts());
-        let generation = LEAST_GENERATION / f64::from(self.evolution.most_trials());
+        let generation = LEAST_GENERATION / f64::from(self.evolution.most_solutions());
         self.work_from(self.starts.len()).at_least(bouts).at_least(generation)
     }
 

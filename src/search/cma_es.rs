@@ -39,12 +39,7 @@ impl Search for CmaEs {
         let order = in_order(costs.len(), &|i, j| costs[i].total_cmp(&costs[j]));
         let ranked: Vec<_> = order.iter().map(|number| steps[*number as usize]).collect();
         self.normal = Some(normal.moved(&ranked));
-        let brood = brood.with_costs(costs);
-        let parents = brood.parents.len();
-        let record = match generation {
-            0 => brood.founded(),
-            _ => brood.survived_by(&|number| number >= parents),
-        };
+        let record = brood.with_costs(costs).survived_by_offspring();
         self.found.follow(&record);
         record
     }

@@ -43,15 +43,7 @@ impl Search for DifferentialEvolution {
 
     fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
         let brood = brood.with_costs(costs);
-        let (costs, count) = (brood.costs(), brood.parents.len());
-        let replaced = |member: usize| costs[member + count] <= costs[member];
-        let record = match brood.generation {
-            0 => brood.founded(),
-            _ => brood.survived_by(&|number| match number.checked_sub(count) {
-                None => !replaced(number),
-                Some(member) => replaced(member),
-            }),
-        };
+        let record = brood.survived_in_pairs(|trial, member| trial <= member);
         self.0.follow(&record);
         record
     }

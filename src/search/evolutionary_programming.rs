@@ -15,15 +15,39 @@ use crate::number::{Purpose, stream};
 pub struct EvolutionaryProgramming(Vec<Individual>);
 
 impl Search for EvolutionaryProgramming {
+    /// In generation 0 N individuals with k_j uniform in the initial range and σ_j the initial σ (step 1); then one offspring
+    /// of each parent (step 3).
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood {
-        match generation {
-            0 => Brood::first(e),
-            _ => Brood::of(e, self.0.clone(), generation),
+        let parents = &self.0;
+        if generation == 0 {
+            return Brood::initial(drawn(e, 0));
         }
+        let mutations = Mutation::all(e, parents.len(), generation);
+        let (donors, bases) = crossed(e, parents, generation);
+        let pairs = mutations.iter().zip(if bases.is_empty() { parents } else { &bases });
+        let offspring = pairs.map(|(mutation, base)| mutation.offspring(e, base)).collect();
+        let making = Making { mutations, donors, bases, ellipse: None };
+        Brood::beside(parents, offspring, generation).made_by(making)
     }
 
+    /// The tournament (steps 5 and 6), or another selection.
     fn tell(&mut self, e: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
-        let record = brood.driven(e, costs);
+        let brood = brood.with_costs(costs);
+        let (costs, count) = (brood.costs(), brood.parents.len());
+        let record = match e.selection {
+            _ if brood.generation == 0 => brood.founded(),
+            Selection::Tournament => {
+                let mut rng = stream(e.seed, Purpose::Tournament, brood.generation);
+                let tournament = Tournament::hold(&costs, e.opponents, &mut rng);
+                let ranking = tournament.ranking(&costs);
+                brood.ranked(ranking, count, tournament)
+            }
+            Selection::Truncation => {
+                let all = [brood.parents.as_slice(), &brood.offspring].concat();
+                brood.ranked(by_cost(&all), count, Tournament::default())
+            }
+            Selection::Parent => brood.survived_in_pairs(|offspring, parent| offspring < parent),
+        };
         self.0 = record.population();
         record
     }
@@ -39,57 +63,6 @@ impl Search for EvolutionaryProgramming {
 
     fn copied(&self) -> Box<dyn Search> {
         Box::new(self.clone())
-    }
-}
-
-impl Brood {
-    /// Generation 0: N individuals with k_j uniform in the initial range and σ_j the initial σ (step 1).
-    pub fn first(e: &EvolutionSettings) -> Self {
-        Self::initial(drawn(e, 0))
-    }
-
-    /// One offspring of each parent (step 3). It depends on the settings, the parents and the generation's number alone.
-    ///
-    /// # Panics
-    /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION).
-    pub fn of(e: &EvolutionSettings, parents: Vec<Individual>, generation: u32) -> Self {
-        let mutations = Mutation::all(e, parents.len(), generation);
-        let (donors, bases) = crossed(e, &parents, generation);
-        let pairs = mutations.iter().zip(if bases.is_empty() { &parents } else { &bases });
-        let offspring = pairs.map(|(mutation, base)| mutation.offspring_in(e, base)).collect();
-        let making = Making { mutations, donors, bases, ellipse: None };
-        Self { generation, parents, offspring, making }
-    }
-
-    /// The generation once each trial has cost so much (steps 5 and 6).
-    ///
-    /// # Panics
-    /// If there is not one cost for each trial.
-    pub fn driven(self, e: &EvolutionSettings, costs: &[f64]) -> GenerationRecord {
-        let brood = self.with_costs(costs);
-        if brood.generation == 0 {
-            return brood.founded();
-        }
-        let (costs, count) = (brood.costs(), brood.parents.len());
-        match e.selection {
-            Selection::Tournament => {
-                let mut rng = stream(e.seed, Purpose::Tournament, brood.generation);
-                let tournament = Tournament::hold(&costs, e.opponents, &mut rng);
-                let ranking = tournament.ranking(&costs);
-                brood.ranked(ranking, count, tournament)
-            }
-            Selection::Truncation => {
-                let all = [brood.parents.as_slice(), &brood.offspring].concat();
-                brood.ranked(by_cost(&all), count, Tournament::default())
-            }
-            Selection::Parent => {
-                let stays = |parent: usize| costs[parent] <= costs[parent + count];
-                brood.survived_by(&|number| match number.checked_sub(count) {
-                    None => stays(number),
-                    Some(parent) => !stays(parent),
-                })
-            }
-        }
     }
 }
 

@@ -113,16 +113,16 @@ impl Brood {
     }
 
     /// The gains that are to be driven.
-    pub fn trials(&self) -> Vec<Gains> {
+    pub fn gains(&self) -> Vec<Gains> {
         self.offspring.iter().map(|individual| individual.gains).collect()
     }
 
-    /// The same once each trial has cost so much.
+    /// The same once each new solution has cost so much.
     ///
     /// # Panics
-    /// If there is not one cost for each trial.
+    /// If there is not one cost for each of them.
     pub(super) fn with_costs(mut self, costs: &[f64]) -> Self {
-        assert_eq!(costs.len(), self.offspring.len(), "one cost for each trial");
+        assert_eq!(costs.len(), self.offspring.len(), "one cost for each new solution");
         self.offspring.iter_mut().zip(costs).for_each(|(one, cost)| one.cost = *cost);
         self
     }
@@ -140,14 +140,34 @@ impl Brood {
         founders.ranked(ranking, count, Tournament::default())
     }
 
-    /// The generation of which these survive; each part is ranked by cost.
+    /// The generation of which these survive, all of generation 0; each part is ranked by cost.
     pub(super) fn survived_by(self, survives: &dyn Fn(usize) -> bool) -> GenerationRecord {
+        if self.generation == 0 {
+            return self.founded();
+        }
         let costs = self.costs();
         let ranking = in_order(costs.len(), &|i, j| {
             survives(j).cmp(&survives(i)).then(costs[i].total_cmp(&costs[j]))
         });
         let count = (0..costs.len()).filter(|number| survives(*number)).count();
         self.ranked(ranking, count, Tournament::default())
+    }
+
+    /// The generation in which the offspring survives instead of its parent where `replaces` says so of its cost and that
+    /// of the parent.
+    pub(super) fn survived_in_pairs(self, replaces: fn(f64, f64) -> bool) -> GenerationRecord {
+        let (costs, count) = (self.costs(), self.parents.len());
+        let is_replaced = |parent: usize| replaces(costs[parent + count], costs[parent]);
+        self.survived_by(&|number| match number.checked_sub(count) {
+            None => !is_replaced(number),
+            Some(parent) => is_replaced(parent),
+        })
+    }
+
+    /// The generation of which the offspring survive, whatever they cost.
+    pub(super) fn survived_by_offspring(self) -> GenerationRecord {
+        let count = self.parents.len();
+        self.survived_by(&|number| number >= count)
     }
 
     /// The generation of which the first of this ranking survive.

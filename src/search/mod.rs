@@ -1,5 +1,5 @@
-//! Searches for the gains of least cost. They know gains and costs, and no robot: whoever searches asks for trials, drives
-//! them, and tells what they cost.
+//! Searches for the gains of least cost. They know gains and costs, and no robot: whoever searches asks for new solutions,
+//! drives them, and tells what they cost.
 #![doc = include_str!("METHODS.md")]
 
 mod settings;

@@ -65,24 +65,15 @@ impl Mutation {
 
     /// The offspring, not yet driven: k'_j = k_j + σ_j N_j(0, 1), σ'_j = σ_j exp(τ' N(0, 1) + τ N_j(0, 1)).
     ///
-    /// The gains move by the parent's σ, not by the new one.
-    pub fn offspring(&self, parent: &Individual) -> Individual {
-        let (gains, sigmas) = self.moved(parent, LearningRates::PAPER);
-        Individual::new(gains.into(), sigmas)
-    }
-
-    /// The same with the ingredients of these settings.
-    pub(super) fn offspring_in(&self, e: &EvolutionSettings, parent: &Individual) -> Individual {
-        let (gains, sigmas) = self.moved(parent, LearningRates::times(e.adaptation));
-        Individual::new(e.tried(gains), sigmas.map(|sigma| sigma.at_least(e.sigma_floor)))
-    }
-
-    fn moved(&self, parent: &Individual, rates: LearningRates) -> ([f64; 3], [f64; 3]) {
-        let LearningRates { own, common } = rates;
+    /// The gains move by the parent's σ, not by the new one. The settings say what becomes of gains under 0, by what factor τ
+    /// and τ' are others than the paper's, and what no σ falls under.
+    pub fn offspring(&self, e: &EvolutionSettings, parent: &Individual) -> Individual {
+        let LearningRates { own, common } = LearningRates::times(e.adaptation);
         let [k, sigmas] = [parent.gains.to_array(), parent.sigmas];
         let gain = |j| k[j] + sigmas[j] * self.gains[j];
         let sigma = |j| sigmas[j] * libm::exp(common * self.common + own * self.sigmas[j]);
-        ([0, 1, 2].map(gain), [0, 1, 2].map(sigma))
+        let sigmas = [0, 1, 2].map(sigma).map(|sigma| sigma.at_least(e.sigma_floor));
+        Individual::new(e.tried([0, 1, 2].map(gain)), sigmas)
     }
 }
 

@@ -57,13 +57,10 @@ impl Search for NelderMead {
         };
         // What shrinks, and what begins, is taken whatever it costs.
         let (parents, is_new) = (brood.parents.len(), costs.len() > 1);
-        let record = match brood.generation {
-            0 => brood.founded(),
-            _ => brood.survived_by(&|number| match number.checked_sub(parents) {
-                None => survives[number],
-                Some(_) => is_new || survives[5],
-            }),
-        };
+        let record = brood.survived_by(&|number| match number.checked_sub(parents) {
+            None => survives[number],
+            Some(_) => is_new || survives[5],
+        });
         self.begun += u32::from(self.motion == Motion::Begin);
         self.found.follow(&record);
         self.motion = next;

@@ -34,11 +34,7 @@ impl Search for OnePlusOne {
 
     fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
         let brood = brood.with_costs(costs);
-        let costs = brood.costs();
-        let record = match brood.generation {
-            0 => brood.founded(),
-            _ => brood.survived_by(&|number| (number == 1) == (costs[1] <= costs[0])),
-        };
+        let record = brood.survived_in_pairs(|offspring, parent| offspring <= parent);
         self.0.follow(&record);
         if record.survivors == [0] && record.generation > 0 {
             let parent = &mut self.0.population[0];

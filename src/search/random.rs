@@ -16,12 +16,7 @@ impl Search for RandomSearch {
     }
 
     fn tell(&mut self, _: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
-        let brood = brood.with_costs(costs);
-        let parents = brood.parents.len();
-        let record = match brood.generation {
-            0 => brood.founded(),
-            _ => brood.survived_by(&|number| number >= parents),
-        };
+        let record = brood.with_costs(costs).survived_by_offspring();
         self.0.follow(&record);
         record
     }

@@ -7,7 +7,7 @@ use super::individual::Individual;
 use super::plan::Plan;
 use super::settings::EvolutionSettings;
 
-/// A search for the gains of least cost. It asks for trials, and is told what they cost.
+/// A search for the gains of least cost. It asks for new solutions to be driven, and is told what they cost.
 ///
 /// What it asks for in a generation depends on where it stands, the settings with their seed and the generation's number
 /// alone; so a search that is kept can go on from there at any time, to the same bits.
@@ -18,10 +18,10 @@ pub trait Search {
     /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION).
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood;
 
-    /// The generation once each trial has cost so much. From here on the search stands behind it.
+    /// The generation once each new solution has cost so much. From here on the search stands behind it.
     ///
     /// # Panics
-    /// If there is not one cost for each trial.
+    /// If there is not one cost for each of them.
     fn tell(&mut self, e: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord;
 
     /// What the last generation left, best ranked first.

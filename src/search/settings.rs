@@ -117,8 +117,8 @@ impl EvolutionSettings {
         Err(InvalidInput::new("evolution.population", expected, self.population))
     }
 
-    /// Most trials in a generation of a method that has a number of its own.
-    fn own_trials(&self) -> Option<u32> {
+    /// Most new solutions in a generation of a method that has a number of its own.
+    fn own_solutions(&self) -> Option<u32> {
         match self.method {
             Method::Ep | Method::Random | Method::De | Method::CmaEs => None,
             Method::NelderMead => Some(4),
@@ -127,14 +127,14 @@ impl EvolutionSettings {
         }
     }
 
-    /// Whether a generation has as many trials as the population members.
+    /// Whether a generation has as many new solutions as the population members.
     pub(crate) fn is_by_population(&self) -> bool {
-        self.own_trials().is_none()
+        self.own_solutions().is_none()
     }
 
-    /// Most trials in a generation.
-    pub(crate) fn most_trials(&self) -> u32 {
-        self.own_trials().unwrap_or(self.population)
+    /// Most new solutions in a generation.
+    pub(crate) fn most_solutions(&self) -> u32 {
+        self.own_solutions().unwrap_or(self.population)
     }
 
     /// How many bouts of the tournament each solution has.

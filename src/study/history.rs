@@ -3,7 +3,7 @@
 use super::hash::Hash;
 use crate::run::{MAX_WORK, Setting};
 use crate::schema::{InvalidInput, Text};
-use crate::search::{Brood, GenerationRecord, Individual, Search, Statistics, search};
+use crate::search::{GenerationRecord, Individual, Search, Statistics, search};
 
 /// A run of evolutionary programming, or of one of its rivals, that remembers itself.
 ///
@@ -28,33 +28,11 @@ const MOST_SNAPSHOT_BYTES: usize = 64 << 20;
 /// What a snapshot takes besides its population.
 const SNAPSHOT_BASE: usize = 512;
 
-impl GenerationRecord {
-    /// Generation 0: N individuals with k_j uniform in the initial range and σ_j the initial σ (steps 1 and 2).
-    pub fn initial(setting: &Setting) -> Self {
-        let brood = Brood::first(&setting.experiment().evolution);
-        let costs = setting.totals(&brood.trials());
-        brood.driven(&setting.experiment().evolution, &costs)
-    }
-
-    /// Steps 3 to 6 of the paper's procedure: one offspring of each parent, their drives, the tournament. This is evolutionary
-    /// programming, whatever the method of the experiment.
-    ///
-    /// It depends on the setting, the parents and the generation's number alone.
-    ///
-    /// # Panics
-    /// If the generation is beyond [`LAST_GENERATION`](crate::search::LAST_GENERATION).
-    pub fn next(setting: &Setting, parents: Vec<Individual>, generation: u32) -> Self {
-        let brood = Brood::of(&setting.experiment().evolution, parents, generation);
-        let costs = setting.totals(&brood.trials());
-        brood.driven(&setting.experiment().evolution, &costs)
-    }
-}
-
 /// Takes a search through a generation.
-fn generation(setting: &Setting, search: &mut dyn Search, number: u32) -> GenerationRecord {
+fn advance(setting: &Setting, search: &mut dyn Search, number: u32) -> GenerationRecord {
     let e = &setting.experiment().evolution;
     let brood = search.ask(e, number);
-    let costs = setting.totals(&brood.trials());
+    let costs = setting.totals(&brood.gains());
     search.tell(e, brood, &costs)
 }
 
@@ -114,7 +92,7 @@ impl Evolution {
         };
         let e = &self.setting.experiment().evolution;
         let plan = search.plan(e);
-        let record = self::generation(&self.setting, search.as_mut(), number);
+        let record = advance(&self.setting, search.as_mut(), number);
         Ok(GenerationRecord { plan, next: search.plan(e), ..record })
     }
 
@@ -156,14 +134,14 @@ impl Evolution {
         let kept = number / self.snapshot_interval;
         let mut search = self.snapshots[kept as usize].clone();
         for number in kept * self.snapshot_interval + 1..=number {
-            generation(&self.setting, search.as_mut(), number);
+            advance(&self.setting, search.as_mut(), number);
         }
         search
     }
 
     fn append(&mut self) {
         let number = self.statistics.len() as u32;
-        let record = generation(&self.setting, self.search.as_mut(), number);
+        let record = advance(&self.setting, self.search.as_mut(), number);
         self.hash.record(&record);
         let starts = self.setting.experiment().starts.len();
         let before = self.statistics.last().map_or(0.0, |last| last.evaluations);
@@ -183,7 +161,7 @@ impl Evolution {
         let bytes = self.snapshots.len() * snapshot;
         let experiment = self.setting.experiment();
         let generation =
-            f64::from(experiment.evolution.most_trials()) * experiment.work_of_a_trial();
+            f64::from(experiment.evolution.most_solutions()) * experiment.work_of_a_solution();
         let again = 2.0 * f64::from(self.snapshot_interval) * generation;
         if bytes > SNAPSHOT_BYTES && (again <= MAX_WORK || bytes > MOST_SNAPSHOT_BYTES) {
             let mut keep = false;

@@ -48,13 +48,13 @@ pub fn seed_runs(
 ) -> Result<Vec<SeedRun>, InvalidInput> {
     let [first, end] = validate_part("seeds", seeds, u32::MAX)?;
     let (experiment, settings) = (setting.experiment(), setting.experiment().evolution);
-    let (n, g) = (f64::from(settings.most_trials()), f64::from(generations) + 1.0);
+    let (n, g) = (f64::from(settings.most_solutions()), f64::from(generations) + 1.0);
     let (count, starts) = (f64::from(end - first), experiment.starts.len());
     // Evolution and random search.
     let drives = 2.0 * n * g * count;
     Work { field: "the number of drives", count: drives, starts, bytes: 0.0 }
-        .check_trials(experiment)?;
-    let kept = f64::from(settings.population.max(settings.most_trials()));
+        .check_solutions(experiment)?;
+    let kept = f64::from(settings.population.max(settings.most_solutions()));
     let columns = g * size_of::<[f64; 2]>() as f64;
     let bytes = kept * BYTES_OF_A_SOLUTION + columns + BYTES_OF_AN_OBJECT;
     Work { field: "the number of seeds", count, starts: 1, bytes }.check(experiment)?;
@@ -63,11 +63,11 @@ pub fn seed_runs(
     let mut races: Vec<_> = (first..end).map(race).collect();
     for generation in 0..=generations {
         let broods: Vec<_> = races.iter_mut().map(|race| race.asked(generation)).collect();
-        let all = broods.iter().flat_map(|(brood, drawn)| [brood.trials(), drawn.clone()].concat());
+        let all = broods.iter().flat_map(|(brood, drawn)| [brood.gains(), drawn.clone()].concat());
         let costs = setting.totals(&all.collect::<Vec<_>>());
         let mut rest = costs.as_slice();
         for (race, (brood, drawn)) in races.iter_mut().zip(broods) {
-            let (evolved, others) = rest.split_at(brood.trials().len());
+            let (evolved, others) = rest.split_at(brood.gains().len());
             let (random, others) = others.split_at(drawn.len());
             race.driven(brood, evolved, random);
             rest = others;
@@ -99,7 +99,7 @@ impl Race {
     /// What both try next; nothing by random search where that is the same.
     fn asked(&mut self, generation: u32) -> (Brood, Vec<Gains>) {
         let brood = self.search.ask(&self.settings, generation);
-        let trials = brood.trials();
+        let trials = brood.gains();
         let drawn = self.random.next(&self.settings, trials.len());
         let drawn = if drawn == trials { Vec::new() } else { drawn };
         (brood, drawn)

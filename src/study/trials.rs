@@ -62,8 +62,8 @@ pub fn trials(setting: &Setting, seeds: [u32; 2], drives: u32) -> Result<Vec<Tri
     let (count, starts) = (f64::from(end - first), experiment.starts.len());
     let all = f64::from(drives) * count;
     Work { field: "the number of drives", count: all, starts, bytes: 0.0 }
-        .check_trials(experiment)?;
-    let kept = f64::from(e.population.max(e.most_trials()));
+        .check_solutions(experiment)?;
+    let kept = f64::from(e.population.max(e.most_solutions()));
     let columns = f64::from(drives) * size_of::<[f64; 2]>() as f64;
     let bytes = kept * BYTES_OF_A_SOLUTION + columns + BYTES_OF_AN_OBJECT;
     Work { field: "the number of seeds", count, starts: 1, bytes }.check(experiment)?;
@@ -110,7 +110,7 @@ impl Descent {
         let left = drives - self.driven;
         (left > 0).then(|| {
             let brood = self.search.ask(&self.settings, self.generation);
-            let mut gains = brood.trials();
+            let mut gains = brood.gains();
             gains.truncate(left as usize);
             (brood, gains)
         })
@@ -127,7 +127,7 @@ impl Descent {
             }
         }
         // A generation for which the drives do not suffice is the last.
-        if brood.trials().len() == costs.len() {
+        if brood.gains().len() == costs.len() {
             self.search.tell(&self.settings, brood, costs);
             self.generation += 1;
         }
