@@ -8,7 +8,7 @@ use super::rules::Rules;
 use super::runs::{Departure, RunEnd, Runs};
 use super::setting::Setting;
 use super::team::{BLOCK, Bounds, Team};
-use super::work::Work;
+use super::work::check_bytes;
 use crate::number::{LANES, Real};
 use crate::robot::{DisturbanceKind, Gains};
 use crate::schema::InvalidInput;
@@ -25,9 +25,9 @@ impl Setting {
     ///
     /// The error says how many are allowed in one call.
     pub fn evaluate(&self, gains: &[Gains]) -> Result<Vec<f64>, InvalidInput> {
-        let (field, starts) = ("the number of gain triples", self.experiment().starts.len());
-        Work { field, count: gains.len() as f64, starts, bytes: size_of::<[Cost; 2]>() as f64 }
-            .check(self.experiment())?;
+        let (what, count) = ("the number of gain triples", gains.len() as f64);
+        self.experiment().check_drives(what, count, self.experiment().starts.len())?;
+        check_bytes(what, count, size_of::<[Cost; 2]>() as f64)?;
         Ok(self.totals(gains))
     }
 

@@ -3,7 +3,6 @@
 use super::cost::Cost;
 use super::experiment::Experiment;
 use super::rules::{Outcome, Robot, Rules};
-use super::work::{STARTS, Work};
 use crate::robot::{Frame, Gains, Posture, Velocity};
 use crate::schema::{Allowed, InvalidInput};
 
@@ -21,10 +20,7 @@ impl Setting {
     /// Validates an experiment; the error names the field that is wrong.
     pub fn new(experiment: Experiment) -> Result<Self, InvalidInput> {
         experiment.validate()?;
-        let (starts, evolution) = (experiment.starts.len(), &experiment.evolution);
-        let field = if evolution.is_by_population() { "evolution.population" } else { STARTS };
-        let count = evolution.most_solutions().into();
-        Work { field, count, starts, bytes: 0.0 }.check(&experiment)?;
+        experiment.check_generation()?;
         let (samples, rules) = (experiment.samples(), Rules::new(&experiment));
         Ok(Self { rules, samples, goal: Frame::new(experiment.goal), experiment })
     }
@@ -42,6 +38,11 @@ impl Setting {
     /// Samples until the horizon.
     pub(crate) fn samples(&self) -> u32 {
         self.samples
+    }
+
+    /// The bytes of so many numbers of each sample of a whole run.
+    pub(crate) fn bytes_of_columns(&self, count: usize) -> f64 {
+        (count * size_of::<f64>()) as f64 * (f64::from(self.samples) + 1.0)
     }
 
     /// What every sample needs.

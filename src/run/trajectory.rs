@@ -4,7 +4,7 @@ use super::cost::Cost;
 use super::episode::EpisodeState;
 use super::rules::{Outcome, Robot};
 use super::setting::Setting;
-use super::work::Work;
+use super::work::check_bytes;
 use crate::robot::Gains;
 use crate::schema::{Column, InvalidInput, record};
 
@@ -56,9 +56,9 @@ const COLUMNS: usize = 13;
 impl Setting {
     /// Refuses more whole runs in one call than it may give back.
     pub fn check_runs(&self, count: usize) -> Result<(), InvalidInput> {
-        let field = "the number of gain triples";
-        let bytes = (COLUMNS * size_of::<f64>()) as f64 * (f64::from(self.samples()) + 1.0);
-        Work { field, count: count as f64, starts: 1, bytes }.check(self.experiment())
+        let (what, count) = ("the number of gain triples", count as f64);
+        self.experiment().check_drives(what, count, 1)?;
+        check_bytes(what, count, self.bytes_of_columns(COLUMNS))
     }
 
     /// A whole run with these gains from the start posture with this index.

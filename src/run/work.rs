@@ -19,59 +19,65 @@ pub const MAX_BYTES: f64 = 256.0 * 1024.0 * 1024.0;
 /// What a plain object takes outside, with its columns, beside the numbers in them.
 pub(crate) const BYTES_OF_AN_OBJECT: f64 = 2048.0;
 
-/// The field that is refused where no other can be small enough.
-pub(crate) const STARTS: &str = "starts";
-
-/// Something that a call does many times.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Work<'a> {
-    /// Of what the call has too many, if it has; [`STARTS`] where its number is not to choose.
-    pub(crate) field: &'a str,
-    /// How many times.
-    pub(crate) count: f64,
-    /// From how many starts each time.
-    pub(crate) starts: usize,
-    /// How many bytes remain of each time until the end of the call.
-    pub(crate) bytes: f64,
-}
-
-impl Work<'_> {
-    /// Refuses what takes more than [`MAX_WORK`] samples or [`MAX_BYTES`] bytes.
-    pub(crate) fn check(self, e: &Experiment) -> Result<(), InvalidInput> {
-        self.check_each(e, e.work_from(self.starts))
+/// Refuses so many of something if what remains of them until the end of the call takes more than [`MAX_BYTES`].
+pub(crate) fn check_bytes(what: &str, count: f64, bytes_of_each: f64) -> Result<(), InvalidInput> {
+    if count * bytes_of_each > MAX_BYTES {
+        let most = (MAX_BYTES / bytes_of_each).floor();
+        let expected =
+            Text::from("at most ") + most + ", for each takes " + bytes_of_each + " bytes";
+        return Err(InvalidInput::new(what, expected, count));
     }
-
-    /// The same for new solutions of a search, which does more than to drive.
-    pub(crate) fn check_solutions(self, e: &Experiment) -> Result<(), InvalidInput> {
-        self.check_each(e, e.work_of_a_solution())
-    }
-
-    fn check_each(self, e: &Experiment, one: f64) -> Result<(), InvalidInput> {
-        let Self { field, count, starts, bytes } = self;
-        let refuse = |expected: Text| Err(InvalidInput::new(field, expected, count));
-        if count * one > MAX_WORK {
-            let (most, samples) = ((MAX_WORK / one).floor(), e.samples());
-            let least = if field == STARTS { count } else { 1.0 };
-            if most < least {
-                // Only fewer starts help.
-                let most = (MAX_WORK * starts as f64 / (least * one)).floor();
-                let expected = Text::from("at most ") + most + " postures with ";
-                let expected = expected + format!("{samples} samples a run");
-                return Err(InvalidInput::new(STARTS, expected, format!("{starts}")));
-            }
-            let starts = if starts > 1 { format!("{starts} starts") } else { "1 start".into() };
-            let most = Text::from("at most ") + most;
-            return refuse(most + format!(" with {starts} and {samples} samples a run"));
-        }
-        if count * bytes > MAX_BYTES {
-            let most = (MAX_BYTES / bytes).floor();
-            return refuse(Text::from("at most ") + most + ", for each takes " + bytes + " bytes");
-        }
-        Ok(())
-    }
+    Ok(())
 }
 
 impl Experiment {
+    /// Refuses so many drives, each of them from so many starts, if they take more than [`MAX_WORK`] samples.
+    pub(crate) fn check_drives(
+        &self,
+        what: &str,
+        count: f64,
+        starts: usize,
+    ) -> Result<(), InvalidInput> {
+        self.check_work(what, count, starts, self.work_from(starts))
+    }
+
+    /// The same for new solutions of a search, which does more than to drive them from all starts.
+    pub(crate) fn check_solutions(&self, what: &str, count: f64) -> Result<(), InvalidInput> {
+        self.check_work(what, count, self.starts.len(), self.work_of_a_solution())
+    }
+
+    /// Refuses a search if one of its generations takes more than [`MAX_WORK`] samples.
+    pub(super) fn check_generation(&self) -> Result<(), InvalidInput> {
+        let (count, starts) = (f64::from(self.evolution.most_solutions()), self.starts.len());
+        // A population can be smaller; else only fewer starts help.
+        let least = if self.evolution.is_by_population() { 1.0 } else { count };
+        let work = least * self.work_from(starts);
+        if work > MAX_WORK {
+            let most = (MAX_WORK * starts as f64 / work).floor();
+            let expected = Text::from("at most ") + most + " postures with ";
+            let expected = expected + format!("{} samples a run", self.samples());
+            return Err(InvalidInput::new("starts", expected, format!("{starts}")));
+        }
+        self.check_drives("evolution.population", count, starts)
+    }
+
+    fn check_work(
+        &self,
+        what: &str,
+        count: f64,
+        starts: usize,
+        work_of_each: f64,
+    ) -> Result<(), InvalidInput> {
+        if count * work_of_each > MAX_WORK {
+            let (most, samples) = ((MAX_WORK / work_of_each).floor(), self.samples());
+            let starts = if starts > 1 { format!("{starts} starts") } else { "1 start".into() };
+            let expected = Text::from("at most ") + most;
+            let expected = expected + format!(" with {starts} and {samples} samples a run");
+            return Err(InvalidInput::new(what, expected, count));
+        }
+        Ok(())
+    }
+
     /// What a new solution of the search takes, in samples. Where it is not the driving that takes longest, it is the bouts (one
     /// takes as long as half a sample, and beside each there is a parent), or the generation about it.
     pub(crate) fn work_of_a_solution(&self) -> f64 {
@@ -81,6 +87,6 @@ impl Experiment {
     }
 
     fn work_from(&self, starts: usize) -> f64 {
-        starts.max(1) as f64 * (self.horizon / self.sample_time).at_least(LEAST_SAMPLES)
+        starts as f64 * (self.horizon / self.sample_time).at_least(LEAST_SAMPLES)
     }
 }

@@ -3,7 +3,7 @@
 use super::part::{read_part, validate_part};
 use super::starts::{AXIS_COUNT, Range};
 use crate::robot::{Gains, Triples};
-use crate::run::{Setting, Work};
+use crate::run::Setting;
 use crate::schema::{
     Allowed, Input, InvalidInput, Place, Plain, Source, read_object, read_whole, record, refused,
     told, unranged, words,
@@ -140,10 +140,9 @@ impl Landscape {
         }
         let [first, end] = validate_part("landscape.rows", rows, self.y.count)?;
         let cells = f64::from(end - first) * f64::from(self.x.count);
-        let starts = setting.experiment().starts.len();
         // The most cells that two axes have take a third of the memory that there may be.
-        Work { field: "the number of cells", count: cells, starts, bytes: 0.0 }
-            .check(setting.experiment())?;
+        let experiment = setting.experiment();
+        experiment.check_drives("the number of cells", cells, experiment.starts.len())?;
         let gains_at = |row, column| {
             let mut gains = self.gains;
             self.x.gain.set(&mut gains, self.x.value(column));

@@ -12,6 +12,8 @@ mod hash;
 
 mod history;
 
+mod searches;
+
 mod seeds;
 
 mod trials;

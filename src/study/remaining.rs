@@ -1,7 +1,7 @@
 //! The error that remains under a disturbance, beside the sets that Theorem 2 describes.
 
 use crate::robot::Gains;
-use crate::run::{Outcome, Sample, Setting, Work};
+use crate::run::{Outcome, Sample, Setting, check_bytes};
 use crate::schema::{Column, Columns, InvalidInput, Text, told};
 use crate::theory::{ErrorParts, theorem_2_sets};
 
@@ -37,13 +37,13 @@ const COLUMNS: usize = 5;
 
 /// Refuses to tell the parts of the error of more runs than fit in the memory.
 pub fn check_error_parts(setting: &Setting) -> Result<(), InvalidInput> {
-    let bytes = (COLUMNS * size_of::<f64>()) as f64 * (f64::from(setting.samples()) + 1.0);
-    check_starts(setting, bytes)
+    check_starts(setting, setting.bytes_of_columns(COLUMNS))
 }
 
-fn check_starts(setting: &Setting, bytes: f64) -> Result<(), InvalidInput> {
-    let count = setting.experiment().starts.len() as f64;
-    Work { field: "the number of starts", count, starts: 1, bytes }.check(setting.experiment())
+fn check_starts(setting: &Setting, bytes_of_each: f64) -> Result<(), InvalidInput> {
+    let (what, count) = ("the number of starts", setting.experiment().starts.len() as f64);
+    setting.experiment().check_drives(what, count, 1)?;
+    check_bytes(what, count, bytes_of_each)
 }
 
 /// The parts of the error of a run from the start posture with this index, sample by sample.

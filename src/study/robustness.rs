@@ -4,7 +4,7 @@ use super::part::validate_part;
 use super::starts::StartGrid;
 use crate::number::LARGEST_INDEX;
 use crate::robot::Gains;
-use crate::run::{Departure, RunEnd, Setting, Work};
+use crate::run::{Departure, RunEnd, Setting, check_bytes};
 use crate::schema::InvalidInput;
 
 /// How a run ended, and what is told of it.
@@ -21,9 +21,9 @@ pub fn robustness(
 ) -> Result<Vec<RunEnd>, InvalidInput> {
     grid.validate()?;
     let [first, end] = validate_part("grid.part", part, grid.most())?;
-    let count = f64::from(end - first);
-    Work { field: "the number of starts", count, starts: 1, bytes: BYTES_OF_A_START }
-        .check(setting.experiment())?;
+    let (what, count) = ("the number of starts", f64::from(end - first));
+    setting.experiment().check_drives(what, count, 1)?;
+    check_bytes(what, count, BYTES_OF_A_START)?;
     Ok(setting.drive((end - first) as usize, &|i| {
         let index = first + i as u32;
         // A start beyond the streams shares one with another; their disturbances stay in the bounds.

@@ -1,9 +1,10 @@
 //! Evolution with many seeds, beside random search.
 
 use super::part::validate_part;
+use super::searches::{check_searches, step_together};
 use crate::number::Real;
 use crate::robot::Gains;
-use crate::run::{BYTES_OF_AN_OBJECT, Setting, Work};
+use crate::run::Setting;
 use crate::schema::{Allowed, Column, InvalidInput, Place, Source, read_whole, record};
 use crate::search::{Brood, Draws, EvolutionSettings, Individual, LAST_GENERATION, Search, search};
 
@@ -47,39 +48,20 @@ pub fn seed_runs(
     generations: u32,
 ) -> Result<Vec<SeedRun>, InvalidInput> {
     let [first, end] = validate_part("seeds", seeds, u32::MAX)?;
-    let (experiment, settings) = (setting.experiment(), setting.experiment().evolution);
+    let settings = setting.experiment().evolution;
     let (n, g) = (f64::from(settings.most_solutions()), f64::from(generations) + 1.0);
-    let (count, starts) = (f64::from(end - first), experiment.starts.len());
     // Evolution and random search.
-    let drives = 2.0 * n * g * count;
-    Work { field: "the number of drives", count: drives, starts, bytes: 0.0 }
-        .check_solutions(experiment)?;
-    let kept = f64::from(settings.population.max(settings.most_solutions()));
-    let columns = g * size_of::<[f64; 2]>() as f64;
-    let bytes = kept * BYTES_OF_A_SOLUTION + columns + BYTES_OF_AN_OBJECT;
-    Work { field: "the number of seeds", count, starts: 1, bytes }.check(experiment)?;
+    check_searches(setting, f64::from(end - first), 2.0 * n * g, g)?;
 
     let race = |seed| Race::new(EvolutionSettings { seed, ..settings }, generations);
     let mut races: Vec<_> = (first..end).map(race).collect();
     for generation in 0..=generations {
-        let broods: Vec<_> = races.iter_mut().map(|race| race.asked(generation)).collect();
-        let all = broods.iter().flat_map(|(brood, drawn)| [brood.gains(), drawn.clone()].concat());
-        let costs = setting.totals(&all.collect::<Vec<_>>());
-        let mut rest = costs.as_slice();
-        for (race, (brood, drawn)) in races.iter_mut().zip(broods) {
-            let (evolved, others) = rest.split_at(brood.gains().len());
-            let (random, others) = others.split_at(drawn.len());
-            race.driven(brood, evolved, random);
-            rest = others;
-        }
+        step_together(setting, &mut races, |race| race.asked(generation), Race::driven);
     }
     Ok(races.into_iter().map(Race::finished).collect())
 }
 
-/// Parents, offspring, draws, trials, costs, tournament: what a solution takes while its generation is under way.
-pub(super) const BYTES_OF_A_SOLUTION: f64 = 512.0;
-
-/// A search and random search with one seed. All seeds take a step together, so that there are many runs to drive.
+/// A search and random search with one seed.
 struct Race {
     settings: EvolutionSettings,
     search: Box<dyn Search>,
@@ -96,17 +78,20 @@ impl Race {
         Self { settings, search, random, lowest: f64::INFINITY, best, drawn }
     }
 
-    /// What both try next; nothing by random search where that is the same.
+    /// What both try next, one after the other; once where that is the same.
     fn asked(&mut self, generation: u32) -> (Brood, Vec<Gains>) {
         let brood = self.search.ask(&self.settings, generation);
-        let trials = brood.gains();
-        let drawn = self.random.next(&self.settings, trials.len());
-        let drawn = if drawn == trials { Vec::new() } else { drawn };
-        (brood, drawn)
+        let mut gains = brood.gains();
+        let drawn = self.random.next(&self.settings, gains.len());
+        if drawn != gains {
+            gains.extend(drawn);
+        }
+        (brood, gains)
     }
 
     /// Notes what both have found.
-    fn driven(&mut self, brood: Brood, evolved: &[f64], drawn: &[f64]) {
+    fn driven(&mut self, brood: Brood, costs: &[f64]) {
+        let (evolved, drawn) = costs.split_at(brood.gains().len());
         let drawn = if drawn.is_empty() { evolved } else { drawn };
         self.lowest = drawn.iter().copied().fold(self.lowest, f64::at_most);
         self.drawn.push(self.lowest);

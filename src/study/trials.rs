@@ -1,9 +1,11 @@
 //! How a search comes down with many seeds, drive by drive.
+//!
+//! A trial is here, as where methods are compared, one run of a search: with a seed of its own.
 
 use super::part::validate_part;
-use super::seeds::BYTES_OF_A_SOLUTION;
+use super::searches::{check_searches, step_together};
 use crate::robot::Gains;
-use crate::run::{BYTES_OF_AN_OBJECT, Setting, Work};
+use crate::run::Setting;
 use crate::schema::{Allowed, Column, InvalidInput, Place, Source, read_whole, record};
 use crate::search::{Brood, EvolutionSettings, LAST_GENERATION, Search, search};
 
@@ -58,36 +60,18 @@ record! {
 pub fn trials(setting: &Setting, seeds: [u32; 2], drives: u32) -> Result<Vec<Trial>, InvalidInput> {
     let [first, end] = validate_part("seeds", seeds, u32::MAX)?;
     DRIVES.check("drives", drives.into())?;
-    let (experiment, e) = (setting.experiment(), setting.experiment().evolution);
-    let (count, starts) = (f64::from(end - first), experiment.starts.len());
-    let all = f64::from(drives) * count;
-    Work { field: "the number of drives", count: all, starts, bytes: 0.0 }
-        .check_solutions(experiment)?;
-    let kept = f64::from(e.population.max(e.most_solutions()));
-    let columns = f64::from(drives) * size_of::<[f64; 2]>() as f64;
-    let bytes = kept * BYTES_OF_A_SOLUTION + columns + BYTES_OF_AN_OBJECT;
-    Work { field: "the number of seeds", count, starts: 1, bytes }.check(experiment)?;
+    check_searches(setting, f64::from(end - first), drives.into(), drives.into())?;
 
-    let mut runs: Vec<_> =
-        (first..end).map(|seed| Descent::new(EvolutionSettings { seed, ..e })).collect();
-    loop {
-        let broods: Vec<_> = runs.iter().map(|run| run.asked(drives)).collect();
-        let gains: Vec<_> = broods.iter().flatten().flat_map(|(_, gains)| gains).copied().collect();
-        if gains.is_empty() {
-            return Ok(runs.into_iter().map(Descent::finished).collect());
-        }
-        let costs = setting.totals(&gains);
-        let mut rest = costs.as_slice();
-        for (run, brood) in runs.iter_mut().zip(broods) {
-            let Some((brood, gains)) = brood else { continue };
-            let (own, others) = rest.split_at(gains.len());
-            run.driven(brood, &gains, own);
-            rest = others;
-        }
+    let settings = setting.experiment().evolution;
+    let descent = |seed| Descent::new(EvolutionSettings { seed, ..settings });
+    let mut descents: Vec<_> = (first..end).map(descent).collect();
+    while descents.iter().any(|descent| descent.driven < drives) {
+        step_together(setting, &mut descents, |descent| descent.asked(drives), Descent::driven);
     }
+    Ok(descents.into_iter().map(Descent::finished).collect())
 }
 
-/// A search with one seed. All seeds take a step together, so that there are many runs to drive.
+/// A search with one seed.
 struct Descent {
     settings: EvolutionSettings,
     search: Box<dyn Search>,
@@ -105,29 +89,26 @@ impl Descent {
         Self { settings, search, generation: 0, driven: 0, drives, costs, champion: None }
     }
 
-    /// What it tries next, as far as so many drives reach; nothing where there are none left.
-    fn asked(&self, drives: u32) -> Option<(Brood, Vec<Gains>)> {
-        let left = drives - self.driven;
-        (left > 0).then(|| {
-            let brood = self.search.ask(&self.settings, self.generation);
-            let mut gains = brood.gains();
-            gains.truncate(left as usize);
-            (brood, gains)
-        })
+    /// What it tries next, as far as so many drives reach.
+    fn asked(&self, drives: u32) -> (Brood, Vec<Gains>) {
+        let brood = self.search.ask(&self.settings, self.generation);
+        let mut gains = brood.gains();
+        gains.truncate((drives - self.driven) as usize);
+        (brood, gains)
     }
 
-    fn driven(&mut self, brood: Brood, gains: &[Gains], costs: &[f64]) {
-        for (gains, cost) in gains.iter().zip(costs) {
+    fn driven(&mut self, brood: Brood, costs: &[f64]) {
+        let all = brood.gains();
+        for (&gains, &cost) in all.iter().zip(costs) {
             self.driven += 1;
-            let is_first = self.champion.is_none();
-            if is_first || self.champion.is_some_and(|best| *cost < best.cost) {
-                self.champion = Some(Champion { gains: *gains, cost: *cost });
+            if self.champion.is_none_or(|best| cost < best.cost) {
+                self.champion = Some(Champion { gains, cost });
                 self.drives.push(self.driven.into());
-                self.costs.push(*cost);
+                self.costs.push(cost);
             }
         }
         // A generation for which the drives do not suffice is the last.
-        if brood.gains().len() == costs.len() {
+        if all.len() == costs.len() {
             self.search.tell(&self.settings, brood, costs);
             self.generation += 1;
         }

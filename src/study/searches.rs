@@ -1,0 +1,42 @@
+//! What searches with many seeds have in common: what they may cost, and that all take a step together.
+
+use crate::robot::Gains;
+use crate::run::{BYTES_OF_AN_OBJECT, Setting, check_bytes};
+use crate::schema::InvalidInput;
+use crate::search::Brood;
+
+/// Parents, offspring, draws, costs, tournament: what a solution takes while its generation is under way.
+const BYTES_OF_A_SOLUTION: f64 = 512.0;
+
+/// Refuses so many searches, each with so many drives, if they take too long, or if what they keep takes too much memory:
+/// their solutions, and in the end columns of two numbers for each of so many rows.
+pub(super) fn check_searches(
+    setting: &Setting,
+    count: f64,
+    drives: f64,
+    rows: f64,
+) -> Result<(), InvalidInput> {
+    setting.experiment().check_solutions("the number of drives", drives * count)?;
+    let e = &setting.experiment().evolution;
+    let solutions = f64::from(e.population.max(e.most_solutions())) * BYTES_OF_A_SOLUTION;
+    let columns = rows * size_of::<[f64; 2]>() as f64;
+    check_bytes("the number of seeds", count, solutions + columns + BYTES_OF_AN_OBJECT)
+}
+
+/// Asks each search for what it tries next, and tells it what that has cost. All are driven together, so that there are many
+/// runs to drive at once.
+pub(super) fn step_together<S>(
+    setting: &Setting,
+    searches: &mut [S],
+    ask: impl Fn(&mut S) -> (Brood, Vec<Gains>),
+    tell: impl Fn(&mut S, Brood, &[f64]),
+) {
+    let (broods, gains): (Vec<_>, Vec<_>) = searches.iter_mut().map(ask).unzip();
+    let costs = setting.totals(&gains.concat());
+    let mut rest = costs.as_slice();
+    for ((search, brood), gains) in searches.iter_mut().zip(broods).zip(gains) {
+        let (own, others) = rest.split_at(gains.len());
+        tell(search, brood, own);
+        rest = others;
+    }
+}
