@@ -7,7 +7,7 @@ use ep_locomotion::run::{
 use ep_locomotion::schema::InvalidInput;
 use ep_locomotion::search::{LAST_GENERATION, Method, Selection};
 use ep_locomotion::study::{
-    Range, StartGrid, check_error_parts, remaining_errors, robustness, seed_runs, trials,
+    Grid, Range, check_error_parts, remaining_errors, robustness, seed_runs, trials,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -29,7 +29,7 @@ fn assert_refused<T>(result: Result<T, InvalidInput>, message: &str) {
 fn a_map_of_more_starts_than_fit_in_the_memory_is_refused() {
     let setting = lasting(0.01, |_| ());
     let range = Range { from: 0.0, to: 1.0, count: 1024 };
-    let grid = StartGrid { x: range, y: range, headings: 1024 };
+    let grid = Grid { x: range, y: range, headings: 1024 };
     assert_refused(
         robustness(&setting, GAINS, &grid, [0, 300_000_000]),
         "the number of starts must be at most 20000000 with 1 start and 1 samples a run, but was 300000000",
@@ -161,7 +161,7 @@ fn the_horizon_is_counted_without_a_sample_time() {
 fn a_grid_without_headings_or_columns_has_no_starts() {
     let range = |count| Range { from: 1.0, to: 2.0, count };
     for (columns, headings) in [(2, 0), (0, 2), (0, 0)] {
-        let grid = StartGrid { x: range(columns), y: range(2), headings };
+        let grid = Grid { x: range(columns), y: range(2), headings };
         assert_eq!(grid.count(), 0);
         assert_eq!(grid.posture(0), Posture { x: 1.0, y: 1.0, theta: 0.0 });
         assert!(robustness(&lasting(1.0, |_| ()), GAINS, &grid, [0, 0]).is_err());

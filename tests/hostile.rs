@@ -6,7 +6,7 @@ use common::{Random, wild};
 use ep_locomotion::robot::{ErrorPosture, Gains, Law, Limits, Posture, Velocity};
 use ep_locomotion::run::{Outcome, Setting};
 use ep_locomotion::study::{
-    Axis, Circle, Evolution, Gain, Landscape, Range, StartGrid, error_parts, remaining_errors,
+    Axis, Circle, Evolution, Gain, Grid, Landscape, Range, error_parts, remaining_errors,
     robustness, stability,
 };
 use ep_locomotion::theory::{ErrorParts, lyapunov_rate_bound, robust_gains, theorem_2_sets};
@@ -111,7 +111,7 @@ fn jobs_take_any_numbers_or_refuse_them_by_name() {
         let axis =
             |gain, Range { from, to, count }: Range| Axis { gain, from, to, count, log: false };
         let cells = Landscape { x: axis(Gain::X, x), y: axis(Gain::Theta, y), gains: k };
-        let grid = StartGrid { x, y, headings: 3 };
+        let grid = Grid { x, y, headings: 3 };
         let centre = Posture { x: x.from, y: y.from, theta: 0.0 };
         let errors = [
             cells.costs(&setting, [0, 2]).err(),

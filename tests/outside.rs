@@ -8,7 +8,7 @@ use ep_locomotion::outside;
 use ep_locomotion::robot::{ErrorPosture, Gains, Law, Velocity};
 use ep_locomotion::run::{Preset, Setting};
 use ep_locomotion::schema::{Column, Columns, InvalidInput, Plain};
-use ep_locomotion::study::{self, Axis, Circle, Gain, Landscape, PartOfGrid, Range, StartGrid};
+use ep_locomotion::study::{self, Axis, Circle, Gain, Grid, Landscape, Range};
 use ep_locomotion::theory::LawTerms;
 use serde_json::{Value, json};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -170,9 +170,9 @@ fn a_survey_is_what_its_room_answers() {
         "part": [1, 20],
     });
     let range = |from, to, count| Range { from, to, count };
-    let grid = StartGrid { x: range(-1.0, 1.0, 2), y: range(0.0, 3.0, 3), headings: 4 };
-    let starts = PartOfGrid::read(&Given(Some(&given))).and_then(|part| part.starts());
-    assert_eq!(starts, grid.postures([1, 20]));
+    let grid = Grid { x: range(-1.0, 1.0, 2), y: range(0.0, 3.0, 3), headings: 4 };
+    let starts = Grid::read(&Given(Some(&given))).and_then(|(grid, part)| grid.starts(part));
+    assert_eq!(starts, grid.starts([1, 20]));
     given["gains"] = json!([3, 0.1, 5]);
     let ends = written(&Columns(study::robustness(&setting, k, &grid, [1, 20]).expect("ends")));
     assert_eq!(told(outside::robustness(&setting, &Given(Some(&given)))), Ok(ends));

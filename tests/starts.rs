@@ -5,10 +5,10 @@ mod common;
 use common::{Random, assert_close, bits};
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Posture};
 use ep_locomotion::run::{Cost, Experiment, Outcome, Preset, Setting};
-use ep_locomotion::study::{Circle, Evolution, Range, StartGrid, fares, robustness};
+use ep_locomotion::study::{Circle, Evolution, Grid, Range, fares, robustness};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-const GRID: StartGrid = StartGrid {
+const GRID: Grid = Grid {
     x: Range { from: -1.0, to: 3.0, count: 5 },
     y: Range { from: 0.0, to: 4.0, count: 3 },
     headings: 4,
@@ -33,19 +33,19 @@ fn a_grid_of_starts_goes_through_headings_then_x_then_y() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_starts_of_a_grid_are_its_postures_in_any_parts() {
-    let part = |part| GRID.postures(part).map_err(|error| error.to_string());
+    let part = |part| GRID.starts(part).map_err(|error| error.to_string());
     let all: Vec<Posture> = (0..60).map(|index| GRID.posture(index)).collect();
     assert_eq!(part([0, 60]).as_deref(), Ok(all.as_slice()));
     assert_eq!(part([20, 22]).as_deref(), Ok(&all[20..22]));
     assert_eq!(part([60, 60]).as_deref(), Ok(&[][..]));
     let expected = "grid.part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [0, 61]";
     assert_eq!(part([0, 61]), Err(expected.into()));
-    let large = StartGrid { headings: 1024, ..GRID };
-    assert_eq!(large.postures([100, 10_100]).map(|starts| starts.len()), Ok(10_000));
-    let refused = large.postures([100, 10_101]).expect_err("too many").to_string();
+    let large = Grid { headings: 1024, ..GRID };
+    assert_eq!(large.starts([100, 10_100]).map(|starts| starts.len()), Ok(10_000));
+    let refused = large.starts([100, 10_101]).expect_err("too many").to_string();
     assert_eq!(refused, "grid.part must be at most 10000 starts in one call, but was 10001");
-    let empty = StartGrid { headings: 0, ..GRID };
-    let refused = empty.postures([0, 0]).expect_err("no heading").to_string();
+    let empty = Grid { headings: 0, ..GRID };
+    let refused = empty.starts([0, 0]).expect_err("no heading").to_string();
     assert_eq!(refused, "grid.headings must be a whole number from 1 to 1024, but was 0");
 }
 
@@ -150,7 +150,7 @@ fn a_start_beyond_the_streams_meets_the_disturbances_of_another() {
     experiment.disturbance =
         Disturbance { kind: DisturbanceKind::Random, linear: 0.2, angular: 0.3, seed: 4 };
     let range = Range { from: -1.0, to: 3.0, count: 1024 };
-    let grid = StartGrid { x: range, y: range, headings: 1024 };
+    let grid = Grid { x: range, y: range, headings: 1024 };
     let (streams, k) = (1_u32 << 29, Gains::new(3.0, 2.0, 5.0));
     let setting = Setting::new(experiment.clone()).expect("valid");
     let beyond = robustness(&setting, k, &grid, [streams - 1, streams + 2]).expect("valid");

@@ -6,7 +6,7 @@ use ep_locomotion::robot::{Gains, Posture};
 use ep_locomotion::run::{Preset, Setting};
 use ep_locomotion::schema::InvalidInput;
 use ep_locomotion::study::{
-    Axis, Circle, Evolution, Gain, Landscape, Range, StartGrid, robustness, seed_runs,
+    Axis, Circle, Evolution, Gain, Grid, Landscape, Range, robustness, seed_runs,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -112,7 +112,7 @@ fn a_wrong_landscape_is_refused_by_name() {
     );
 }
 
-const GRID: StartGrid = StartGrid {
+const GRID: Grid = Grid {
     x: Range { from: -1.0, to: 3.0, count: 5 },
     y: Range { from: 0.0, to: 4.0, count: 3 },
     headings: 4,
@@ -146,7 +146,7 @@ fn the_run_of_a_seed_is_that_of_its_evolution_beside_random_search() {
 fn wrong_surveys_are_refused_by_name() {
     let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
     let k = Gains::new(1.0, 1.0, 1.0);
-    let grid = |change: fn(&mut StartGrid)| {
+    let grid = |change: fn(&mut Grid)| {
         let mut grid = GRID;
         change(&mut grid);
         robustness(&setting, k, &grid, [0, 1]).expect_err("refused").to_string()
@@ -167,11 +167,8 @@ fn wrong_surveys_are_refused_by_name() {
         robustness(&setting, k, &GRID, [3, 61]).expect_err("refused").to_string(),
         "grid.part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [3, 61]"
     );
-    let large = StartGrid {
-        x: Range { count: 1000, ..GRID.x },
-        y: Range { count: 1000, ..GRID.y },
-        ..GRID
-    };
+    let large =
+        Grid { x: Range { count: 1000, ..GRID.x }, y: Range { count: 1000, ..GRID.y }, ..GRID };
     // However many starts the experiment has.
     let mut several = setting.experiment().clone();
     several.starts = vec![Posture::default(); 7];
@@ -218,7 +215,7 @@ fn the_largest_surveys_are_allowed_and_no_larger() {
     assert!(seed_runs(&Setting::new(resting.clone()).expect("valid"), [1, 1001], 100).is_err());
 
     let range = Range { from: -1000.0, to: 1000.0, count: 1024 };
-    let grid = |count, headings| StartGrid { x: Range { count, ..range }, y: range, headings };
+    let grid = |count, headings| Grid { x: Range { count, ..range }, y: range, headings };
     let rows = |grid| robustness(&setting, gains[0], &grid, [5, 5]).map(|ends| ends.len());
     assert_eq!(rows(grid(1024, 1024)), Ok(0));
     assert!(rows(grid(1025, 1)).is_err() && rows(grid(1, 1025)).is_err());

@@ -4,7 +4,7 @@ use super::value::{Bytes, Given, Value};
 use crate::outside;
 use crate::run::{Experiment, PAPER_RESULTS, Setting};
 use crate::schema::{InvalidInput, Plain, Source};
-use crate::study::{Circle, Evolution, PartOfGrid};
+use crate::study::{Circle, Evolution, Grid};
 
 type Result<T> = core::result::Result<T, InvalidInput>;
 
@@ -86,7 +86,10 @@ const CALLS: &[(&str, Call)] = &[
     ("word_fields", |_, _| told(&Experiment::fields().words)),
     ("paper", |_, _| told(&PAPER_RESULTS)),
     ("starts_on_circle", |_, mut given| told(&Circle::read(&given.next())?.starts()?)),
-    ("starts_on_grid", |_, mut given| told(&PartOfGrid::read(&given.next())?.starts()?)),
+    ("starts_on_grid", |_, mut given| {
+        let (grid, part) = Grid::read(&given.next())?;
+        told(&grid.starts(part)?)
+    }),
     // What begins.
     ("begin_task", |begun, mut given| {
         let setting = outside::setting(&given.next())?;

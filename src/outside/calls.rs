@@ -5,7 +5,7 @@ use crate::robot::Gains;
 use crate::run::{Experiment, Run, RunEnd, Setting};
 use crate::schema::{Column, Columns, Each, InvalidInput, Plain, Source, Types};
 use crate::study::{
-    self, GridOfRobot, Landscape, PartsSample, RemainingError, SeedRun, SeedRuns, Stability, Trial,
+    self, Landscape, PartsSample, RemainingError, SeedRun, SeedRuns, Stability, StartGrid, Trial,
     Trials,
 };
 use crate::theory::{LawTerms, read_error};
@@ -39,8 +39,8 @@ macro_rules! calls {
             }
             "How a robot with these gains fares from many starts: positions on a grid, each with several headings."
             robustness "robustness"(grid: "StartGrid") -> Columns<RunEnd> as "Robustness" {
-                let GridOfRobot { gains, starts } = GridOfRobot::read(grid)?;
-                Columns(study::robustness(setting, gains, &starts.grid, starts.part)?)
+                let (StartGrid { gains, grid }, part) = StartGrid::read(grid)?;
+                Columns(study::robustness(setting, gains, &grid, part)?)
             }
             "What the control law makes of an error posture (3): the terms of its command, and the rate of V that it promises."
             law_terms "lawTerms"(gains: "Gains", error: "Posture") -> LawTerms as "LawTerms" {

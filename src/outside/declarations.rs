@@ -4,8 +4,8 @@ use crate::run::{Cost, Experiment, PaperResult, Preset, Run, RunEnd, Sample};
 use crate::schema::{Columns, Field, Plain, Types, WordField};
 use crate::search::{GenerationRecord, Individual, LearningRates, Statistics};
 use crate::study::{
-    Circle, GridOfRobot, Landscape, PartOfGrid, PartsSample, RemainingError, SeedRun, SeedRuns,
-    Stability, Trial, Trials,
+    Circle, Grid, Landscape, PartsSample, RemainingError, SeedRun, SeedRuns, Stability, StartGrid,
+    Trial, Trials,
 };
 use crate::theory::LawTerms;
 
@@ -24,9 +24,9 @@ pub fn declarations() -> String {
         GenerationRecord::typescript,
         LearningRates::typescript,
         Landscape::typescript,
-        PartOfGrid::typescript,
+        Grid::typescript,
         LawTerms::typescript,
-        GridOfRobot::typescript,
+        StartGrid::typescript,
         Columns::<RunEnd>::typescript,
         SeedRuns::typescript,
         SeedRun::typescript,

@@ -1,7 +1,7 @@
 //! How one robot fares from many starts.
 
 use super::part::validate_part;
-use super::starts::StartGrid;
+use super::starts::Grid;
 use crate::number::LARGEST_INDEX;
 use crate::robot::Gains;
 use crate::run::{Departure, RunEnd, Setting, check_bytes};
@@ -16,7 +16,7 @@ const BYTES_OF_A_START: f64 = (size_of::<RunEnd>() + 2 * size_of::<f64>() + 1) a
 pub fn robustness(
     setting: &Setting,
     gains: Gains,
-    grid: &StartGrid,
+    grid: &Grid,
     part: [u32; 2],
 ) -> Result<Vec<RunEnd>, InvalidInput> {
     grid.validate()?;

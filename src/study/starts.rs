@@ -85,9 +85,9 @@ pub const MAX_AXIS_COUNT: u32 = 1024;
 
 pub(crate) const AXIS_COUNT: Allowed = Allowed::whole(1, MAX_AXIS_COUNT);
 
-/// Positions on a grid, each with several headings.
+/// Start postures at every position of a grid, each with several headings.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StartGrid {
+pub struct Grid {
     /// x in metres.
     pub x: Range,
     /// y in metres.
@@ -96,7 +96,40 @@ pub struct StartGrid {
     pub headings: u32,
 }
 
-impl StartGrid {
+told! {
+    /// Start postures at every position of a grid, with `headings` headings each, evenly around the circle from 0.
+    Grid: Grid {
+        /// Metres.
+        "x" => |grid| &grid.x,
+        /// Metres.
+        "y" => |grid| &grid.y,
+        /// How many headings at each position.
+        "headings" => |grid| grid.headings,
+        /// The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y.
+        "part" [optional] => |grid| [0, grid.most()],
+    }
+}
+
+impl Grid {
+    const PLACE: Place<'static> = Place::Named("grid");
+
+    /// A grid, and which of its starts [first, end) are asked for.
+    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2]), InvalidInput> {
+        read_object(given, Self::PLACE, Self::KEYS)?;
+        Self::read_fields(given)
+    }
+
+    fn read_fields<S: Source>(given: &S) -> Result<(Self, [u32; 2]), InvalidInput> {
+        let at = |name| Place::Field(&Self::PLACE, name);
+        let none = Range { from: 0.0, to: 0.0, count: 0 };
+        let range = |name| read_whole(none, &given.field(name), at(name), &Allowed::ANY);
+        let [x, y] = [range("x")?, range("y")?];
+        let headings = read_whole(0, &given.field("headings"), at("headings"), &AXIS_COUNT)?;
+        let grid = Self { x, y, headings };
+        let part = read_part(&given.field("part"), at("part"), grid.most())?;
+        Ok((grid, part))
+    }
+
     /// How many postures there are.
     pub fn count(&self) -> u64 {
         let positions = u64::from(self.x.count) * u64::from(self.y.count);
@@ -121,7 +154,7 @@ impl StartGrid {
     }
 
     /// The postures with index in [first, end); the error says how many are allowed.
-    pub fn postures(&self, part: [u32; 2]) -> Result<Vec<Posture>, InvalidInput> {
+    pub fn starts(&self, part: [u32; 2]) -> Result<Vec<Posture>, InvalidInput> {
         self.validate()?;
         let [first, end] = validate_part("grid.part", part, self.most())?;
         if end - first > MAX_STARTS {
@@ -142,84 +175,37 @@ impl StartGrid {
     }
 }
 
-/// A grid, and which of its starts are asked for.
+/// A robot, and the grid from whose starts it drives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PartOfGrid {
-    /// The grid.
-    pub grid: StartGrid,
-    /// Which of its starts [first, end).
-    pub part: [u32; 2],
-}
-
-told! {
-    /// Start postures at every position of a grid, with `headings` headings each, evenly around the circle from 0.
-    Grid: PartOfGrid {
-        /// Metres.
-        "x" => |given| given.grid.x,
-        /// Metres.
-        "y" => |given| given.grid.y,
-        /// How many headings at each position.
-        "headings" => |given| given.grid.headings,
-        /// The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y.
-        "part" [optional] => |given| given.part,
-    }
-}
-
-/// A robot, and the grid from which it is to start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GridOfRobot {
+pub struct StartGrid {
     /// Its gains.
     pub gains: Gains,
     /// Where it starts.
-    pub starts: PartOfGrid,
+    pub grid: Grid,
 }
 
 told! {
     /// The starts of a grid, and the gains of the robot that drives from them.
-    StartGrid: GridOfRobot {
+    StartGrid: StartGrid {
         /// The gains of the robot.
         "gains" => |given| Triples::from(given.gains),
         /// Metres.
-        "x" => |given| given.starts.grid.x,
+        "x" => |given| &given.grid.x,
         /// Metres.
-        "y" => |given| given.starts.grid.y,
+        "y" => |given| &given.grid.y,
         /// How many headings at each position.
-        "headings" => |given| given.starts.grid.headings,
+        "headings" => |given| given.grid.headings,
         /// The starts [first, end) to drive from; all when left out, in the order of `Grid`.
-        "part" [optional] => |given| given.starts.part,
+        "part" [optional] => |given| [0, given.grid.most()],
     }
 }
 
-impl PartOfGrid {
-    /// A grid, and which of its starts are asked for.
-    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
-        read_object(given, Place::Named("grid"), Self::KEYS)?;
-        Self::read_fields(given)
-    }
-
-    /// The starts that are asked for. The error names the field that is wrong.
-    pub fn starts(&self) -> Result<Vec<Posture>, InvalidInput> {
-        self.grid.postures(self.part)
-    }
-
-    fn read_fields<S: Source>(given: &S) -> Result<Self, InvalidInput> {
-        let place = Place::Named("grid");
-        let at = |name| Place::Field(&place, name);
-        let none = Range { from: 0.0, to: 0.0, count: 0 };
-        let range = |name| read_whole(none, &given.field(name), at(name), &Allowed::ANY);
-        let [x, y] = [range("x")?, range("y")?];
-        let headings = read_whole(0, &given.field("headings"), at("headings"), &AXIS_COUNT)?;
-        let grid = StartGrid { x, y, headings };
-        let part = read_part(&given.field("part"), at("part"), grid.most())?;
-        Ok(Self { grid, part })
-    }
-}
-
-impl GridOfRobot {
-    /// A robot, a grid, and which of its starts are asked for.
-    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
-        read_object(given, Place::Named("grid"), Self::KEYS)?;
+impl StartGrid {
+    /// A robot with its grid, and from which of the starts [first, end) it is to drive.
+    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2]), InvalidInput> {
+        read_object(given, Grid::PLACE, Self::KEYS)?;
         let gains = Gains::read_one(&given.field("gains"))?;
-        Ok(Self { gains, starts: PartOfGrid::read_fields(given)? })
+        let (grid, part) = Grid::read_fields(given)?;
+        Ok((Self { gains, grid }, part))
     }
 }

@@ -21,7 +21,7 @@ use crate::robot::Gains;
 use crate::run::{EpisodeState, Experiment, PAPER_RESULTS, Setting};
 use crate::schema::InvalidInput;
 use crate::search::{self, LearningRates};
-use crate::study::{self, Circle, PartOfGrid};
+use crate::study::{self, Circle, Grid};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("interface.d.ts");
@@ -73,7 +73,8 @@ pub fn starts_on_circle(
 pub fn starts_on_grid(
     #[wasm_bindgen(unchecked_param_type = "Grid")] grid: JsValue,
 ) -> Result<JsValue> {
-    Ok(plain(&PartOfGrid::read(&Given::of(grid))?.starts()?))
+    let (grid, part) = Grid::read(&Given::of(grid))?;
+    Ok(plain(&grid.starts(part)?))
 }
 
 /// Whether the tournament gives a bout to the solution with this J over one with that: the lower or the same J wins, and
