@@ -8,6 +8,7 @@ use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law};
 use ep_locomotion::run::{Experiment, Outcome, Setting};
 use ep_locomotion::schema::{Columns, Plain};
 use ep_locomotion::study::{Stability, StabilitySample, error_parts, fares, remaining_errors};
+use ep_locomotion::theory::PromisedRate;
 use serde_json::{Value, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -90,17 +91,17 @@ fn of_stability_what_is_promised_and_what_becomes_of_it() {
     ] {
         let stability = Stability::of(&setting(law), &gains, 0);
         let (all, told) = (&stability.samples, told(&stability));
-        let part = |part: usize| {
-            move |sample: &StabilitySample| sample.promised.map_or(f64::NAN, |parts| parts[part])
+        let part = |part: fn(PromisedRate) -> f64| {
+            move |sample: &StabilitySample| sample.promised.map_or(f64::NAN, part)
         };
         assert_column(&told, "/time", all, |sample| sample.time);
         assert_column(&told, "/errorX", all, |sample| sample.error.x);
         assert_column(&told, "/errorY", all, |sample| sample.error.y);
         assert_column(&told, "/errorTheta", all, |sample| sample.error.theta);
         assert_column(&told, "/lyapunov", all, |sample| sample.lyapunov);
-        assert_column(&told, "/promisedX", all, part(0));
-        assert_column(&told, "/promisedY", all, part(1));
-        assert_column(&told, "/promisedTheta", all, part(2));
+        assert_column(&told, "/promisedX", all, part(|rate| rate.x));
+        assert_column(&told, "/promisedY", all, part(|rate| rate.y));
+        assert_column(&told, "/promisedTheta", all, part(|rate| rate.theta));
         assert_column(&told, "/rate", all, |sample| sample.rate);
         assert_column(&told, "/limited", all, |sample| u8::from(sample.limited));
         let weight = stability.function.map(|function| function.heading_weight);

@@ -6,10 +6,10 @@ use common::{Random, wild};
 use ep_locomotion::robot::{ErrorPosture, Gains, Law, Limits, Posture, Velocity};
 use ep_locomotion::run::{Outcome, Setting};
 use ep_locomotion::study::{
-    Axis, Circle, Evolution, Gain, Grid, Landscape, Range, error_parts, remaining_errors,
-    robustness, stability,
+    Axis, Circle, Evolution, Gain, Grid, Landscape, Range, Stability, error_parts,
+    remaining_errors, robustness,
 };
-use ep_locomotion::theory::{ErrorParts, lyapunov_rate_bound, robust_gains, theorem_2_sets};
+use ep_locomotion::theory::{ErrorSizes, lyapunov_rate_bound, robust_gains, theorem_2_sets};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -85,7 +85,7 @@ fn functions_of_numbers_take_any() {
         assert!(![robust.x, robust.y, robust.theta].iter().any(|gain| *gain < 0.0));
         let sets = theorem_2_sets(&k, q, dt);
         assert!(![sets.x, sets.y, sets.theta].iter().any(|reach| *reach < 0.0));
-        ErrorParts::new(&e);
+        ErrorSizes::new(&e);
         e.posture(p).error_to(p);
         p.advance(q, dt);
         let speed = next().abs();
@@ -126,7 +126,7 @@ fn jobs_take_any_numbers_or_refuse_them_by_name() {
             refused += 1;
         }
         assert!(!setting.evaluate(&[k]).expect("one")[0].is_nan());
-        stability(&setting, &k, 0);
+        Stability::of(&setting, &k, 0);
         error_parts(&setting, &k, 1);
     }
     assert!(refused > 1000, "{refused}");

@@ -4,7 +4,7 @@ mod common;
 
 use common::{Random, assert_close};
 use ep_locomotion::robot::{CommandTerms, ErrorPosture, Gains, Law, Limits, Velocity};
-use ep_locomotion::theory::{Lyapunov, lyapunov_rate_bound, lyapunov_rate_parts, robust_gains};
+use ep_locomotion::theory::{Lyapunov, lyapunov_rate_bound, robust_gains};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -14,20 +14,14 @@ fn under_the_law_the_lyapunov_rate_is_the_sum_of_three_squares() {
         let e = random.error();
         let (k, r) = (random.gains(-10.0, 10.0), random.velocity(3.0));
         let q = Law::ShimKim.command(&e, &k, r);
-        let parts = lyapunov_rate_parts(&e, &k);
+        let rate = Law::ShimKim.promised_rate(&e, &k, r).expect("a promise");
         // The terms that cancel are as large as the velocity times the error.
         let scale = 1.0 + (q.linear.abs() + q.angular.abs()) * Lyapunov::PAPER.value(&e);
-        assert_close(
-            Lyapunov::PAPER.rate(&e, q, r) / scale,
-            parts.iter().sum::<f64>() / scale,
-            1e-14,
-        );
-        let square = [e.x * e.cos, e.y * e.y, e.sin].map(|x| x * x);
-        for (part, expected) in
-            parts.into_iter().zip([-k.x * square[0], -k.y * square[1], -k.theta * square[2]])
-        {
-            assert_close(part, expected, 1e-14);
-        }
+        assert_close(Lyapunov::PAPER.rate(&e, q, r) / scale, rate.total() / scale, 1e-14);
+        let [x, y, theta] = [e.x * e.cos, e.y * e.y, e.sin].map(|x| x * x);
+        assert_close(rate.x, -k.x * x, 1e-14);
+        assert_close(rate.y, -k.y * y, 1e-14);
+        assert_close(rate.theta, -k.theta * theta, 1e-14);
     }
 }
 

@@ -8,7 +8,7 @@ use ep_locomotion::robot::{
 };
 use ep_locomotion::run::{Experiment, Preset, Setting, Tolerance};
 use ep_locomotion::study::{RemainingError, error_parts, remaining_errors};
-use ep_locomotion::theory::{ErrorParts, lyapunov_rate_bound, robust_gains, theorem_2_sets};
+use ep_locomotion::theory::{ErrorSizes, lyapunov_rate_bound, robust_gains, theorem_2_sets};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The preset, in which nobody arrives.
@@ -37,7 +37,7 @@ fn outside_all_three_sets_no_bounded_disturbance_lets_v_rise() {
     for _ in 0..20_000 {
         let (e, k) = (random.error(), random.gains(0.1, 20.0));
         let bound = Velocity { linear: random.within(0.0, 1.0), angular: random.within(0.0, 1.0) };
-        let (parts, sets) = (ErrorParts::new(&e), theorem_2_sets(&k, bound, e.sin));
+        let (parts, sets) = (ErrorSizes::new(&e), theorem_2_sets(&k, bound, e.sin));
         if parts.x > sets.x && parts.y > sets.y && parts.theta > sets.theta {
             outside += 1;
             assert!(lyapunov_rate_bound(&e, &k, bound) < 0.0);
@@ -85,7 +85,7 @@ fn the_sets_grow_with_the_disturbance_and_shrink_with_the_gains() {
     }
     assert_eq!(
         theorem_2_sets(&Gains::new(1.0, 1.0, 1.0), Velocity::ZERO, 0.5),
-        ErrorParts { x: 0.0, y: 0.0, theta: 0.0 }
+        ErrorSizes { x: 0.0, y: 0.0, theta: 0.0 }
     );
     let endless = theorem_2_sets(&Gains::new(0.0, -1.0, -0.0), Velocity::ZERO, 0.0);
     assert_eq!([endless.x, endless.y, endless.theta], [f64::INFINITY; 3]);
@@ -109,7 +109,7 @@ fn without_a_disturbance_the_parts_go_to_zero() {
         let [one] = remaining(unending(Disturbance::NONE), &gains, 1.0)[..] else {
             panic!("one start")
         };
-        assert_eq!(one.sets, ErrorParts { x: 0.0, y: 0.0, theta: 0.0 });
+        assert_eq!(one.sets, ErrorSizes { x: 0.0, y: 0.0, theta: 0.0 });
         assert!(one.error.x < 0.01 && one.error.y < 0.01 && one.error.theta < 0.02, "{one:?}");
     }
 }

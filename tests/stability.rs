@@ -7,18 +7,18 @@ use ep_locomotion::robot::{
     Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Limits, Posture, Velocity,
 };
 use ep_locomotion::run::{Experiment, Setting};
-use ep_locomotion::study::{StabilitySample, stability};
-use ep_locomotion::theory::Lyapunov;
+use ep_locomotion::study::{Stability, StabilitySample};
+use ep_locomotion::theory::{Lyapunov, PromisedRate};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const LAWS: [Law; 2] = [Law::ShimKim, Law::Kanayama];
 
 fn run(experiment: Experiment, k: &Gains) -> Vec<StabilitySample> {
-    stability(&Setting::new(experiment).expect("a valid experiment"), k, 0)
+    Stability::of(&Setting::new(experiment).expect("a valid experiment"), k, 0).samples
 }
 
 fn sum(sample: &StabilitySample) -> f64 {
-    sample.promised.expect("a promise").iter().sum()
+    sample.promised.expect("a promise").total()
 }
 
 /// Random gains with which both laws have a Lyapunov function; kx and kθ of either sign.
@@ -34,7 +34,7 @@ fn the_promised_parts_add_up_to_the_rate_under_the_commanded_velocity() {
         for law in LAWS {
             let q = law.command(&e, &k, r);
             let function = law.lyapunov(&k).expect("a function");
-            let promised: f64 = law.promised_rate(&e, &k, r).expect("a promise").iter().sum();
+            let promised = law.promised_rate(&e, &k, r).expect("a promise").total();
             // The terms that cancel are as large as the velocity times the error.
             let scale = 1.0
                 + (q.linear.abs() + q.angular.abs() * (1.0 + function.heading_weight))
@@ -61,7 +61,7 @@ fn along_the_commanded_motion_v_changes_as_promised() {
                 continue;
             }
             let slope = (v_at(h) - v_at(-h)) / (2.0 * h);
-            let promised: f64 = law.promised_rate(&e, &k, r).expect("a promise").iter().sum();
+            let promised = law.promised_rate(&e, &k, r).expect("a promise").total();
             assert!((slope - promised).abs() < 1e-5 * (1.0 + promised.abs()), "{slope} {promised}");
         }
     }
@@ -72,10 +72,11 @@ fn kanayamas_rule_promises_little_to_a_robot_that_parks() {
     let k = Gains::new(3.0, 2.0, 5.0);
     // The reference stands beside the robot, which heads elsewhere: nothing of this error is in V̇.
     let beside = Posture::default().error_to(Posture { x: 0.0, y: 1.5, theta: 0.7 });
-    let parts = |r| Law::Kanayama.promised_rate(&beside, &k, r).expect("a promise");
-    assert!(parts(Velocity::ZERO).iter().all(|part| part.abs() < 1e-30));
-    let moving = parts(Velocity { linear: 0.4, angular: 0.0 });
-    assert_close(moving[2], -0.4 * 5.0 / 2.0 * libm::sin(0.7) * libm::sin(0.7), 1e-14);
+    let rate = |r| Law::Kanayama.promised_rate(&beside, &k, r).expect("a promise");
+    let PromisedRate { x, y, theta } = rate(Velocity::ZERO);
+    assert!([x, y, theta].iter().all(|part| part.abs() < 1e-30));
+    let moving = rate(Velocity { linear: 0.4, angular: 0.0 });
+    assert_close(moving.theta, -0.4 * 5.0 / 2.0 * libm::sin(0.7) * libm::sin(0.7), 1e-14);
     for ky in [0.0, -0.0, -1.0] {
         let k = Gains { y: ky, ..k };
         assert_eq!(Law::Kanayama.lyapunov(&k), None);
@@ -89,8 +90,8 @@ fn a_gain_below_zero_makes_its_own_part_positive_and_no_other() {
     let mut random = Random::new(33);
     for _ in 0..1_000 {
         let (e, k) = (random.error(), random.gains(-5.0, 5.0));
-        let parts = Law::ShimKim.promised_rate(&e, &k, Velocity::ZERO).expect("a promise");
-        for (part, gain) in parts.into_iter().zip([k.x, k.y, k.theta]) {
+        let rate = Law::ShimKim.promised_rate(&e, &k, Velocity::ZERO).expect("a promise");
+        for (part, gain) in [(rate.x, k.x), (rate.y, k.y), (rate.theta, k.theta)] {
             assert_eq!(part > 0.0, gain < 0.0, "{part} with {gain}");
         }
     }
@@ -104,7 +105,7 @@ fn the_samples_are_those_of_the_episode() {
         let setting = Setting::new(experiment).expect("a valid experiment");
         let start = random.below(2);
         let episode: Vec<_> = setting.episode(k, start).samples().collect();
-        let all = stability(&setting, &k, start);
+        let all = Stability::of(&setting, &k, start).samples;
         assert_eq!(all.len(), episode.len());
         let law = setting.experiment().law;
         for (own, sample) in all.iter().zip(&episode) {

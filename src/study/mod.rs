@@ -29,6 +29,6 @@ pub use remaining::{
 };
 pub use robustness::{fares, robustness};
 pub use seeds::{SeedRun, SeedRuns, seed_runs};
-pub use stability::{Stability, StabilitySample, stability};
+pub use stability::{Stability, StabilitySample};
 pub use starts::{Circle, Grid, MAX_AXIS_COUNT, Range, StartGrid};
 pub use trials::{Champion, Trial, Trials, trials};

@@ -2,8 +2,8 @@
 
 use crate::robot::Gains;
 use crate::run::{Outcome, Sample, Setting, check_bytes};
-use crate::schema::{Column, Columns, InvalidInput, Text, told};
-use crate::theory::{ErrorParts, theorem_2_sets};
+use crate::schema::{Columns, InvalidInput, Text, told};
+use crate::theory::{ErrorSizes, theorem_2_sets};
 
 /// The parts of the error at one sample of a run, and how far the sets reach there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,9 +11,9 @@ pub struct PartsSample {
     /// t in seconds.
     pub time: f64,
     /// The parts of the error.
-    pub error: ErrorParts,
+    pub error: ErrorSizes,
     /// The sets of [`theorem_2_sets`], for the disturbance of the experiment.
-    pub sets: ErrorParts,
+    pub sets: ErrorSizes,
 }
 
 told! {
@@ -55,8 +55,8 @@ pub fn error_parts(setting: &Setting, gains: &Gains, start: u32) -> Vec<PartsSam
     let parts = |sample: Sample| PartsSample {
         time: sample.time,
         error: match sample.outcome {
-            Some(Outcome::Diverged) => ErrorParts::INFINITE,
-            _ => ErrorParts::new(&sample.error),
+            Some(Outcome::Diverged) => ErrorSizes::INFINITE,
+            _ => ErrorSizes::new(&sample.error),
         },
         sets: theorem_2_sets(gains, bound, sample.error.sin),
     };
@@ -67,29 +67,20 @@ pub fn error_parts(setting: &Setting, gains: &Gains, start: u32) -> Vec<PartsSam
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RemainingError {
     /// The largest of each part.
-    pub error: ErrorParts,
+    pub error: ErrorSizes,
     /// The farthest reach of each set.
-    pub sets: ErrorParts,
-}
-
-/// The parts of one error for each start.
-struct PartsOfStarts(Vec<ErrorParts>);
-
-impl PartsOfStarts {
-    fn of(all: &[RemainingError], parts: fn(&RemainingError) -> ErrorParts) -> Self {
-        Self(all.iter().map(parts).collect())
-    }
+    pub sets: ErrorSizes,
 }
 
 told! {
     /// |x_e cos θ_e| and |y_e| in metres, |sin θ_e|: one value for each start.
-    PartsOfStarts: PartsOfStarts {
+    PartsOfStarts: Columns<ErrorSizes> {
         /// |x_e cos θ_e| in metres.
-        "x" => |parts| Column::of(&parts.0, |part| part.x),
+        "x" => |starts| starts.column(|sizes| sizes.x),
         /// |y_e| in metres.
-        "y" => |parts| Column::of(&parts.0, |part| part.y),
+        "y" => |starts| starts.column(|sizes| sizes.y),
         /// |sin θ_e|.
-        "theta" => |parts| Column::of(&parts.0, |part| part.theta),
+        "theta" => |starts| starts.column(|sizes| sizes.theta),
     }
 }
 
@@ -97,9 +88,9 @@ told! {
     /// What remains of the error at the end of each run, beside the sets of Theorem 2.
     RemainingErrors: Columns<RemainingError> {
         /// The largest in the last seconds; Infinity for a robot that left the finite numbers.
-        "error" => |all| PartsOfStarts::of(&all.0, |one| one.error),
+        "error" => |all| Columns(all.0.iter().map(|one| one.error).collect()),
         /// How far the sets reach, ε1/kx (6), (ε1 |sin θ_e| / ky)^⅓ (7) and ε2/kθ (8); of (7) the farthest in the last seconds.
-        "sets" => |all| PartsOfStarts::of(&all.0, |one| one.sets),
+        "sets" => |all| Columns(all.0.iter().map(|one| one.sets).collect()),
     }
 }
 
@@ -124,7 +115,7 @@ pub fn remaining_errors(
 
 fn remaining(run: &[PartsSample], seconds: f64) -> RemainingError {
     let first = run.last().map_or(0.0, |last| last.time - seconds);
-    let none = RemainingError { error: ErrorParts::ZERO, sets: ErrorParts::ZERO };
+    let none = RemainingError { error: ErrorSizes::ZERO, sets: ErrorSizes::ZERO };
     run.iter().filter(|sample| sample.time >= first).fold(none, |largest, sample| RemainingError {
         error: largest.error.max(sample.error),
         sets: largest.sets.max(sample.sets),

@@ -3,7 +3,7 @@
 use crate::robot::{ErrorPosture, Gains, Velocity};
 use crate::run::Setting;
 use crate::schema::{Column, Flags, told};
-use crate::theory::Lyapunov;
+use crate::theory::{Lyapunov, PromisedRate};
 
 /// The Lyapunov function at one sample of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,9 +14,8 @@ pub struct StabilitySample {
     pub error: ErrorPosture,
     /// V of the law in m²; the paper's V where the law has none.
     pub lyapunov: f64,
-    /// The parts of V̇ that the law promises, on x_e, y_e and θ_e, in m²/s: those of
-    /// [`Law::promised_rate`](crate::robot::Law::promised_rate).
-    pub promised: Option<[f64; 3]>,
+    /// The parts of V̇ that the law promises: those of [`Law::promised_rate`](crate::robot::Law::promised_rate).
+    pub promised: Option<PromisedRate>,
     /// V̇ in m²/s under the velocity that the robot has from now on, after limits and disturbance.
     ///
     /// It is computed from the rate of the error (4), and is the sum of the promised parts wherever neither limits nor
@@ -37,21 +36,48 @@ pub struct Stability {
 }
 
 impl Stability {
-    /// The Lyapunov function along a run from the start posture with this index.
+    /// The Lyapunov function of a run from the start posture with this index, sample by sample.
+    ///
+    /// The samples are those of [`Setting::episode`]. The last one, where the run has ended, is taken as if the robot drove on.
     ///
     /// # Panics
     /// If there is no such start posture.
     pub fn of(setting: &Setting, gains: &Gains, start: u32) -> Self {
-        let function = setting.experiment().law.lyapunov(gains);
-        Self { function, samples: stability(setting, gains, start) }
+        let (experiment, rules) = (setting.experiment(), setting.rules());
+        let (law, reference) = (experiment.law, experiment.reference_velocity);
+        let function = law.lyapunov(gains);
+        let lyapunov = function.unwrap_or(Lyapunov::PAPER);
+        let mut robot = setting.robot_at(experiment.starts[start as usize]);
+        let mut disturbances = experiment.disturbance.sequence(start);
+        let mut samples = Vec::new();
+        for n in 0.. {
+            let outcome = setting.outcome(&robot, n);
+            let (decided, command) = rules.decided(&robot, gains);
+            let disturbance = disturbances.next();
+            let motion = decided.velocity + disturbance.unwrap_or(Velocity::ZERO);
+            let error = robot.error;
+            samples.push(StabilitySample {
+                time: setting.final_time(outcome, n),
+                error,
+                lyapunov: lyapunov.value(&error),
+                promised: law.promised_rate(&error, gains, reference),
+                rate: lyapunov.rate(&error, motion, reference),
+                limited: decided.velocity != command,
+            });
+            if outcome.is_some() {
+                break;
+            }
+            (robot, _) = rules.moved(&decided, disturbance);
+        }
+        Self { function, samples }
     }
 
     fn column(&self, value: fn(&StabilitySample) -> f64) -> Column {
         Column::of(&self.samples, value)
     }
 
-    fn promised<const PART: usize>(&self) -> Column {
-        self.column(|sample| sample.promised.map_or(f64::NAN, |parts| parts[PART]))
+    fn promised(&self, part: fn(PromisedRate) -> f64) -> Column {
+        Column::of(&self.samples, |sample| sample.promised.map_or(f64::NAN, part))
     }
 }
 
@@ -72,12 +98,12 @@ told! {
         /// The part of dV/dt on x_e that the law promises for its commanded velocity, m²/s: −kx x_e² cos² θ_e for the law (5),
         /// −kx x² for Kanayama's rule, x = x_e cos θ_e − y_e sin θ_e being how far the reference is ahead of the robot. NaN
         /// where nothing is promised.
-        "promisedX" => |run| run.promised::<0>(),
+        "promisedX" => |run| run.promised(|rate| rate.x),
         /// The part on y_e, m²/s: −ky y_e⁴, or 0 for Kanayama's rule.
-        "promisedY" => |run| run.promised::<1>(),
+        "promisedY" => |run| run.promised(|rate| rate.y),
         /// The part on θ_e, m²/s: −kθ sin² θ_e, or −v_r (kθ/ky) sin² θ_e for Kanayama's rule, which is positive where the
         /// reference drives backwards.
-        "promisedTheta" => |run| run.promised::<2>(),
+        "promisedTheta" => |run| run.promised(|rate| rate.theta),
         /// dV/dt under the velocity that the robot has from the sample on, after limits and disturbance, m²/s, from the rate of
         /// the error (4). Where these leave the command as it is, it is the sum of the promised parts.
         "rate" => |run| run.column(|s| s.rate),
@@ -87,39 +113,4 @@ told! {
         /// of (5).
         "headingWeight" => |run| run.function.map(|function| function.heading_weight),
     }
-}
-
-/// The Lyapunov function of a run from the start posture with this index, sample by sample.
-///
-/// The samples are those of [`Setting::episode`]. The last one, where the run has ended, is taken as if the robot drove on.
-///
-/// # Panics
-/// If there is no such start posture.
-pub fn stability(setting: &Setting, gains: &Gains, start: u32) -> Vec<StabilitySample> {
-    let (experiment, rules) = (setting.experiment(), setting.rules());
-    let reference = experiment.reference_velocity;
-    let function = experiment.law.lyapunov(gains).unwrap_or(Lyapunov::PAPER);
-    let mut robot = setting.robot_at(experiment.starts[start as usize]);
-    let mut disturbances = experiment.disturbance.sequence(start);
-    let mut samples = Vec::new();
-    for n in 0.. {
-        let outcome = setting.outcome(&robot, n);
-        let (decided, command) = rules.decided(&robot, gains);
-        let disturbance = disturbances.next();
-        let motion = decided.velocity + disturbance.unwrap_or(Velocity::ZERO);
-        let error = robot.error;
-        samples.push(StabilitySample {
-            time: setting.final_time(outcome, n),
-            error,
-            lyapunov: function.value(&error),
-            promised: experiment.law.promised_rate(&error, gains, reference),
-            rate: function.rate(&error, motion, reference),
-            limited: decided.velocity != command,
-        });
-        if outcome.is_some() {
-            break;
-        }
-        (robot, _) = rules.moved(&decided, disturbance);
-    }
-    samples
 }

@@ -1,6 +1,7 @@
 //! Lyapunov functions: why the laws lead to the goal (Theorem 1).
 
 use crate::robot::{ErrorPosture, Gains, Law, Velocity};
+use crate::schema::record;
 
 /// A Lyapunov function V = ½ x_e² + ½ y_e² + w (1 − cos θ_e), in m²: a measure of the whole error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +27,25 @@ impl Lyapunov {
     }
 }
 
+record! { (Copy)
+    /// The parts of dV/dt that a law promises for its command, in m²/s, as in `Stability`.
+    pub struct PromisedRate {
+        /// The part on x_e.
+        pub x: f64 => "x",
+        /// The part on y_e.
+        pub y: f64 => "y",
+        /// The part on θ_e.
+        pub theta: f64 => "theta",
+    }
+}
+
+impl PromisedRate {
+    /// V̇, the sum of the parts.
+    pub fn total(&self) -> f64 {
+        self.x + self.y + self.theta
+    }
+}
+
 impl Law {
     /// The Lyapunov function with which the law is proved: the paper's for [`Law::ShimKim`], w = 1/ky for
     /// [`Law::Kanayama`], which has none unless ky > 0.
@@ -36,29 +56,32 @@ impl Law {
         }
     }
 
-    /// The parts of V̇ that the proof promises for the commanded velocity, on x_e, y_e and θ_e, in m²/s: V̇ of
-    /// [`Law::lyapunov`] is their sum. None where the law has no such function.
+    /// The parts of V̇ that the proof promises for the commanded velocity: V̇ of [`Law::lyapunov`] is their sum. None where
+    /// the law has no such function.
     ///
     /// [`Law::ShimKim`], any q_r: −kx x_e² cos² θ_e, −ky y_e⁴ and −kθ sin² θ_e (Theorem 1).
     ///
     /// [`Law::Kanayama`], with x = x_e cos θ_e − y_e sin θ_e, which is how far the reference is ahead of the robot:
     /// −kx x², 0 and −v_r (kθ/ky) sin² θ_e. With v_r = 0 only the first is left, and it is 0 wherever the reference is
     /// beside the robot: such a robot cannot park.
-    pub fn promised_rate(self, e: &ErrorPosture, k: &Gains, r: Velocity) -> Option<[f64; 3]> {
+    pub fn promised_rate(self, e: &ErrorPosture, k: &Gains, r: Velocity) -> Option<PromisedRate> {
         match self {
-            Law::ShimKim => Some(lyapunov_rate_parts(e, k)),
+            Law::ShimKim => Some(theorem_1_rate(e, k)),
             Law::Kanayama => self.lyapunov(k).map(|Lyapunov { heading_weight }| {
                 let ahead = e.x * e.cos - e.y * e.sin;
                 let turning = r.linear * k.theta * heading_weight;
-                [-k.x * ahead * ahead, 0.0, -turning * e.sin * e.sin]
+                PromisedRate { x: -k.x * ahead * ahead, y: 0.0, theta: -turning * e.sin * e.sin }
             }),
         }
     }
 }
 
-/// The three parts of V̇ under the law (5) without limits or disturbance (Theorem 1):
-/// −kx x_e² cos² θ_e, −ky y_e⁴ and −kθ sin² θ_e. V̇ is their sum.
-pub fn lyapunov_rate_parts(e: &ErrorPosture, k: &Gains) -> [f64; 3] {
+/// The parts of V̇ under the law (5) without limits or disturbance (Theorem 1): −kx x_e² cos² θ_e, −ky y_e⁴, −kθ sin² θ_e.
+pub(super) fn theorem_1_rate(e: &ErrorPosture, k: &Gains) -> PromisedRate {
     let (ahead, aside) = (e.x * e.cos, e.y * e.y);
-    [-k.x * ahead * ahead, -k.y * aside * aside, -k.theta * e.sin * e.sin]
+    PromisedRate {
+        x: -k.x * ahead * ahead,
+        y: -k.y * aside * aside,
+        theta: -k.theta * e.sin * e.sin,
+    }
 }

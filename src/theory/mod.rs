@@ -6,6 +6,6 @@ mod theorem2;
 
 mod terms;
 
-pub use lyapunov::{Lyapunov, lyapunov_rate_parts};
-pub use terms::{LawTerms, PromisedRate, read_error};
-pub use theorem2::{ErrorParts, lyapunov_rate_bound, robust_gains, theorem_2_sets};
+pub use lyapunov::{Lyapunov, PromisedRate};
+pub use terms::{LawTerms, read_error};
+pub use theorem2::{ErrorSizes, lyapunov_rate_bound, robust_gains, theorem_2_sets};

@@ -1,19 +1,8 @@
 //! What a law makes of one error posture.
 
+use super::lyapunov::PromisedRate;
 use crate::robot::{CommandTerms, ErrorPosture, Gains, Law, Posture, Velocity};
 use crate::schema::{InvalidInput, Place, Plain, Source, read_object, record, refused};
-
-record! { (Copy)
-    /// The parts of dV/dt that a law promises for its command, in m²/s, as in `Stability`.
-    pub struct PromisedRate {
-        /// The part on x_e.
-        pub x: f64 => "x",
-        /// The part on y_e.
-        pub y: f64 => "y",
-        /// The part on θ_e.
-        pub theta: f64 => "theta",
-    }
-}
 
 record! { (Copy)
     /// What the control law makes of an error posture.
@@ -28,8 +17,7 @@ record! { (Copy)
 impl LawTerms {
     /// The terms of a law with these gains while the reference moves with `r`.
     pub fn new(law: Law, e: &ErrorPosture, k: &Gains, r: Velocity) -> Self {
-        let promised = law.promised_rate(e, k, r).map(|[x, y, theta]| PromisedRate { x, y, theta });
-        Self { command: law.terms(e, k, r), promised }
+        Self { command: law.terms(e, k, r), promised: law.promised_rate(e, k, r) }
     }
 }
 

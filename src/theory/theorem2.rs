@@ -1,6 +1,6 @@
 //! Theorem 2: the gains that a bounded disturbance asks for, and the errors that it can leave.
 
-use super::lyapunov::lyapunov_rate_parts;
+use super::lyapunov::theorem_1_rate;
 use crate::number::Real;
 use crate::robot::{ErrorPosture, Gains, Velocity};
 
@@ -21,33 +21,33 @@ pub fn robust_gains(e: &ErrorPosture, bound: Velocity) -> Gains {
     )
 }
 
-/// The largest V̇ that a disturbance within ±(ε1, ε2) can cause under the law (5):
+/// The largest V̇, in m²/s, that a disturbance within ±(ε1, ε2) can cause under the law (5):
 /// V̇ + (|y_e sin θ_e| + |x_e cos θ_e|) ε1 + |sin θ_e| ε2, bounded term by term as in the proof of Theorem 2.
 pub fn lyapunov_rate_bound(e: &ErrorPosture, k: &Gains, bound: Velocity) -> f64 {
     let [e1, e2] = [bound.linear.abs(), bound.angular.abs()];
-    lyapunov_rate_parts(e, k).iter().sum::<f64>()
+    theorem_1_rate(e, k).total()
         + ((e.y * e.sin).abs() + (e.x * e.cos).abs()) * e1
         + e.sin.abs() * e2
 }
 
 /// The three sizes of an error posture that Theorem 2 bounds one by one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ErrorParts {
-    /// |x_e cos θ_e| in metres.
+pub struct ErrorSizes {
+    /// |x_e cos θ_e| in metres, which (6) bounds.
     pub x: f64,
-    /// |y_e| in metres.
+    /// |y_e| in metres, which (7) bounds.
     pub y: f64,
-    /// |sin θ_e|, without a unit.
+    /// |sin θ_e|, without a unit, which (8) bounds.
     pub theta: f64,
 }
 
-impl ErrorParts {
-    /// The parts of an error posture.
+impl ErrorSizes {
+    /// Those of an error posture.
     pub fn new(e: &ErrorPosture) -> Self {
         Self { x: (e.x * e.cos).abs(), y: e.y.abs(), theta: e.sin.abs() }
     }
 
-    /// The larger of each part.
+    /// The larger of each.
     pub(crate) fn max(self, other: Self) -> Self {
         Self {
             x: self.x.at_least(other.x),
@@ -67,10 +67,10 @@ impl ErrorParts {
 /// |y_e|³ ≤ ε1 |sin θ_e| / ky (7), |sin θ_e| ≤ ε2 / kθ (8). The one of y_e depends on the heading, so it is that for
 /// `sin` = sin θ_e. Outside all three, V̇ < 0 for the law (5) without limits and in continuous time; outside one of them
 /// only its own part is negative. A gain that is not over 0 makes no part negative: its set has no end.
-pub fn theorem_2_sets(k: &Gains, bound: Velocity, sin: f64) -> ErrorParts {
+pub fn theorem_2_sets(k: &Gains, bound: Velocity, sin: f64) -> ErrorSizes {
     let quotient = |push: f64, gain: f64| if gain > 0.0 { push / gain } else { f64::INFINITY };
     let [e1, e2] = [bound.linear.abs(), bound.angular.abs()];
-    ErrorParts {
+    ErrorSizes {
         x: quotient(e1, k.x),
         y: libm::cbrt(quotient(e1 * sin.abs(), k.y)),
         theta: quotient(e2, k.theta),
