@@ -3,10 +3,8 @@
 use super::value::{Bytes, Given, Value};
 use crate::outside;
 use crate::run::{Experiment, PAPER_RESULTS, Setting};
-use crate::schema::{InvalidInput, Plain, Source};
+use crate::schema::{Plain, Result, Source};
 use crate::study::{Circle, Evolution, Grid};
-
-type Result<T> = core::result::Result<T, InvalidInput>;
 
 /// What was begun, and is asked since.
 #[derive(Debug, Default)]

@@ -12,7 +12,7 @@
 //! | 9 | something else | what it is called, as a text without a tag |
 //! | 10 | a whole number, only in answers | its 4 bytes |
 
-use crate::schema::{InvalidInput, Keys, Kind, Place, Source, Writer, too_many};
+use crate::schema::{Keys, Kind, Place, Result, Source, Writer, too_many};
 
 /// A value that was given.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,7 +105,7 @@ impl Source for Given<'_> {
         }
     }
 
-    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
+    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>> {
         match self.0 {
             Some(Value::Column(numbers)) if numbers.len() > most => {
                 Err(too_many(place, most, numbers.len()))

@@ -3,7 +3,7 @@
 use super::given::{number, start};
 use crate::robot::Gains;
 use crate::run::{Experiment, Run, RunEnd, Setting};
-use crate::schema::{Column, Columns, Each, InvalidInput, Plain, Source, Types};
+use crate::schema::{Column, Columns, Each, Plain, Result, Source, Types};
 use crate::study::{
     self, Landscape, PartsSample, RemainingError, SeedRun, SeedRuns, Stability, StartGrid, Trial,
     Trials,
@@ -104,7 +104,7 @@ macro_rules! functions {
                 $setting: &'a Setting,
                 $($given: &S,)+
                 $($last: &S)?
-            ) -> Result<$returned, InvalidInput> {
+            ) -> Result<$returned> {
                 Ok($body)
             }
         )+

@@ -1,17 +1,17 @@
 //! What many calls are given.
 
 use crate::run::{Experiment, Preset, Setting};
-use crate::schema::{Allowed, Input, InvalidInput, Place, Source, refused};
+use crate::schema::{Allowed, Input, Place, Result, Source, refused};
 use crate::study::Evolution;
 
 /// The given experiment, completed with the fields of the preset that it was made from, or else of the usual one.
-pub fn setting<S: Source>(given: &S) -> Result<Setting, InvalidInput> {
+pub fn setting<S: Source>(given: &S) -> Result<Setting> {
     completed(usual(given), given)
 }
 
 /// The experiment of a preset, or the given fields of one with every other field filled in. With both, in whichever order,
 /// the preset is what fills in; without, the one that the fields were made from, or else `velocity-limits`. Beside it, what filled in.
-pub fn experiment<S: Source>(given: &S, other: &S) -> Result<(Setting, Preset), InvalidInput> {
+pub fn experiment<S: Source>(given: &S, other: &S) -> Result<(Setting, Preset)> {
     let preset = preset(given, other)?;
     let setting = match given.text() {
         Some(_) if other.is_given() => completed(preset, other),
@@ -21,7 +21,7 @@ pub fn experiment<S: Source>(given: &S, other: &S) -> Result<(Setting, Preset), 
     Ok((setting?, preset))
 }
 
-fn preset<S: Source>(given: &S, other: &S) -> Result<Preset, InvalidInput> {
+fn preset<S: Source>(given: &S, other: &S) -> Result<Preset> {
     match given.text().or_else(|| other.text()) {
         Some(name) => Preset::find(&name),
         None if other.is_given() => Err(refused(other, Place::Named("preset"), Preset::expected())),
@@ -33,21 +33,21 @@ fn usual<S: Source>(given: &S) -> Preset {
     given.origin().and_then(Preset::named).unwrap_or(Preset::VelocityLimits)
 }
 
-fn completed<S: Source>(preset: Preset, given: &S) -> Result<Setting, InvalidInput> {
+fn completed<S: Source>(preset: Preset, given: &S) -> Result<Setting> {
     let mut experiment: Experiment = preset.experiment();
     experiment.read(given)?;
     Setting::new(experiment)
 }
 
 /// A number that has a name.
-pub fn number<S: Source>(given: &S, name: &str) -> Result<f64, InvalidInput> {
+pub fn number<S: Source>(given: &S, name: &str) -> Result<f64> {
     let mut number = 0.0;
     number.read(given, Place::Named(name), &Allowed::ANY)?;
     Ok(number)
 }
 
 /// The index of a start posture; 0 if it is left out.
-pub fn start<S: Source>(setting: &Setting, given: &S) -> Result<u32, InvalidInput> {
+pub fn start<S: Source>(setting: &Setting, given: &S) -> Result<u32> {
     if !given.is_given() {
         return Ok(0);
     }
@@ -57,7 +57,7 @@ pub fn start<S: Source>(setting: &Setting, given: &S) -> Result<u32, InvalidInpu
 }
 
 /// The number of a generation; the newest if it is left out.
-pub fn generation<S: Source>(evolution: &Evolution, given: &S) -> Result<u32, InvalidInput> {
+pub fn generation<S: Source>(evolution: &Evolution, given: &S) -> Result<u32> {
     let newest = evolution.generation();
     if !given.is_given() {
         return Ok(newest);

@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 use crate::schema::{
-    Allowed, Input, InvalidInput, Place, Plain, Source, Types, Writer, refused, too_many,
+    Allowed, Input, InvalidInput, Place, Plain, Result, Source, Types, Writer, refused, too_many,
 };
 
 /// The three gains k = (kx, ky, kθ) that evolution looks for, in the units of the paper's law (5), for which Theorem 1 holds
@@ -35,7 +35,7 @@ impl Gains {
     }
 
     /// Triples (kx, ky, kθ) one after the other, as many as are given.
-    pub fn read_all<S: Source>(given: &S) -> Result<Vec<Self>, InvalidInput> {
+    pub fn read_all<S: Source>(given: &S) -> Result<Vec<Self>> {
         let numbers = read_numbers(given)?;
         if !numbers.len().is_multiple_of(3) {
             let found = format!("{} numbers", numbers.len());
@@ -49,7 +49,7 @@ impl Gains {
     }
 
     /// One triple.
-    pub fn read_one<S: Source>(given: &S) -> Result<Self, InvalidInput> {
+    pub fn read_one<S: Source>(given: &S) -> Result<Self> {
         match Self::read_all(given)?[..] {
             [gains] => Ok(gains),
             ref several => {
@@ -75,7 +75,7 @@ fn gain_name(index: usize) -> String {
     if index < 3 { name.into() } else { format!("{name} (gains[{index}])") }
 }
 
-fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>, InvalidInput> {
+fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>> {
     const MOST: usize = 3 * MAX_TRIPLES;
     let place = Place::Named("gains");
     if let Some(numbers) = given.column(place, MOST)? {

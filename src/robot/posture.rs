@@ -1,7 +1,9 @@
 //! Postures and velocities: equation (1).
 
 use crate::number::Real;
-use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Source, Text, record, refused};
+use crate::schema::{
+    Allowed, Fields, Input, InvalidInput, Place, Result, Source, Text, record, refused,
+};
 
 /// Coordinates beyond a kilometre lose the millimetres of a goal next to them, and no lesson needs them.
 pub const METRES: Allowed = Allowed::within("m", -1000.0, 1000.0);
@@ -59,7 +61,7 @@ impl Input for Vec<Posture> {
         Posture::fields(&format!("{path}[]"), allowed, rows);
     }
 
-    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<(), InvalidInput> {
+    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         if !allowed.allows(self.len() as f64) {
             let expected =
                 Text::from("a list of ") + allowed.min + " to " + allowed.max + " postures";
@@ -70,12 +72,7 @@ impl Input for Vec<Posture> {
         postures.try_for_each(|(i, posture)| posture.check(Place::Element(&place, i), allowed))
     }
 
-    fn read<S: Source>(
-        &mut self,
-        given: &S,
-        place: Place<'_>,
-        allowed: &Allowed,
-    ) -> Result<(), InvalidInput> {
+    fn read<S: Source>(&mut self, given: &S, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         let most = allowed.max as usize;
         let expected = || Text::from("an array of ") + allowed.min + " to " + allowed.max;
         if let Some(numbers) = given.column(place, 3 * most)? {

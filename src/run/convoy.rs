@@ -11,7 +11,7 @@ use super::team::{BLOCK, Bounds, Team};
 use super::work::check_bytes;
 use crate::number::{LANES, Real};
 use crate::robot::{DisturbanceKind, Gains};
-use crate::schema::InvalidInput;
+use crate::schema::Result;
 
 /// Most teams that are driven in turn: so many that the processor need not wait for the divisions of one.
 const TEAMS: usize = 12;
@@ -24,7 +24,7 @@ impl Setting {
     /// J of each of these gains, the mean over the start postures.
     ///
     /// The error says how many are allowed in one call.
-    pub fn evaluate(&self, gains: &[Gains]) -> Result<Vec<f64>, InvalidInput> {
+    pub fn evaluate(&self, gains: &[Gains]) -> Result<Vec<f64>> {
         let (what, count) = ("the number of gain triples", gains.len() as f64);
         self.experiment().check_drives(what, count, self.experiment().starts.len())?;
         check_bytes(what, count, size_of::<[Cost; 2]>() as f64)?;

@@ -2,7 +2,7 @@
 
 use super::cost::Weights;
 use crate::robot::{Disturbance, DisturbanceKind, Law, Limits, Posture, Velocity};
-use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Source, Text, record};
+use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Result, Source, Text, record};
 use crate::search::EvolutionSettings;
 
 /// Most start postures.
@@ -57,7 +57,7 @@ record! { input
 
 impl Experiment {
     /// Takes over what is given; every field that is left out stays as it is. Numbers are checked by [`Self::validate`].
-    pub fn read<S: Source>(&mut self, given: &S) -> Result<(), InvalidInput> {
+    pub fn read<S: Source>(&mut self, given: &S) -> Result<()> {
         Input::read(self, given, Place::Experiment, &Allowed::ANY)
     }
 
@@ -81,7 +81,7 @@ impl Experiment {
     }
 
     /// Checks every field against its range, and the few rules between fields.
-    pub fn validate(&self) -> Result<(), InvalidInput> {
+    pub fn validate(&self) -> Result<()> {
         self.check(Place::Experiment, &Allowed::ANY)?;
         if self.horizon / self.sample_time > MAX_SAMPLES {
             let expected = Text::from("at most ") + MAX_SAMPLES + " times sampleTime";
@@ -92,7 +92,7 @@ impl Experiment {
         self.validate_noise()
     }
 
-    fn validate_noise(&self) -> Result<(), InvalidInput> {
+    fn validate_noise(&self) -> Result<()> {
         let Disturbance { kind, linear, angular, .. } = self.disturbance;
         for (name, bound) in [("linear", linear), ("angular", angular)] {
             if kind == DisturbanceKind::Random && bound < 0.0 {

@@ -4,7 +4,7 @@ use super::cost::Cost;
 use super::experiment::Experiment;
 use super::rules::{Outcome, Robot, Rules};
 use crate::robot::{Frame, Gains, Posture, Velocity};
-use crate::schema::{Allowed, InvalidInput};
+use crate::schema::{Allowed, Result};
 
 /// An experiment that was validated and is ready to be driven.
 #[derive(Clone, Debug)]
@@ -18,7 +18,7 @@ pub struct Setting {
 
 impl Setting {
     /// Validates an experiment; the error names the field that is wrong.
-    pub fn new(experiment: Experiment) -> Result<Self, InvalidInput> {
+    pub fn new(experiment: Experiment) -> Result<Self> {
         experiment.validate()?;
         experiment.check_generation()?;
         let (samples, rules) = (experiment.samples(), Rules::new(&experiment));

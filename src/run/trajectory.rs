@@ -6,7 +6,7 @@ use super::rules::{Outcome, Robot};
 use super::setting::Setting;
 use super::work::check_bytes;
 use crate::robot::Gains;
-use crate::schema::{Column, InvalidInput, record};
+use crate::schema::{Column, Result, record};
 
 record! {
     /// One run: arrays with one value a sample, the first at time 0, the last where the run ended.
@@ -55,7 +55,7 @@ const COLUMNS: usize = 13;
 
 impl Setting {
     /// Refuses more whole runs in one call than it may give back.
-    pub fn check_runs(&self, count: usize) -> Result<(), InvalidInput> {
+    pub fn check_runs(&self, count: usize) -> Result<()> {
         let (what, count) = ("the number of gain triples", count as f64);
         self.experiment().check_drives(what, count, 1)?;
         check_bytes(what, count, self.bytes_of_columns(COLUMNS))

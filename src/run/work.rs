@@ -2,7 +2,7 @@
 
 use super::experiment::Experiment;
 use crate::number::Real;
-use crate::schema::{InvalidInput, Text};
+use crate::schema::{InvalidInput, Result, Text};
 
 /// Most samples that one call may have to drive: robots × starts × samples. It bounds how long a call can take.
 pub const MAX_WORK: f64 = 4e8;
@@ -20,7 +20,7 @@ pub const MAX_BYTES: f64 = 256.0 * 1024.0 * 1024.0;
 pub(crate) const BYTES_OF_AN_OBJECT: f64 = 2048.0;
 
 /// Refuses so many of something if what remains of them until the end of the call takes more than [`MAX_BYTES`].
-pub(crate) fn check_bytes(what: &str, count: f64, bytes_of_each: f64) -> Result<(), InvalidInput> {
+pub(crate) fn check_bytes(what: &str, count: f64, bytes_of_each: f64) -> Result<()> {
     if count * bytes_of_each > MAX_BYTES {
         let most = (MAX_BYTES / bytes_of_each).floor();
         let expected =
@@ -32,22 +32,17 @@ pub(crate) fn check_bytes(what: &str, count: f64, bytes_of_each: f64) -> Result<
 
 impl Experiment {
     /// Refuses so many drives, each of them from so many starts, if they take more than [`MAX_WORK`] samples.
-    pub(crate) fn check_drives(
-        &self,
-        what: &str,
-        count: f64,
-        starts: usize,
-    ) -> Result<(), InvalidInput> {
+    pub(crate) fn check_drives(&self, what: &str, count: f64, starts: usize) -> Result<()> {
         self.check_work(what, count, starts, self.work_from(starts))
     }
 
     /// The same for new solutions of a search, which does more than to drive them from all starts.
-    pub(crate) fn check_solutions(&self, what: &str, count: f64) -> Result<(), InvalidInput> {
+    pub(crate) fn check_solutions(&self, what: &str, count: f64) -> Result<()> {
         self.check_work(what, count, self.starts.len(), self.work_of_a_solution())
     }
 
     /// Refuses a search if one of its generations takes more than [`MAX_WORK`] samples.
-    pub(super) fn check_generation(&self) -> Result<(), InvalidInput> {
+    pub(super) fn check_generation(&self) -> Result<()> {
         let (count, starts) = (f64::from(self.evolution.most_solutions()), self.starts.len());
         // A population can be smaller; else only fewer starts help.
         let least = if self.evolution.is_by_population() { 1.0 } else { count };
@@ -61,13 +56,7 @@ impl Experiment {
         self.check_drives("evolution.population", count, starts)
     }
 
-    fn check_work(
-        &self,
-        what: &str,
-        count: f64,
-        starts: usize,
-        work_of_each: f64,
-    ) -> Result<(), InvalidInput> {
+    fn check_work(&self, what: &str, count: f64, starts: usize, work_of_each: f64) -> Result<()> {
         if count * work_of_each > MAX_WORK {
             let (most, samples) = ((MAX_WORK / work_of_each).floor(), self.samples());
             let starts = if starts > 1 { format!("{starts} starts") } else { "1 start".into() };

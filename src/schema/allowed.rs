@@ -9,6 +9,9 @@ use super::text::Text;
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvalidInput(Box<Refusal>);
 
+/// What comes of given values, or why they were refused.
+pub type Result<T, E = InvalidInput> = core::result::Result<T, E>;
+
 /// Which field was refused, what it must be, and what it was.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
@@ -112,7 +115,7 @@ impl Allowed {
     }
 
     /// Refuses a number that is not among them.
-    pub(crate) fn check(&self, name: impl fmt::Display, value: f64) -> Result<(), InvalidInput> {
+    pub(crate) fn check(&self, name: impl fmt::Display, value: f64) -> Result<()> {
         if self.allows(value) {
             return Ok(());
         }

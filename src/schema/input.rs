@@ -2,7 +2,7 @@
 //!
 //! Reading looks at what a value is; whether a number is in its range is checked once, afterwards, by [`Input::check`].
 
-use super::allowed::{Allowed, InvalidInput};
+use super::allowed::{Allowed, Result};
 use super::field::{Field, Fields};
 use super::place::Place;
 use super::plain::Plain;
@@ -14,15 +14,10 @@ pub trait Input: Plain {
     fn fields(path: &str, allowed: &Allowed, rows: &mut Fields);
 
     /// Refuses numbers that are not allowed.
-    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<(), InvalidInput>;
+    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<()>;
 
     /// Takes over what is given. What is left out stays as it is.
-    fn read<S: Source>(
-        &mut self,
-        given: &S,
-        place: Place<'_>,
-        allowed: &Allowed,
-    ) -> Result<(), InvalidInput>;
+    fn read<S: Source>(&mut self, given: &S, place: Place<'_>, allowed: &Allowed) -> Result<()>;
 }
 
 /// What an input has in which no number has a range of its own, and of which no table has a row.
@@ -34,7 +29,7 @@ macro_rules! unranged {
             &self,
             _: $crate::schema::Place<'_>,
             _: &$crate::schema::Allowed,
-        ) -> Result<(), $crate::schema::InvalidInput> {
+        ) -> $crate::schema::Result<()> {
             Ok(())
         }
     };
@@ -55,7 +50,7 @@ pub(crate) fn check_field<T: Input>(
     value: &T,
     (record, key): (&Place<'_>, &str),
     allowed: &Allowed,
-) -> Result<(), InvalidInput> {
+) -> Result<()> {
     value.check(Place::Field(record, key), allowed)
 }
 
@@ -67,7 +62,7 @@ pub(crate) fn read_field<T: Input, S: Source>(
     (record, key): (&Place<'_>, &'static str),
     allowed: &Allowed,
     required: bool,
-) -> Result<(), InvalidInput> {
+) -> Result<()> {
     let field = given.field(key);
     if required || field.is_given() {
         value.read(&field, Place::Field(record, key), allowed)?;
@@ -81,7 +76,7 @@ pub(crate) fn read_whole<T: Input, S: Source>(
     given: &S,
     place: Place<'_>,
     allowed: &Allowed,
-) -> Result<T, InvalidInput> {
+) -> Result<T> {
     value.read(given, place, allowed)?;
     value.check(place, allowed)?;
     Ok(value)
@@ -98,16 +93,11 @@ impl Input for f64 {
         number_field(path, allowed, rows);
     }
 
-    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<(), InvalidInput> {
+    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         allowed.check(place, *self)
     }
 
-    fn read<S: Source>(
-        &mut self,
-        given: &S,
-        place: Place<'_>,
-        allowed: &Allowed,
-    ) -> Result<(), InvalidInput> {
+    fn read<S: Source>(&mut self, given: &S, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         *self = given.number().ok_or_else(|| refused(given, place, allowed.expected()))?;
         Ok(())
     }
@@ -118,16 +108,11 @@ impl Input for u32 {
         number_field(path, allowed, rows);
     }
 
-    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<(), InvalidInput> {
+    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         f64::from(*self).check(place, allowed)
     }
 
-    fn read<S: Source>(
-        &mut self,
-        given: &S,
-        place: Place<'_>,
-        allowed: &Allowed,
-    ) -> Result<(), InvalidInput> {
+    fn read<S: Source>(&mut self, given: &S, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         let whole = given.number().filter(|number| Allowed::SEED.allows(*number));
         *self = whole.ok_or_else(|| refused(given, place, allowed.expected()))? as u32;
         Ok(())
@@ -139,16 +124,11 @@ impl Input for Option<f64> {
         number_field(path, allowed, rows);
     }
 
-    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<(), InvalidInput> {
+    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         self.map_or(Ok(()), |number| number.check(place, allowed))
     }
 
-    fn read<S: Source>(
-        &mut self,
-        given: &S,
-        place: Place<'_>,
-        allowed: &Allowed,
-    ) -> Result<(), InvalidInput> {
+    fn read<S: Source>(&mut self, given: &S, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         *self = match given.kind() {
             Kind::Null => None,
             Kind::Number(number) => Some(number),
@@ -161,12 +141,7 @@ impl Input for Option<f64> {
 impl Input for bool {
     unranged!();
 
-    fn read<S: Source>(
-        &mut self,
-        given: &S,
-        place: Place<'_>,
-        _: &Allowed,
-    ) -> Result<(), InvalidInput> {
+    fn read<S: Source>(&mut self, given: &S, place: Place<'_>, _: &Allowed) -> Result<()> {
         match given.kind() {
             Kind::Truth(truth) => *self = truth,
             _ => return Err(refused(given, place, "true or false")),
@@ -180,17 +155,12 @@ impl<T: Input, const N: usize> Input for [T; N] {
         T::fields(&format!("{path}[]"), allowed, rows);
     }
 
-    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<(), InvalidInput> {
+    fn check(&self, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         let mut elements = self.iter().enumerate();
         elements.try_for_each(|(i, element)| element.check(Place::Element(&place, i), allowed))
     }
 
-    fn read<S: Source>(
-        &mut self,
-        given: &S,
-        place: Place<'_>,
-        allowed: &Allowed,
-    ) -> Result<(), InvalidInput> {
+    fn read<S: Source>(&mut self, given: &S, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         if given.length(false) != Some(N) {
             return Err(refused(given, place, format!("an array of {N}")));
         }

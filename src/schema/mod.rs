@@ -24,7 +24,7 @@ mod source;
 
 mod input;
 
-pub use allowed::{Allowed, InvalidInput, Refusal};
+pub use allowed::{Allowed, InvalidInput, Refusal, Result};
 pub use field::{Field, Fields, WordField};
 pub use input::Input;
 pub use place::Place;

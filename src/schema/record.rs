@@ -52,7 +52,7 @@ macro_rules! record {
                 &self,
                 place: crate::schema::Place<'_>,
                 _: &crate::schema::Allowed,
-            ) -> Result<(), crate::schema::InvalidInput> {
+            ) -> crate::schema::Result<()> {
                 $(crate::schema::check_field(
                     &self.$field,
                     (&place, $key),
@@ -66,7 +66,7 @@ macro_rules! record {
                 given: &S,
                 place: crate::schema::Place<'_>,
                 _: &crate::schema::Allowed,
-            ) -> Result<(), crate::schema::InvalidInput> {
+            ) -> crate::schema::Result<()> {
                 crate::schema::read_object(given, place, <Self as crate::schema::Plain>::KEYS)?;
                 $(crate::schema::read_field(
                     &mut self.$field,

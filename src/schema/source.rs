@@ -1,6 +1,6 @@
 //! Whatever is read: plain values that somebody gave.
 
-use super::allowed::InvalidInput;
+use super::allowed::{InvalidInput, Result};
 use super::place::Place;
 use super::text::Text;
 
@@ -9,7 +9,7 @@ pub trait Source: Sized {
     /// What it is, as far as that is seen at once.
     fn kind(&self) -> Kind;
     /// The numbers that it is, side by side; refused if they are more than allowed.
-    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput>;
+    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>>;
     /// How many elements it has, if it is a list; also one of numbers side by side, if those may be.
     fn length(&self, columns: bool) -> Option<usize>;
     /// The element with this index.
@@ -116,7 +116,7 @@ pub(crate) fn read_object<S: Source>(
     given: &S,
     place: Place<'_>,
     known: &[&'static str],
-) -> Result<(), InvalidInput> {
+) -> Result<()> {
     match given.keys(known) {
         Keys::Known => Ok(()),
         Keys::NoObject => Err(refused(given, place, "an object")),

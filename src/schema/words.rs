@@ -19,7 +19,7 @@ macro_rules! words {
                 &self,
                 _: crate::schema::Place<'_>,
                 _: &crate::schema::Allowed,
-            ) -> Result<(), crate::schema::InvalidInput> {
+            ) -> crate::schema::Result<()> {
                 Ok(())
             }
 
@@ -28,7 +28,7 @@ macro_rules! words {
                 given: &S,
                 place: crate::schema::Place<'_>,
                 _: &crate::schema::Allowed,
-            ) -> Result<(), crate::schema::InvalidInput> {
+            ) -> crate::schema::Result<()> {
                 let word = given.text().and_then(|word| Self::named(&word));
                 *self = word
                     .ok_or_else(|| crate::schema::refused(given, place, Self::expected()))?;

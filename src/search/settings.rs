@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 use crate::robot::Gains;
-use crate::schema::{Allowed, InvalidInput, Text, record, words};
+use crate::schema::{Allowed, InvalidInput, Result, Text, record, words};
 
 words! {
     input
@@ -98,7 +98,7 @@ record! { input (Copy)
 
 impl EvolutionSettings {
     /// Checks the rules between fields.
-    pub(crate) fn check_rules(&self) -> Result<(), InvalidInput> {
+    pub(crate) fn check_rules(&self) -> Result<()> {
         let [low, high] = self.initial_range;
         if low >= high {
             let expected = "[low, high] with low under high";

@@ -2,7 +2,7 @@
 
 use super::hash::Hash;
 use crate::run::{MAX_WORK, Setting};
-use crate::schema::{InvalidInput, Text};
+use crate::schema::{InvalidInput, Result, Text};
 use crate::search::{GenerationRecord, Individual, Search, Statistics, search};
 
 /// A run of evolutionary programming, or of one of its rivals, that remembers itself.
@@ -76,7 +76,7 @@ impl Evolution {
     }
 
     /// One generation in short; the error says which there are.
-    pub fn statistics(&self, generation: u32) -> Result<Statistics, InvalidInput> {
+    pub fn statistics(&self, generation: u32) -> Result<Statistics> {
         Ok(self.statistics[self.validate(generation)? as usize])
     }
 
@@ -84,7 +84,7 @@ impl Evolution {
     ///
     /// It drives again what is no longer known: at most [`MAX_WORK`] samples, or one generation; more only where a history is
     /// so long that its memory asks for it.
-    pub fn record(&self, generation: u32) -> Result<GenerationRecord, InvalidInput> {
+    pub fn record(&self, generation: u32) -> Result<GenerationRecord> {
         let number = self.validate(generation)?;
         let mut search = match number {
             0 => search(self.setting.experiment().evolution.method),
@@ -97,7 +97,7 @@ impl Evolution {
     }
 
     /// The population that a generation left, best ranked first; the error says which there are.
-    pub fn population(&self, generation: u32) -> Result<Vec<Individual>, InvalidInput> {
+    pub fn population(&self, generation: u32) -> Result<Vec<Individual>> {
         Ok(self.search_after(self.validate(generation)?).population().to_vec())
     }
 
@@ -119,7 +119,7 @@ impl Evolution {
         InvalidInput::new("generation", expected, found)
     }
 
-    fn validate(&self, generation: u32) -> Result<u32, InvalidInput> {
+    fn validate(&self, generation: u32) -> Result<u32> {
         if generation <= self.generation() {
             return Ok(generation);
         }

@@ -5,8 +5,8 @@ use super::starts::{AXIS_COUNT, Range};
 use crate::robot::{Gains, Triples};
 use crate::run::Setting;
 use crate::schema::{
-    Allowed, Input, InvalidInput, Place, Plain, Source, read_object, read_whole, record, refused,
-    told, unranged, words,
+    Allowed, Input, InvalidInput, Place, Plain, Result, Source, read_object, read_whole, record,
+    refused, told, unranged, words,
 };
 
 words! {
@@ -35,12 +35,7 @@ impl Gain {
 impl Input for Gain {
     unranged!();
 
-    fn read<S: Source>(
-        &mut self,
-        given: &S,
-        place: Place<'_>,
-        _: &Allowed,
-    ) -> Result<(), InvalidInput> {
+    fn read<S: Source>(&mut self, given: &S, place: Place<'_>, _: &Allowed) -> Result<()> {
         let word = given.text();
         let gain = match word.as_deref() {
             Some("kθ") => Some(Self::Theta),
@@ -79,7 +74,7 @@ impl Axis {
         }
     }
 
-    fn validate(&self, name: &str) -> Result<(), InvalidInput> {
+    fn validate(&self, name: &str) -> Result<()> {
         let Self { from, to, count, .. } = *self;
         for (end, value) in [("from", from), ("to", to)] {
             if self.log && value.is_finite() && value <= 0.0 {
@@ -118,7 +113,7 @@ told! {
 
 impl Landscape {
     /// A landscape, and which of its rows are asked for.
-    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2]), InvalidInput> {
+    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2])> {
         let place = Place::Named("landscape");
         read_object(given, place, Self::KEYS)?;
         let at = |name| Place::Field(&place, name);
@@ -131,7 +126,7 @@ impl Landscape {
     }
 
     /// J of the cells in rows [first, end), row by row. The error names the field that is wrong.
-    pub fn costs(&self, setting: &Setting, rows: [u32; 2]) -> Result<Vec<f64>, InvalidInput> {
+    pub fn costs(&self, setting: &Setting, rows: [u32; 2]) -> Result<Vec<f64>> {
         self.x.validate("landscape.x")?;
         self.y.validate("landscape.y")?;
         if self.x.gain == self.y.gain {

@@ -1,13 +1,9 @@
 //! Jobs that can be split by index without changing a bit.
 
-use crate::schema::{Allowed, InvalidInput, Place, Source, refused};
+use crate::schema::{Allowed, InvalidInput, Place, Result, Source, refused};
 
 /// Checks a part [first, end) of a job that has `count` parts.
-pub(super) fn validate_part(
-    field: &str,
-    part: [u32; 2],
-    count: u32,
-) -> Result<[u32; 2], InvalidInput> {
+pub(super) fn validate_part(field: &str, part: [u32; 2], count: u32) -> Result<[u32; 2]> {
     let [first, end] = part;
     if first <= end && end <= count {
         return Ok(part);
@@ -17,11 +13,7 @@ pub(super) fn validate_part(
 }
 
 /// Reads a part of a job that has `count` parts; all of it if it is left out.
-pub(super) fn read_part<S: Source>(
-    given: &S,
-    place: Place<'_>,
-    count: u32,
-) -> Result<[u32; 2], InvalidInput> {
+pub(super) fn read_part<S: Source>(given: &S, place: Place<'_>, count: u32) -> Result<[u32; 2]> {
     if !given.is_given() {
         return Ok([0, count]);
     }

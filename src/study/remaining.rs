@@ -2,7 +2,7 @@
 
 use crate::robot::Gains;
 use crate::run::{Outcome, Sample, Setting, check_bytes};
-use crate::schema::{Columns, InvalidInput, Text, told};
+use crate::schema::{Columns, InvalidInput, Result, Text, told};
 use crate::theory::{ErrorSizes, theorem_2_sets};
 
 /// The parts of the error at one sample of a run, and how far the sets reach there.
@@ -36,11 +36,11 @@ told! {
 const COLUMNS: usize = 5;
 
 /// Refuses to tell the parts of the error of more runs than fit in the memory.
-pub fn check_error_parts(setting: &Setting) -> Result<(), InvalidInput> {
+pub fn check_error_parts(setting: &Setting) -> Result<()> {
     check_starts(setting, setting.bytes_of_columns(COLUMNS))
 }
 
-fn check_starts(setting: &Setting, bytes_of_each: f64) -> Result<(), InvalidInput> {
+fn check_starts(setting: &Setting, bytes_of_each: f64) -> Result<()> {
     let (what, count) = ("the number of starts", setting.experiment().starts.len() as f64);
     setting.experiment().check_drives(what, count, 1)?;
     check_bytes(what, count, bytes_of_each)
@@ -102,7 +102,7 @@ pub fn remaining_errors(
     setting: &Setting,
     gains: &Gains,
     seconds: f64,
-) -> Result<Vec<RemainingError>, InvalidInput> {
+) -> Result<Vec<RemainingError>> {
     let experiment = setting.experiment();
     if !(0.0..=experiment.horizon).contains(&seconds) {
         let expected = Text::from("a number from 0 to the horizon of ") + experiment.horizon + " s";

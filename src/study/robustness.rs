@@ -5,7 +5,7 @@ use super::starts::Grid;
 use crate::number::LARGEST_INDEX;
 use crate::robot::Gains;
 use crate::run::{Departure, RunEnd, Setting, check_bytes};
-use crate::schema::InvalidInput;
+use crate::schema::Result;
 
 /// How a run ended, and what is told of it.
 const BYTES_OF_A_START: f64 = (size_of::<RunEnd>() + 2 * size_of::<f64>() + 1) as f64;
@@ -18,7 +18,7 @@ pub fn robustness(
     gains: Gains,
     grid: &Grid,
     part: [u32; 2],
-) -> Result<Vec<RunEnd>, InvalidInput> {
+) -> Result<Vec<RunEnd>> {
     grid.validate()?;
     let [first, end] = validate_part("grid.part", part, grid.most())?;
     let (what, count) = ("the number of starts", f64::from(end - first));

@@ -2,7 +2,7 @@
 
 use crate::robot::Gains;
 use crate::run::{BYTES_OF_AN_OBJECT, Setting, check_bytes};
-use crate::schema::InvalidInput;
+use crate::schema::Result;
 use crate::search::Brood;
 
 /// Parents, offspring, draws, costs, tournament: what a solution takes while its generation is under way.
@@ -10,12 +10,7 @@ const BYTES_OF_A_SOLUTION: f64 = 512.0;
 
 /// Refuses so many searches, each with so many drives, if they take too long, or if what they keep takes too much memory:
 /// their solutions, and in the end columns of two numbers for each of so many rows.
-pub(super) fn check_searches(
-    setting: &Setting,
-    count: f64,
-    drives: f64,
-    rows: f64,
-) -> Result<(), InvalidInput> {
+pub(super) fn check_searches(setting: &Setting, count: f64, drives: f64, rows: f64) -> Result<()> {
     setting.experiment().check_solutions("the number of drives", drives * count)?;
     let e = &setting.experiment().evolution;
     let solutions = f64::from(e.population.max(e.most_solutions())) * BYTES_OF_A_SOLUTION;

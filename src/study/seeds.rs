@@ -5,7 +5,7 @@ use super::searches::{check_searches, step_together};
 use crate::number::Real;
 use crate::robot::Gains;
 use crate::run::Setting;
-use crate::schema::{Allowed, Column, InvalidInput, Place, Source, read_whole, record};
+use crate::schema::{Allowed, Column, Place, Result, Source, read_whole, record};
 use crate::search::{Brood, Draws, EvolutionSettings, Individual, LAST_GENERATION, Search, search};
 
 record! { required (Copy)
@@ -20,7 +20,7 @@ record! { required (Copy)
 
 impl SeedRuns {
     /// Seeds and generations.
-    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
+    pub fn read<S: Source>(given: &S) -> Result<Self> {
         let none = Self { seeds: [0; 2], generations: 0 };
         read_whole(none, given, Place::Named("seeds"), &Allowed::ANY)
     }
@@ -42,11 +42,7 @@ record! {
 /// Runs evolution for so many generations with each seed, beside random search.
 ///
 /// The seed of the experiment does not matter. The error names the field that is wrong.
-pub fn seed_runs(
-    setting: &Setting,
-    seeds: [u32; 2],
-    generations: u32,
-) -> Result<Vec<SeedRun>, InvalidInput> {
+pub fn seed_runs(setting: &Setting, seeds: [u32; 2], generations: u32) -> Result<Vec<SeedRun>> {
     let [first, end] = validate_part("seeds", seeds, u32::MAX)?;
     let settings = setting.experiment().evolution;
     let (n, g) = (f64::from(settings.most_solutions()), f64::from(generations) + 1.0);

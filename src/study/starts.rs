@@ -9,7 +9,8 @@ use crate::number::{Purpose, stream, wrap};
 use crate::robot::{Gains, METRES, Posture, Triples};
 use crate::run::MAX_STARTS;
 use crate::schema::{
-    Allowed, Input, InvalidInput, Place, Plain, Source, read_object, read_whole, record, told,
+    Allowed, Input, InvalidInput, Place, Plain, Result, Source, read_object, read_whole, record,
+    told,
 };
 
 record! { required (Copy)
@@ -32,13 +33,13 @@ impl Circle {
     const PLACE: Place<'static> = Place::Named("circle");
 
     /// A circle.
-    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
+    pub fn read<S: Source>(given: &S) -> Result<Self> {
         let none = Self { x: 0.0, y: 0.0, radius: 0.0, count: 0, seed: 0 };
         read_whole(none, given, Self::PLACE, &Allowed::ANY)
     }
 
     /// Postures evenly on the circle, each with a random heading. The error names the field that is wrong.
-    pub fn starts(&self) -> Result<Vec<Posture>, InvalidInput> {
+    pub fn starts(&self) -> Result<Vec<Posture>> {
         self.check(Self::PLACE, &Allowed::ANY)?;
         let Self { x, y, radius, count, seed } = *self;
         let mut rng = stream(seed, Purpose::Starts, 0);
@@ -70,7 +71,7 @@ impl Range {
         self.from * (1.0 - t) + self.to * t
     }
 
-    pub(crate) fn validate(&self, name: &str) -> Result<(), InvalidInput> {
+    pub(crate) fn validate(&self, name: &str) -> Result<()> {
         for (end, value) in [("from", self.from), ("to", self.to)] {
             if !value.is_finite() {
                 return Err(InvalidInput::new(format!("{name}.{end}"), "a finite number", value));
@@ -114,12 +115,12 @@ impl Grid {
     const PLACE: Place<'static> = Place::Named("grid");
 
     /// A grid, and which of its starts [first, end) are asked for.
-    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2]), InvalidInput> {
+    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2])> {
         read_object(given, Self::PLACE, Self::KEYS)?;
         Self::read_fields(given)
     }
 
-    fn read_fields<S: Source>(given: &S) -> Result<(Self, [u32; 2]), InvalidInput> {
+    fn read_fields<S: Source>(given: &S) -> Result<(Self, [u32; 2])> {
         let at = |name| Place::Field(&Self::PLACE, name);
         let none = Range { from: 0.0, to: 0.0, count: 0 };
         let range = |name| read_whole(none, &given.field(name), at(name), &Allowed::ANY);
@@ -154,7 +155,7 @@ impl Grid {
     }
 
     /// The postures with index in [first, end); the error says how many are allowed.
-    pub fn starts(&self, part: [u32; 2]) -> Result<Vec<Posture>, InvalidInput> {
+    pub fn starts(&self, part: [u32; 2]) -> Result<Vec<Posture>> {
         self.validate()?;
         let [first, end] = validate_part("grid.part", part, self.most())?;
         if end - first > MAX_STARTS {
@@ -164,7 +165,7 @@ impl Grid {
         Ok((first..end).map(|index| self.posture(index)).collect())
     }
 
-    pub(crate) fn validate(&self) -> Result<(), InvalidInput> {
+    pub(crate) fn validate(&self) -> Result<()> {
         for (name, range) in [("grid.x", self.x), ("grid.y", self.y)] {
             range.validate(name)?;
             for (end, value) in [("from", range.from), ("to", range.to)] {
@@ -202,7 +203,7 @@ told! {
 
 impl StartGrid {
     /// A robot with its grid, and from which of the starts [first, end) it is to drive.
-    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2]), InvalidInput> {
+    pub fn read<S: Source>(given: &S) -> Result<(Self, [u32; 2])> {
         read_object(given, Grid::PLACE, Self::KEYS)?;
         let gains = Gains::read_one(&given.field("gains"))?;
         let (grid, part) = Grid::read_fields(given)?;

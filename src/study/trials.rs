@@ -6,7 +6,7 @@ use super::part::validate_part;
 use super::searches::{check_searches, step_together};
 use crate::robot::Gains;
 use crate::run::Setting;
-use crate::schema::{Allowed, Column, InvalidInput, Place, Source, read_whole, record};
+use crate::schema::{Allowed, Column, Place, Result, Source, read_whole, record};
 use crate::search::{Brood, EvolutionSettings, LAST_GENERATION, Search, search};
 
 /// How many drives a trial may have.
@@ -24,7 +24,7 @@ record! { required (Copy)
 
 impl Trials {
     /// Seeds and drives.
-    pub fn read<S: Source>(given: &S) -> Result<Self, InvalidInput> {
+    pub fn read<S: Source>(given: &S) -> Result<Self> {
         let none = Self { seeds: [0; 2], drives: 0 };
         read_whole(none, given, Place::Named("trials"), &Allowed::ANY)
     }
@@ -57,7 +57,7 @@ record! {
 /// Runs the method of the experiment with each seed for so many drives.
 ///
 /// The seed of the experiment does not matter. The error names the field that is wrong.
-pub fn trials(setting: &Setting, seeds: [u32; 2], drives: u32) -> Result<Vec<Trial>, InvalidInput> {
+pub fn trials(setting: &Setting, seeds: [u32; 2], drives: u32) -> Result<Vec<Trial>> {
     let [first, end] = validate_part("seeds", seeds, u32::MAX)?;
     DRIVES.check("drives", drives.into())?;
     check_searches(setting, f64::from(end - first), drives.into(), drives.into())?;

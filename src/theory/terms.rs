@@ -2,7 +2,7 @@
 
 use super::lyapunov::PromisedRate;
 use crate::robot::{CommandTerms, ErrorPosture, Gains, Law, Posture, Velocity};
-use crate::schema::{InvalidInput, Place, Plain, Source, read_object, record, refused};
+use crate::schema::{Place, Plain, Result, Source, read_object, record, refused};
 
 record! { (Copy)
     /// What the control law makes of an error posture.
@@ -22,7 +22,7 @@ impl LawTerms {
 }
 
 /// An error posture that is given by its three numbers.
-pub fn read_error<S: Source>(given: &S) -> Result<ErrorPosture, InvalidInput> {
+pub fn read_error<S: Source>(given: &S) -> Result<ErrorPosture> {
     let place = Place::Named("error");
     read_object(given, place, Posture::KEYS)?;
     let number = |name| {

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 use super::origin;
 use super::write::named;
 use crate::run::Preset;
-use crate::schema::{InvalidInput, Keys, Kind, Place, Source, refused, too_many};
+use crate::schema::{Keys, Kind, Place, Result, Source, refused, too_many};
 
 /// What js-sys has too, but there an exception would leave the core in the middle of a function: each time, what that
 /// has on the stack would be lost. Proxies and getters can throw everywhere.
@@ -82,7 +82,7 @@ impl Source for Given {
         self.value.as_ref().is_none_or(|value| !value.is_undefined())
     }
 
-    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
+    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>> {
         let is_column = |value: &&JsValue| value.is_instance_of::<Float64Array>();
         let Some(value) = self.value.as_ref().filter(is_column) else { return Ok(None) };
         let refused = |_| refused(self, place, "a Float64Array or an array of numbers");
