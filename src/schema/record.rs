@@ -24,60 +24,45 @@ macro_rules! record {
             }
         }
 
-        impl crate::schema::Input for $name {
-            fn fields(
-                path: &str,
-                _: &crate::schema::Allowed,
-                rows: &mut crate::schema::Fields,
-            ) {
-                fn of<T: crate::schema::Input>(
-                    _: fn(&$name) -> &T,
-                    path: &str,
-                    key: &str,
-                    allowed: &crate::schema::Allowed,
-                    rows: &mut crate::schema::Fields,
-                ) {
-                    crate::schema::field_rows::<T>(path, key, allowed, rows);
+        const _: () = {
+            // Not `Allowed`, for what stands after `in` names it.
+            use crate::schema::{
+                self as schema, Fields, Input, Place, Plain, Result, Source, check_field,
+                field_rows, read_field, read_object, record,
+            };
+
+            impl Input for $name {
+                fn fields(path: &str, _: &schema::Allowed, rows: &mut Fields) {
+                    fn of<T: Input>(
+                        _: fn(&$name) -> &T,
+                        path: &str,
+                        key: &str,
+                        allowed: &schema::Allowed,
+                        rows: &mut Fields,
+                    ) {
+                        field_rows::<T>(path, key, allowed, rows);
+                    }
+                    $(of(|record| &record.$field, path, $key, record!(@allowed $($allowed)?), rows);)+
                 }
-                $(of(
-                    |record| &record.$field,
-                    path,
-                    $key,
-                    crate::schema::record!(@allowed $($allowed)?),
-                    rows,
-                );)+
-            }
 
-            fn check(
-                &self,
-                place: crate::schema::Place<'_>,
-                _: &crate::schema::Allowed,
-            ) -> crate::schema::Result<()> {
-                $(crate::schema::check_field(
-                    &self.$field,
-                    (&place, $key),
-                    crate::schema::record!(@allowed $($allowed)?),
-                )?;)+
-                Ok(())
-            }
+                fn check(&self, place: Place<'_>, _: &schema::Allowed) -> Result<()> {
+                    $(check_field(&self.$field, (&place, $key), record!(@allowed $($allowed)?))?;)+
+                    Ok(())
+                }
 
-            fn read<S: crate::schema::Source>(
-                &mut self,
-                given: &S,
-                place: crate::schema::Place<'_>,
-                _: &crate::schema::Allowed,
-            ) -> crate::schema::Result<()> {
-                crate::schema::read_object(given, place, <Self as crate::schema::Plain>::KEYS)?;
-                $(crate::schema::read_field(
-                    &mut self.$field,
-                    given,
-                    (&place, $key),
-                    crate::schema::record!(@allowed $($allowed)?),
-                    crate::schema::record!(@required $required $($optional)?),
-                )?;)+
-                Ok(())
+                fn read<S: Source>(&mut self, given: &S, place: Place<'_>, _: &schema::Allowed) -> Result<()> {
+                    read_object(given, place, Self::KEYS)?;
+                    $(read_field(
+                        &mut self.$field,
+                        given,
+                        (&place, $key),
+                        record!(@allowed $($allowed)?),
+                        record!(@required $required $($optional)?),
+                    )?;)+
+                    Ok(())
+                }
             }
-        }
+        };
     };
     (@required $required:literal) => { $required };
     (@required $required:literal optional) => { false };
@@ -120,35 +105,36 @@ macro_rules! told {
             $($(#[doc = $doc:literal])+ $key:literal $([$optional:ident])? => |$it:ident| $value:expr,)+
         }
     ) => {
-        impl crate::schema::Plain for $type {
-            const KEYS: &'static [&'static str] = &[$($key),+];
+        const _: () = {
+            use crate::schema::{Plain, Types, Writer};
 
-            fn typescript(types: &mut crate::schema::Types) -> String {
-                fn of<'a, T: crate::schema::Plain>(
-                    types: &mut crate::schema::Types,
-                    _: impl Fn(&'a $type) -> T,
-                ) -> String {
-                    T::typescript(types)
+            impl Plain for $type {
+                const KEYS: &'static [&'static str] = &[$($key),+];
+
+                fn typescript(types: &mut Types) -> String {
+                    fn of<'a, T: Plain>(types: &mut Types, _: impl Fn(&'a $type) -> T) -> String {
+                        T::typescript(types)
+                    }
+                    types.interface(stringify!($name), &[$($about),+], |types| {
+                        vec![$((
+                            concat!($key $(, crate::schema::told!(@ $optional))?),
+                            &[$($doc),+] as &[&str],
+                            of(types, |$it| $value),
+                        )),+]
+                    })
                 }
-                types.interface(stringify!($name), &[$($about),+], |types| {
-                    vec![$((
-                        concat!($key $(, crate::schema::told!(@ $optional))?),
-                        &[$($doc),+] as &[&str],
-                        of(types, |$it| $value),
-                    )),+]
-                })
-            }
 
-            fn write<W: crate::schema::Writer>(&self, to: &W) -> W::Value {
-                to.object([$((
-                    $key,
-                    {
-                        let $it = self;
-                        crate::schema::Plain::write(&$value, to)
-                    },
-                )),+])
+                fn write<W: Writer>(&self, to: &W) -> W::Value {
+                    to.object([$((
+                        $key,
+                        {
+                            let $it = self;
+                            Plain::write(&$value, to)
+                        },
+                    )),+])
+                }
             }
-        }
+        };
     };
 }
 

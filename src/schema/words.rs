@@ -5,36 +5,27 @@ macro_rules! words {
     (input $(#[doc = $about:literal])+ pub enum $name:ident { $($rest:tt)+ }) => {
         crate::schema::words! { $(#[doc = $about])+ pub enum $name { $($rest)+ } }
 
-        impl crate::schema::Input for $name {
-            fn fields(
-                path: &str,
-                _: &crate::schema::Allowed,
-                rows: &mut crate::schema::Fields,
-            ) {
-                let words = Self::WORDS;
-                rows.words.push(crate::schema::WordField { path: path.into(), words });
-            }
+        const _: () = {
+            use crate::schema::{
+                Allowed, Fields, Input, Place, Result, Source, WordField, refused,
+            };
 
-            fn check(
-                &self,
-                _: crate::schema::Place<'_>,
-                _: &crate::schema::Allowed,
-            ) -> crate::schema::Result<()> {
-                Ok(())
-            }
+            impl Input for $name {
+                fn fields(path: &str, _: &Allowed, rows: &mut Fields) {
+                    rows.words.push(WordField { path: path.into(), words: Self::WORDS });
+                }
 
-            fn read<S: crate::schema::Source>(
-                &mut self,
-                given: &S,
-                place: crate::schema::Place<'_>,
-                _: &crate::schema::Allowed,
-            ) -> crate::schema::Result<()> {
-                let word = given.text().and_then(|word| Self::named(&word));
-                *self = word
-                    .ok_or_else(|| crate::schema::refused(given, place, Self::expected()))?;
-                Ok(())
+                fn check(&self, _: Place<'_>, _: &Allowed) -> Result<()> {
+                    Ok(())
+                }
+
+                fn read<S: Source>(&mut self, given: &S, place: Place<'_>, _: &Allowed) -> Result<()> {
+                    let word = given.text().and_then(|word| Self::named(&word));
+                    *self = word.ok_or_else(|| refused(given, place, Self::expected()))?;
+                    Ok(())
+                }
             }
-        }
+        };
     };
     (
         $(#[doc = $about:literal])+
@@ -71,16 +62,20 @@ macro_rules! words {
             }
         }
 
-        impl crate::schema::Plain for $name {
-            fn typescript(types: &mut crate::schema::Types) -> String {
-                let words = Self::expected().replace(" or ", " | ");
-                types.alias(stringify!($name), &[$($about),+], &words)
-            }
+        const _: () = {
+            use crate::schema::{Plain, Types, Writer};
 
-            fn write<W: crate::schema::Writer>(&self, to: &W) -> W::Value {
-                to.text(self.word())
+            impl Plain for $name {
+                fn typescript(types: &mut Types) -> String {
+                    let words = Self::expected().replace(" or ", " | ");
+                    types.alias(stringify!($name), &[$($about),+], &words)
+                }
+
+                fn write<W: Writer>(&self, to: &W) -> W::Value {
+                    to.text(self.word())
+                }
             }
-        }
+        };
     };
 }
 
