@@ -35,7 +35,7 @@ impl Arc<f64> {
     #[inline]
     pub(crate) fn splat<S: Real>(&self) -> Arc<S> {
         Arc {
-            velocity: self.velocity.splat(),
+            velocity: self.velocity.map(S::splat),
             turn: S::splat(self.turn),
             ahead: S::splat(self.ahead),
             aside: S::splat(self.aside),

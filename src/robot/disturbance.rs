@@ -42,10 +42,12 @@ impl Disturbance {
     pub fn bound(&self) -> Velocity {
         match self.kind {
             DisturbanceKind::None => Velocity::ZERO,
-            DisturbanceKind::Random | DisturbanceKind::Slip => {
-                Velocity { linear: self.linear.abs(), angular: self.angular.abs() }
-            }
+            DisturbanceKind::Random | DisturbanceKind::Slip => self.velocity().map(f64::abs),
         }
+    }
+
+    fn velocity(&self) -> Velocity {
+        Velocity { linear: self.linear, angular: self.angular }
     }
 
     /// The disturbances of a run from the start posture with this index, sample by sample.
@@ -54,12 +56,9 @@ impl Disturbance {
     pub(crate) fn sequence(&self, start: u32) -> DisturbanceSequence {
         match self.kind {
             DisturbanceKind::None => DisturbanceSequence::None,
-            DisturbanceKind::Slip => DisturbanceSequence::Constant(Velocity {
-                linear: self.linear,
-                angular: self.angular,
-            }),
+            DisturbanceKind::Slip => DisturbanceSequence::Constant(self.velocity()),
             DisturbanceKind::Random => DisturbanceSequence::Random {
-                bound: Velocity { linear: self.linear, angular: self.angular },
+                bound: self.velocity(),
                 rng: stream(self.seed, Purpose::Disturbance, start),
             },
         }
@@ -81,11 +80,7 @@ impl DisturbanceSequence {
             Self::None => None,
             Self::Constant(velocity) => Some(*velocity),
             Self::Random { bound, rng } => {
-                let mut signed_unit = || 2.0 * rng.random::<f64>() - 1.0;
-                Some(Velocity {
-                    linear: bound.linear * signed_unit(),
-                    angular: bound.angular * signed_unit(),
-                })
+                Some(bound.map(|bound| bound * (2.0 * rng.random::<f64>() - 1.0)))
             }
         }
     }

@@ -53,17 +53,6 @@ impl ErrorPosture {
         Self { x, y, theta, cos, sin }
     }
 
-    /// The same error in every lane.
-    pub(crate) fn splat<S: Real>(&self) -> ErrorPosture<S> {
-        ErrorPosture {
-            x: S::splat(self.x),
-            y: S::splat(self.y),
-            theta: S::splat(self.theta),
-            cos: S::splat(self.cos),
-            sin: S::splat(self.sin),
-        }
-    }
-
     /// The posture that has this error: the inverse of equation (3). θ is in (θ_r − π, θ_r + π].
     pub fn posture(self, reference: Posture) -> Posture {
         Frame::new(reference).posture_at(&self)
@@ -110,6 +99,12 @@ impl Frame {
 }
 
 impl<S: Real> ErrorPosture<S> {
+    /// What this function makes of each number.
+    pub(crate) fn map<T>(&self, f: impl Fn(S) -> T) -> ErrorPosture<T> {
+        let Self { x, y, theta, cos, sin } = *self;
+        ErrorPosture { x: f(x), y: f(y), theta: f(theta), cos: f(cos), sin: f(sin) }
+    }
+
     /// x_e² + y_e² + θ_e², the integrand (p − p_r)ᵀ(p − p_r) of the cost (9).
     #[inline]
     pub fn squared_deviation(&self) -> S {

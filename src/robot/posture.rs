@@ -25,7 +25,7 @@ record! { input (Copy, Default)
     }
 }
 
-record! { input (Copy, Default)
+record! { input (Copy)
     /// A velocity q = (v, ω).
     pub struct Velocity<S = f64> {
         /// v in m/s, positive forwards.
@@ -38,11 +38,13 @@ record! { input (Copy, Default)
 impl Velocity {
     /// The velocity of a robot at rest.
     pub const ZERO: Self = Self { linear: 0.0, angular: 0.0 };
+}
 
-    /// The same velocity for every robot.
+impl<S> Velocity<S> {
+    /// What this function makes of v and of ω.
     #[inline]
-    pub fn splat<S: Real>(self) -> Velocity<S> {
-        Velocity { linear: S::splat(self.linear), angular: S::splat(self.angular) }
+    pub(crate) fn map<T>(self, mut f: impl FnMut(S) -> T) -> Velocity<T> {
+        Velocity { linear: f(self.linear), angular: f(self.angular) }
     }
 }
 

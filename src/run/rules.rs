@@ -57,14 +57,17 @@ impl Robot<f64> {
     pub(crate) fn at_rest(error: ErrorPosture) -> Self {
         Self { error, velocity: Velocity::ZERO, path: 0.0, energy: Velocity::ZERO }
     }
+}
 
-    /// The same robot in every lane.
-    pub(crate) fn splat<S: Real>(&self) -> Robot<S> {
+impl<S: Real> Robot<S> {
+    /// What this function makes of each number.
+    pub(crate) fn map<T>(&self, f: impl Fn(S) -> T) -> Robot<T> {
+        let Self { error, velocity, path, energy } = *self;
         Robot {
-            error: self.error.splat(),
-            velocity: self.velocity.splat(),
-            path: S::splat(self.path),
-            energy: self.energy.splat(),
+            error: error.map(&f),
+            velocity: velocity.map(&f),
+            path: f(path),
+            energy: energy.map(&f),
         }
     }
 }
@@ -174,7 +177,7 @@ impl Rules {
         disturbance: Option<Velocity<S>>,
     ) -> (Robot<S>, Arc<S>) {
         let q = robot.velocity;
-        let squares = Velocity { linear: q.linear * q.linear, angular: q.angular * q.angular };
+        let squares = q.map(|q| q * q);
         let arc = Arc::new(disturbance.map_or(q, |delta| q + delta), self.sample_time);
         let moved = robot.error.robot_moved(&arc);
         let error = match &self.reference_arc {

@@ -2,7 +2,7 @@
 
 use super::rules::Robot;
 use crate::number::Lanes;
-use crate::robot::{ErrorPosture, Gains, Velocity};
+use crate::robot::{Gains, Velocity};
 
 impl Gains<Lanes> {
     pub(super) fn set(&mut self, index: usize, k: &Gains) {
@@ -18,22 +18,9 @@ impl Velocity<Lanes> {
         self.linear.set(index, velocity.linear);
         self.angular.set(index, velocity.angular);
     }
-
-    pub(super) fn lane(&self, index: usize) -> Velocity {
-        let [linear, angular] = [self.linear, self.angular].map(|q| q.lane(index));
-        Velocity { linear, angular }
-    }
 }
 
 impl Robot<Lanes> {
-    pub(super) fn lane(&self, index: usize) -> Robot<f64> {
-        let e = &self.error;
-        let [x, y, theta, cos, sin] = [e.x, e.y, e.theta, e.cos, e.sin].map(|a| a.lane(index));
-        let path = self.path.lane(index);
-        let [velocity, energy] = [self.velocity, self.energy].map(|q| q.lane(index));
-        Robot { error: ErrorPosture { x, y, theta, cos, sin }, velocity, path, energy }
-    }
-
     pub(super) fn set(&mut self, index: usize, robot: &Robot<f64>) {
         let Self { error, velocity, path, energy } = self;
         for (lanes, value) in [

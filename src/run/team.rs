@@ -62,13 +62,13 @@ impl Bounds {
 
 impl Team {
     pub(super) fn idle() -> Self {
-        let robots = Robot::at_rest(ErrorPosture::new(0.0, 0.0, 0.0)).splat();
+        let robots = Robot::at_rest(ErrorPosture::new(0.0, 0.0, 0.0)).map(Lanes::splat);
         Self {
             robots,
             gains: Gains::new(0.0, 0.0, 0.0).splat(),
             extremes: Extremes::none(),
             before: robots,
-            disturbances: [Velocity::ZERO.splat(); BLOCK],
+            disturbances: [Velocity::ZERO.map(Lanes::splat); BLOCK],
             seats: [const { None }; LANES],
         }
     }
@@ -130,11 +130,11 @@ impl Team {
         let mut vacant = false;
         for index in (0..LANES).filter(|index| !usual.is_set(*index)) {
             let Some(seat) = &self.seats[index] else { continue };
-            let mut robot = self.before.lane(index);
+            let mut robot = self.before.map(|lanes| lanes.lane(index));
             let block = self.disturbances[..samples].iter().zip(now - samples as u64..);
             let ended = block.into_iter().any(|(disturbance, now)| {
                 let ended = runs.note_end(seat, &robot, now);
-                let disturbance = noisy.then(|| disturbance.lane(index));
+                let disturbance = noisy.then(|| disturbance.map(|lanes| lanes.lane(index)));
                 robot = rules.step(&robot, &seat.gains, disturbance).next;
                 ended
             });
@@ -148,7 +148,7 @@ impl Team {
     /// Ends the runs that reach the horizon now.
     pub(super) fn end_at_horizon(&mut self, runs: &mut Runs<'_>, now: u64) {
         for (index, seat) in self.seats.iter_mut().enumerate() {
-            let robot = self.robots.lane(index);
+            let robot = self.robots.map(|lanes| lanes.lane(index));
             seat.take_if(|seat| seat.horizon == now && runs.note_end(seat, &robot, now));
         }
     }

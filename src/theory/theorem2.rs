@@ -12,7 +12,7 @@ pub fn robust_gains(e: &ErrorPosture, bound: Velocity) -> Gains {
     let ratio = |dividend: f64, divisor: f64| {
         if dividend == 0.0 { 0.0 } else { dividend / divisor }
     };
-    let [e1, e2] = [bound.linear.abs(), bound.angular.abs()];
+    let Velocity { linear: e1, angular: e2 } = bound.map(f64::abs);
     let y = e.y.abs();
     Gains::new(
         ratio(e1, (e.x * e.cos).abs()),
@@ -24,7 +24,7 @@ pub fn robust_gains(e: &ErrorPosture, bound: Velocity) -> Gains {
 /// The largest V̇, in m²/s, that a disturbance within ±(ε1, ε2) can cause under the law (5):
 /// V̇ + (|y_e sin θ_e| + |x_e cos θ_e|) ε1 + |sin θ_e| ε2, bounded term by term as in the proof of Theorem 2.
 pub fn lyapunov_rate_bound(e: &ErrorPosture, k: &Gains, bound: Velocity) -> f64 {
-    let [e1, e2] = [bound.linear.abs(), bound.angular.abs()];
+    let Velocity { linear: e1, angular: e2 } = bound.map(f64::abs);
     theorem_1_rate(e, k).total()
         + ((e.y * e.sin).abs() + (e.x * e.cos).abs()) * e1
         + e.sin.abs() * e2
@@ -69,7 +69,7 @@ impl ErrorSizes {
 /// only its own part is negative. A gain that is not over 0 makes no part negative: its set has no end.
 pub fn theorem_2_sets(k: &Gains, bound: Velocity, sin: f64) -> ErrorSizes {
     let quotient = |push: f64, gain: f64| if gain > 0.0 { push / gain } else { f64::INFINITY };
-    let [e1, e2] = [bound.linear.abs(), bound.angular.abs()];
+    let Velocity { linear: e1, angular: e2 } = bound.map(f64::abs);
     ErrorSizes {
         x: quotient(e1, k.x),
         y: libm::cbrt(quotient(e1 * sin.abs(), k.y)),
