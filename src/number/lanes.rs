@@ -4,8 +4,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 use wide::f64x2;
 
-use super::real::Real;
-use super::small_arc::along_small_arc;
+use super::real::{Real, along_small_arc};
 
 /// How many robots share a register.
 pub(crate) const LANES: usize = 2;
@@ -104,7 +103,7 @@ impl Real for Lanes {
 
     #[inline(always)]
     fn along_arc(self, dt: f64) -> (Self, Self) {
-        along_small_arc(self, dt, Self::splat)
+        along_small_arc(self, dt)
     }
 
     #[inline(always)]
