@@ -35,7 +35,7 @@ fn what_a_method_goes_by_next_it_goes_by_in_the_next_generation() {
             assert_eq!(pair[0].next, pair[1].plan, "{method:?}");
         }
         let has_none = [Method::Ep, Method::Random, Method::De].contains(&method);
-        assert_eq!(records.iter().all(|one| one.plan == Plan::NONE), has_none, "{method:?}");
+        assert_eq!(records.iter().all(|one| one.plan == Plan::default()), has_none, "{method:?}");
     }
 }
 
@@ -265,7 +265,7 @@ fn where_no_slope_can_be_told_it_is_probed_again() {
         search.tell(&e, search.ask(&e, 0), &[here]);
         for generation in 1..4 {
             search.tell(&e, search.ask(&e, generation), &[beside; 3]);
-            assert_eq!(search.plan(&e), Plan::NONE, "{here} {beside}");
+            assert_eq!(search.plan(&e), Plan::default(), "{here} {beside}");
         }
     }
 }

@@ -46,7 +46,7 @@ impl Search for CmaEs {
 
     fn plan(&self, e: &EvolutionSettings) -> Plan {
         let Rates { weights, .. } = Rates::new(e.population as usize);
-        Plan { ellipse: Some(self.normal(e).ellipse()), weights, ..Plan::NONE }
+        Plan { ellipse: Some(self.normal(e).ellipse()), weights, ..Plan::default() }
     }
 
     found!(found);

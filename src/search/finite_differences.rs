@@ -73,7 +73,7 @@ impl Search for FiniteDifferences {
 
     fn plan(&self, _: &EvolutionSettings) -> Plan {
         let steps = self.direction().map(|direction| direction.map(|way| self.length * way));
-        Plan { slope: self.slope, steps, ..Plan::NONE }
+        Plan { slope: self.slope, steps, ..Plan::default() }
     }
 
     found!(found);

@@ -187,8 +187,8 @@ impl Brood {
             tournament,
             ranking,
             survivors,
-            plan: Plan::NONE,
-            next: Plan::NONE,
+            plan: Plan::default(),
+            next: Plan::default(),
         }
     }
 }

@@ -75,7 +75,7 @@ impl Search for NelderMead {
             Motion::Begin => Vec::new(),
             _ => self.parted().0.map(|number| number as u32).to_vec(),
         };
-        Plan { motion: Some(self.motion), corners, ..Plan::NONE }
+        Plan { motion: Some(self.motion), corners, ..Plan::default() }
     }
 
     found!(found);

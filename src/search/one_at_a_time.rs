@@ -52,7 +52,7 @@ impl Search for OneAtATime {
 
     fn plan(&self, _: &EvolutionSettings) -> Plan {
         let has_begun = !self.found.population.is_empty();
-        Plan { steps: has_begun.then_some(self.steps), ..Plan::NONE }
+        Plan { steps: has_begun.then_some(self.steps), ..Plan::default() }
     }
 
     found!(found);

@@ -44,7 +44,7 @@ impl Search for OnePlusOne {
     }
 
     fn plan(&self, _: &EvolutionSettings) -> Plan {
-        Plan { steps: self.0.population.first().map(|parent| parent.sigmas), ..Plan::NONE }
+        Plan { steps: self.0.population.first().map(|parent| parent.sigmas), ..Plan::default() }
     }
 
     found!(0);

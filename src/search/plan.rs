@@ -31,7 +31,7 @@ words! {
     }
 }
 
-record! {
+record! { (Default)
     /// What a method goes by when it asks, besides its population; null or empty is what it does not have.
     pub struct Plan {
         /// The move of Nelder and Mead's simplex.
@@ -47,16 +47,4 @@ record! {
         /// The next step in each gain: down the slope; one gain at a time, when it is its turn; σ of the (1+1) strategy.
         pub steps: Option<[f64; 3]> => "steps",
     }
-}
-
-impl Plan {
-    /// Of a method that has nothing but its population.
-    pub const NONE: Self = Self {
-        motion: None,
-        corners: Vec::new(),
-        ellipse: None,
-        weights: Vec::new(),
-        slope: None,
-        steps: None,
-    };
 }

@@ -35,7 +35,7 @@ pub trait Search {
 
     /// What it goes by when it asks next, besides its population.
     fn plan(&self, _: &EvolutionSettings) -> Plan {
-        Plan::NONE
+        Plan::default()
     }
 
     /// Another that stands where this one does.
