@@ -33,7 +33,7 @@ pub use presets::{PAPER_RESULTS, PaperMethod, PaperResult, Preset};
 pub use rules::Outcome;
 pub use runs::RunEnd;
 pub use setting::Setting;
-pub use trajectory::Run;
+pub use trajectory::{Run, RunSample};
 pub use work::{LEAST_GENERATION, LEAST_SAMPLES, MAX_BYTES, MAX_WORK};
 
 #[cfg(all(target_arch = "wasm32", feature = "javascript"))]

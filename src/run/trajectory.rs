@@ -5,53 +5,89 @@ use super::episode::EpisodeState;
 use super::rules::{Outcome, Robot};
 use super::setting::Setting;
 use super::work::check_bytes;
-use crate::robot::Gains;
-use crate::schema::{Column, Result, record};
+use crate::robot::{Gains, Posture, Velocity};
+use crate::schema::{Column, Result, told};
 
-record! {
-    /// One run: arrays with one value a sample, the first at time 0, the last where the run ended.
-    pub struct Run {
-        /// Seconds.
-        pub time: Column => "time",
-        /// Metres.
-        pub x: Column => "x",
-        /// Metres.
-        pub y: Column => "y",
-        /// Radians, not wrapped.
-        pub theta: Column => "theta",
-        /// The velocity applied from this sample to the next, after the limits, m/s; the last sample repeats the one before.
-        pub linear: Column => "linear",
-        /// The same for the turn rate, rad/s.
-        pub angular: Column => "angular",
-        /// The velocity that the control law asked for, before the limits, m/s.
-        pub command_linear: Column => "commandLinear",
-        /// The same for the turn rate, rad/s.
-        pub command_angular: Column => "commandAngular",
-        /// The reference posture, which moves when the reference velocity is not zero: metres.
-        pub reference_x: Column => "referenceX",
-        /// Metres.
-        pub reference_y: Column => "referenceY",
-        /// Radians.
-        pub reference_theta: Column => "referenceTheta",
-        /// The path's part of J that is paid until the sample: ½ ∫ (p − p_r)ᵀ(p − p_r) dt from 0.
-        pub path_cost: Column => "pathCost",
-        /// The energy's part of J that is paid until the sample: ½ ∫ qᵀ R q dt from 0.
-        pub energy_cost: Column => "energyCost",
-        /// J of the run, in parts.
-        pub cost: Cost => "cost",
-        /// How the run ended.
-        pub outcome: Outcome => "outcome",
-        /// Whether the robot arrived.
-        pub arrived: bool => "arrived",
-        /// t_f in seconds: the time of the sample at which the robot was seen to have arrived or to have left the finite
-        /// numbers, else the horizon. Where the horizon is not a whole number of samples, the last begins before it and ends
-        /// after it: an arrival there is up to one sample time later, and path and energy count that sample whole.
-        pub final_time: f64 => "finalTime",
+/// What is told of a run at one sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunSample {
+    /// t in seconds.
+    pub time: f64,
+    /// The robot's posture; θ is not wrapped.
+    pub posture: Posture,
+    /// The velocity applied until the next sample; at the end, what was last applied.
+    pub velocity: Velocity,
+    /// What the control law asks for; at the end, what it last asked for.
+    pub command: Velocity,
+    /// The reference posture.
+    pub reference: Posture,
+    /// What the path and the energy have cost until now, ½ ∫ (p − p_r)ᵀ(p − p_r) dt and ½ ∫ qᵀ R q dt from 0.
+    pub paid: [f64; 2],
+}
+
+/// One run, sample by sample, and how it ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// From time 0 to where the run ended.
+    pub samples: Vec<RunSample>,
+    /// J in parts.
+    pub cost: Cost,
+    /// How the run ended.
+    pub outcome: Outcome,
+    /// t_f in seconds.
+    pub final_time: f64,
+}
+
+impl Run {
+    fn column(&self, number: fn(&RunSample) -> f64) -> Column {
+        Column::of(&self.samples, number)
     }
 }
 
-/// The columns of a run.
-const COLUMNS: usize = 13;
+told! {
+    /// One run: arrays with one value a sample, the first at time 0, the last where the run ended.
+    Run: Run {
+        /// Seconds.
+        "time" => |run| run.column(|s| s.time),
+        /// Metres.
+        "x" => |run| run.column(|s| s.posture.x),
+        /// Metres.
+        "y" => |run| run.column(|s| s.posture.y),
+        /// Radians, not wrapped.
+        "theta" => |run| run.column(|s| s.posture.theta),
+        /// The velocity applied from this sample to the next, after the limits, m/s; the last sample repeats the one before.
+        "linear" => |run| run.column(|s| s.velocity.linear),
+        /// The same for the turn rate, rad/s.
+        "angular" => |run| run.column(|s| s.velocity.angular),
+        /// The velocity that the control law asked for, before the limits, m/s.
+        "commandLinear" => |run| run.column(|s| s.command.linear),
+        /// The same for the turn rate, rad/s.
+        "commandAngular" => |run| run.column(|s| s.command.angular),
+        /// The reference posture, which moves when the reference velocity is not zero: metres.
+        "referenceX" => |run| run.column(|s| s.reference.x),
+        /// Metres.
+        "referenceY" => |run| run.column(|s| s.reference.y),
+        /// Radians.
+        "referenceTheta" => |run| run.column(|s| s.reference.theta),
+        /// The path's part of J that is paid until the sample: ½ ∫ (p − p_r)ᵀ(p − p_r) dt from 0.
+        "pathCost" => |run| run.column(|s| s.paid[0]),
+        /// The energy's part of J that is paid until the sample: ½ ∫ qᵀ R q dt from 0.
+        "energyCost" => |run| run.column(|s| s.paid[1]),
+        /// J of the run, in parts.
+        "cost" => |run| run.cost,
+        /// How the run ended.
+        "outcome" => |run| run.outcome,
+        /// Whether the robot arrived.
+        "arrived" => |run| run.outcome == Outcome::Arrived,
+        /// t_f in seconds: the time of the sample at which the robot was seen to have arrived or to have left the finite
+        /// numbers, else the horizon. Where the horizon is not a whole number of samples, the last begins before it and ends
+        /// after it: an arrival there is up to one sample time later, and path and energy count that sample whole.
+        "finalTime" => |run| run.final_time,
+    }
+}
+
+/// The columns of a run, one of each number of a sample.
+const COLUMNS: usize = size_of::<RunSample>() / size_of::<f64>();
 
 impl Setting {
     /// Refuses more whole runs in one call than it may give back.
@@ -67,66 +103,32 @@ impl Setting {
     /// If there is no such start posture.
     pub fn run(&self, gains: Gains, start: u32) -> Run {
         let mut state = EpisodeState::new(self, gains, start);
-        let mut rows: Vec<[f64; COLUMNS]> = Vec::new();
+        let mut samples = Vec::new();
         let outcome = loop {
-            let (ended, row) = self.row(&mut state);
-            rows.push(row);
+            let ended = state.outcome;
+            samples.push(self.next_sample(&mut state));
             if let Some(outcome) = ended {
                 break outcome;
             }
         };
-        // In the order of a row.
-        let [time, x, y, theta, linear, angular, command_linear, command_angular, rest @ ..] =
-            std::array::from_fn::<_, COLUMNS, _>(|i| {
-                Column(rows.iter().map(|row| row[i]).collect())
-            });
-        let [reference_x, reference_y, reference_theta, path_cost, energy_cost] = rest;
-        Run {
-            time,
-            x,
-            y,
-            theta,
-            linear,
-            angular,
-            command_linear,
-            command_angular,
-            reference_x,
-            reference_y,
-            reference_theta,
-            path_cost,
-            energy_cost,
-            cost: state.cost(self),
-            outcome,
-            arrived: outcome == Outcome::Arrived,
-            final_time: self.final_time(Some(outcome), state.n),
-        }
+        let final_time = self.final_time(Some(outcome), state.n);
+        Run { samples, cost: state.cost(self), outcome, final_time }
     }
 
-    /// One sample of each column, after which the robot moves on.
+    /// The sample at which a run is, after which the robot moves on.
     #[inline]
-    fn row(&self, state: &mut EpisodeState) -> (Option<Outcome>, [f64; COLUMNS]) {
-        let EpisodeState { robot, heading, n, outcome, .. } = *state;
-        let Robot { error, path, energy, .. } = robot;
+    fn next_sample(&self, state: &mut EpisodeState) -> RunSample {
+        let EpisodeState { robot: Robot { error, path, energy, .. }, heading, n, outcome, .. } =
+            *state;
         state.advance(self);
         let frame = self.frame_at(n);
-        let (posture, reference) = (frame.posture_at(&error), frame.reference);
-        let (q, command) = (state.robot.velocity, state.command);
-        let [path_cost, energy_cost] = self.paid(path, energy);
-        let row = [
-            self.final_time(outcome, n),
-            posture.x,
-            posture.y,
-            heading,
-            q.linear,
-            q.angular,
-            command.linear,
-            command.angular,
-            reference.x,
-            reference.y,
-            reference.theta,
-            path_cost,
-            energy_cost,
-        ];
-        (outcome, row)
+        RunSample {
+            time: self.final_time(outcome, n),
+            posture: Posture { theta: heading, ..frame.posture_at(&error) },
+            velocity: state.robot.velocity,
+            command: state.command,
+            reference: frame.reference,
+            paid: self.paid(path, energy),
+        }
     }
 }
