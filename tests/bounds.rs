@@ -1,10 +1,12 @@
 //! What one call may cost, in samples and in bytes: each of these once took all memory, or never ended.
 
+mod common;
+
+use common::{assert_refused, valid, velocity_limits};
 use ep_locomotion::robot::{Gains, Posture};
 use ep_locomotion::run::{
-    Experiment, LEAST_GENERATION, LEAST_SAMPLES, MAX_BYTES, MAX_STARTS, MAX_WORK, Preset, Setting,
+    Experiment, LEAST_GENERATION, LEAST_SAMPLES, MAX_BYTES, MAX_STARTS, MAX_WORK, Setting,
 };
-use ep_locomotion::schema::InvalidInput;
 use ep_locomotion::search::{LAST_GENERATION, Method, Selection};
 use ep_locomotion::study::{
     Grid, Range, check_error_parts, remaining_errors, robustness, seed_runs, trials,
@@ -15,14 +17,9 @@ const GAINS: Gains = Gains::new(3.0, 0.1, 5.0);
 
 /// The paper's first experiment with another horizon.
 fn lasting(horizon: f64, change: impl FnOnce(&mut Experiment)) -> Setting {
-    let mut experiment = Experiment { horizon, ..Preset::VelocityLimits.experiment() };
+    let mut experiment = Experiment { horizon, ..velocity_limits() };
     change(&mut experiment);
-    Setting::new(experiment).expect("valid")
-}
-
-#[track_caller]
-fn assert_refused<T>(result: Result<T, InvalidInput>, message: &str) {
-    assert_eq!(result.err().expect("refused").to_string(), message);
+    valid(experiment)
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -136,7 +133,7 @@ fn what_is_not_driving_is_counted_too() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_largest_population_may_start_everywhere() {
     let largest = |samples: f64| {
-        let mut experiment = Preset::VelocityLimits.experiment();
+        let mut experiment = velocity_limits();
         experiment.horizon = samples * experiment.sample_time;
         experiment.evolution.population = 2000;
         experiment.starts = vec![Posture::default(); MAX_STARTS as usize];
@@ -152,7 +149,7 @@ fn the_horizon_is_counted_without_a_sample_time() {
     for (horizon, sample_time, samples) in
         [(10.0, 0.0, u32::MAX), (0.0, 0.0, 0), (10.0, f64::NAN, 0), (f64::INFINITY, 1.0, u32::MAX)]
     {
-        let experiment = Experiment { horizon, sample_time, ..Preset::VelocityLimits.experiment() };
+        let experiment = Experiment { horizon, sample_time, ..velocity_limits() };
         assert_eq!(experiment.samples(), samples, "{horizon} / {sample_time}");
     }
 }

@@ -3,10 +3,10 @@
 mod common;
 
 use common::json::written;
-use common::{EP_GAINS, velocity_limits};
+use common::{EP_GAINS, valid, velocity_limits};
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law};
 use ep_locomotion::run::{Experiment, Outcome, Setting};
-use ep_locomotion::schema::{Columns, Plain};
+use ep_locomotion::schema::Columns;
 use ep_locomotion::study::{Stability, StabilitySample, error_parts, fares, remaining_errors};
 use ep_locomotion::theory::PromisedRate;
 use serde_json::{Value, json};
@@ -18,7 +18,7 @@ fn setting(law: Law) -> Setting {
     let mut experiment = Experiment { law, disturbance, ..velocity_limits() };
     experiment.starts.push(experiment.goal);
     experiment.horizon = 1.5;
-    Setting::new(experiment).expect("valid")
+    valid(experiment)
 }
 
 /// Asserts that what is told has this column.
@@ -28,16 +28,12 @@ fn assert_column<T, N: Into<Value>>(told: &Value, path: &str, all: &[T], number:
     assert_eq!(*column, Value::from_iter(all.iter().map(number)), "{path}");
 }
 
-fn told(value: &impl Plain) -> Value {
-    written(value)
-}
-
 #[wasm_bindgen_test(unsupported = test)]
 fn of_runs_their_cost_time_and_whether_they_arrived() {
     let ends = fares(&setting(Law::ShimKim), EP_GAINS);
     let arrived: Vec<_> = ends.iter().map(|end| end.outcome == Outcome::Arrived).collect();
     assert_eq!(arrived, [false, true], "both cases");
-    let told = told(&Columns(ends.clone()));
+    let told = written(&Columns(ends.clone()));
     assert_column(&told, "/cost", &ends, |end| end.cost.total());
     assert_column(&told, "/finalTime", &ends, |end| end.cost.time);
     assert_column(&told, "/arrived", &ends, |end| u8::from(end.outcome == Outcome::Arrived));
@@ -48,7 +44,7 @@ fn of_a_run_its_samples_and_how_it_ended() {
     let setting = setting(Law::ShimKim);
     for start in [0, 1] {
         let samples: Vec<_> = setting.episode(EP_GAINS, start).samples().collect();
-        let told = told(&setting.run(EP_GAINS, start));
+        let told = written(&setting.run(EP_GAINS, start));
         assert_column(&told, "/time", &samples, |sample| sample.time);
         assert_column(&told, "/x", &samples, |sample| sample.posture.x);
         assert_column(&told, "/theta", &samples, |sample| sample.posture.theta);
@@ -65,7 +61,7 @@ fn of_a_run_its_samples_and_how_it_ended() {
 fn of_an_error_its_parts_and_the_sets_of_theorem_2() {
     let setting = setting(Law::ShimKim);
     let samples = error_parts(&setting, &EP_GAINS, 0);
-    let parts = told(&Columns(samples.clone()));
+    let parts = written(&Columns(samples.clone()));
     assert_column(&parts, "/time", &samples, |sample| sample.time);
     assert_column(&parts, "/x", &samples, |sample| sample.error.x);
     assert_column(&parts, "/y", &samples, |sample| sample.error.y);
@@ -73,7 +69,7 @@ fn of_an_error_its_parts_and_the_sets_of_theorem_2() {
     assert_column(&parts, "/ySet", &samples, |sample| sample.sets.y);
 
     let all = remaining_errors(&setting, &EP_GAINS, 1.0).expect("errors");
-    let remaining = told(&Columns(all.clone()));
+    let remaining = written(&Columns(all.clone()));
     assert_column(&remaining, "/error/x", &all, |one| one.error.x);
     assert_column(&remaining, "/error/y", &all, |one| one.error.y);
     assert_column(&remaining, "/error/theta", &all, |one| one.error.theta);
@@ -90,7 +86,7 @@ fn of_stability_what_is_promised_and_what_becomes_of_it() {
         (Law::Kanayama, Gains::new(1.0, -1.0, 1.0)),
     ] {
         let stability = Stability::of(&setting(law), &gains, 0);
-        let (all, told) = (&stability.samples, told(&stability));
+        let (all, told) = (&stability.samples, written(&stability));
         let part = |part: fn(PromisedRate) -> f64| {
             move |sample: &StabilitySample| sample.promised.map_or(f64::NAN, part)
         };

@@ -4,10 +4,10 @@ mod common;
 
 use core::f64::consts::PI;
 
-use common::{EP_GAINS, Random, assert_close, cost, run, velocity_limits};
+use common::{EP_GAINS, Random, assert_close, cost, run, valid, velocity_limits};
 use ep_locomotion::number::wrap;
 use ep_locomotion::robot::{Gains, Limits, Posture};
-use ep_locomotion::run::{Experiment, Outcome, Preset, Sample, Setting};
+use ep_locomotion::run::{Experiment, Outcome, Preset, Sample};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// Starts from which the paper's gains arrive, so that rounding cannot decide the outcome.
@@ -233,14 +233,14 @@ fn a_robot_that_has_to_be_slow_arrives_where_it_first_is_near_and_slow() {
 fn a_start_that_is_not_there_is_refused() {
     let mut experiment = velocity_limits();
     experiment.starts = vec![experiment.goal; 3];
-    let setting = Setting::new(experiment).expect("valid");
+    let setting = valid(experiment);
     for start in [0.0, 2.0] {
-        assert!(setting.starts().allows(start));
+        assert!(setting.start_indices().allows(start));
     }
     for start in [3.0, -1.0, 0.5, f64::NAN] {
-        assert!(!setting.starts().allows(start), "{start}");
+        assert!(!setting.start_indices().allows(start), "{start}");
     }
-    assert_eq!(setting.starts().expected().to_string(), "a whole number from 0 to 2");
+    assert_eq!(setting.start_indices().expected().to_string(), "a whole number from 0 to 2");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -261,7 +261,7 @@ fn a_run_that_does_not_arrive_takes_the_horizon_and_one_that_diverges_costs_infi
     let mut experiment = velocity_limits();
     // Between two samples.
     experiment.horizon = 0.105;
-    let setting = Setting::new(experiment.clone()).expect("valid");
+    let setting = valid(experiment.clone());
     let late = setting.episode(Gains::new(1.0, 1.0, 1.0), 0).finished();
     assert_eq!((late.outcome(), late.time()), (Some(Outcome::Horizon), 0.105));
     assert_eq!(late.cost().time, 0.105);
@@ -269,7 +269,7 @@ fn a_run_that_does_not_arrive_takes_the_horizon_and_one_that_diverges_costs_infi
     experiment.limits = Limits::NONE;
     experiment.weights.final_error = [0.0; 3];
     experiment.goal = Posture { x: 2.0, y: 0.0, theta: 0.0 };
-    let setting = Setting::new(experiment).expect("valid");
+    let setting = valid(experiment);
     // So far away that the square is infinite, though the place is not.
     let lost = setting.episode(Gains::new(1e200, 0.0, 0.0), 0).finished();
     assert_eq!(lost.outcome(), Some(Outcome::Diverged));

@@ -2,9 +2,9 @@
 
 mod common;
 
-use common::{Random, assert_close, evolved};
+use common::{Random, assert_close, evolved, searched_by, valid};
 use ep_locomotion::robot::Gains;
-use ep_locomotion::run::{Experiment, MAX_WORK, Preset, Setting};
+use ep_locomotion::run::{Experiment, MAX_WORK};
 use ep_locomotion::search::{
     GenerationRecord, Individual, LAST_GENERATION, LearningRates, Mutation, Tournament, wins_bout,
 };
@@ -12,9 +12,7 @@ use ep_locomotion::study::Evolution;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn experiment(seed: u32) -> Experiment {
-    let mut experiment = Preset::VelocityLimits.experiment();
-    experiment.evolution.seed = seed;
-    experiment
+    searched_by(|e| e.seed = seed)
 }
 
 fn mean(values: &[f64]) -> f64 {
@@ -146,8 +144,7 @@ fn the_first_population_is_uniform_in_the_initial_range() {
     let mut start = experiment(3);
     start.evolution.population = 2000;
     start.horizon = 0.01;
-    let population =
-        Evolution::new(Setting::new(start).expect("valid")).population(0).expect("generation 0");
+    let population = Evolution::new(valid(start)).population(0).expect("generation 0");
     for j in 0..3 {
         let gains: Vec<f64> = population.iter().map(|i| i.gains.to_array()[j]).collect();
         assert!(gains.iter().all(|k| (0.01..10.0).contains(k)));

@@ -4,9 +4,9 @@
 mod common;
 
 use common::json::Given;
-use common::{assert_close, evolved};
+use common::{assert_close, evolved, searched_by, valid, velocity_limits};
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Velocity};
-use ep_locomotion::run::{Experiment, Preset, Setting};
+use ep_locomotion::run::{Experiment, Preset};
 use serde::Deserialize;
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -122,8 +122,7 @@ fn three_runs_of_the_papers_gains() {
     let Rows { tolerance, rows } = golden().runs;
     assert_eq!(rows.len(), 3);
     for KnownRun { preset, gains: k, final_time, cost, end } in rows {
-        let setting =
-            Setting::new(Preset::find(&preset).expect("a preset").experiment()).expect("valid");
+        let setting = valid(Preset::find(&preset).expect("a preset").experiment());
         let mut episode = setting.episode(Gains::new(k[0], k[1], k[2]), 0);
         let last = episode.samples().last().expect("a sample").posture;
         assert_relative(episode.cost().total(), cost, tolerance);
@@ -133,12 +132,6 @@ fn three_runs_of_the_papers_gains() {
             assert_relative(value, *expected, tolerance);
         }
     }
-}
-
-fn seeded(preset: Preset, seed: u32) -> Experiment {
-    let mut experiment = preset.experiment();
-    experiment.evolution.seed = seed;
-    experiment
 }
 
 /// Three seeds of both presets, and seldom used paths: noise, tracking from several starts, no limits with large turns.
@@ -156,7 +149,7 @@ fn whole_runs_have_the_same_bits_everywhere() {
 #[wasm_bindgen_test(unsupported = test)]
 fn value_stability_of_the_random_streams() {
     let known = golden().draws;
-    let evolution = evolved(seeded(Preset::VelocityLimits, known.seed), 1);
+    let evolution = evolved(searched_by(|e| e.seed = known.seed), 1);
     let [first, second] = [0, 1].map(|number| evolution.record(number).expect("a generation"));
     let draws = second.making.mutations[0];
     assert_eq!(first.parents[0].gains.to_array(), known.parent);
@@ -165,10 +158,10 @@ fn value_stability_of_the_random_streams() {
     assert_eq!(draws.sigmas, known.sigmas);
     assert_eq!(second.tournament.opponents[0], known.opponents);
 
-    let mut noisy = Preset::VelocityLimits.experiment();
+    let mut noisy = velocity_limits();
     noisy.disturbance =
         Disturbance { kind: DisturbanceKind::Random, linear: 1.0, angular: 1.0, seed: known.seed };
-    let setting = Setting::new(noisy).expect("valid");
+    let setting = valid(noisy);
     let mut episode = setting.episode(Gains::new(0.0, 0.0, 0.0), 0);
     let posture = episode.samples().nth(1).expect("a second sample").posture;
     assert_eq!([posture.x, posture.theta], known.noise);
@@ -177,7 +170,7 @@ fn value_stability_of_the_random_streams() {
 #[wasm_bindgen_test(unsupported = test)]
 fn evolution_comes_near_the_optimum_of_the_model() {
     let KnownOptimum { seed, generations, cost: [low, high] } = golden().optimum;
-    let best = evolved(seeded(Preset::VelocityLimits, seed), generations).newest().best;
+    let best = evolved(searched_by(|e| e.seed = seed), generations).newest().best;
     assert!(low <= best.cost && best.cost <= high, "{}", best.cost);
     assert_close(best.gains.y, 0.0, 0.05);
 }

@@ -2,9 +2,9 @@
 
 mod common;
 
-use common::{Random, wild};
+use common::{Random, valid, wild};
 use ep_locomotion::robot::{ErrorPosture, Gains, Law, Limits, Posture, Velocity};
-use ep_locomotion::run::{Outcome, Setting};
+use ep_locomotion::run::Outcome;
 use ep_locomotion::study::{
     Axis, Circle, Evolution, Gain, Grid, Landscape, Range, Stability, error_parts,
     remaining_errors, robustness,
@@ -17,7 +17,7 @@ fn a_million_wild_runs_never_panic_and_never_cost_nan() {
     let mut random = Random::new(1);
     let (mut finite, mut diverged) = (0, 0);
     for _ in 0..100_000 {
-        let setting = Setting::new(wild(&mut random)).expect("within the ranges");
+        let setting = valid(wild(&mut random));
         for _ in 0..5 {
             let gains = Gains::new(random.hostile(), random.hostile(), random.hostile());
             for start in 0..2 {
@@ -39,7 +39,7 @@ fn a_million_wild_runs_never_panic_and_never_cost_nan() {
 fn wild_samples_are_finite_until_a_run_diverges() {
     let mut random = Random::new(2);
     for _ in 0..5_000 {
-        let setting = Setting::new(wild(&mut random)).expect("within the ranges");
+        let setting = valid(wild(&mut random));
         let gains = Gains::new(random.hostile(), random.hostile(), random.hostile());
         for sample in setting.episode(gains, 0).samples() {
             if sample.outcome == Some(Outcome::Diverged) {
@@ -104,7 +104,7 @@ fn jobs_take_any_numbers_or_refuse_them_by_name() {
     let mut random = Random::new(5);
     let mut refused = 0;
     for _ in 0..2_000 {
-        let setting = Setting::new(wild(&mut random)).expect("within the ranges");
+        let setting = valid(wild(&mut random));
         let mut next = || any(&mut random);
         let k = Gains::new(next(), next(), next());
         let [x, y] = [0, 1].map(|_| Range { from: next(), to: next(), count: 2 });
@@ -139,7 +139,7 @@ fn wild_evolutions_keep_their_order() {
         let mut experiment = wild(&mut random);
         experiment.evolution.population = 1 + random.below(5);
         experiment.evolution.initial_sigma = random.hostile().abs().min(1e6);
-        let mut evolution = Evolution::new(Setting::new(experiment).expect("within the ranges"));
+        let mut evolution = Evolution::new(valid(experiment));
         let mut best = evolution.newest().best.cost;
         for _ in 0..30 {
             let next = evolution.step().best.cost;

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Random, bits, wild};
+use common::{Random, bits, valid, velocity_limits, wild};
 use ep_locomotion::number::SMALL_TURN;
 use ep_locomotion::robot::Gains;
 use ep_locomotion::run::{Cost, Experiment, Preset, Setting};
@@ -18,7 +18,7 @@ fn one_by_one(setting: &Setting, gains: &[Gains]) -> Vec<[u64; 6]> {
 }
 
 fn assert_same(experiment: Experiment, gains: &[Gains]) {
-    let setting = Setting::new(experiment).expect("valid");
+    let setting = valid(experiment);
     let together: Vec<_> = setting.costs(gains).iter().map(bits).collect();
     assert_eq!(together, one_by_one(&setting, gains), "{:?}", setting.experiment());
 }
@@ -51,14 +51,14 @@ fn lanes_give_the_bits_of_single_runs_whatever_the_numbers() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_robot_that_starts_at_the_goal_is_there() {
-    let mut experiment = Preset::VelocityLimits.experiment();
+    let mut experiment = velocity_limits();
     experiment.starts = vec![experiment.goal, experiment.starts[0], experiment.goal];
     assert_same(experiment, &[Gains::new(3.0, 0.1, 5.0); 20]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn robots_that_turn_just_as_far_as_lanes_can_have_the_same_bits_too() {
-    let mut experiment = Preset::VelocityLimits.experiment();
+    let mut experiment = velocity_limits();
     // A power of 2, so that the product is exact.
     experiment.sample_time = 0.0625;
     for turn in [SMALL_TURN.next_down(), SMALL_TURN, SMALL_TURN.next_up(), -SMALL_TURN] {

@@ -3,10 +3,10 @@
 
 mod common;
 
-use common::Random;
+use common::{Random, valid, velocity_limits};
 use core::f64::consts::{PI, TAU};
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law, Limits, Velocity};
-use ep_locomotion::run::{Experiment, Outcome, Preset, Setting};
+use ep_locomotion::run::{Experiment, Outcome};
 use ep_locomotion::study::fares;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -15,7 +15,7 @@ type End = (Outcome, [f64; 5]);
 
 /// What the core comes to.
 fn core_run(experiment: &Experiment, gains: [f64; 3]) -> End {
-    let setting = Setting::new(experiment.clone()).expect("valid");
+    let setting = valid(experiment.clone());
     let [x, y, theta] = gains;
     let end = fares(&setting, Gains::new(x, y, theta))[0];
     let cost = end.cost;
@@ -106,7 +106,7 @@ fn oracle_run(e: &Experiment, k: [f64; 3], shift: f64) -> End {
 
 /// An experiment of a size that somebody would choose.
 fn drawn(random: &mut Random) -> Experiment {
-    let mut experiment = Preset::VelocityLimits.experiment();
+    let mut experiment = velocity_limits();
     experiment.law = [Law::ShimKim, Law::ShimKim, Law::Kanayama][random.below(3) as usize];
     experiment.starts = vec![random.posture(3.0)];
     experiment.goal = random.posture(3.0);

@@ -3,10 +3,10 @@
 mod common;
 
 use common::json::{Given, written};
-use common::{evolved, velocity_limits};
+use common::{evolved, valid, velocity_limits};
 use ep_locomotion::outside;
 use ep_locomotion::robot::{ErrorPosture, Gains, Law, Velocity};
-use ep_locomotion::run::{Preset, Setting};
+use ep_locomotion::run::Preset;
 use ep_locomotion::schema::{Column, Columns, InvalidInput, Plain};
 use ep_locomotion::study::{self, Axis, Circle, Gain, Grid, Landscape, Range};
 use ep_locomotion::theory::LawTerms;
@@ -76,9 +76,9 @@ fn an_experiment_is_a_preset_with_changes_in_either_order() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_call_is_what_its_room_answers() {
-    let mut experiment = Preset::VelocityLimits.experiment();
+    let mut experiment = velocity_limits();
     experiment.starts.push(experiment.goal);
-    let setting = Setting::new(experiment).expect("valid");
+    let setting = valid(experiment);
     let (gains, k) = (json!([3, 0.1, 5]), Gains::new(3.0, 0.1, 5.0));
     let two = json!([3, 0.1, 5, 3, 0.1, 5]);
     let (one, two) = (Given(Some(&gains)), Given(Some(&two)));
@@ -124,7 +124,7 @@ fn numbers_side_by_side_are_what_they_would_be_in_lists() {
     }
     assert!(starts(json!({ "column": vec![0; 30_000] })).is_ok());
 
-    let setting = Setting::new(velocity_limits()).expect("valid");
+    let setting = valid(velocity_limits());
     let evaluated = |gains: Value| told(outside::evaluate(&setting, &Given(Some(&gains))));
     let both = [3.0, 0.1, 5.0, 10.0, 10.0, 10.0];
     assert_eq!(evaluated(json!({ "column": both })), evaluated(json!(both)));
@@ -147,7 +147,7 @@ fn numbers_side_by_side_are_what_they_would_be_in_lists() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_survey_is_what_its_room_answers() {
-    let setting = Setting::new(velocity_limits()).expect("valid");
+    let setting = valid(velocity_limits());
     let k = Gains::new(3.0, 0.1, 5.0);
     let given = json!({
         "x": { "gain": "kx", "from": 1, "to": 4, "count": 3, "log": true },
@@ -186,7 +186,7 @@ fn a_survey_is_what_its_room_answers() {
 fn what_is_asked_of_the_law_and_of_many_seeds_is_what_its_room_answers() {
     let mut experiment = velocity_limits();
     experiment.evolution.population = 6;
-    let setting = Setting::new(experiment).expect("valid");
+    let setting = valid(experiment);
     let (gains, k) = (json!([3, 0.1, 5]), Gains::new(3.0, 0.1, 5.0));
     let (one, error) = (Given(Some(&gains)), json!({ "x": -1, "y": 0.5, "theta": 0.3 }));
     let terms = LawTerms::new(Law::ShimKim, &ErrorPosture::new(-1.0, 0.5, 0.3), &k, Velocity::ZERO);
@@ -207,7 +207,7 @@ fn what_is_asked_of_the_law_and_of_many_seeds_is_what_its_room_answers() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_generation_is_given_by_its_number_or_the_newest() {
-    let evolution = evolved(Preset::VelocityLimits.experiment(), 2);
+    let evolution = evolved(velocity_limits(), 2);
     let number =
         |given: Given| outside::generation(&evolution, &given).map_err(|error| error.to_string());
     assert_eq!(number(NOTHING), Ok(2));

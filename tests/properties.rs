@@ -2,32 +2,26 @@
 
 mod common;
 
-use common::Random;
+use common::{Random, searched_by, valid, velocity_limits};
 use core::f64::consts::PI;
 use ep_locomotion::number::SMALL_TURN;
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law, Posture, Velocity};
-use ep_locomotion::run::{Experiment, Preset, Setting};
+use ep_locomotion::run::Experiment;
 use ep_locomotion::search::EvolutionSettings;
 use ep_locomotion::study::{Evolution, SeedRun, fares, seed_runs};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-fn setting(experiment: &Experiment) -> Setting {
-    Setting::new(experiment.clone()).expect("valid")
-}
-
 /// The paper's first experiment with few robots.
 fn small(population: u32, seed: u32) -> Experiment {
-    let mut experiment = Preset::VelocityLimits.experiment();
-    experiment.evolution = EvolutionSettings { population, seed, ..experiment.evolution };
-    experiment
+    searched_by(|e| (e.population, e.seed) = (population, seed))
 }
 
 /// Evolution and random search with the experiment's own seed.
 fn searched(experiment: &Experiment, generations: u32) -> SeedRun {
     let seed = experiment.evolution.seed;
-    seed_runs(&setting(experiment), [seed, seed + 1], generations).expect("valid").remove(0)
+    seed_runs(&valid(experiment.clone()), [seed, seed + 1], generations).expect("valid").remove(0)
 }
 
 /// What random search tries in a generation: gains uniform in the initial range, from the stream of that generation.
@@ -46,7 +40,7 @@ fn random_search_tries_new_gains_in_every_generation_and_keeps_its_best() {
     let expected: Vec<f64> = (0..=40)
         .map(|generation| {
             let gains = tried(&experiment.evolution, generation);
-            let costs = setting(&experiment).evaluate(&gains).expect("valid");
+            let costs = valid(experiment.clone()).evaluate(&gains).expect("valid");
             lowest = costs.into_iter().fold(lowest, f64::min);
             lowest
         })
@@ -71,7 +65,7 @@ fn random_search_knows_nothing_of_evolution() {
 
 /// Robots that are given no command, at the same posture, in noise of 1 m/s and 1 rad/s.
 fn drifting(starts: usize) -> Experiment {
-    let mut experiment = Preset::VelocityLimits.experiment();
+    let mut experiment = velocity_limits();
     experiment.starts = vec![Posture::default(); starts];
     experiment.horizon = 0.05;
     experiment.disturbance =
@@ -83,7 +77,7 @@ const AT_REST: Gains = Gains::new(0.0, 0.0, 0.0);
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_start_meets_noise_of_its_own() {
-    let setting = setting(&drifting(50));
+    let setting = valid(drifting(50));
     let mut paths: Vec<_> = fares(&setting, AT_REST).iter().map(|end| end.cost.path).collect();
     paths.sort_by(f64::total_cmp);
     paths.dedup();
@@ -93,7 +87,7 @@ fn every_start_meets_noise_of_its_own() {
 /// (x, θ) after one sample: links made today must give the same noise tomorrow.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_first_noise_of_every_start_is_known() {
-    let setting = setting(&drifting(3));
+    let setting = valid(drifting(3));
     let moved = [0, 1, 2].map(|start| {
         let mut episode = setting.episode(AT_REST, start);
         let posture = episode.samples().nth(1).expect("a second sample").posture;
@@ -113,7 +107,7 @@ fn an_evaluation_is_one_run_of_one_solution_from_one_start() {
         let mut experiment = small(population, 1);
         experiment.starts = vec![Posture::default(); starts];
         experiment.horizon = 0.1;
-        let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
+        let mut evolution = Evolution::new(valid(experiment));
         let each = f64::from(population) * starts as f64;
         assert_eq!(evolution.newest().evaluations, each);
         assert_eq!(evolution.step().evaluations, 2.0 * each);
@@ -127,7 +121,7 @@ fn an_evaluation_is_one_run_of_one_solution_from_one_start() {
 fn a_robot_and_its_reference_may_turn_apart_as_fast_as_they_can() {
     let mut random = Random::new(1);
     for side in [1.0, -1.0] {
-        let mut experiment = Preset::VelocityLimits.experiment();
+        let mut experiment = velocity_limits();
         let rate = side * 0.99 * SMALL_TURN / experiment.sample_time;
         experiment.law = Law::Kanayama;
         experiment.horizon = 0.64;
@@ -138,7 +132,7 @@ fn a_robot_and_its_reference_may_turn_apart_as_fast_as_they_can() {
         experiment.starts = (0..300)
             .map(|_| Posture { theta: random.within(-PI, PI), ..experiment.goal })
             .collect();
-        let setting = setting(&experiment);
+        let setting = valid(experiment.clone());
         let alone = (0..300).map(|start| setting.episode(AT_REST, start).finished().cost());
         let together = fares(&setting, AT_REST).into_iter().map(|end| end.cost);
         for (start, (together, alone)) in together.zip(alone).enumerate() {

@@ -3,8 +3,8 @@
 mod common;
 
 use common::json::{Given, written};
-use common::{PRESET, WORDS};
-use ep_locomotion::run::{Experiment, Preset, Setting};
+use common::{PRESET, WORDS, velocity_limits};
+use ep_locomotion::run::{Experiment, Setting};
 use ep_locomotion::schema::Field;
 use serde_json::{Value, json};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -58,7 +58,7 @@ const RANGES: [(&str, f64, f64, &str, Kind); 32] = [
 
 /// What an experiment with this value in the last of these fields is told.
 fn verdict(path: &str, value: &Value) -> Result<(), String> {
-    let mut preset = Preset::VelocityLimits.experiment();
+    let mut preset = velocity_limits();
     preset.starts = vec![preset.starts[0]; 2];
     let mut experiment = written(&preset);
     let place =
@@ -97,7 +97,7 @@ fn the_table_of_words_is_this_one() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_usual_experiment_is_this_one() {
     let known: Value = serde_json::from_str(PRESET).expect("JSON");
-    let preset = written(&Preset::VelocityLimits.experiment());
+    let preset = written(&velocity_limits());
     // JSON has one kind of zero, and writes whole numbers as such.
     let numbers = |value: &Value| {
         value.to_string().replace(".0,", ",").replace(".0}", "}").replace(".0]", "]")

@@ -3,6 +3,7 @@
 mod common;
 
 use common::json::{Given, written};
+use common::{assert_refused, velocity_limits};
 use ep_locomotion::robot::{DisturbanceKind, Law, Posture};
 use ep_locomotion::run::{Experiment, Preset, Setting};
 use ep_locomotion::schema::{Fields, Input};
@@ -51,11 +52,6 @@ fn every_field_refuses_what_is_outside_its_range_by_name() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn rules_between_fields_are_told_in_words() {
-    let refused = |change: fn(&mut Experiment)| {
-        let mut experiment = Preset::VelocityLimits.experiment();
-        change(&mut experiment);
-        Setting::new(experiment).expect_err("refused").to_string()
-    };
     for (change, message) in [
         (
             (|e| e.starts.clear()) as fn(&mut Experiment),
@@ -105,13 +101,15 @@ fn rules_between_fields_are_told_in_words() {
             "starts must be at most 1000 postures with 100000 samples a run, but was 4000",
         ),
     ] {
-        assert_eq!(refused(change), message);
+        let mut experiment = velocity_limits();
+        change(&mut experiment);
+        assert_refused(Setting::new(experiment), message);
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_population_that_a_method_does_not_have_is_not_counted() {
-    let mut experiment = Preset::VelocityLimits.experiment();
+    let mut experiment = velocity_limits();
     experiment.starts = vec![Posture::default(); 1000];
     experiment.evolution.population = 2000;
     assert!(Setting::new(experiment.clone()).is_err());
@@ -152,14 +150,14 @@ fn every_word_means_one_value_and_every_value_has_its_word() {
         let field = fields.iter().find(|field| field.path == path).expect(path);
         assert_eq!(field.words.len(), all.len());
         for (value, word) in all.iter().zip(field.words) {
-            let mut experiment = Preset::VelocityLimits.experiment();
+            let mut experiment = velocity_limits();
             set(&mut experiment, *value);
             let plain = written(&experiment);
             assert_eq!(
                 plain.pointer(&format!("/{}", path.replace('.', "/"))),
                 Some(&(*word).into())
             );
-            let mut read = Preset::VelocityLimits.experiment();
+            let mut read = velocity_limits();
             read.read(&Given(Some(&plain))).expect("a word");
             assert_eq!(get(&read), *value);
             assert_eq!(read, experiment);
@@ -190,7 +188,7 @@ fn every_field_has_its_row() {
         }
     }
     let mut found = Vec::new();
-    leaves("", &written(&Preset::VelocityLimits.experiment()), &mut found);
+    leaves("", &written(&velocity_limits()), &mut found);
     let Fields { numbers, words } = Experiment::fields();
     let mut told: Vec<String> = numbers.into_iter().map(|field| field.path).collect();
     told.extend(words.into_iter().map(|field| field.path));
@@ -203,7 +201,7 @@ fn every_field_has_its_row() {
 fn the_largest_experiments_are_allowed_and_no_larger() {
     type Change = fn(&mut Experiment, u32);
     let check = |change: Change, one_more| {
-        let mut experiment = Preset::VelocityLimits.experiment();
+        let mut experiment = velocity_limits();
         change(&mut experiment, one_more);
         Setting::new(experiment).map(drop).map_err(|error| error.field.clone())
     };
@@ -251,7 +249,7 @@ fn numbers_in_messages_are_written_as_javascript_writes_them() {
         (1e21, "1e21"),
         (-1e300, "-1e300"),
     ] {
-        let mut experiment = Preset::VelocityLimits.experiment();
+        let mut experiment = velocity_limits();
         experiment.horizon = value;
         let message = experiment.validate().expect_err("refused").to_string();
         assert_eq!(
@@ -267,8 +265,8 @@ fn the_presets_are_in_every_range() {
         assert_eq!(Preset::find(preset.word()), Ok(preset));
         assert_eq!(preset.experiment().validate(), Ok(()));
     }
-    assert_eq!(
-        Preset::find("no-limits").expect_err("refused").to_string(),
-        "experiment must be 'velocity-limits' or 'acceleration-limits', but was 'no-limits'"
+    assert_refused(
+        Preset::find("no-limits"),
+        "experiment must be 'velocity-limits' or 'acceleration-limits', but was 'no-limits'",
     );
 }

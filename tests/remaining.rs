@@ -2,11 +2,11 @@
 
 mod common;
 
-use common::{Random, assert_close};
+use common::{EP_GAINS, Random, assert_close, valid, velocity_limits};
 use ep_locomotion::robot::{
     Disturbance, DisturbanceKind, ErrorPosture, Gains, Limits, Posture, Velocity,
 };
-use ep_locomotion::run::{Experiment, Preset, Setting, Tolerance};
+use ep_locomotion::run::{Experiment, Tolerance};
 use ep_locomotion::study::{RemainingError, error_parts, remaining_errors};
 use ep_locomotion::theory::{ErrorSizes, lyapunov_rate_bound, robust_gains, theorem_2_sets};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -16,7 +16,7 @@ fn unending(disturbance: Disturbance) -> Experiment {
     Experiment {
         disturbance,
         tolerance: Tolerance { position: 0.0, heading: 0.0, speed: None, turn_rate: None },
-        ..Preset::VelocityLimits.experiment()
+        ..velocity_limits()
     }
 }
 
@@ -26,7 +26,7 @@ fn slip(linear: f64, angular: f64) -> Disturbance {
 
 #[track_caller]
 fn remaining(experiment: Experiment, gains: &Gains, seconds: f64) -> Vec<RemainingError> {
-    let setting = Setting::new(experiment).expect("a valid experiment");
+    let setting = valid(experiment);
     remaining_errors(&setting, gains, seconds).expect("allowed seconds")
 }
 
@@ -116,7 +116,7 @@ fn without_a_disturbance_the_parts_go_to_zero() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_slip_holds_the_robot_at_the_edge_of_the_set_of_x() {
-    let gains = Gains::new(3.23673, 0.09678, 5.17891);
+    let gains = EP_GAINS;
     for linear in [-0.3, -0.1, 0.1] {
         let [one] = remaining(unending(slip(linear, 0.0)), &gains, 2.0)[..] else {
             panic!("one start")
@@ -139,7 +139,7 @@ fn what_remains_is_the_largest_of_the_last_samples_from_each_start() {
         let starts: Vec<Posture> = (0..5).map(|_| random.posture(3.0)).collect();
         let experiment = Experiment { starts, horizon: 3.0, ..unending(disturbance) };
         let (gains, seconds) = (random.gains(0.5, 10.0), 0.5);
-        let setting = Setting::new(experiment.clone()).expect("a valid experiment");
+        let setting = valid(experiment.clone());
         let all = remaining_errors(&setting, &gains, seconds).expect("allowed seconds");
         assert_eq!(all.len(), 5);
         for (start, one) in (0..).zip(all) {
@@ -168,7 +168,7 @@ fn a_robot_that_leaves_the_finite_numbers_has_an_infinite_error() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn seconds_beyond_the_run_are_refused_by_name() {
-    let setting = Setting::new(unending(slip(0.1, 0.1))).expect("a valid experiment");
+    let setting = valid(unending(slip(0.1, 0.1)));
     for seconds in [-0.1, 10.1, f64::NAN, f64::INFINITY] {
         let error = remaining_errors(&setting, &Gains::new(1.0, 1.0, 1.0), seconds);
         let message = error.expect_err("refused").to_string();

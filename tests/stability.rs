@@ -2,11 +2,11 @@
 
 mod common;
 
-use common::{EP_GAINS, Random, assert_close, velocity_limits, wild};
+use common::{EP_GAINS, Random, assert_close, valid, velocity_limits, wild};
 use ep_locomotion::robot::{
     Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Limits, Posture, Velocity,
 };
-use ep_locomotion::run::{Experiment, Setting};
+use ep_locomotion::run::Experiment;
 use ep_locomotion::study::{Stability, StabilitySample};
 use ep_locomotion::theory::{Lyapunov, PromisedRate};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -14,7 +14,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 const LAWS: [Law; 2] = [Law::ShimKim, Law::Kanayama];
 
 fn run(experiment: Experiment, k: &Gains) -> Vec<StabilitySample> {
-    Stability::of(&Setting::new(experiment).expect("a valid experiment"), k, 0).samples
+    Stability::of(&valid(experiment), k, 0).samples
 }
 
 fn sum(sample: &StabilitySample) -> f64 {
@@ -102,7 +102,7 @@ fn the_samples_are_those_of_the_episode() {
     let mut random = Random::new(34);
     for _ in 0..300 {
         let (experiment, k) = (wild(&mut random), random.gains(-10.0, 10.0));
-        let setting = Setting::new(experiment).expect("a valid experiment");
+        let setting = valid(experiment);
         let start = random.below(2);
         let episode: Vec<_> = setting.episode(k, start).samples().collect();
         let all = Stability::of(&setting, &k, start).samples;

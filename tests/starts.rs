@@ -2,17 +2,11 @@
 
 mod common;
 
-use common::{Random, assert_close, bits};
+use common::{EP_GAINS, GRID, Random, assert_close, assert_refused, bits, valid, velocity_limits};
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Posture};
-use ep_locomotion::run::{Cost, Experiment, Outcome, Preset, Setting};
+use ep_locomotion::run::{Cost, Experiment, Outcome, Preset};
 use ep_locomotion::study::{Circle, Evolution, Grid, Range, fares, robustness};
 use wasm_bindgen_test::wasm_bindgen_test;
-
-const GRID: Grid = Grid {
-    x: Range { from: -1.0, to: 3.0, count: 5 },
-    y: Range { from: 0.0, to: 4.0, count: 3 },
-    headings: 4,
-};
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_grid_of_starts_goes_through_headings_then_x_then_y() {
@@ -42,16 +36,20 @@ fn the_starts_of_a_grid_are_its_postures_in_any_parts() {
     assert_eq!(part([0, 61]), Err(expected.into()));
     let large = Grid { headings: 1024, ..GRID };
     assert_eq!(large.starts([100, 10_100]).map(|starts| starts.len()), Ok(10_000));
-    let refused = large.starts([100, 10_101]).expect_err("too many").to_string();
-    assert_eq!(refused, "grid.part must be at most 10000 starts in one call, but was 10001");
+    assert_refused(
+        large.starts([100, 10_101]),
+        "grid.part must be at most 10000 starts in one call, but was 10001",
+    );
     let empty = Grid { headings: 0, ..GRID };
-    let refused = empty.starts([0, 0]).expect_err("no heading").to_string();
-    assert_eq!(refused, "grid.headings must be a whole number from 1 to 1024, but was 0");
+    assert_refused(
+        empty.starts([0, 0]),
+        "grid.headings must be a whole number from 1 to 1024, but was 0",
+    );
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn robustness_is_each_run_by_itself_in_any_parts() {
-    let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
+    let setting = valid(velocity_limits());
     let gains = Gains::new(3.0, 2.0, 5.0);
     let part = |part| robustness(&setting, gains, &GRID, part).expect("valid");
     let whole = part([0, 60]);
@@ -59,7 +57,7 @@ fn robustness_is_each_run_by_itself_in_any_parts() {
     for (index, end) in whole.iter().enumerate() {
         let alone =
             Experiment { starts: vec![GRID.posture(index as u32)], ..setting.experiment().clone() };
-        let alone = Setting::new(alone).expect("valid");
+        let alone = valid(alone);
         let episode = alone.episode(gains, 0).finished();
         assert_eq!(bits(&episode.cost()), bits(&end.cost));
         assert_eq!(episode.outcome(), Some(end.outcome));
@@ -75,7 +73,7 @@ fn a_robot_fares_from_each_start_as_in_a_run_of_its_own() {
         experiment.starts[3] = experiment.goal;
         experiment.disturbance =
             Disturbance { kind: DisturbanceKind::Random, linear: 0.2, angular: 0.3, seed: 4 };
-        let setting = Setting::new(experiment).expect("valid");
+        let setting = valid(experiment);
         let gains = Gains::new(3.0, 2.0, 5.0);
         let ends = fares(&setting, gains);
         assert_eq!(ends.len(), 21);
@@ -118,9 +116,9 @@ fn starts_on_a_circle_are_as_far_from_its_centre_and_head_anywhere() {
 
 /// The share of a thousand starts that were never trained on from which these gains arrive.
 fn success(gains: Gains) -> f64 {
-    let mut test = Preset::VelocityLimits.experiment();
+    let mut test = velocity_limits();
     test.starts = on_circle(test.goal, 2.83, 1000, 99);
-    let setting = Setting::new(test).expect("valid");
+    let setting = valid(test);
     let arrived = (0..1000)
         .filter(|start| {
             setting.episode(gains, *start).finished().outcome() == Some(Outcome::Arrived)
@@ -131,14 +129,14 @@ fn success(gains: Gains) -> f64 {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn gains_evolved_on_many_starts_arrive_from_many_more_than_the_papers() {
-    let mut training = Preset::VelocityLimits.experiment();
+    let mut training = velocity_limits();
     training.starts = on_circle(training.goal, 2.83, 32, 1);
-    let mut evolution = Evolution::new(Setting::new(training).expect("valid"));
+    let mut evolution = Evolution::new(valid(training));
     (0..40).for_each(|_| {
         evolution.step();
     });
     let trained = evolution.newest().best.gains;
-    let (papers, ours) = (success(Gains::new(3.23673, 0.09678, 5.17891)), success(trained));
+    let (papers, ours) = (success(EP_GAINS), success(trained));
     assert!((0.15..0.40).contains(&papers), "the paper's gains: {papers}");
     assert!(ours > papers + 0.25, "evolved on 32 starts, {trained:?}: {ours}, not {papers}");
     assert!(trained.y > 1.0, "ky matters now: {trained:?}");
@@ -146,15 +144,15 @@ fn gains_evolved_on_many_starts_arrive_from_many_more_than_the_papers() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_start_beyond_the_streams_meets_the_disturbances_of_another() {
-    let mut experiment = Preset::VelocityLimits.experiment();
+    let mut experiment = velocity_limits();
     experiment.disturbance =
         Disturbance { kind: DisturbanceKind::Random, linear: 0.2, angular: 0.3, seed: 4 };
     let range = Range { from: -1.0, to: 3.0, count: 1024 };
     let grid = Grid { x: range, y: range, headings: 1024 };
     let (streams, k) = (1_u32 << 29, Gains::new(3.0, 2.0, 5.0));
-    let setting = Setting::new(experiment.clone()).expect("valid");
+    let setting = valid(experiment.clone());
     let beyond = robustness(&setting, k, &grid, [streams - 1, streams + 2]).expect("valid");
     // The starts of the experiment have the first streams.
     experiment.starts = (0..2).map(|i| grid.posture(streams + i)).collect();
-    assert_eq!(beyond[1..], fares(&Setting::new(experiment).expect("valid"), k));
+    assert_eq!(beyond[1..], fares(&valid(experiment), k));
 }

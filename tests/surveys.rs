@@ -2,8 +2,8 @@
 
 mod common;
 
+use common::{GRID, assert_refused, valid, velocity_limits};
 use ep_locomotion::robot::{Gains, Posture};
-use ep_locomotion::run::{Preset, Setting};
 use ep_locomotion::schema::InvalidInput;
 use ep_locomotion::study::{
     Axis, Circle, Evolution, Gain, Grid, Landscape, Range, robustness, seed_runs,
@@ -30,7 +30,7 @@ fn the_values_of_an_axis_begin_and_end_where_it_says() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_cell_of_a_landscape_is_the_cost_of_its_gains() {
-    let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
+    let setting = valid(velocity_limits());
     let landscape = Landscape {
         x: Axis { gain: Gain::Y, from: 0.0, to: 1.0, count: 3, log: false },
         y: Axis { gain: Gain::Theta, from: 1.0, to: 9.0, count: 5, log: true },
@@ -51,16 +51,11 @@ fn every_cell_of_a_landscape_is_the_cost_of_its_gains() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_wrong_landscape_is_refused_by_name() {
-    let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
+    let setting = valid(velocity_limits());
     let good = Landscape {
         x: Axis { gain: Gain::X, from: 1.0, to: 9.0, count: 4, log: false },
         y: Axis { gain: Gain::Y, from: 1.0, to: 9.0, count: 4, log: false },
         gains: Gains::new(1.0, 1.0, 1.0),
-    };
-    let refused = |change: fn(&mut Landscape), rows| {
-        let mut landscape = good;
-        change(&mut landscape);
-        landscape.costs(&setting, rows).expect_err("refused").to_string()
     };
     for (change, rows, message) in [
         (
@@ -94,40 +89,35 @@ fn a_wrong_landscape_is_refused_by_name() {
             "landscape.rows must be [first, end] with 0 ≤ first ≤ end ≤ 4, but was [0, 5]",
         ),
     ] {
-        assert_eq!(refused(change, rows), message);
+        let mut landscape = good;
+        change(&mut landscape);
+        assert_refused(landscape.costs(&setting, rows), message);
     }
-    let mut long = Preset::VelocityLimits.experiment();
+    let mut long = velocity_limits();
     (long.horizon, long.starts) = (1000.0, vec![long.goal; 10]);
-    let long = Setting::new(long).expect("valid");
-    assert_eq!(
-        long.evaluate(&[Gains::new(1.0, 1.0, 1.0); 401]).expect_err("refused").to_string(),
+    let long = valid(long);
+    assert_refused(
+        long.evaluate(&[Gains::new(1.0, 1.0, 1.0); 401]),
         "the number of gain triples must be at most 400 with 10 starts and 100000 samples a run, \
-         but was 401"
+         but was 401",
     );
     let wide = Landscape { x: Axis { count: 401, ..good.x }, ..good };
-    assert_eq!(
-        wide.costs(&long, [1, 2]).expect_err("refused").to_string(),
+    assert_refused(
+        wide.costs(&long, [1, 2]),
         "the number of cells must be at most 400 with 10 starts and 100000 samples a run, \
-         but was 401"
+         but was 401",
     );
 }
 
-const GRID: Grid = Grid {
-    x: Range { from: -1.0, to: 3.0, count: 5 },
-    y: Range { from: 0.0, to: 4.0, count: 3 },
-    headings: 4,
-};
-
 #[wasm_bindgen_test(unsupported = test)]
 fn the_run_of_a_seed_is_that_of_its_evolution_beside_random_search() {
-    let experiment = Preset::VelocityLimits.experiment();
-    let runs =
-        seed_runs(&Setting::new(experiment.clone()).expect("valid"), [3, 6], 12).expect("valid");
+    let experiment = velocity_limits();
+    let runs = seed_runs(&valid(experiment.clone()), [3, 6], 12).expect("valid");
     assert_eq!(runs.len(), 3);
     for (seed, run) in (3..).zip(&runs) {
         let mut own = experiment.clone();
         own.evolution.seed = seed;
-        let mut evolution = Evolution::new(Setting::new(own).expect("valid"));
+        let mut evolution = Evolution::new(valid(own));
         let mut best = vec![evolution.newest().best.cost];
         (0..12).for_each(|_| best.push(evolution.step().best.cost));
         assert_eq!(run.best.0, best);
@@ -136,60 +126,53 @@ fn the_run_of_a_seed_is_that_of_its_evolution_beside_random_search() {
         assert!(run.random.is_sorted_by(|a, b| a >= b), "random search keeps its best");
     }
     assert_ne!(runs[0].random, runs[1].random);
-    assert_eq!(
-        seed_runs(&Setting::new(experiment.clone()).expect("valid"), [4, 5], 12).expect("valid")[0],
-        runs[1]
-    );
+    assert_eq!(seed_runs(&valid(experiment.clone()), [4, 5], 12).expect("valid")[0], runs[1]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn wrong_surveys_are_refused_by_name() {
-    let setting = Setting::new(Preset::VelocityLimits.experiment()).expect("valid");
+    let setting = valid(velocity_limits());
     let k = Gains::new(1.0, 1.0, 1.0);
-    let grid = |change: fn(&mut Grid)| {
-        let mut grid = GRID;
-        change(&mut grid);
-        robustness(&setting, k, &grid, [0, 1]).expect_err("refused").to_string()
-    };
-    assert_eq!(
-        grid(|grid| grid.x.to = 1e9),
-        "grid.x.to must be a number from -1000 to 1000 m, but was 1000000000"
+    let of = |grid| robustness(&setting, k, &grid, [0, 1]);
+    assert_refused(
+        of(Grid { x: Range { to: 1e9, ..GRID.x }, ..GRID }),
+        "grid.x.to must be a number from -1000 to 1000 m, but was 1000000000",
     );
-    assert_eq!(
-        grid(|grid| grid.y.from = f64::NAN),
-        "grid.y.from must be a finite number, but was NaN"
+    assert_refused(
+        of(Grid { y: Range { from: f64::NAN, ..GRID.y }, ..GRID }),
+        "grid.y.from must be a finite number, but was NaN",
     );
-    assert_eq!(
-        grid(|grid| grid.headings = 0),
-        "grid.headings must be a whole number from 1 to 1024, but was 0"
+    assert_refused(
+        of(Grid { headings: 0, ..GRID }),
+        "grid.headings must be a whole number from 1 to 1024, but was 0",
     );
-    assert_eq!(
-        robustness(&setting, k, &GRID, [3, 61]).expect_err("refused").to_string(),
-        "grid.part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [3, 61]"
+    assert_refused(
+        robustness(&setting, k, &GRID, [3, 61]),
+        "grid.part must be [first, end] with 0 ≤ first ≤ end ≤ 60, but was [3, 61]",
     );
     let large =
         Grid { x: Range { count: 1000, ..GRID.x }, y: Range { count: 1000, ..GRID.y }, ..GRID };
     // However many starts the experiment has.
     let mut several = setting.experiment().clone();
     several.starts = vec![Posture::default(); 7];
-    let several = Setting::new(several).expect("valid");
-    assert_eq!(
-        robustness(&several, k, &large, [0, 400_001]).expect_err("refused").to_string(),
+    let several = valid(several);
+    assert_refused(
+        robustness(&several, k, &large, [0, 400_001]),
         "the number of starts must be at most 400000 with 1 start and 1000 samples a run, \
-         but was 400001"
+         but was 400001",
     );
-    assert_eq!(
-        seed_runs(&setting, [0, 1000], 200).expect_err("refused").to_string(),
+    assert_refused(
+        seed_runs(&setting, [0, 1000], 200),
         "the number of drives must be at most 400000 with 1 start and 1000 samples a run, \
-         but was 8040000"
+         but was 8040000",
     );
-    assert_eq!(
-        circle(0.0, -1.0, 3).expect_err("refused").to_string(),
-        "circle.radius must be a number from 0 to 1000 m, but was -1"
+    assert_refused(
+        circle(0.0, -1.0, 3),
+        "circle.radius must be a number from 0 to 1000 m, but was -1",
     );
-    assert_eq!(
-        circle(0.0, 1.0, 0).expect_err("refused").to_string(),
-        "circle.count must be a whole number from 1 to 10000, but was 0"
+    assert_refused(
+        circle(0.0, 1.0, 0),
+        "circle.count must be a whole number from 1 to 10000, but was 0",
     );
 }
 
@@ -199,20 +182,15 @@ fn the_largest_surveys_are_allowed_and_no_larger() {
     assert!(circle(-1000.1, 1000.0, 1).is_err() && circle(0.0, 1000.0, 10_001).is_err());
 
     // Of a run with 1000 samples, 400,000 are allowed; a robot at its goal needs none.
-    let mut resting = Preset::VelocityLimits.experiment();
+    let mut resting = velocity_limits();
     resting.starts = vec![resting.goal];
-    let setting = Setting::new(resting.clone()).expect("valid");
+    let setting = valid(resting.clone());
     let gains = vec![Gains::new(1.0, 1.0, 1.0); 400_001];
     assert_eq!(setting.evaluate(&gains[1..]).expect("valid").len(), 400_000);
     assert!(setting.evaluate(&gains).is_err());
     resting.evolution.population = 2;
-    assert_eq!(
-        seed_runs(&Setting::new(resting.clone()).expect("valid"), [1, 1001], 99)
-            .expect("valid")
-            .len(),
-        1000
-    );
-    assert!(seed_runs(&Setting::new(resting.clone()).expect("valid"), [1, 1001], 100).is_err());
+    assert_eq!(seed_runs(&valid(resting.clone()), [1, 1001], 99).expect("valid").len(), 1000);
+    assert!(seed_runs(&valid(resting.clone()), [1, 1001], 100).is_err());
 
     let range = Range { from: -1000.0, to: 1000.0, count: 1024 };
     let grid = |count, headings| Grid { x: Range { count, ..range }, y: range, headings };

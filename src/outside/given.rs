@@ -52,7 +52,7 @@ pub fn start<S: Source>(setting: &Setting, given: &S) -> Result<u32> {
         return Ok(0);
     }
     let start = number(given, "start")?;
-    setting.starts().check("start", start)?;
+    setting.start_indices().check("start", start)?;
     Ok(start as u32)
 }
 

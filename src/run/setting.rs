@@ -31,7 +31,7 @@ impl Setting {
     }
 
     /// Which indices the start postures have.
-    pub fn starts(&self) -> Allowed {
+    pub fn start_indices(&self) -> Allowed {
         Allowed::whole(0, self.experiment.starts.len() as u32 - 1)
     }
 

@@ -9,8 +9,9 @@ use ep_locomotion::robot::{
     Disturbance, DisturbanceKind, ErrorPosture, Gains, Law, Limits, Posture, Velocity,
 };
 use ep_locomotion::run::{Cost, Experiment, Preset, Sample, Setting};
+use ep_locomotion::schema::InvalidInput;
 use ep_locomotion::search::{EvolutionSettings, GenerationRecord};
-use ep_locomotion::study::Evolution;
+use ep_locomotion::study::{Evolution, Grid, Range};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 
@@ -108,6 +109,13 @@ impl Random {
 /// What the paper's evolution found within limits of velocity.
 pub const EP_GAINS: Gains = Gains::new(3.23673, 0.09678, 5.17891);
 
+/// Sixty starts.
+pub const GRID: Grid = Grid {
+    x: Range { from: -1.0, to: 3.0, count: 5 },
+    y: Range { from: 0.0, to: 4.0, count: 3 },
+    headings: 4,
+};
+
 /// The paper's first experiment.
 pub fn velocity_limits() -> Experiment {
     Preset::VelocityLimits.experiment()
@@ -120,15 +128,20 @@ pub fn searched_by(change: impl Fn(&mut EvolutionSettings)) -> Experiment {
     experiment
 }
 
+/// An experiment that is in every range, ready to be driven.
+#[track_caller]
+pub fn valid(experiment: Experiment) -> Setting {
+    Setting::new(experiment).expect("valid")
+}
+
 /// One run from the first start, sample by sample.
 pub fn run(experiment: &Experiment, gains: Gains) -> Vec<Sample> {
-    let setting = Setting::new(experiment.clone()).expect("valid");
-    setting.episode(gains, 0).samples().collect()
+    valid(experiment.clone()).episode(gains, 0).samples().collect()
 }
 
 /// J in its parts.
 pub fn cost(experiment: &Experiment, gains: Gains) -> Cost {
-    Setting::new(experiment.clone()).expect("valid").cost(&gains)
+    valid(experiment.clone()).cost(&gains)
 }
 
 /// Every generation in full.
@@ -138,7 +151,7 @@ pub fn records(evolution: &Evolution) -> Vec<GenerationRecord> {
 
 /// The evolution of an experiment after so many generations.
 pub fn evolved(experiment: Experiment, generations: u32) -> Evolution {
-    let mut evolution = Evolution::new(Setting::new(experiment).expect("valid"));
+    let mut evolution = Evolution::new(valid(experiment));
     for _ in 0..generations {
         evolution.step();
     }
@@ -164,8 +177,7 @@ pub fn wild(random: &mut Random) -> Experiment {
     let (starts, goal) = (vec![posture(), posture()], posture());
     let sample_time = within(1e-5, 10.0).abs().max(1e-5);
     let mut weight = || within(-1e6, 1e6).abs();
-    let mut experiment =
-        Experiment { starts, goal, limits, sample_time, ..Preset::VelocityLimits.experiment() };
+    let mut experiment = Experiment { starts, goal, limits, sample_time, ..velocity_limits() };
     experiment.horizon = (12.0 * sample_time).min(1e5);
     experiment.weights.final_error = [weight(), weight(), weight()];
     experiment.weights.velocity = [weight(), weight()];
@@ -196,6 +208,12 @@ pub fn wild(random: &mut Random) -> Experiment {
 pub fn assert_close(a: f64, b: f64, tolerance: f64) {
     let scale = a.abs().max(b.abs()).max(1.0);
     assert!((a - b).abs() <= tolerance * scale, "{a} and {b} differ by {:e}", (a - b).abs());
+}
+
+/// Asserts that an input was refused, with this message.
+#[track_caller]
+pub fn assert_refused<T>(result: Result<T, InvalidInput>, message: &str) {
+    assert_eq!(result.err().expect("refused").to_string(), message);
 }
 
 /// A cost as its bits.
