@@ -230,7 +230,7 @@ fn wrong_arguments_are_refused_by_name() {
 #[wasm_bindgen_test]
 fn the_tables_are_complete() {
     assert_eq!(Array::from(&paper()).length(), 4);
-    let fields = Array::from(&fields());
+    let fields = Array::from(&fields().expect("rows"));
     let preset = experiment("velocity-limits".into()).expect("a preset");
     for field in fields.iter() {
         let path = get(&field, "path").as_string().expect("a path").replace("[]", ".0");
@@ -238,7 +238,8 @@ fn the_tables_are_complete() {
     }
     assert_eq!(fields.length() as usize, Experiment::fields().numbers.len());
     assert_eq!(Object::keys(fields.get(0).unchecked_ref::<Object>()).length(), 6);
-    let words: Vec<String> = Array::from(&word_fields()).iter().map(|field| text(&field)).collect();
+    let words: Vec<String> =
+        Array::from(&word_fields().expect("rows")).iter().map(|field| text(&field)).collect();
     let expected = Experiment::fields().words.into_iter().map(|WordField { path, words }| {
         let words: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
         format!("{{\"path\":\"{path}\",\"words\":[{}]}}", words.join(","))

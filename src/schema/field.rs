@@ -1,9 +1,12 @@
 //! The rows of `fields()` and `wordFields()`.
 
+use serde::Serialize;
+
 use super::allowed::Allowed;
 use super::record::record;
 
 record! {
+    (Serialize)
     /// The range of one numeric field of an experiment.
     pub struct Field {
         /// Where it stands in the experiment; `[]` means each element.
@@ -30,6 +33,7 @@ impl Field {
 }
 
 record! {
+    (Serialize)
     /// A field of an experiment that is one of a few words.
     pub struct WordField {
         /// Where it stands in the experiment.

@@ -9,6 +9,7 @@ mod read;
 
 mod task;
 
+use serde_wasm_bindgen::to_value;
 use wasm_bindgen::prelude::*;
 
 pub use task::*;
@@ -89,14 +90,14 @@ pub fn wins_bout(
 
 /// Every number of an experiment with its unit and range.
 #[wasm_bindgen(unchecked_return_type = "Field[]")]
-pub fn fields() -> JsValue {
-    plain(&Experiment::fields().numbers)
+pub fn fields() -> Result<JsValue> {
+    Ok(to_value(&Experiment::fields().numbers)?)
 }
 
 /// Every field of an experiment that is one of a few words, with the words.
 #[wasm_bindgen(js_name = "wordFields", unchecked_return_type = "WordField[]")]
-pub fn word_fields() -> JsValue {
-    plain(&Experiment::fields().words)
+pub fn word_fields() -> Result<JsValue> {
+    Ok(to_value(&Experiment::fields().words)?)
 }
 
 /// The results that the paper prints.
