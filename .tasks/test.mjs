@@ -128,7 +128,10 @@ async function testSources() {
     runPackage('@biomejs/biome/bin/biome', ['check', '.']),
   );
   await step('lint of the Rust', () => clippy(['--all-targets']));
-  await step('native tests', () => counted('cargo', ['test']));
+  await step('native tests', async () => {
+    await counted('cargo', ['test', '--lib', '--test', 'all']);
+    await counted('cargo', ['test', '--doc']);
+  });
 }
 
 /**
@@ -144,7 +147,7 @@ async function testModule() {
   });
   await step('the same tests as WebAssembly under Node', () =>
     // A panic loses the instance that it happens in.
-    counted('cargo', ['test', ...target, '--test', 'wasm', '--test', 'panics'], {
+    counted('cargo', ['test', ...target, '--test', 'all', '--test', 'panics'], {
       env: { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner' },
       yields,
     }),
