@@ -38,7 +38,7 @@ function rowOf(part, summary) {
   const cellOf = (name) =>
     cell(numbers?.[name], summary?.disturbed ? words.sizeText(summary.calm[part][name]) : '');
   return html`
-    <tr class="part-${part}">
+    <tr class=${part}>
       <th scope="row">
         <span class="remains-formula">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
         <div class="remains-plot layers" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>

@@ -47,7 +47,7 @@ export function contestSight(state, standings, stale, isTyping, on) {
     <fieldset id="contest-reading" class="segmented small" .hidden=${!standings?.lowest}>
       ${choicesOf('contest-reading', texts.reading, words.readings, luck.reading, (reading) => on.update({ reading }))}
     </fieldset>
-    <div class="luck-curve contest-chart"><div id="contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
+    <div class="luck-curve picture contest-chart"><div id="contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
       aria-label=${words.contestLabel(sentences)}></div></div>
     ${contest && standings?.lowest ? [targetField(luck, standings, isTyping, on), fewerSeeds(luck, standings, on)] : nothing}
     ${standings ? table(standings) : nothing}`;
