@@ -9,7 +9,7 @@ const { texts } = words;
 
 /** @param {Summary | null} summary Nothing is in sight until there is one. */
 export const tableOf = (summary) => html`
-  <ul id="remains-legend" class="remains-legend" data-picture="disturbance"
+  <ul id="remains-legend" class="remains-legend muted" data-picture="disturbance"
     data-name=${texts.disturbancePicture} aria-hidden="true">
     ${Object.entries(words.legend).map(([name, text]) => html`<li class=${name}>${text}</li>`)}
   </ul>

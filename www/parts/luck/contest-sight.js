@@ -77,10 +77,10 @@ function entrants({ others, contestRuns }, { update }) {
   const named = (/** @type {readonly Contestant[]} */ names) =>
     names.map((name) => /** @type {const} */ ([name, words.contestantName(name)]));
   return html`<ul class="contestants">
-    <li>${legend[0]}<span>${words.asInLab}</span></li>
+    <li class="row">${legend[0]}<span>${words.asInLab}</span></li>
     ${Array.from({ length: mostOthers }, (_, i) => {
       const own = others[i] ?? '';
-      return html`<li>${legend[i + 1]}<select id="contestant-${i + 2}" aria-label=${words.contestantLabel(i + 2)}
+      return html`<li class="row">${legend[i + 1]}<select id="contestant-${i + 2}" aria-label=${words.contestantLabel(i + 2)}
         .disabled=${contestRuns} @change=${choose(i)}>${options([/** @type {const} */ (['', texts.nobody])], own)}
         <optgroup label=${texts.ingredients}>${options(named(ingredientNames), own)}</optgroup>
         <optgroup label=${texts.rivals}>${options(named(rivalNames), own)}</optgroup></select></li>`;
