@@ -18,6 +18,7 @@ import { measure } from './measure.js';
 import { ownOf } from './own.js';
 import { holds, isWhole, toldIn } from './receipt.js';
 import { createHandInSheet } from './sheet.js';
+import './work.css';
 import words from './words/index.js';
 
 const { texts } = words;
