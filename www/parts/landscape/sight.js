@@ -97,7 +97,7 @@ function sight(landscape, { spec, isTyping, readout, lowest, legend }, on) {
       ${thirdGain(landscape, spec.third, isTyping, on)}
     </div>
     ${legend ? html`<p id="landscape-method" class="muted">${withSymbols(legend)}</p>` : nothing}
-    <div id="landscape-map" class="map layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
+    <div id="landscape-map" class="map picture layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
       aria-label=${words.mapLabel} aria-describedby="landscape-readout">
       <canvas id="landscape-picture" aria-hidden="true"></canvas>
       <canvas id="landscape-marks" aria-hidden="true"></canvas>

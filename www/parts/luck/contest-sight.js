@@ -47,7 +47,7 @@ export function contestSight(state, standings, stale, isTyping, on) {
     <fieldset id="contest-reading" class="segmented small" .hidden=${!standings?.lowest}>
       ${choicesOf('contest-reading', texts.reading, words.readings, luck.reading, (reading) => on.update({ reading }))}
     </fieldset>
-    <div class="luck-curve contest-chart"><div id="contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
+    <div class="luck-curve picture contest-chart"><div id="contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
       aria-label=${words.contestLabel(sentences)}></div></div>
     ${contest && standings?.lowest ? [targetField(luck, standings, isTyping, on), fewerSeeds(luck, standings, on)] : nothing}
     ${standings ? table(standings) : nothing}`;
@@ -77,10 +77,10 @@ function entrants({ others, contestRuns }, { update }) {
   const named = (/** @type {readonly Contestant[]} */ names) =>
     names.map((name) => /** @type {const} */ ([name, words.contestantName(name)]));
   return html`<ul class="contestants">
-    <li>${legend[0]}<span>${words.asInLab}</span></li>
+    <li class="row">${legend[0]}<span>${words.asInLab}</span></li>
     ${Array.from({ length: mostOthers }, (_, i) => {
       const own = others[i] ?? '';
-      return html`<li>${legend[i + 1]}<select id="contestant-${i + 2}" aria-label=${words.contestantLabel(i + 2)}
+      return html`<li class="row">${legend[i + 1]}<select id="contestant-${i + 2}" aria-label=${words.contestantLabel(i + 2)}
         .disabled=${contestRuns} @change=${choose(i)}>${options([/** @type {const} */ (['', texts.nobody])], own)}
         <optgroup label=${texts.ingredients}>${options(named(ingredientNames), own)}</optgroup>
         <optgroup label=${texts.rivals}>${options(named(rivalNames), own)}</optgroup></select></li>`;

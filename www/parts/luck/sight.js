@@ -49,7 +49,7 @@ export function sight(state, index, fresh, on) {
       <label class="check muted"><input id="luck-log" type="checkbox" .checked=${live(log)} .disabled=${!result}
         @change=${() => on.update({ log: !log })}> <span>${texts.luckLog}</span></label>
     </div>
-    <div id="luck-curve" class="luck-curve" data-picture="luck-curve" role="img"
+    <div id="luck-curve" class="luck-curve picture" data-picture="luck-curve" role="img"
       aria-label=${result ? words.curveLabel(result, finding) : words.emptyCurveLabel}></div>
     <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}${hidesPaper(state) ? '' : words.paperSign}</p>
       <p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>

@@ -87,7 +87,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
       <p id="robustness-note" class=${message ? 'muted failed' : 'muted'}>${shown.note}</p>
       <button id="robustness-table" type="button" class="link" @click=${onTable}>${tables.texts.tableButton}</button>
     </div>
-    <p class="cost-line"><span id="robustness-share" class="share">${shown.share}</span> <span class="muted"><span
+    <p class="cost-line row"><span id="robustness-share" class="share">${shown.share}</span> <span class="muted"><span
       id="robustness-summary">${shown.summary}</span><br><span id="robustness-rival">${shown.rival}</span></span></p>
     <div class="bar survey-bar">
       <fieldset id="robustness-quantity" class="segmented">${choicesOf(

@@ -223,7 +223,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
             : words.driving
     }</p>
     ${tableOf(rows, spread, chosenOf(state), { unseen: unseenCount, own: experiment.starts.length }, choose)}
-    <div class="training-pictures" data-picture="training" data-name=${words.texts.trainingPicture}>
+    <div class="training-pictures picture" data-picture="training" data-name=${words.texts.trainingPicture}>
       <p id="training-seen-title">${titles[0]}</p>
       <p id="training-unseen-title">${titles[1]}</p>
       <canvas id="training-seen" role="application" tabindex="0" aria-describedby="training-readout" aria-label=${words.pictureLabel(titles[0])}></canvas>

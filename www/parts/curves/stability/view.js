@@ -92,7 +92,7 @@ export function createStability(root, { engine, store, actions }) {
 /** @param {Model} model @param {Events} on */
 const contentOf = ({ driving, law, sample, label, note, isLog }, { onLog, onTable }) => html`
   <dl id="stability-readout" class="stability-readout" data-picture="stability">${readingsOf(driving, law, sample)}</dl>
-  <div id="stability-picture" class="stability-picture layers" data-picture="stability" data-name=${words.texts.stabilityPicture}>
+  <div id="stability-picture" class="stability-picture picture layers" data-picture="stability" data-name=${words.texts.stabilityPicture}>
     <canvas id="stability-lines" role="img" aria-label=${label}></canvas>
     <canvas id="stability-cursor" aria-hidden="true"></canvas>
   </div>
