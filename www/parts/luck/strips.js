@@ -3,11 +3,10 @@
 /** @import { Dots } from './dots.js' */
 /** @import { SeedSurvey } from './request.js' */
 import { scaleLinear } from 'd3-scale';
-import { createLayer } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
-import { watch } from '../../kit/memo.js';
+import { createWatchedLayer } from '../../kit/layers.js';
 import { drawSymbol } from '../../kit/names.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
@@ -28,9 +27,7 @@ const diamond = /** @type {const} */ ([
 
 /** @param {HTMLCanvasElement} canvas @param {{ onPoint: (index: number) => void, onChoose: (index: number) => void }} on */
 export function createStrips(canvas, { onPoint, onChoose }) {
-  const layer = createLayer(canvas);
-  const changed = watch();
-  let size = { width: 0, height: 0 };
+  const drawWatched = createWatchedLayer(canvas);
   /** @type {Dots[]} */
   let strips = [];
   /** @type {StripsModel | null} */
@@ -38,22 +35,20 @@ export function createStrips(canvas, { onPoint, onChoose }) {
 
   const draw = () => {
     const shown = model;
-    if (shown && size.width > 0)
-      layer.draw(size, (context) => {
+    const size = sizeOf();
+    if (shown)
+      drawWatched(size, Object.values(shown), (context) => {
         strips = drawStrips(context, size, shown);
       });
   };
-
-  followSize(canvas, (now) => {
-    size = now;
-    draw();
-  });
+  const sizeOf = followSize(canvas, draw);
 
   /** The seed whose dot is there. @param {PointerEvent | MouseEvent} event */
   const at = (event) => {
     const { left, top } = canvas.getBoundingClientRect();
-    const i = Math.min(2, Math.max(0, Math.floor((event.clientY - top) / stripIn(size))));
-    const base = (i + 1) * stripIn(size);
+    const strip = stripIn(sizeOf());
+    const i = Math.min(2, Math.max(0, Math.floor((event.clientY - top) / strip)));
+    const base = (i + 1) * strip;
     return strips[i] ? nearestDot(strips[i], event.clientX - left, base - (event.clientY - top)) : -1;
   };
   canvas.addEventListener('pointermove', (event) => onPoint(at(event)));
@@ -63,7 +58,6 @@ export function createStrips(canvas, { onPoint, onChoose }) {
   return {
     /** @param {StripsModel} next */
     draw(next) {
-      if (!changed(next.survey, next.paper, next.range, next.index, next.theme)) return;
       model = next;
       draw();
     },
