@@ -1,7 +1,6 @@
 // The part of the page that shows J over two gains.
 /** @import { Engine, PaperResult, Statistics, Triple } from '../../core/engine.js' */
 /** @import { Actions } from '../../run/actions/actions.js' */
-/** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
 /** @import { Spec } from './request.js' */
@@ -69,7 +68,6 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
-    /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const model = modelOf();
       const { spec, cursor } = model;

@@ -2,8 +2,6 @@
 /** @import { Run } from '../../core/engine.js' */
 /** @import { Page, Tools } from '../part.js' */
 /** @import { Actions } from '../../run/actions/actions.js' */
-/** @import { Scene } from '../../run/scene.js' */
-/** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
 /** @import { Quantity, Survey } from './request.js' */
 /** @import { Shading } from './scale.js' */
@@ -44,7 +42,6 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
-    /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const { survey, heading, quantity, half, cursor, lit } = robustnessSlice.of(state);
       const spec = specOf(state, state.driver);

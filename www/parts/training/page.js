@@ -1,6 +1,5 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
 /** @import { Posture } from '../../core/engine.js' */
-/** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { RowName } from './request.js' */
 /** @import { SetName } from './sets.js' */
@@ -11,20 +10,25 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
-import { options, unless, valueIn } from '../../kit/templates.js';
+import { selectOf } from '../../kit/fields.js';
+import { unless } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { isFree } from '../../run/guard.js';
+import { changesOf } from '../changes.js';
 import { createPicture, signs } from './picture.js';
-import { changesOf, createTraining, evolvedFor, handOf, lengths } from './request.js';
+import { createTraining, evolvedFor, handOf, lengths } from './request.js';
 import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
 import { seedCount } from './spread.js';
 import { tableOf } from './table.js';
 
 const { texts } = words;
+const lengthChoices = lengths.map(
+  (length) => /** @type {const} */ ([length, words.generationsChoice(length)]),
+);
 
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createPage({ engine, store, actions, paper }) {
@@ -54,7 +58,6 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
-    /** @param {State} state @param {Scene} scene */
     draw(state, { driving }) {
       const sets = training.setsOf(state.experiment);
       const rows = rowsOf(state);
@@ -199,13 +202,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <button id="training-evolve" type="button" class=${runs ? '' : 'primary'} @click=${evolve}>${
         runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll
       }</button>
-      <select id="training-generations" aria-label=${texts.trainingGenerations}
-        @change=${(/** @type {Event} */ event) => update({ generations: Number(valueIn(event)) })}>
-        ${options(
-          lengths.map((length) => /** @type {const} */ ([length, words.generationsChoice(length)])),
-          generations,
-        )}
-      </select>
+      ${selectOf('training-generations', texts.trainingGenerations, lengthChoices, generations, (chosen) => update({ generations: chosen }))}
       <button id="training-seeds" type="button" title=${words.seedsHint(seedCount)} aria-disabled=${String(hasNoSeeds)}
         @click=${unless(hasNoSeeds, onSpread)}>${words.seedsButton(seedCount)}</button>
       <progress id="training-progress" max="1" class=${runs ? '' : 'visually-hidden'}

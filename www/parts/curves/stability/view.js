@@ -4,7 +4,7 @@
 /** @import { Tools } from '../../part.js' */
 /** @import { View } from '../page.js' */
 import { html, render } from 'lit-html';
-import { live } from 'lit-html/directives/live.js';
+import { checkOf } from '../../../kit/fields.js';
 import { formula } from '../../../kit/formula.js';
 import { once, remember, watch } from '../../../kit/memo.js';
 import { showTable } from '../../../lab/table-sheet.js';
@@ -16,7 +16,7 @@ import { plotsOfStability } from './plots.js';
 import { summaryOf } from './summary.js';
 import { stabilityTable } from './table.js';
 
-/** @typedef {{ onLog: (event: Event) => void, onTable: () => void }} Events */
+/** @typedef {{ onLog: (isLog: boolean) => void, onTable: () => void }} Events */
 /** @typedef {{ driving: Stability, law: Experiment['law'], sample: number, label: string, note: string, isLog: boolean }} Model */
 
 /** @param {HTMLElement} root @param {Tools} tools @returns {View} */
@@ -42,10 +42,7 @@ export function createStability(root, tools) {
   const picture = once(() => createPicture(root, tools, plotsOfStability));
   /** @type {Events} */
   const on = {
-    onLog: ({ target }) =>
-      curvesSlice.update(store, {
-        scale: /** @type {HTMLInputElement} */ (target).checked ? 'log' : 'linear',
-      }),
+    onLog: (isLog) => curvesSlice.update(store, { scale: isLog ? 'log' : 'linear' }),
     onTable: () => showTable(shown && stabilityTable(shown.name, shown.driving)),
   };
   const changed = watch();
@@ -77,7 +74,7 @@ const contentOf = ({ driving, law, sample, label, note, isLog }, { onLog, onTabl
   </div>
   <div class="stability-foot">
     <p id="stability-note" class="muted" aria-live="polite">${note}</p>
-    <label class="check muted"><input id="stability-log" type="checkbox" .checked=${live(isLog)} @change=${onLog}> <span>${words.texts.stabilityLog}</span></label>
+    ${checkOf('stability-log', words.texts.stabilityLog, isLog, onLog, { more: 'muted' })}
     <button id="stability-table" type="button" class="link muted" @click=${onTable}>${words.texts.stabilityTable}</button>
   </div>`;
 
