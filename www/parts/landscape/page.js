@@ -129,8 +129,7 @@ const tidy = (value) => Number(value.toPrecision(3));
 
 /** @param {HTMLElement} element @param {Store} store @param {Actions} actions @param {() => MapModel} modelOf */
 function followCursor(element, store, actions, modelOf) {
-  const put = (/** @type {readonly [number, number] | null} */ cursor) =>
-    landscapeSlice.update(store, { cursor });
+  const put = (/** @type {MapModel['cursor']} */ cursor) => landscapeSlice.update(store, { cursor });
   /** @param {PointerEvent} event @returns {[number, number]} */
   const at = (event) => {
     const { x, y } = axesOf(modelOf());

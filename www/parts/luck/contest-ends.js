@@ -1,5 +1,4 @@
 // Where the runs end: a row for each contestant, a dot for each seed, and the median.
-/** @import { Frame } from '../../kit/chart.js' */
 /** @import { NamedFrame } from './contest-marks.js' */
 /** @import { There } from './contest-costs.js' */
 /** @import { Grip } from './contest-handles.js' */

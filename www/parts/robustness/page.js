@@ -21,7 +21,7 @@ import { createSight } from './sight.js';
 import { createLegend } from './legend.js';
 import { createSpec, createSurveyRequests } from './request.js';
 import { createRose } from './rose.js';
-import { createShading } from './scale.js';
+import { createShading, readingOf } from './scale.js';
 import { axesOf, createMap } from './view.js';
 
 /** @param {Tools} parts @returns {Page} */
@@ -104,12 +104,10 @@ const noParts = Array(headings).fill(null);
 const noDrives = [];
 
 /** Of each heading of a cell the part of the scale. @param {Survey} survey @param {Shading} shading @param {Quantity} quantity @param {number} cell */
-function partsOfRose({ runs }, shading, quantity, cell) {
-  const { arrived, finalTime, cost } = runs;
-  const values = { share: arrived, time: finalTime, cost }[quantity];
+function partsOfRose(survey, shading, quantity, cell) {
   return noParts.map((_, heading) => {
-    const run = cell * headings + heading;
-    return arrived[run] ? shading.part(values[run]) : null;
+    const value = readingOf(survey, quantity, heading)(cell);
+    return Number.isNaN(value) ? null : shading.part(value);
   });
 }
 
