@@ -44,7 +44,7 @@ export function createPage({ engine, store, actions, paper }) {
   const show = createSight(element, store, lowestIn);
   const first = store.get();
   show(first, specOf(first), null, first.population[0].gains, []);
-  const map = createMapIn(element, redraw);
+  const map = createMap(element, redraw);
   const size = followSize(byIdIn(element, 'landscape-map'), redraw);
 
   /** @returns {MapModel} */
@@ -98,14 +98,6 @@ function createSketches(engine, redraw) {
     }, redraw);
     return found;
   };
-}
-
-/** Where the templates have made room for it. @param {HTMLElement} element @param {() => void} redraw */
-function createMapIn(element, redraw) {
-  const [picture, marks, legend] = /** @type {HTMLCanvasElement[]} */ (
-    ['picture', 'marks', 'legend'].map((name) => byIdIn(element, `landscape-${name}`))
-  );
-  return createMap({ picture, marks, legend }, redraw);
 }
 
 /** The points that have a name. @param {State} state @param {PaperResult[]} paper @param {Lowest | null} lowest @returns {Point[]} */

@@ -63,8 +63,9 @@ export function axesOf({ spec, size }) {
 
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
-/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement, legend: HTMLCanvasElement }} elements @param {() => void} onResize */
-export function createMap({ picture, marks, legend }, onResize) {
+/** @param {HTMLElement} element The part, in which the templates have made room for it. @param {() => void} onResize */
+export function createMap(element, onResize) {
+  const [picture, marks, legend] = element.querySelectorAll('canvas');
   const [under, over, bar] = [picture, marks, legend].map(createWatchedLayer);
   let barSize = { width: 0, height: barHeight };
   followSize(legend, ({ width }) => {

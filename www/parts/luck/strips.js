@@ -4,7 +4,7 @@
 /** @import { SeedSurvey } from './request.js' */
 import { scaleLinear } from 'd3-scale';
 import { followSize } from '../../kit/elements.js';
-import { textFont } from '../../kit/fonts.js';
+import { drawText } from '../../kit/labels.js';
 import { colour } from '../../kit/palette.js';
 import { createWatchedLayer } from '../../kit/layers.js';
 import { drawSymbol } from '../../kit/names.js';
@@ -16,6 +16,7 @@ import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js
 /** @typedef {{ survey: SeedSurvey | null, paper: Triple | null, range: readonly [number, number], index: number, theme: number }} StripsModel */
 
 const colours = /** @type {const} */ (['--x', '--y', '--theta']);
+const atMedian = /** @type {const} */ ({ token: '--ink', align: 'right', baseline: 'alphabetic' });
 const axisHeight = 18;
 const margin = { left: 34, right: 64, top: 2 };
 const diamond = /** @type {const} */ ([
@@ -91,7 +92,7 @@ function drawStrips(context, size, { survey, paper, range, index }) {
       if (index >= 0) drawRing(context, dots.along[index], base - dots.away[index]);
     }
     if (paper) drawDiamond(context, scale(paper[i]), base);
-    if (survey) drawMedian(context, survey.summary.gains[i].median, size.width, base);
+    if (survey) drawText(context, fixed(survey.summary.gains[i].median, 3), size.width, base - 6, atMedian);
   }
   return strips;
 }
@@ -109,23 +110,11 @@ function domainOf({ summary }, paper) {
 
 /** @param {CanvasRenderingContext2D} context @param {import('d3-scale').ScaleLinear<number, number>} scale @param {number} height */
 function drawAxis(context, scale, height) {
-  context.font = textFont;
-  context.textAlign = 'center';
-  context.textBaseline = 'alphabetic';
   for (const tick of scale.ticks(7)) {
     context.fillStyle = colour('--hairline');
     context.fillRect(Math.round(scale(tick)) - 0.5, 0, 1, height - axisHeight + 2);
-    context.fillStyle = colour('--muted');
-    context.fillText(words.tick(tick), scale(tick), height - 3);
+    drawText(context, words.tick(tick), scale(tick), height - 3, { align: 'center', baseline: 'alphabetic' });
   }
-}
-
-/** @param {CanvasRenderingContext2D} context @param {number} median @param {number} right @param {number} base */
-function drawMedian(context, median, right, base) {
-  context.font = textFont;
-  context.textAlign = 'right';
-  context.fillStyle = colour('--ink');
-  context.fillText(fixed(median, 3), right, base - 6);
 }
 
 /** The paper's gain. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y */

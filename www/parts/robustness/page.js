@@ -85,10 +85,7 @@ function createViews(element, store, actions) {
   followCursor(root, store, actions, size);
   return {
     size,
-    map: createMap({
-      picture: byIdIn(element, 'robustness-picture'),
-      marks: byIdIn(element, 'robustness-marks'),
-    }),
+    map: createMap(root),
     legend: createLegend(byIdIn(element, 'robustness-legend')),
     rose: createRose(byIdIn(element, 'robustness-rose'), {
       chosen: () => robustnessSlice.of(store.get()).heading,

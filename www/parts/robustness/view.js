@@ -62,9 +62,9 @@ export function axesOf({ grid, size }) {
 
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
-/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement }} elements */
-export function createMap({ picture, marks }) {
-  const [under, over] = [picture, marks].map(createWatchedLayer);
+/** @param {HTMLElement} root It holds both canvases. */
+export function createMap(root) {
+  const [under, over] = Array.from(root.querySelectorAll('canvas'), createWatchedLayer);
   return {
     /** @param {MapModel} model */
     draw(model) {

@@ -2,7 +2,6 @@
 /** @import { Posture } from '../../core/engine.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { RowName } from './request.js' */
-/** @import { SetName } from './sets.js' */
 /** @import { TrainingState } from './state.js' */
 /** @import { Row } from './table.js' */
 import './style.css';
@@ -21,7 +20,7 @@ import { isFree } from '../../run/guard.js';
 import { changesOf } from '../changes.js';
 import { createPicture, signs } from './picture.js';
 import { createTraining, evolvedFor, handOf, lengths } from './request.js';
-import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
+import { circleCount, gridCount, isSet, setNames, unseenCount, unseenRadius } from './sets.js';
 import { seedCount } from './spread.js';
 import { tableOf } from './table.js';
 
@@ -132,9 +131,6 @@ function createEvents({ store, actions }, training, rowsOf) {
   return { choose, tryFrom, evolve, evolveIfWanted };
 }
 
-/** @param {RowName} name @returns {name is SetName} */
-const isSet = (name) => setNames.some((set) => set === name);
-
 /** @param {State} state @returns {RowName} */
 const chosenOf = (state) => {
   const { chosen, evolved } = trainingSlice.of(state);
@@ -142,27 +138,24 @@ const chosenOf = (state) => {
 };
 
 function createRows() {
-  const changes = remember(changesOf);
   const rows = remember(
     /** @param {TrainingState['evolved']} evolved @param {TrainingState['given']} given @param {State['experiment']} experiment @param {boolean} byHand @param {boolean} withPaper @returns {Row[]} */
     (evolved, given, experiment, byHand, withPaper) => {
-      const isOld = evolved !== null && changes(evolved.experiment, experiment).length > 0;
+      const isOld = evolved !== null && changesOf(evolved.experiment, experiment).length > 0;
+      const isOldGiven = given !== null && given.spec.experiment !== experiment;
       const counts = { one: experiment.starts.length, circle: circleCount, grid: gridCount };
       const ofPaper = withPaper ? /** @type {const} */ (['paper-ep', 'paper-arbitrary']) : [];
-      const names = /** @type {const} */ ([...ofPaper, ...(byHand ? ['hand'] : [])]);
+      const hand = byHand ? /** @type {const} */ (['hand']) : [];
+      /** @param {RowName} name @param {number} count @param {Row['result'] | undefined} result @param {boolean} old */
+      const row = (name, count, result, old) => ({
+        name,
+        text: words.rowName(name, count),
+        result: result ?? null,
+        old,
+      });
       return [
-        ...setNames.map((name) => ({
-          name,
-          text: words.rowName(name, counts[name]),
-          result: evolved?.results[name] ?? null,
-          old: isOld,
-        })),
-        ...names.map((name) => ({
-          name: /** @type {RowName} */ (name),
-          text: words.rowName(/** @type {RowName} */ (name), 0),
-          result: given?.results[/** @type {RowName} */ (name)] ?? null,
-          old: given !== null && given.spec.experiment !== experiment,
-        })),
+        ...setNames.map((name) => row(name, counts[name], evolved?.results[name], isOld)),
+        ...[...ofPaper, ...hand].map((name) => row(name, 0, given?.results[name], isOldGiven)),
       ];
     },
   );

@@ -18,7 +18,8 @@ import { drawTimeAxis, timeTicks } from '../axes.js';
 import { drawPinMark, linesOf } from '../plots.js';
 import { createReady } from '../ready.js';
 import { outlineOf } from '../../../kit/extent.js';
-import { symbolFont, textFont } from '../../../kit/fonts.js';
+import { symbolFont } from '../../../kit/fonts.js';
+import { drawText } from '../../../kit/labels.js';
 import { sampleBefore } from '../../../lab/track.js';
 import { colour } from '../../../kit/palette.js';
 import words from './words/index.js';
@@ -88,7 +89,8 @@ function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
     }
     drawRises(context, axes, driving);
   });
-  drawTitle(context, axes, words.lyapunovFormula(law, driving.headingWeight !== null));
+  const title = words.lyapunovFormula(law, driving.headingWeight !== null);
+  drawText(context, title, axes.frame.left, axes.frame.top - 6, { baseline: 'alphabetic' });
   drawName(context, axes, driving.lyapunov[driving.time.length - 1]);
 }
 
@@ -178,15 +180,6 @@ function decadesOf({ frame, y: scale }) {
     .filter((tick) => tick >= from && tick <= to);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {string} text */
-function drawTitle(context, { frame }, text) {
-  context.font = textFont;
-  context.textAlign = 'left';
-  context.textBaseline = 'alphabetic';
-  context.fillStyle = colour('--muted');
-  context.fillText(text, frame.left, frame.top - 6);
-}
-
 /** V at the end of its line, or V with a dot. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} end @param {string} [after] What follows V with a dot. */
 function drawName(context, { frame, y: scale }, end, after) {
   const half = 10;
@@ -194,11 +187,7 @@ function drawName(context, { frame, y: scale }, end, after) {
   const wanted = Number.isFinite(end) ? scale(end) : frame.top;
   const py = Math.min(Math.max(wanted, frame.top + half), frame.bottom - half);
   const letter = words.lyapunovSymbol;
-  context.font = symbolFont;
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
-  context.fillStyle = colour('--ink');
-  context.fillText(letter, px, py);
+  drawText(context, letter, px, py, { font: symbolFont, token: '--ink' });
   if (after === undefined) return;
   const { width, actualBoundingBoxAscent: ascent } = context.measureText(letter);
   context.fillText(after, px + width, py);
