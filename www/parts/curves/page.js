@@ -7,7 +7,7 @@ import './style.css';
 import './places.css';
 import './stability/style.css';
 import { html, render } from 'lit-html';
-import { segmentedOf } from '../../kit/fields.js';
+import { segmentedOf } from '../fields.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { createSection } from '../section.js';

@@ -4,7 +4,7 @@
 /** @import { Tools } from '../part.js' */
 import { followPointer } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
-import { createWatchedLayer } from '../../kit/layers.js';
+import { createWatchedLayer } from '../drawing.js';
 import { watch } from '../../kit/memo.js';
 import { isFree } from '../../run/guard.js';
 import { sampleTime } from './axes.js';

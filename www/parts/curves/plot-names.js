@@ -2,7 +2,7 @@
 /** @import { Run } from '../../core/engine.js' */
 /** @import { Column, Plot, PlotName } from './layout.js' */
 import { symbolFont, textFont } from '../../kit/fonts.js';
-import { drawText } from '../../kit/labels.js';
+import { drawText } from '../drawing.js';
 import { rememberEach } from '../../kit/memo.js';
 import { labelHeight, spread } from '../../kit/names.js';
 import { lab } from '../../words/index.js';

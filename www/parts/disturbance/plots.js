@@ -10,7 +10,7 @@ import { followSize } from '../../kit/elements.js';
 import { largest } from '../../kit/extent.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
-import { createWatchedLayer } from '../../kit/layers.js';
+import { createWatchedLayer } from '../drawing.js';
 import { typed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { parts } from './summary.js';

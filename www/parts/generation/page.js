@@ -7,7 +7,7 @@ import './chosen.css';
 import './places.css';
 import { html, render } from 'lit-html';
 import { byIdIn } from '../../kit/elements.js';
-import { segmentedOf } from '../../kit/fields.js';
+import { segmentedOf } from '../fields.js';
 import { watch } from '../../kit/memo.js';
 import { unless } from '../../kit/templates.js';
 import { showTable } from '../../lab/table-sheet.js';

@@ -9,7 +9,7 @@ import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { watch } from '../../kit/memo.js';
-import { checkOf, selectOf } from '../../kit/fields.js';
+import { checkOf, selectOf } from '../fields.js';
 import { selectAll, valueIn } from '../../kit/templates.js';
 import { lab, tables } from '../../words/index.js';
 import { outlines } from './points.js';

@@ -13,7 +13,7 @@ import { textFont } from '../../kit/fonts.js';
 import { dark, drawFrame, drawShades, light } from '../../kit/map.js';
 import { colour } from '../../kit/palette.js';
 import { shadeAt } from '../../kit/shades.js';
-import { createWatchedLayer } from '../../kit/layers.js';
+import { createWatchedLayer } from '../drawing.js';
 import { remember } from '../../kit/memo.js';
 import { drawSymbol } from '../../kit/names.js';
 import { fixed } from '../../words/numbers.js';

@@ -6,7 +6,7 @@ import './contest.css';
 import './places.css';
 import { html, render } from 'lit-html';
 import { luckSlice } from './state.js';
-import { segmentedOf } from '../../kit/fields.js';
+import { segmentedOf } from '../fields.js';
 import { createSection } from '../section.js';
 import words from './words/index.js';
 import { createContest } from './contest-page.js';

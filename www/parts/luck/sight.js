@@ -5,7 +5,7 @@
 import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { luckSlice } from './state.js';
-import { checkOf, selectOf } from '../../kit/fields.js';
+import { checkOf, selectOf } from '../fields.js';
 import { valueIn } from '../../kit/templates.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';

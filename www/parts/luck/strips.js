@@ -4,9 +4,8 @@
 /** @import { SeedSurvey } from './request.js' */
 import { scaleLinear } from 'd3-scale';
 import { followSize } from '../../kit/elements.js';
-import { drawText } from '../../kit/labels.js';
 import { colour } from '../../kit/palette.js';
-import { createWatchedLayer } from '../../kit/layers.js';
+import { createWatchedLayer, drawText } from '../drawing.js';
 import { drawSymbol } from '../../kit/names.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';

@@ -6,7 +6,7 @@
 /** @import { RobustnessState } from './state.js' */
 import { html, render } from 'lit-html';
 import { halves, robustnessSlice } from './state.js';
-import { segmentedOf, selectOf } from '../../kit/fields.js';
+import { segmentedOf, selectOf } from '../fields.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { areShown } from './drives.js';
 import { robustnessTable } from './table.js';

@@ -8,7 +8,7 @@ import { drawNumbersBelow, drawNumbersBeside, within } from '../../kit/chart.js'
 import { dark, drawFrame, drawShades, light, nameBeside } from '../../kit/map.js';
 import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
-import { createWatchedLayer } from '../../kit/layers.js';
+import { createWatchedLayer } from '../drawing.js';
 import { fixed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { startOf } from './grid.js';

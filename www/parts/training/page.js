@@ -9,7 +9,7 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
-import { selectOf } from '../../kit/fields.js';
+import { selectOf } from '../fields.js';
 import { unless } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';

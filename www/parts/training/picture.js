@@ -5,7 +5,7 @@ import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
-import { createWatchedLayer } from '../../kit/layers.js';
+import { createWatchedLayer } from '../drawing.js';
 
 /**
  * @typedef {object} PictureModel

@@ -19,7 +19,7 @@ import { drawPinMark, linesOf } from '../plots.js';
 import { createReady } from '../ready.js';
 import { outlineOf } from '../../../kit/extent.js';
 import { symbolFont } from '../../../kit/fonts.js';
-import { drawText } from '../../../kit/labels.js';
+import { drawText } from '../../drawing.js';
 import { sampleBefore } from '../../../lab/track.js';
 import { colour } from '../../../kit/palette.js';
 import words from './words/index.js';
