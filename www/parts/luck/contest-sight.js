@@ -5,6 +5,7 @@
 /** @import { LuckState } from './state.js' */
 import { html, noChange, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
+import { selectOf } from '../fields.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { createSwatch } from '../../kit/swatch.js';
 import { options, selectAll, valueIn } from '../../kit/templates.js';
@@ -24,8 +25,10 @@ import words from './words/index.js';
  */
 
 const { contestTexts: texts } = words;
-const seedChoices = contestSeeds.map((count) => /** @type {const} */ ([count, words.countChoice(count)]));
-const budgetChoices = budgets.map((drives) => /** @type {const} */ ([drives, words.drivesChoice(drives)]));
+/** @type {[number, string][]} */
+const seedChoices = contestSeeds.map((count) => [count, words.countChoice(count)]);
+/** @type {[number, string][]} */
+const budgetChoices = budgets.map((drives) => [drives, words.drivesChoice(drives)]);
 const [legend, rows] = [0, 1].map(() => styles.map(createSwatch));
 
 /** @param {State} state @param {Standings | null} standings @param {string} stale What of the lab has changed since. @param {boolean} isTyping What is typed stays. @param {ContestEvents} on */
@@ -59,10 +62,8 @@ function bar({ contest, contestRuns, others, seeds, budget }, { onContest, updat
   return html`
     <div class="bar luck-bar contest-bar">
       <button id="contest-run" type="button" class="primary" @click=${onContest}>${contestRuns ? words.cancel : words.contestRunText(1 + others.length, seeds)}</button>
-      <select id="contest-seeds" aria-label=${texts.seeds} .disabled=${contestRuns}
-        @change=${(/** @type {Event} */ event) => update({ seeds: Number(valueIn(event)) })}>${options(seedChoices, seeds)}</select>
-      <select id="contest-budget" aria-label=${texts.budget} .disabled=${contestRuns}
-        @change=${(/** @type {Event} */ event) => update({ budget: Number(valueIn(event)) })}>${options(budgetChoices, budget)}</select>
+      ${selectOf('contest-seeds', texts.seeds, seedChoices, seeds, (chosen) => update({ seeds: chosen }), contestRuns)}
+      ${selectOf('contest-budget', texts.budget, budgetChoices, budget, (chosen) => update({ budget: chosen }), contestRuns)}
       <progress max="1" class=${contestRuns ? '' : 'visually-hidden'} aria-label=${texts.progress} .value=${contestRuns ? done / Math.max(1, all) : 0}></progress>
     </div>`;
 }
