@@ -167,12 +167,16 @@ function testPage(...lanes) {
   const every = join('tests', 'page', 'harness', 'every.js');
   return step('tests of the built page in real browsers', () =>
     together(
-      lanesOf(...lanes).map(({ files, env }) =>
-        counted(process.execPath, ['--test-reporter=spec', every], {
-          env,
-          next: () => files.shift() ?? '',
-        }),
-      ),
+      lanesOf(...lanes).map(async ({ files, env }) => {
+        let isDone = false;
+        const next = () => {
+          const file = files.shift() ?? '';
+          isDone = file === '';
+          return file;
+        };
+        await counted(process.execPath, ['--test-reporter=spec', every], { env, next });
+        if (!isDone) throw new Failure('a process of tests ended before its files were done');
+      }),
     ),
   );
 }

@@ -43,7 +43,12 @@ const named = process.argv.slice(2);
 let holding = hold();
 await holding.begun;
 for await (const names of process.send ? handedOut() : [named.length > 0 ? named : all()]) {
-  for (const name of names) await import(`../${name}`);
+  for (const name of names)
+    await import(`../${name}`).catch((error) => {
+      test(`${name} is loaded`, () => {
+        throw error;
+      });
+    });
   const following = hold();
   holding.end();
   holding = following;
