@@ -1,10 +1,10 @@
 // The tests of the built page: which files there are, and the processes that share them.
-import { readdirSync, statSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { top } from './run.mjs';
 
 /** @typedef {import('../tests/page/harness/engines.js').EngineName} EngineName */
-/** Processes one after the other, and what they are told; some lanes share their lists. @typedef {{ lists: string[][], env: Record<string, string> }} Lane */
+/** A process, the files that it takes one after the other, and what it is told; some share their files. @typedef {{ files: string[], env: Record<string, string> }} Lane */
 
 const folder = join('tests', 'page');
 
@@ -19,21 +19,18 @@ export const testFiles = () =>
 export const filesOf = (name) =>
   testFiles().filter((file) => file === `${name}.test.js` || basename(file) === `${name}.test.js`);
 
-/** Lists of files about as long as each other. @param {readonly string[]} files @param {number} count */
-function shared(files, count) {
-  const lists = Array.from({ length: count }, () => ({ size: 0, files: /** @type {string[]} */ ([]) }));
-  const sized = files.map((file) => ({ file, size: statSync(join(top, folder, file)).size }));
-  for (const { file, size } of sized.sort((a, b) => b.size - a.size)) {
-    const [shortest] = [...lists].sort((a, b) => a.size - b.size);
-    shortest.files.push(file);
-    shortest.size += size;
-  }
-  return lists.map((list) => list.files.sort()).filter((list) => list.length > 0);
+/** Those that take the longest first, so that in the end no process is left alone with one: they go through all views, or are long themselves. @param {readonly string[]} files */
+function sorted(files) {
+  const weighed = files.map((file) => {
+    const text = readFileSync(join(top, folder, file), 'utf8');
+    return { file, weight: text.length + (text.includes('/views.js') ? 1e6 : 0) };
+  });
+  return weighed.sort((a, b) => b.weight - a.weight).map(({ file }) => file);
 }
 
 /**
  * Who runs what, side by side, for each spends much of its time waiting: the first engine, which has the most to do, in
- * several processes, each of which takes the next list of files when it has done one; each other engine what engines can do
+ * several processes, each of which takes the next file when it has done one; each other engine what engines can do
  * differently; and once what needs no browser.
  * @param {readonly EngineName[]} engines @param {string[]} files @param {number} late milliseconds by which every frame of the first engine comes late
  * @returns {Lane[]}
@@ -48,10 +45,10 @@ export function lanesOf(engines, files, late) {
   });
   // Who waits for late frames leaves the machine to others.
   const atOnce = !first ? 0 : late > 0 ? 5 : 2;
-  const lists = shared(files, 5 * atOnce);
+  const shared = sorted(files);
   return [
-    { lists: [files], env: { PAGE_TESTS: 'without browsers' } },
-    ...Array.from({ length: atOnce }, () => ({ lists, env: browser(first) })),
-    ...others.map((engine) => ({ lists: [files], env: browser(engine) })),
+    { files: [...files], env: { PAGE_TESTS: 'without browsers' } },
+    ...Array.from({ length: atOnce }, () => ({ files: shared, env: browser(first) })),
+    ...others.map((engine) => ({ files: [...files], env: browser(engine) })),
   ];
 }

@@ -63,16 +63,22 @@ export async function step(name, body, usual) {
  * Runs a program to its end and returns its standard output, which is shown as it comes.
  * @param {string} program
  * @param {string[]} args
- * @param {{ env?: Record<string, string>, keepColours?: boolean, yields?: boolean }} [options] keepColours hands the terminal to the program, and then nothing is returned; with yields all others go first
+ * @param {{ env?: Record<string, string>, keepColours?: boolean, yields?: boolean, next?: () => string }} [options] keepColours hands the terminal to the program, and then nothing is returned; with yields all others go first; next answers each message of a program of Node
  * @returns {Promise<string>}
  */
-export function run(program, args, { env = {}, keepColours = true, yields = false } = {}) {
+export function run(program, args, { env = {}, keepColours = true, yields = false, next } = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, {
       cwd: top,
       env: { ...process.env, ...env },
-      stdio: ['ignore', keepColours ? 'inherit' : 'pipe', 'inherit'],
+      stdio: [
+        'ignore',
+        keepColours ? 'inherit' : 'pipe',
+        'inherit',
+        ...(next ? [/** @type {const} */ ('ipc')] : []),
+      ],
     });
+    if (next) child.on('message', () => child.send(next()));
     if (yields && child.pid) setPriority(child.pid, 10);
     let output = '';
     child.stdout?.setEncoding('utf8').on('data', (text) => {

@@ -128,7 +128,10 @@ async function testSources() {
     runPackage('@biomejs/biome/bin/biome', ['check', '.']),
   );
   await step('lint of the Rust', () => clippy(['--all-targets']));
-  await step('native tests', () => counted('cargo', ['test']));
+  await step('native tests', async () => {
+    await counted('cargo', ['test', '--lib', '--test', 'all']);
+    await counted('cargo', ['test', '--doc']);
+  });
 }
 
 /**
@@ -144,7 +147,7 @@ async function testModule() {
   });
   await step('the same tests as WebAssembly under Node', () =>
     // A panic loses the instance that it happens in.
-    counted('cargo', ['test', ...target, '--test', 'wasm', '--test', 'panics'], {
+    counted('cargo', ['test', ...target, '--test', 'all', '--test', 'panics'], {
       env: { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner' },
       yields,
     }),
@@ -164,9 +167,15 @@ function testPage(...lanes) {
   const every = join('tests', 'page', 'harness', 'every.js');
   return step('tests of the built page in real browsers', () =>
     together(
-      lanesOf(...lanes).map(async ({ lists, env }) => {
-        for (let files = lists.shift(); files; files = lists.shift())
-          await counted(process.execPath, ['--test-reporter=spec', every, ...files], { env });
+      lanesOf(...lanes).map(async ({ files, env }) => {
+        let isDone = false;
+        const next = () => {
+          const file = files.shift() ?? '';
+          isDone = file === '';
+          return file;
+        };
+        await counted(process.execPath, ['--test-reporter=spec', every], { env, next });
+        if (!isDone) throw new Failure('a process of tests ended before its files were done');
       }),
     ),
   );
@@ -188,6 +197,8 @@ async function counted(program, args, options) {
     for (const [, kind, number] of output.matchAll(/^\S+ (pass|fail|cancelled) (\d+)/gm)) {
       count[kind === 'pass' ? 'passed' : 'failed'] += Number(number);
     }
+    // What waits for them is none itself.
+    count.passed -= [...output.matchAll(/^✔ files of tests are loaded/gm)].length;
   };
   try {
     add(await run(program, args, { ...options, keepColours: false }));

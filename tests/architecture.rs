@@ -108,18 +108,20 @@ fn no_index_is_drawn_that_is_as_wide_as_the_machine() {
 }
 
 #[test]
-fn every_file_of_tests_for_webassembly_is_in_the_one_program() {
+fn every_file_of_tests_is_in_the_one_program() {
     let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
-    let program = fs::read_to_string(tests.join("wasm.rs")).expect("the program");
+    let program = fs::read_to_string(tests.join("all.rs")).expect("the program");
     let mut found = 0;
     for path in sources(&tests) {
         let text = fs::read_to_string(&path).expect("a source");
         let name = path.file_name().and_then(|name| name.to_str()).expect("a name");
-        if !text.contains("\n#[wasm_bindgen_test") || name == "panics.rs" {
+        if !["\n#[test]", "\n#[wasm_bindgen_test"].iter().any(|mark| text.contains(mark))
+            || name == "panics.rs"
+        {
             continue;
         }
         found += 1;
-        assert!(program.contains(&format!("#[path = \"{name}\"]")), "tests/wasm.rs lacks {name}");
+        assert!(program.contains(&format!("#[path = \"{name}\"]")), "tests/all.rs lacks {name}");
     }
     assert!(found > 10);
 }

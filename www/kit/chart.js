@@ -107,11 +107,16 @@ export function drawGrid(context, { x, y, frame }, ticks, texts) {
   for (const tick of ticks.x) line(context, [x(tick), frame.top], [x(tick), frame.bottom]);
   for (const tick of ticks.y) line(context, [frame.left, y(tick)], [frame.right, y(tick)]);
   context.stroke();
-  setLettering(context, { align: 'right' });
-  for (const [i, tick] of ticks.y.entries()) context.fillText(texts[i], frame.left - 6, y(tick));
+  drawNumbersBeside(context, y, frame.left - 6, ticks.y, texts);
 }
 
-/** The numbers below. @param {CanvasRenderingContext2D} context @param {Scale} x @param {number} bottom @param {readonly number[]} ticks @param {readonly string[]} texts */
+/** Numbers on the left, which end there. @param {CanvasRenderingContext2D} context @param {(value: number) => number} y @param {number} right @param {readonly number[]} ticks @param {readonly string[]} texts */
+export function drawNumbersBeside(context, y, right, ticks, texts) {
+  setLettering(context, { align: 'right' });
+  for (const [i, tick] of ticks.entries()) context.fillText(texts[i], right, y(tick));
+}
+
+/** The numbers below. @param {CanvasRenderingContext2D} context @param {(value: number) => number} x @param {number} bottom @param {readonly number[]} ticks @param {readonly string[]} texts */
 export function drawNumbersBelow(context, x, bottom, ticks, texts) {
   setLettering(context, { align: 'center', baseline: 'top' });
   for (const [i, tick] of ticks.entries()) context.fillText(texts[i], x(tick), bottom + 7);
@@ -206,16 +211,21 @@ export function through(context, points) {
   for (const point of rest) context.lineTo(...point);
 }
 
+/** @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} points @param {Stroke} stroke */
+export function strokeThrough(context, points, stroke) {
+  take(context, stroke);
+  context.beginPath();
+  through(context, points);
+  context.stroke();
+}
+
 /** A line that is sharp where it is level. @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} points @param {Stroke} stroke */
 export function drawCurve(context, points, stroke) {
   const shift = (stroke.width % 2) / 2;
-  take(context, stroke);
-  context.beginPath();
-  through(
-    context,
-    points.map(([px, py]) => [Math.round(px) + shift, Math.round(py) + shift]),
+  const onPixels = points.map(
+    ([px, py]) => /** @type {const} */ ([Math.round(px) + shift, Math.round(py) + shift]),
   );
-  context.stroke();
+  strokeThrough(context, onPixels, stroke);
 }
 
 /** A curve that is level all the way. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} value @param {Stroke} stroke */

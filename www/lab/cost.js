@@ -28,12 +28,12 @@ function costOf({ title, starts, run, note }) {
       <h2 id="cost-title">${title}</h2>
       <p id="outcome" class="muted">${strings.outcomeText(run)}</p>
     </div>
-    <p class="cost-line"><span id="cost-total" class="cost-total">${strings.costText(cost.total)}</span> <span class="muted"><span>${strings.costMeaning(starts)}</span><br><span id="cost-note">${note}</span></span></p>
+    <p class="cost-line row"><span id="cost-total" class="cost-total">${strings.costText(cost.total)}</span> <span class="muted"><span>${strings.costMeaning(starts)}</span><br><span id="cost-note">${note}</span></span></p>
     <div id="cost-bar" class="cost-bar" aria-hidden="true">${strings.costParts.map(
       ([part]) =>
         html`<span class="cost-segment part-${part}" data-term=${part} .hidden=${!(share(part) >= 0.004)} ${styled('flex-grow', String(share(part)))}></span>`,
     )}</div>
-    <ul id="cost-parts" class="cost-parts">${strings.costParts.map(
+    <ul id="cost-parts" class="cost-parts muted">${strings.costParts.map(
       ([part, name]) =>
         // What only gains below zero pay is left out while nobody pays it.
         html`<li class="part-${part}" data-term=${part} .hidden=${part === 'penalty' && cost.penalty === 0}>${name} <span id="cost-${part}" class="cost-value">${strings.partText(cost[part])}</span></li>`,

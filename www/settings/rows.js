@@ -151,7 +151,7 @@ function createTyping(id, unit, onTyped) {
       return html`<input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
             aria-describedby="${id}-error ${id}-help" aria-invalid=${String(error !== '')}
             .disabled=${isOff} placeholder=${text ? '' : words.noLimit}
-            @input=${on.input} @blur=${on.blur} @focus=${selectAll} @change=${on.change}><span class="unit">${unit}</span>`;
+            @input=${on.input} @blur=${on.blur} @focus=${selectAll} @change=${on.change}><span class="unit muted">${unit}</span>`;
     },
     /** Writes it into the field, once that is there. @param {HTMLInputElement} input @param {string} error */
     write(input, error) {

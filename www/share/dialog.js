@@ -202,7 +202,7 @@ const contentOf = ({ address, frame, frameText, pictures, status, park }, on) =>
   <p class="muted">${texts.keepPicturesHelp}</p>
   <ul id="keep-pictures" class="keep-pictures">${pictures.map(
     (picture) =>
-      html`<li><span>${picture.name}</span>${kinds.map(
+      html`<li class="row"><span>${picture.name}</span>${kinds.map(
         (kind) =>
           html`<button type="button" aria-label=${words.savePicture(picture.name, kind[0])}
             @click=${() => on.savePicture(picture, kind)}>${words.kindName(kind[0])}</button>`,
@@ -210,7 +210,7 @@ const contentOf = ({ address, frame, frameText, pictures, status, park }, on) =>
   )}</ul>
   ${park ? nothing : tables(on)}
   <p class="sheet-foot"><button id="keep-checks" type="button" @click=${on.check}>${opening.texts.checksButton}</button></p>
-  <p id="keep-status" class="keep-status" role="status">${status}</p>`;
+  <p id="keep-status" class="keep-status muted" role="status">${status}</p>`;
 
 /** @param {string | null} link @param {Events} on */
 const toLab = (link, on) => html`

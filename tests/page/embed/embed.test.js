@@ -24,7 +24,7 @@ test('the text of a frame says where, how large and what, and nothing in it ends
   const text = frameText({ address, title: 'a "title" & <more>', width: 640, height: 420 });
   assert.equal(
     text,
-    '<iframe src="https://host/ep/?embed&amp;lang=ko#lab&amp;v=1&amp;pin1=a%22b%3Cc" title="a &quot;title&quot; &amp; &lt;more>" width="640" height="420" style="border: 0; max-width: 100%" loading="lazy" allow="fullscreen"></iframe>',
+    '<iframe src="https://host/ep/?embed&amp;lang=ko#lab&amp;v=1&amp;pin1=a%22b%3Cc" title="a &quot;title&quot; &amp; &lt;more&gt;" width="640" height="420" style="border: 0; max-width: 100%" loading="lazy" allow="fullscreen"></iframe>',
   );
 });
 

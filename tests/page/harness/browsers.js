@@ -71,8 +71,9 @@ function declare(engines, name, body, { moves = false } = {}) {
     test(`${engine.name}: ${name}`, { timeout: testTimeout }, async ({ signal }) => {
       site ??= startSite();
       const key = `${engine.name} ${moves}`;
-      // It would go on in the page of the next test.
-      signal.addEventListener('abort', () => drivers.delete(key));
+      let isOver = false;
+      // What takes too long would go on in the page of the next test. The signal comes at the end of every test.
+      signal.addEventListener('abort', () => isOver || drivers.delete(key));
       const driver = drivers.get(key) ?? startBrowser(engine, moves);
       drivers.set(key, driver);
       const page = new Page(engine.name, await driver, await site);
@@ -82,6 +83,7 @@ function declare(engines, name, body, { moves = false } = {}) {
       } finally {
         // A page that goes on moving would slow the tests of the other engines; a browser that is lost, fail all others.
         await page.leave().catch(() => drivers.delete(key));
+        isOver = true;
       }
       assert.equal(page.uncaught, '', 'something was thrown that nobody has caught');
     });

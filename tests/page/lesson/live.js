@@ -6,8 +6,21 @@ import * as ko from '../../../www/lesson/words/ko.js';
 
 export { liveOf };
 
-/** What comes out of a question, and what is then said of it. @param {import('../../../www/lesson/path.js').StepName} step @param {string} name */
-export async function answered(step, name) {
+/** @typedef {import('../../../www/lesson/path.js').StepName} StepName */
+
+/** @type {Map<string, ReturnType<typeof answer>>} */
+const answers = new Map();
+
+/** What comes out of a question, and what is then said of it: the same whenever it is asked. @param {StepName} step @param {string} name */
+export function answered(step, name) {
+  const key = `${step}.${name}`;
+  const known = answers.get(key) ?? answer(step, name);
+  answers.set(key, known);
+  return known;
+}
+
+/** @param {StepName} step @param {string} name */
+async function answer(step, name) {
   const block = steps
     .find((one) => one.name === step)
     ?.blocks.find((one) => one.kind === 'quiz' && one.name === name);
@@ -17,7 +30,7 @@ export async function answered(step, name) {
   return { outcome, why };
 }
 
-/** The link of a try. @param {import('../../../www/lesson/path.js').StepName} step @param {string} name */
+/** The link of a try. @param {StepName} step @param {string} name */
 export function tryOf(step, name) {
   for (const block of steps.find((one) => one.name === step)?.blocks ?? [])
     if (block.kind === 'tries') {

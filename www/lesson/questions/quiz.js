@@ -75,7 +75,7 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
         const mark = wrong ? words.wrong : i === right ? words.right : '';
         const look = `choice${i === right ? ' right' : ''}${wrong ? ' wrong' : ''}${chosen ? ' chosen' : ''}`;
         return html`<button type="button" class=${look} ?aria-disabled=${answer !== undefined}
-          @click=${() => press(i)}><span class="choice-mark">${mark}</span><span>${choices[i]}</span></button>`;
+          @click=${() => press(i)}><span class="choice-mark muted">${mark}</span><span>${choices[i]}</span></button>`;
       };
       const why =
         answer && right !== null

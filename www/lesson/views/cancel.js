@@ -41,7 +41,7 @@ export function createCancel({ store }, { cancel: words }) {
           { math, pair, of },
           i,
         ) => html`<li class=${`of-${of}${isStruck(pair) ? ' struck' : ''}${pair ? '' : ' stays'}`}>
-          ${math}<span class="cancel-amount">${isTheLaw ? signed(amounts[i], 2) : ''}</span></li>`,
+          ${math}<span class="muted">${isTheLaw ? signed(amounts[i], 2) : ''}</span></li>`,
       );
       render(
         html`<ul class="cancel-terms" aria-label=${words.label} ?hidden=${pressed === 0}>${items}</ul>

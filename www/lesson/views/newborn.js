@@ -3,6 +3,7 @@ import { html, render } from 'lit-html';
 import { create } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { generationSlice } from '../../parts/generation/state.js';
+import { forgets } from '../../parts/generation/phases.js';
 import { isInitial, partnerOf } from '../../parts/generation/record.js';
 import { fixed, powerText } from '../../words/numbers.js';
 import { anatomyOf, chosenIn } from '../anatomy.js';
@@ -11,12 +12,15 @@ import { createSmallDrive } from './small-drives.js';
 /** @import { Experiment, Run, Triple } from '../../core/engine.js' */
 /** @import { Anatomy } from '../../parts/generation/record.js' */
 /** @import { Block, Live, Tools } from '../page.js' */
-/** @typedef {{ newborn: { title: (better: number, count: number) => string, parents: (count: number) => string, name: (number: number, isParent: boolean) => string } }} NewbornWords */
+/** @typedef {{ newborn: { title: (better: number, count: number) => string, parents: (count: number) => string, alone: (count: number) => string, name: (number: number, isParent: boolean) => string } }} NewbornWords */
 
 const most = 20;
 /** There is room for four digits. @param {number} cost */
 const inFour = (cost) =>
   cost < 1e4 ? fixed(cost, cost < 100 ? 2 : cost < 1000 ? 1 : 0) : powerText(cost, 2);
+
+/** Whether each of the offspring is that of one parent. @param {Anatomy} anatomy */
+const isPaired = ({ method, record }) => !forgets(method) && record.offspring.length <= record.parents.length;
 
 /** @param {Tools} tools @param {NewbornWords} words @returns {Block} */
 export function createNewborn({ engine, store }, { newborn: words }) {
@@ -25,19 +29,29 @@ export function createNewborn({ engine, store }, { newborn: words }) {
   const pictures = Array.from({ length: most }, () => createSmallDrive(store));
   const drivesOf = remember(
     (/** @type {Experiment} */ experiment, /** @type {Anatomy} */ anatomy, /** @type {boolean} */ isBorn) => {
-      const { record } = anatomy;
-      const from = { ...experiment, starts: [experiment.starts[0]] };
-      const driven = (/** @type {typeof record.parents} */ those) =>
-        engine.drive(
-          from,
-          those.slice(0, most).map((one) => /** @type {Triple} */ ([...one.gains])),
-        );
-      const parents = driven(record.parents);
-      if (!isBorn) return parents.map((run) => ({ run, others: /** @type {Run[]} */ ([]) }));
-      return driven(record.offspring).map((run, i) => ({ run, others: [parents[i]] }));
+      const { parents, offspring } = anatomy.record;
+      const shown = (isBorn ? offspring : parents).slice(0, most);
+      const beside = isBorn && isPaired(anatomy) ? parents.slice(0, shown.length) : [];
+      const runs = engine.drive(
+        { ...experiment, starts: [experiment.starts[0]] },
+        [...shown, ...beside].map((one) => /** @type {Triple} */ ([...one.gains])),
+      );
+      return shown.map((_, i) => ({
+        run: runs[i],
+        others: runs.slice(shown.length + i, shown.length + i + 1),
+      }));
     },
   );
   const changed = watch();
+  const titleOf = (
+    /** @type {Anatomy} */ anatomy,
+    /** @type {boolean} */ isBorn,
+    /** @type {number} */ better,
+  ) => {
+    const { parents, offspring } = anatomy.record;
+    if (!isBorn) return words.parents(parents.length);
+    return isPaired(anatomy) ? words.title(better, offspring.length) : words.alone(offspring.length);
+  };
 
   return {
     element,
@@ -51,10 +65,10 @@ export function createNewborn({ engine, store }, { newborn: words }) {
       const chosen = chosenIn(live) % anatomy.count;
       const all = isBorn ? record.offspring : record.parents;
       const isBetter = (/** @type {number} */ i) =>
-        isBorn && all[i].cost < anatomy.all[partnerOf(anatomy, anatomy.count + i)].cost;
+        isBorn && isPaired(anatomy) && all[i].cost < anatomy.all[partnerOf(anatomy, anatomy.count + i)].cost;
       if (changed(drives, chosen))
         render(
-          html`<p class="newborn-title">${isBorn ? words.title(all.filter((_, i) => isBetter(i)).length, all.length) : words.parents(all.length)}</p>
+          html`<p class="newborn-title">${titleOf(anatomy, isBorn, all.filter((_, i) => isBetter(i)).length)}</p>
             <div class="newborn-pictures"><ul>${drives.map(
               (_, i) => html`<li class=${`${i === chosen ? 'chosen' : ''}${isBetter(i) ? ' better' : ''}`}>
                 ${pictures[i].element}<span>${words.name(i + 1, !isBorn)}</span> <strong>${inFour(all[i].cost)}</strong></li>`,

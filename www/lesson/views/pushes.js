@@ -84,7 +84,7 @@ function createSide(side, unit, words) {
     };
     const amounts = /** @type {Record<string, number>} */ (pushes?.[side] ?? {});
     return html`<tbody .style=${`--free: ${50 * Math.min(free / reach[side], 1)}%`}>
-      <tr><th class="push-unit" scope="rowgroup" colspan="3">${head} ${unit}</th></tr>
+      <tr><th class="push-unit muted" scope="rowgroup" colspan="3">${head} ${unit}</th></tr>
       ${pushes && terms.map((of) => next(of, amounts[of.term]))}
       ${pushes && isMoving ? next({ label: words.moving, colour: 'of-moving' }, pushes.reference[side]) : ''}
       ${bar(side, asked, command[side])} ${bar(side, { label: words.left, colour: 'of-left' }, velocity[side])}

@@ -56,7 +56,7 @@ function drawRun(context, size, { experiment, run, others, beat, time, car, toke
   context.save();
   inMetres(context, plane);
   context.lineWidth = 1.5 / plane.scale;
-  for (const one of [...others, run]) {
+  for (const one of [...others.filter((other) => other !== run), run]) {
     if (!one) continue;
     context.strokeStyle = colour(one === run ? token : '--muted');
     context.globalAlpha = one === run ? 0.7 : 0.3;

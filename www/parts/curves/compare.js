@@ -69,7 +69,7 @@ export function createComparison(root, { engine, store, actions, paper }) {
 
 /** @param {Pin} pin @param {PinEvents} on */
 const itemOf = ({ slot, name }, { onName, onUnpin }) => html`
-  <li>
+  <li class="row">
     ${createSwatch(styles[slot])}
     <input id="pin-name-${slot + 1}" type="text" maxlength="60" autocomplete="off" spellcheck="false"
       aria-label=${words.nameLabel(slot)} .value=${live(name)}

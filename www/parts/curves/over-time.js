@@ -6,47 +6,32 @@
 /** @import { View } from './page.js' */
 import { html, render } from 'lit-html';
 import { paidUntil } from '../../core/paid.js';
-import { followSize } from '../../kit/elements.js';
-import { followPointer } from '../../kit/map.js';
-import { remember, watch } from '../../kit/memo.js';
+import { once, remember, watch } from '../../kit/memo.js';
 import { pinTextsOf } from '../../lab/notes.js';
 import { sampleBefore } from '../../lab/track.js';
-import { isFree } from '../../run/guard.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
-import { sampleTime } from './axes.js';
-import { createPlots } from './plots.js';
+import { createPicture } from './picture.js';
+import { plotsOverTime } from './plots.js';
 
 /** @param {HTMLElement} root @param {Tools} tools @returns {View} */
-export function createOverTime(root, { engine, store, actions }) {
-  /** @type {ReturnType<typeof createPicture> | null} */
-  let picture = null;
-  /** @type {Run | null} */
-  let driving = null;
-  const createPicture = () => {
-    const [lines, cursor] = root.querySelectorAll('canvas');
-    const around = /** @type {HTMLElement} */ (lines.parentElement);
-    const plots = createPlots({ lines, cursor });
-    followPointer(around, (px) => {
-      if (driving && isFree(store.get(), 'clock')) actions.scrub(sampleTime(driving, plots.timeAt(px)));
-    });
-    return { plots, size: followSize(around, store.redraw) };
-  };
+export function createOverTime(root, tools) {
+  const picture = once(() => createPicture(root, tools, plotsOverTime));
   const labelOf = remember(described);
   /** Whether nothing that drives differs from the paper's experiment. */
   const isPapers = remember((/** @type {Experiment} */ own, /** @type {Preset} */ preset) => {
     const text = (/** @type {Experiment} */ { evolution, ...rest }) => JSON.stringify(rest);
-    return text(own) === text(engine.experiment(preset));
+    return text(own) === text(tools.engine.experiment(preset));
   });
   const changed = watch();
 
   return {
     draw(state, scene, { name, time }) {
-      ({ driving } = scene);
+      const { driving } = scene;
       const sample = sampleBefore(driving, time);
       const label = labelOf(
         name,
-        scene.driving,
+        driving,
         rivalOf(state, scene),
         scene.comparison,
         state.pins,
@@ -57,18 +42,18 @@ export function createOverTime(root, { engine, store, actions }) {
       const note = isPaper ? words.figureNote(state.preset === 'velocity-limits' ? '5' : '7') : '';
       if (changed(driving, sample, label, note))
         render(contentOf(readingsOf(driving, sample), label, note), root);
-      picture ??= createPicture();
-      picture.plots.draw({
-        driving,
-        comparison: scene.comparison,
-        pins: state.pins,
-        pinned: scene.pins,
-        limits: scene.experiment.limits,
-        isFigure: isPaper,
+      picture().draw(
+        {
+          driving,
+          comparison: scene.comparison,
+          pins: state.pins,
+          pinned: scene.pins,
+          limits: scene.experiment.limits,
+          isFigure: isPaper,
+          theme: state.theme,
+        },
         time,
-        size: picture.size(),
-        theme: state.theme,
-      });
+      );
     },
   };
 }
@@ -76,7 +61,7 @@ export function createOverTime(root, { engine, store, actions }) {
 /** @param {ReturnType<typeof readingsOf>} readings @param {string} label @param {string} note */
 const contentOf = (readings, label, note) => html`
   <dl id="curves-readout" class="curves-readout">${readings}</dl>
-  <div id="curves-picture" class="curves-picture layers" data-picture="curves" data-name=${words.texts.curvesPicture}>
+  <div id="curves-picture" class="curves-picture picture layers" data-picture="curves" data-name=${words.texts.curvesPicture}>
     <canvas id="curves-lines" role="img" aria-label=${label}></canvas>
     <canvas id="curves-cursor" aria-hidden="true"></canvas>
   </div>

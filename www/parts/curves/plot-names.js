@@ -2,9 +2,9 @@
 /** @import { Run } from '../../core/engine.js' */
 /** @import { Column, Plot, PlotName } from './layout.js' */
 import { symbolFont, textFont } from '../../kit/fonts.js';
+import { drawText } from '../drawing.js';
 import { rememberEach } from '../../kit/memo.js';
 import { labelHeight, spread } from '../../kit/names.js';
-import { colour } from '../../kit/palette.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { curvesOf } from './layout.js';
@@ -35,33 +35,20 @@ export function drawNames(context, plot, run) {
   const all = namesOf(plot, run);
   const isLow = (all.length - 1) * labelHeight > frame.bottom - frame.top - 2 * half;
   // Where there is no room for all, the letter of what is drawn stands within.
-  if (isLow && name === 'cost') {
-    context.font = symbolFont;
-    context.fillStyle = colour('--ink');
-    context.textAlign = 'left';
-    context.textBaseline = 'middle';
-    context.fillText(lab.costSymbol, frame.left + 5, frame.top + half);
-  }
+  if (isLow && name === 'cost')
+    drawText(context, lab.costSymbol, frame.left + 5, frame.top + half, { font: symbolFont, token: '--ink' });
   const beside = isLow && name === 'cost' ? all.filter((one) => one.font !== symbolFont) : all;
   const names = beside.map(({ y, ...rest }) => ({
     ...rest,
     y: Math.min(Math.max(y, frame.top + half), frame.bottom - half),
   }));
   spread(names, frame.top + half, frame.bottom - half);
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
-  for (const { text, token, font: own, y } of names) {
-    context.font = own;
-    context.fillStyle = colour(token);
-    context.fillText(text, px, y);
-  }
+  for (const { text, token, font, y } of names) drawText(context, text, px, y, { token, font });
   if (name === 'cost') return;
   const symbols = names.filter((one) => one.font === symbolFont);
   const wide = Math.max(...symbols.map(({ text }) => context.measureText(text).width));
   const middle = symbols.reduce((sum, { y }) => sum + y, 0) / symbols.length;
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.fillText(words.units[name], px + wide + 5, middle);
+  drawText(context, words.units[name], px + wide + 5, middle);
 }
 
 /** @param {Plot} plot @param {Run} run @returns {Name[]} */

@@ -1,8 +1,8 @@
-// Runs against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
+// Runs against time: what is drawn of them, and the cursor in it.
 /** @import { Experiment, Run } from '../../core/engine.js' */
 /** @import { Pins } from '../../run/pins.js' */
 /** @import { Column, Layout, Plot, PlotName } from './layout.js' */
-import { createLayer } from '../../kit/canvas.js';
+/** @import { Plots } from './picture.js' */
 import { outlineOf } from '../../kit/extent.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
@@ -14,18 +14,20 @@ import {
   line,
   pointsOf,
   sameDigits,
+  strokeThrough,
+  take,
   through,
   within,
 } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
-import { rememberEach, watch } from '../../kit/memo.js';
+import { rememberEach } from '../../kit/memo.js';
 import words from './words/index.js';
 import { drawTimeAxis, timeTicks } from './axes.js';
 import { curvesOf, extentsOf, layoutOf } from './layout.js';
 import { drawNames, parts, tokens } from './plot-names.js';
 import { createReady } from './ready.js';
 
-/** @template [R=Run] @typedef {{ run: R, colour: string | null, dash: readonly number[], width: number, slot: number | null }} Line Without a colour: that of what is drawn. */
+/** @template [R=Run] @typedef {{ run: R, token: string | null, dash: readonly number[], width: number, slot: number | null }} Line Without a token: in the colour of what is drawn. */
 /**
  * @typedef {object} PlotsModel
  * @property {Run} driving
@@ -34,8 +36,6 @@ import { createReady } from './ready.js';
  * @property {Run[]} pinned One for each pin.
  * @property {Experiment['limits']} limits
  * @property {boolean} isFigure Whether the paper has a figure of it.
- * @property {number} time
- * @property {{ width: number, height: number }} size
  * @property {number} theme
  */
 
@@ -57,54 +57,35 @@ const partsReady = createReady((/** @type {Run} */ run) =>
   ),
 );
 
-/** @param {{ lines: HTMLCanvasElement, cursor: HTMLCanvasElement }} elements */
-export function createPlots({ lines, cursor }) {
-  const under = createLayer(lines);
-  const over = createLayer(cursor);
-  const linesChanged = watch();
-  const cursorChanged = watch();
-  /** @type {Layout | null} */
-  let layout = null;
-  return {
-    /** @param {PlotsModel} model */
-    draw(model) {
-      const { driving, comparison, pinned, limits, isFigure, time, size, theme } = model;
-      if (size.width === 0) return;
-      curvesReady([driving, comparison, ...pinned]);
-      partsReady([driving]);
-      if (linesChanged(driving, comparison, pinned, limits, isFigure, size, theme) || !layout) {
-        layout = layoutOf(size, driving, [comparison, ...pinned], limits, isFigure);
-        const { time: scale, plots } = layout;
-        const drawn = layout;
-        under.draw(size, (context) => {
-          for (const plot of plots) drawPlot(context, drawn, plot, model);
-          drawTimeAxis(context, scale, plots[plots.length - 1].frame.bottom);
-        });
-      }
-      if (cursorChanged(layout, time)) {
-        const drawn = layout;
-        over.draw(size, (context) => drawCursor(context, drawn, driving, time));
-      }
-    },
-    /** The time at a place of the picture. @param {number} px */
-    timeAt: (px) => layout?.time.invert(px) ?? 0,
-  };
-}
+/** @type {Plots<PlotsModel, Layout>} */
+export const plotsOverTime = {
+  makeReady({ driving, comparison, pinned }) {
+    curvesReady([driving, comparison, ...pinned]);
+    partsReady([driving]);
+  },
+  layoutOf: (size, { driving, comparison, pinned, limits, isFigure }) =>
+    layoutOf(size, driving, [comparison, ...pinned], limits, isFigure),
+  drawLines(context, layout, model) {
+    for (const plot of layout.plots) drawPlot(context, layout, plot, model);
+    drawTimeAxis(context, layout.time, layout.plots[layout.plots.length - 1].frame.bottom);
+  },
+  drawCursor: (context, layout, { driving }, time) => drawCursor(context, layout, driving, time),
+};
 
 /**
  * The runs in the order in which they are drawn.
  * @template R @param {{ driving: R, comparison: R, pins: Pins, pinned: readonly R[] }} model @returns {Line<R>[]}
  */
 export const linesOf = ({ driving, comparison, pins, pinned }) => [
-  { run: comparison, colour: colour('--muted'), dash: [2, 4], width: 1.75, slot: null },
+  { run: comparison, token: '--muted', dash: [2, 4], width: 1.75, slot: null },
   ...pins.map(({ slot }, i) => ({
     run: pinned[i],
-    colour: colour(styles[slot].token),
+    token: styles[slot].token,
     dash: styles[slot].dash,
     width: 1.75,
     slot,
   })),
-  { run: driving, colour: null, dash: [], width: 2.25, slot: null },
+  { run: driving, token: null, dash: [], width: 2.25, slot: null },
 ];
 
 /** @param {Layout} layout @param {Plot} plot */
@@ -128,8 +109,7 @@ function drawPlot(context, layout, plot, model) {
 /** @param {CanvasRenderingContext2D} context @param {Plot} plot */
 function drawLimits(context, { frame, scale, limit }) {
   if (limit === null) return;
-  context.strokeStyle = colour('--muted');
-  context.setLineDash([3, 3]);
+  take(context, { token: '--muted', width: 1, dash: [3, 3] });
   context.beginPath();
   const [low, high] = scale.domain();
   for (const value of [-limit, limit].filter((one) => one > low && one < high))
@@ -139,42 +119,35 @@ function drawLimits(context, { frame, scale, limit }) {
 }
 
 /** One run in one plot. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Line} line */
-function drawLine(context, layout, plot, { run, colour: own, dash, width, slot }) {
-  context.lineWidth = width;
-  context.setLineDash([...dash]);
+function drawLine(context, layout, plot, { run, token, dash, width, slot }) {
   for (const [i, column] of curvesOf[plot.name].entries()) {
-    context.strokeStyle = own ?? colour(tokens[plot.name][i]);
-    context.beginPath();
-    trace(context, layout, plot, run, column);
-    context.stroke();
-    if (slot === null) continue;
+    const points = pointsIn(layout, plot, run, column);
+    strokeThrough(context, points, { token: token ?? tokens[plot.name][i], width, dash });
     const last = run.time.length - 1;
-    drawMark(context, styles[slot].mark, layout.time(run.time[last]), plot.scale(column(run)[last]), {
-      fill: String(own),
-      edge: colour('--paper'),
-    });
+    if (slot !== null) drawPinMark(context, slot, layout.time(run.time[last]), plot.scale(column(run)[last]));
   }
+}
+
+/** Where the line of a pin ends. @param {CanvasRenderingContext2D} context @param {number} slot @param {number} px @param {number} py */
+export function drawPinMark(context, slot, px, py) {
+  const { mark, token } = styles[slot];
+  drawMark(context, mark, px, py, { fill: colour(token), edge: colour('--paper') });
 }
 
 /** A velocity is applied until the next sample, everything else changes on the way. @param {PlotName} name */
 const isHeld = (name) => name in commands;
 
-/** Adds a curve to the path. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run @param {Column} column */
-function trace(context, layout, plot, run, column) {
-  through(context, pointsOf(axesOf(layout, plot), run.time, column(run), isHeld(plot.name)));
-}
+/** Where a curve goes. @param {Layout} layout @param {Plot} plot @param {Run} run @param {Column} column */
+const pointsIn = (layout, plot, run, column) =>
+  pointsOf(axesOf(layout, plot), run.time, column(run), isHeld(plot.name));
 
 /** What the law asked for, where the limits gave less. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run */
 function drawCommand(context, layout, plot, run) {
   const command = commands[plot.name];
   if (!command) return;
-  context.strokeStyle = colour(tokens[plot.name][0]);
   context.globalAlpha = 0.45;
-  context.lineWidth = 1.25;
-  context.setLineDash([]);
-  context.beginPath();
-  trace(context, layout, plot, run, command);
-  context.stroke();
+  const points = pointsIn(layout, plot, run, command);
+  strokeThrough(context, points, { token: tokens[plot.name][0], width: 1.25 });
   context.globalAlpha = 1;
 }
 
@@ -184,8 +157,9 @@ function drawParts(context, layout, plot, run) {
   const { scale, frame } = plot;
   const last = run.time.length - 1;
   for (const [i, [, token, column]] of [...parts.entries()].reverse()) {
+    const points = pointsIn(layout, plot, run, column);
     context.beginPath();
-    trace(context, layout, plot, run, column);
+    through(context, points);
     context.lineTo(time(run.time[last]), frame.bottom);
     context.lineTo(frame.left, frame.bottom);
     // Its own colour, without what shines through from the part above.
@@ -195,13 +169,7 @@ function drawParts(context, layout, plot, run) {
     context.fillStyle = colour(token);
     context.fill();
     context.globalAlpha = 1;
-    if (i === parts.length - 1) continue;
-    context.strokeStyle = colour(token);
-    context.lineWidth = 1;
-    context.setLineDash([]);
-    context.beginPath();
-    trace(context, layout, plot, run, column);
-    context.stroke();
+    if (i < parts.length - 1) strokeThrough(context, points, { token, width: 1 });
   }
   let paid = parts[parts.length - 1][2](run)[last];
   for (const [token, due] of /** @type {const} */ ([

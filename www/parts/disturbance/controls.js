@@ -4,7 +4,7 @@ import { disturbanceSlice } from './state.js';
 import { html } from 'lit-html';
 import { createRow } from '../../lab/gains.js';
 import { isLost, messageOf } from '../../words/errors.js';
-import { choicesOf } from '../../kit/segmented.js';
+import { segmentedOf } from '../fields.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 
@@ -81,9 +81,7 @@ export function createControls({ engine, store, actions }) {
   return (/** @type {Disturbance} */ now, /** @type {DisturbanceState['error']} */ error) => html`
     <fieldset id="disturbance-controls" class="around" aria-label=${words.texts.disturbanceControls}>
       <div class="bar">
-        <fieldset id="disturbance-kind" class="segmented">
-          ${choicesOf('disturbance-kind', words.kindLegend, words.kinds, now.kind, chooseKind)}
-        </fieldset>
+        ${segmentedOf('disturbance-kind', words.kindLegend, words.kinds, now.kind, chooseKind)}
         <button id="disturbance-draw" type="button" .hidden=${now.kind !== 'random'} @click=${onDraw}>${words.texts.disturbanceDraw}</button>
       </div>
       <fieldset id="disturbance-sizes" class="sizes" aria-label=${words.texts.disturbanceSizes}

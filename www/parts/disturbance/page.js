@@ -1,6 +1,4 @@
 // The part of the page that shows what error remains under a disturbance, against the sets of Theorem 2.
-/** @import { Scene } from '../../run/scene.js' */
-/** @import { State } from '../../run/state.js' */
 /** @import { Page, Tools } from '../part.js' */
 import './style.css';
 import './places.css';
@@ -29,7 +27,6 @@ export function createPage(tools) {
 
   return {
     element,
-    /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const { tried, theme } = state;
       const { error, measured, message } = disturbanceSlice.of(state);

@@ -4,13 +4,13 @@
 /** @import { PartName } from './summary.js' */
 import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
-import { createLayer, fillTextWithHalo } from '../../kit/canvas.js';
-import { drawCursorDot, drawCursorLine, pointsOf, through } from '../../kit/chart.js';
+import { fillTextWithHalo } from '../../kit/canvas.js';
+import { drawCursorDot, drawCursorLine, pointsOf, strokeThrough, through } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { largest } from '../../kit/extent.js';
 import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
-import { watch } from '../../kit/memo.js';
+import { createWatchedLayer } from '../drawing.js';
 import { typed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { parts } from './summary.js';
@@ -40,23 +40,19 @@ export function createPlots(element, onResize) {
 
 /** @param {PartName} part @param {HTMLElement} root @param {() => void} onResize */
 function createPlot(part, root, onResize) {
-  const [lines, clock] = Array.from(root.querySelectorAll('canvas'), createLayer);
+  const [lines, clock] = Array.from(root.querySelectorAll('canvas'), createWatchedLayer);
   const isLast = part === 'theta';
   const sizeOf = followSize(root, onResize);
-  const linesChanged = watch();
-  const clockChanged = watch();
   return {
     /** @param {PlotsModel} model @param {number} most The largest distance on the axis. */
     draw({ measured, time, theme }, most) {
       const size = sizeOf();
       if (size.width === 0) return;
       const axes = axesOf(measured, size, part === 'theta' ? 1 : most, isLast);
-      if (linesChanged(measured, most, size, theme)) {
-        lines.draw(size, (context) => drawLines(context, axes, measured, part, isLast));
-      }
-      if (clockChanged(measured, most, size, theme, time)) {
-        clock.draw(size, (context) => drawClock(context, axes, measured.runs[0], part, time));
-      }
+      lines(size, [measured, most, theme], (context) => drawLines(context, axes, measured, part, isLast));
+      clock(size, [measured, most, theme, time], (context) =>
+        drawClock(context, axes, measured.runs[0], part, time),
+      );
     },
   };
 }
@@ -96,11 +92,7 @@ function drawLines(context, axes, measured, part, isLast) {
   for (const run of runs.slice(1)) trace(context, axes, ...crests(run.time, run[part]));
   context.stroke();
   context.globalAlpha = 1;
-  context.strokeStyle = colour('--ink');
-  context.lineWidth = 2;
-  context.beginPath();
-  trace(context, axes, runs[0].time, runs[0][part]);
-  context.stroke();
+  strokeThrough(context, pointsOf(axes, runs[0].time, runs[0][part]), { token: '--ink', width: 2 });
   if (part === 'x') nameLast(context, frame, since, words.lastText(spec.seconds));
 }
 

@@ -9,7 +9,7 @@ const { texts } = words;
 
 /** @param {Summary | null} summary Nothing is in sight until there is one. */
 export const tableOf = (summary) => html`
-  <ul id="remains-legend" class="remains-legend" data-picture="disturbance"
+  <ul id="remains-legend" class="remains-legend muted" data-picture="disturbance"
     data-name=${texts.disturbancePicture} aria-hidden="true">
     ${Object.entries(words.legend).map(([name, text]) => html`<li class=${name}>${text}</li>`)}
   </ul>
@@ -38,7 +38,7 @@ function rowOf(part, summary) {
   const cellOf = (name) =>
     cell(numbers?.[name], summary?.disturbed ? words.sizeText(summary.calm[part][name]) : '');
   return html`
-    <tr class="part-${part}">
+    <tr class=${part}>
       <th scope="row">
         <span class="remains-formula">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
         <div class="remains-plot layers" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>

@@ -1,6 +1,4 @@
 // The part of the page that shows one generation phase by phase, and what its controls do.
-/** @import { Scene } from '../../run/scene.js' */
-/** @import { State } from '../../run/state.js' */
 /** @import { Page, Tools } from '../part.js' */
 /** @import { DetailsModel } from './details.js' */
 /** @import { Anatomy, Phase } from './record.js' */
@@ -9,7 +7,7 @@ import './chosen.css';
 import './places.css';
 import { html, render } from 'lit-html';
 import { byIdIn } from '../../kit/elements.js';
-import { choicesOf } from '../../kit/segmented.js';
+import { segmentedOf } from '../fields.js';
 import { watch } from '../../kit/memo.js';
 import { unless } from '../../kit/templates.js';
 import { showTable } from '../../lab/table-sheet.js';
@@ -52,7 +50,6 @@ export function createPage({ engine, store, actions }) {
     tick: steps.tick,
     drives: createChosenDrives(anatomyOf),
 
-    /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const anatomy = anatomyOf(state);
       const phase = phaseOf(anatomy, generationSlice.of(state).phase);
@@ -95,9 +92,7 @@ function contentOf(model, hurries, { steps, onTable, onBegin, ...context }) {
       <button id="generation-table" type="button" class="link muted" @click=${onTable}>${words.texts.generationTable}</button>
     </div>
     <div class="phases">
-      <fieldset id="generation-phases" class="segmented">
-        ${choicesOf('generation-phases', words.phaseLegend, choices(anatomy), phase, steps.show)}
-      </fieldset>
+      ${segmentedOf('generation-phases', words.phaseLegend, choices(anatomy), phase, steps.show)}
       <button id="generation-begin" type="button" class="primary" .hidden=${!initial} @click=${onBegin}>${words.beginText(anatomy)}</button>
     </div>
     <fieldset id="generation-step" class="bar generation-step" aria-label=${words.texts.generationStep}>
@@ -108,7 +103,7 @@ function contentOf(model, hurries, { steps, onTable, onBegin, ...context }) {
       </button>
       <button id="generation-next" type="button" @click=${steps.next}>${words.next}<span>${whereNext(anatomy, phase)}</span></button>
     </fieldset>
-    <div id="generation-picture" class="generation-picture" data-picture="generation"
+    <div id="generation-picture" class="generation-picture picture" data-picture="generation"
       data-name=${words.texts.generationPicture} role="slider" tabindex="0"
       aria-label=${words.pictureLabel}></div>
     <div id="generation-details" class="generation-details" role="group" aria-label=${words.texts.generationDetails}>

@@ -9,19 +9,15 @@ import { forgets, phasesOf } from './phases.js';
 import { generationSlice, phases } from './state.js';
 
 /** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */
-/** What must be known of a search besides its record. @typedef {Pick<Experiment['evolution'], 'method' | 'initialRange' | 'step' | 'belowZero' | 'sigmaFloor'>} Settings */
+/** What must be known of a search besides its record; `initialRange` is that of the first gains. @typedef {Pick<Experiment['evolution'], 'method' | 'initialRange' | 'step' | 'belowZero' | 'sigmaFloor'>} Settings */
 /** @typedef {import('./phases.js').Method} Method */
 /** @typedef {import('./state.js').Phase} Phase */
 /** @typedef {import('./state.js').GenerationState} GenerationState */
 /** @typedef {{ survivor: number, fallen: number }} Upset One that survives though a better one fell. */
 
+/** @typedef {Readonly<Settings> & Ranked} Anatomy */
 /**
- * @typedef {object} Anatomy
- * @property {Method} method
- * @property {Readonly<Settings['initialRange']>} range From which the first gains were drawn.
- * @property {Settings['step']} step
- * @property {Settings['belowZero']} belowZero
- * @property {number} sigmaFloor
+ * @typedef {object} Ranked
  * @property {GenerationRecord} record
  * @property {number} count N, as many as there are parents.
  * @property {number} columns As many as there are parents or offspring, whichever are more.
@@ -39,7 +35,8 @@ import { generationSlice, phases } from './state.js';
 const papers = { method: 'ep', initialRange: [0, 1], step: 'gaussian', belowZero: 'penalty', sigmaFloor: 0 };
 
 /** @param {GenerationRecord} record @param {Settings} [settings] @returns {Anatomy} */
-export function dissect(record, { method, initialRange, step, belowZero, sigmaFloor } = papers) {
+export function dissect(record, settings = papers) {
+  const { method } = settings;
   const all = [...record.parents, ...record.offspring];
   const { ranking, plan } = record;
   const ranks = new Array(all.length);
@@ -48,11 +45,7 @@ export function dissect(record, { method, initialRange, step, belowZero, sigmaFl
   const columns = Math.max(count, born);
   const staying = record.survivors.length;
   return {
-    method,
-    range: initialRange,
-    step,
-    belowZero,
-    sigmaFloor,
+    ...settings,
     record,
     count,
     columns,

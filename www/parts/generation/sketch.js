@@ -74,8 +74,8 @@ export function centreOf([a, b, c]) {
 
 /** @type {Readonly<Partial<Record<Method, Draw>>>} */
 const drawings = {
-  random({ range }) {
-    const [low, high] = range.map((end) => /** @type {Triple} */ ([end, end, end]));
+  random({ initialRange }) {
+    const [low, high] = initialRange.map((end) => /** @type {Triple} */ ([end, end, end]));
     /** @param {Shadow} shadow @returns {Place[]} */
     const outline = (shadow) => {
       const [[left, bottom], [right, top]] = [shadow(low), shadow(high)];
@@ -196,13 +196,13 @@ const apart = (ellipse, factor) => [
 
 /** All points that some phase of the generation shows, so that the picture need not move between them. @param {Anatomy} anatomy @returns {Triple[]} */
 export function pointsOf(anatomy) {
-  const { all, record, range, method } = anatomy;
+  const { all, record, initialRange, method } = anatomy;
   const { plan, next, parents, survivors } = record;
   const around = (/** @type {Ellipsoid | null} */ ellipse) =>
     ellipse ? [-2, 2].map((factor) => plus(ellipse.mean, apart(ellipse, factor))) : [];
   const [before, after] = [parents[0].gains, all[survivors[0]].gains];
   const reached = {
-    random: () => range.map((end) => /** @type {Triple} */ ([end, end, end])),
+    random: () => initialRange.map((end) => /** @type {Triple} */ ([end, end, end])),
     de: () => record.bases.map(({ gains }) => gains),
     'cma-es': () => [...around(record.ellipse), ...around(next.ellipse)],
     'one-plus-one-es': () => [...around(ball(before, plan.steps)), ...around(ball(after, next.steps))],

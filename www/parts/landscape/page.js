@@ -1,7 +1,6 @@
 // The part of the page that shows J over two gains.
 /** @import { Engine, PaperResult, Statistics, Triple } from '../../core/engine.js' */
 /** @import { Actions } from '../../run/actions/actions.js' */
-/** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
 /** @import { Spec } from './request.js' */
@@ -45,7 +44,7 @@ export function createPage({ engine, store, actions, paper }) {
   const show = createSight(element, store, lowestIn);
   const first = store.get();
   show(first, specOf(first), null, first.population[0].gains, []);
-  const map = createMapIn(element, redraw);
+  const map = createMap(element, redraw);
   const size = followSize(byIdIn(element, 'landscape-map'), redraw);
 
   /** @returns {MapModel} */
@@ -69,7 +68,6 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
-    /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const model = modelOf();
       const { spec, cursor } = model;
@@ -102,14 +100,6 @@ function createSketches(engine, redraw) {
   };
 }
 
-/** Where the templates have made room for it. @param {HTMLElement} element @param {() => void} redraw */
-function createMapIn(element, redraw) {
-  const [picture, marks, legend] = /** @type {HTMLCanvasElement[]} */ (
-    ['picture', 'marks', 'legend'].map((name) => byIdIn(element, `landscape-${name}`))
-  );
-  return createMap({ picture, marks, legend }, redraw);
-}
-
 /** The points that have a name. @param {State} state @param {PaperResult[]} paper @param {Lowest | null} lowest @returns {Point[]} */
 function pointsOf(state, paper, lowest) {
   const { handGains, pins } = state;
@@ -131,8 +121,7 @@ const tidy = (value) => Number(value.toPrecision(3));
 
 /** @param {HTMLElement} element @param {Store} store @param {Actions} actions @param {() => MapModel} modelOf */
 function followCursor(element, store, actions, modelOf) {
-  const put = (/** @type {readonly [number, number] | null} */ cursor) =>
-    landscapeSlice.update(store, { cursor });
+  const put = (/** @type {MapModel['cursor']} */ cursor) => landscapeSlice.update(store, { cursor });
   /** @param {PointerEvent} event @returns {[number, number]} */
   const at = (event) => {
     const { x, y } = axesOf(modelOf());

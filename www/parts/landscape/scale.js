@@ -3,7 +3,6 @@
 import { scaleLinear, scaleLog } from 'd3-scale';
 
 /** @typedef {ReturnType<typeof createCostScale>} CostScale */
-/** @typedef {ReturnType<typeof createAxis>} Axis */
 
 /**
  * Shades for costs from the lowest to the highest of a landscape, most of them for the low ones: there lies the valley.

@@ -9,7 +9,8 @@ import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { watch } from '../../kit/memo.js';
-import { options, selectAll, valueIn } from '../../kit/templates.js';
+import { checkOf, selectOf } from '../fields.js';
+import { selectAll, valueIn } from '../../kit/templates.js';
 import { lab, tables } from '../../words/index.js';
 import { outlines } from './points.js';
 import { thirdOf } from './request.js';
@@ -97,7 +98,7 @@ function sight(landscape, { spec, isTyping, readout, lowest, legend }, on) {
       ${thirdGain(landscape, spec.third, isTyping, on)}
     </div>
     ${legend ? html`<p id="landscape-method" class="muted">${withSymbols(legend)}</p>` : nothing}
-    <div id="landscape-map" class="map layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
+    <div id="landscape-map" class="map picture layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
       aria-label=${words.mapLabel} aria-describedby="landscape-readout">
       <canvas id="landscape-picture" aria-hidden="true"></canvas>
       <canvas id="landscape-marks" aria-hidden="true"></canvas>
@@ -126,18 +127,14 @@ const signOf = () =>
 /** @param {'x' | 'y'} axis @param {LandscapeState} landscape @param {string} label @param {Events} on */
 function axisChoice(axis, { [axis]: shown }, label, { onAxis }) {
   const chosen = choices.findIndex(({ gain, log }) => shown.gain === gain && shown.log === log);
-  return html`<select id="landscape-${axis}" aria-label=${label}
-    @change=${(/** @type {Event} */ event) => onAxis(axis, choices[Number(valueIn(event))])}>${options(
-      choices.map(({ text }, i) => /** @type {const} */ ([i, text])),
-      chosen,
-    )}</select>`;
+  const names = choices.map(({ text }, i) => /** @type {const} */ ([i, text]));
+  return selectOf(`landscape-${axis}`, label, names, chosen, (i) => onAxis(axis, choices[i]));
 }
 
 /** The gain that is on no axis. @param {LandscapeState} landscape @param {number} value @param {boolean} isTyping What is typed stays. @param {Events} on */
 function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
   const { third, thirdError } = landscape;
   const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
-  const follows = third === null;
   return html`
     <label><span id="landscape-third-name" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
       <input id="landscape-third" type="text" size="5" inputmode="decimal" autocomplete="off" spellcheck="false"
@@ -145,7 +142,6 @@ function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
         aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}
         @focus=${selectAll}
         @change=${(/** @type {Event} */ event) => onThird(valueIn(event))}></label>
-    <label class="check"><input id="landscape-follows" type="checkbox" .checked=${live(follows)}
-      @change=${() => onFollows(!follows, value)}> <span>${texts.landscapeFollows}</span></label>
+    ${checkOf('landscape-follows', texts.landscapeFollows, third === null, (follows) => onFollows(follows, value))}
     <p id="landscape-third-error" class="field-error" role="alert" .hidden=${!thirdError}>${thirdError}</p>`;
 }

@@ -6,14 +6,15 @@
 /** @import { CostScale } from './scale.js' */
 import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
-import { createLayer, strokeTwice } from '../../kit/canvas.js';
-import { through, within } from '../../kit/chart.js';
+import { strokeTwice } from '../../kit/canvas.js';
+import { drawNumbersBelow, drawNumbersBeside, through, within } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/fonts.js';
 import { dark, drawFrame, drawShades, light } from '../../kit/map.js';
 import { colour } from '../../kit/palette.js';
 import { shadeAt } from '../../kit/shades.js';
-import { watch } from '../../kit/memo.js';
+import { createWatchedLayer } from '../drawing.js';
+import { remember } from '../../kit/memo.js';
 import { drawSymbol } from '../../kit/names.js';
 import { fixed } from '../../words/numbers.js';
 import { lab } from '../../words/index.js';
@@ -43,6 +44,7 @@ const smallestRing = 12;
 /** Between two numbers of the legend. */
 const apart = 6;
 const margin = { left: 44, right: 14, top: 10, bottom: 30 };
+const barHeight = 34;
 
 /** @param {MapModel} model */
 export function axesOf({ spec, size }) {
@@ -61,18 +63,16 @@ export function axesOf({ spec, size }) {
 
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
-/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement, legend: HTMLCanvasElement }} elements @param {() => void} onResize */
-export function createMap({ picture, marks, legend }, onResize) {
-  const under = createLayer(picture);
-  const over = createLayer(marks);
-  const bar = createLayer(legend);
-  let barWidth = 0;
+/** @param {HTMLElement} element The part, in which the templates have made room for it. @param {() => void} onResize */
+export function createMap(element, onResize) {
+  const [picture, marks, legend] = element.querySelectorAll('canvas');
+  const [under, over, bar] = [picture, marks, legend].map(createWatchedLayer);
+  let barSize = { width: 0, height: barHeight };
   followSize(legend, ({ width }) => {
-    barWidth = width;
+    barSize = { width, height: barHeight };
     onResize();
   });
-  const pictureChanged = watch();
-  const marksChanged = watch();
+  const scaleOf = remember(createCostScale);
 
   return {
     /** @param {MapModel} model */
@@ -80,33 +80,18 @@ export function createMap({ picture, marks, legend }, onResize) {
       const { spec, result, population, sketch, path, points, cursor, size, theme } = model;
       if (size.width === 0) return;
       const axes = axesOf(model);
-      if (pictureChanged(result, spec.x, spec.y, spec.range, size, barWidth, theme)) {
-        const fits = result && isOn(result.spec, spec);
-        const scale = fits ? createCostScale(result.costs) : null;
-        under.draw(size, (context) => {
-          if (fits && scale) drawLandscape(context, result, axes, scale);
-          drawAxes(context, axes, spec);
-        });
-        if (scale)
-          bar.draw({ width: barWidth, height: 34 }, (context) => drawLegend(context, scale, barWidth));
-      }
-      if (
-        marksChanged(
-          spec.x,
-          spec.y,
-          spec.range,
-          spec.third,
-          population,
-          sketch,
-          path,
-          ...points.flatMap(({ gains, mark }) => [...gains, mark]),
-          cursor,
-          size,
-          theme,
-        )
-      ) {
-        over.draw(size, (context) => drawMarks(context, axes, model));
-      }
+      const { x, y, range, third } = spec;
+      const there = result && isOn(result.spec, spec) ? { result, scale: scaleOf(result.costs) } : null;
+      under(size, [result, x, y, range, theme], (context) => {
+        if (there) drawLandscape(context, there.result, axes, there.scale);
+        drawAxes(context, axes, spec);
+      });
+      if (there)
+        bar(barSize, [there.scale, theme], (context) => drawLegend(context, there.scale, barSize.width));
+      const places = points.flatMap(({ gains, mark }) => [...gains, mark]);
+      over(size, [x, y, range, third, population, sketch, path, ...places, cursor, theme], (context) =>
+        drawMarks(context, axes, model),
+      );
     },
   };
 }
@@ -170,16 +155,10 @@ function drawLegend(context, scale, width) {
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Spec} spec */
 function drawAxes(context, { frame, x, y }, spec) {
   drawFrame(context, frame);
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.textBaseline = 'top';
-  context.textAlign = 'center';
-  for (const tick of x.ticks)
-    if (x.at(tick) < frame.right - 30) context.fillText(String(tick), x.at(tick), frame.bottom + 7);
-  context.textBaseline = 'middle';
-  context.textAlign = 'right';
-  for (const tick of y.ticks)
-    if (y.at(tick) > frame.top + 26) context.fillText(String(tick), frame.left - 8, y.at(tick));
+  const across = x.ticks.filter((tick) => x.at(tick) < frame.right - 30);
+  drawNumbersBelow(context, x.at, frame.bottom, across, across.map(String));
+  const up = y.ticks.filter((tick) => y.at(tick) > frame.top + 26);
+  drawNumbersBeside(context, y.at, frame.left - 8, up, up.map(String));
   const symbol = (/** @type {Spec['x']} */ { gain }, /** @type {number} */ px, /** @type {number} */ py) =>
     drawSymbol(context, lab.gains[gainNames.indexOf(gain)], gain.replace('k', '--'), px, py);
   symbol(spec.x, frame.right - 8, frame.bottom + 19);
@@ -191,57 +170,52 @@ function drawMarks(context, { frame, x, y }, { spec, population, hasSigmas, sket
   const [across, up] = [gainNames.indexOf(spec.x.gain), gainNames.indexOf(spec.y.gain)];
   /** @param {Triple} gains @returns {[number, number]} */
   const place = (gains) => [x.at(gains[across]), y.at(gains[up])];
-  context.save();
-  context.beginPath();
-  context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top);
-  context.clip();
-  context.lineJoin = 'round';
-
-  context.strokeStyle = light;
-  context.lineWidth = 1;
-  context.globalAlpha = 0.35;
-  context.beginPath();
-  for (const { gains, sigmas } of hasSigmas ? population : []) {
-    const [px, py] = place(gains);
-    context.moveTo(x.at(gains[across] - sigmas[across]), py);
-    context.lineTo(x.at(gains[across] + sigmas[across]), py);
-    context.moveTo(px, y.at(gains[up] - sigmas[up]));
-    context.lineTo(px, y.at(gains[up] + sigmas[up]));
-  }
-  context.stroke();
-  context.globalAlpha = 1;
-
-  context.beginPath();
-  for (const gains of path) context.lineTo(...place(gains));
-  strokeTwice(context, [dark, 4], [light, 2]);
-
-  if (sketch) drawSketch(context, { x, y }, sketch);
-
-  context.lineWidth = 1;
-  context.strokeStyle = dark;
-  context.fillStyle = light;
-  for (const { gains } of [...population].reverse()) {
-    context.globalAlpha = isInSlice(spec, gains) ? 1 : pale;
-    disc(context, place(gains), 3.5);
-  }
-  context.globalAlpha = population.length > 0 && !isInSlice(spec, population[0].gains) ? pale : 1;
-  context.fillStyle = dark;
-  context.strokeStyle = light;
-  context.lineWidth = 2;
-  if (population.length > 0) disc(context, place(population[0].gains), 6);
-  context.globalAlpha = 1;
-
-  if (cursor) {
+  within(context, frame, () => {
     context.strokeStyle = light;
     context.lineWidth = 1;
+    context.globalAlpha = 0.35;
     context.beginPath();
-    context.moveTo(x.at(cursor[0]), frame.top);
-    context.lineTo(x.at(cursor[0]), frame.bottom);
-    context.moveTo(frame.left, y.at(cursor[1]));
-    context.lineTo(frame.right, y.at(cursor[1]));
+    for (const { gains, sigmas } of hasSigmas ? population : []) {
+      const [px, py] = place(gains);
+      context.moveTo(x.at(gains[across] - sigmas[across]), py);
+      context.lineTo(x.at(gains[across] + sigmas[across]), py);
+      context.moveTo(px, y.at(gains[up] - sigmas[up]));
+      context.lineTo(px, y.at(gains[up] + sigmas[up]));
+    }
     context.stroke();
-  }
-  context.restore();
+    context.globalAlpha = 1;
+
+    context.beginPath();
+    for (const gains of path) context.lineTo(...place(gains));
+    strokeTwice(context, [dark, 4], [light, 2]);
+
+    if (sketch) drawSketch(context, { x, y }, sketch);
+
+    context.lineWidth = 1;
+    context.strokeStyle = dark;
+    context.fillStyle = light;
+    for (const { gains } of [...population].reverse()) {
+      context.globalAlpha = isInSlice(spec, gains) ? 1 : pale;
+      disc(context, place(gains), 3.5);
+    }
+    context.globalAlpha = population.length > 0 && !isInSlice(spec, population[0].gains) ? pale : 1;
+    context.fillStyle = dark;
+    context.strokeStyle = light;
+    context.lineWidth = 2;
+    if (population.length > 0) disc(context, place(population[0].gains), 6);
+    context.globalAlpha = 1;
+
+    if (cursor) {
+      context.strokeStyle = light;
+      context.lineWidth = 1;
+      context.beginPath();
+      context.moveTo(x.at(cursor[0]), frame.top);
+      context.lineTo(x.at(cursor[0]), frame.bottom);
+      context.moveTo(frame.left, y.at(cursor[1]));
+      context.lineTo(frame.right, y.at(cursor[1]));
+      context.stroke();
+    }
+  });
 
   const best = population.length > 0 ? [place(population[0].gains)] : [];
   const held = points.filter(({ gains }) => x.holds(gains[across]) && y.holds(gains[up]));

@@ -3,8 +3,8 @@
 /** @import { Contest } from './contest-request.js' */
 /** @import { LuckState } from './state.js' */
 import { mostRobotsOfCall } from '../../core/bounds.js';
+import { isSameButSeed } from '../changes.js';
 import { entered } from './contestants.js';
-import { isSameButSeed } from './same.js';
 
 /** @typedef {Pick<LuckState, 'others' | 'seeds' | 'budget'>} Asked */
 

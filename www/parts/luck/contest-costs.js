@@ -3,7 +3,7 @@
 /** @import { NamedFrame } from './contest-marks.js' */
 /** @import { Panel } from './contest-chart.js' */
 /** @import { Grip } from './contest-handles.js' */
-/** @import { Contest, Line } from './contest-request.js' */
+/** @import { Contest } from './contest-request.js' */
 /** @import { Standings } from './contest-summary.js' */
 import { scaleLinear, scaleLog } from 'd3-scale';
 import { drawBand, drawCurve, drawGrid, pointsOf, within } from '../../kit/chart.js';
@@ -11,15 +11,13 @@ import { remember } from '../../kit/memo.js';
 import { drawName } from '../../kit/names.js';
 import { styles } from '../../run/pins.js';
 import { coursesOf, distanceFrom, rangeIn } from './contest-courses.js';
-import { drawNamesAt, powersIn } from './contest-marks.js';
+import { drawLevel, drawNamesAt, powerNames, powersIn } from './contest-marks.js';
 import words from './words/index.js';
 
 /** @typedef {{ contest: Contest, standings: Standings, lowest: number }} There */
 
 /** With few of the seeds. */
-const courses = remember((/** @type {readonly Line[]} */ lines, /** @type {readonly number[]} */ drives) =>
-  coursesOf(lines, drives),
-);
+const courses = remember(coursesOf);
 
 /** @param {CanvasRenderingContext2D} context @param {NamedFrame} frame @param {Panel} panel @param {There | null} there @returns {Grip | null} */
 export function drawCosts(context, frame, { x, ticks, drives }, there) {
@@ -36,8 +34,7 @@ export function drawCosts(context, frame, { x, ticks, drives }, there) {
   const range = rangeIn(contest, lowest);
   const y = scaleLog(range, [frame.bottom, frame.top]);
   const powers = powersIn(range, frame.bottom - frame.top);
-  const names = powers.map((power) => words.powerOfTen(Math.round(Math.log10(power))));
-  drawGrid(context, { x, y, frame }, { x: ticks, y: powers }, names);
+  drawGrid(context, { x, y, frame }, { x: ticks, y: powers }, powerNames(powers));
   const points = (/** @type {number[]} */ costs) =>
     pointsOf(
       { x, y, frame },
@@ -45,23 +42,16 @@ export function drawCosts(context, frame, { x, ticks, drives }, there) {
       costs.map((cost) => (Number.isFinite(cost) ? distance(cost) : Number.NaN)),
     );
   within(context, frame, () => {
-    for (const [i, course] of found.entries()) {
-      if (!course) continue;
-      drawBand(context, points(course.high), points(course.low), styles[i].token, 0.13);
-    }
+    for (const [i, course] of found.entries())
+      if (course) drawBand(context, points(course.high), points(course.low), styles[i].token, 0.13);
     for (const [i, course] of found.entries())
       if (course) drawCurve(context, points(course.median), { ...styles[i], width: 2.5 });
   });
   context.setLineDash([]);
   const at = Math.min(Math.max(y(distance(standings.target)), frame.top), frame.bottom);
   drawTarget(context, frame, at, standings.target);
-  const ends = found.map((course) => course?.median.at(-1) ?? Infinity);
-  drawNamesAt(
-    context,
-    frame,
-    standings,
-    ends.map((end) => (Number.isFinite(end) ? y(distance(end)) : Number.NaN)),
-  );
+  const ends = found.map((course) => y(distance(course?.median.at(-1) ?? Infinity)));
+  drawNamesAt(context, frame, standings, ends);
   drawName(context, { text: words.distanceAxis(lowest), x: frame.left - 50, y: 8 });
   return {
     x: frame.left,
@@ -78,13 +68,7 @@ export function drawCosts(context, frame, { x, ticks, drives }, there) {
 
 /** @param {CanvasRenderingContext2D} context @param {Frame} frame @param {number} at @param {number} target */
 function drawTarget(context, frame, at, target) {
-  /** @type {[number, number][]} */
-  const ends = [
-    [frame.left, at],
-    [frame.right, at],
-  ];
-  drawCurve(context, ends, { token: '--ink', width: 1, dash: [3, 3] });
-  context.setLineDash([]);
+  drawLevel(context, frame, at, { token: '--ink', width: 1, dash: [3, 3] });
   const y = at - 9 < frame.top ? at + 9 : at - 9;
   drawName(context, { text: words.targetLine(target), x: frame.left + 12, y, token: '--ink' });
 }

@@ -2,11 +2,9 @@
 /** @import { Contest, Line } from './contest-request.js' */
 /** @import { Standings } from './contest-summary.js' */
 import { remember } from '../../kit/memo.js';
-import { costAt, shareAt, shareOfTargets } from './contest-statistics.js';
+import { costAt, runtimeOf, shareAt, shareOfTargets } from './contest-statistics.js';
 import { margin } from './contest-summary.js';
-import { quartilesOf } from './statistics.js';
-
-/** Quartiles of J at each of the drives. @typedef {{ low: number[], median: number[], high: number[] }} Course */
+import { bandThrough, quartilesOf } from './statistics.js';
 
 const steps = 160;
 /** Distances under this are shown as this. */
@@ -19,25 +17,18 @@ export const drivesOn = (budget) => [
   ...new Set(Array.from({ length: steps + 1 }, (_, i) => Math.round(budget ** (i / steps)))),
 ];
 
-/** @param {readonly Line[]} lines @param {readonly number[]} drives @returns {(Course | null)[]} */
+/** @param {readonly Line[]} lines @param {readonly number[]} drives */
 export const coursesOf = (lines, drives) =>
   lines.map(({ trials }) => {
-    if (trials.length === 0) return null;
-    const quartiles = drives.map((drive) => quartilesOf(trials.map((trial) => costAt(trial, drive))));
-    return {
-      low: quartiles.map(({ low }) => low),
-      median: quartiles.map(({ median }) => median),
-      high: quartiles.map(({ high }) => high),
-    };
+    const quartilesAfter = (/** @type {number} */ drive) =>
+      quartilesOf(trials.map((trial) => costAt(trial, drive)));
+    return trials.length === 0 ? null : bandThrough(drives.map(quartilesAfter));
   });
 
 /** The share of the runs at the target, as the runs would go on to the end. @param {Standings} standings @param {readonly number[]} drives */
 export const sharesOf = ({ drawn, target }, drives) =>
   drawn.map(({ trials }) => {
-    const runtimes = trials.map(({ drives: when, costs }) => {
-      const at = costs.findIndex((cost) => cost <= target);
-      return at < 0 ? Infinity : when[at];
-    });
+    const runtimes = trials.map((trial) => runtimeOf(trial, target));
     return trials.length === 0 ? null : drives.map((drive) => shareAt(runtimes, drive));
   });
 

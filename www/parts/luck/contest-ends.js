@@ -1,14 +1,13 @@
 // Where the runs end: a row for each contestant, a dot for each seed, and the median.
-/** @import { Frame } from '../../kit/chart.js' */
 /** @import { NamedFrame } from './contest-marks.js' */
 /** @import { There } from './contest-costs.js' */
 /** @import { Grip } from './contest-handles.js' */
 import { scaleLog } from 'd3-scale';
-import { drawCurve, drawNumbersBelow, drawUpright } from '../../kit/chart.js';
+import { drawNumbersBelow, drawUpright } from '../../kit/chart.js';
 import { drawName } from '../../kit/names.js';
 import { styles } from '../../run/pins.js';
 import { distanceFrom, rangeIn } from './contest-courses.js';
-import { drawNamesAt, powersIn } from './contest-marks.js';
+import { drawLevel, drawNamesAt, powerNames, powersIn } from './contest-marks.js';
 import { costAt } from './contest-statistics.js';
 import { diameterOf, drawDots, stackDots } from './dots.js';
 import words from './words/index.js';
@@ -23,34 +22,22 @@ export function drawEnds(context, whole, { contest, standings, lowest }) {
   // The lowest of all stands within it.
   const x = scaleLog([low / 10, high], [frame.left, frame.right]).clamp(true);
   const ticks = powersIn([low / 10, high]);
-  const names = ticks.map((power) => words.powerOfTen(Math.round(Math.log10(power))));
   for (const tick of ticks) drawUpright(context, x(tick), frame, { token: '--hairline', width: 1 });
-  drawNumbersBelow(context, x, frame.bottom, ticks, names);
+  drawNumbersBelow(context, x, frame.bottom, ticks, powerNames(ticks));
   drawName(context, { text: words.distanceAxis(lowest), x: frame.left - 50, y: 8 });
   const row = (frame.bottom - frame.top) / lines.length;
   const heights = lines.map((_, i) => frame.top + (i + 0.85) * row);
   for (const [i, { trials }] of drawn.entries()) {
     const { token } = styles[i];
-    drawCurve(
-      context,
-      [
-        [frame.left, heights[i]],
-        [frame.right, heights[i]],
-      ],
-      { token: '--hairline', width: 1 },
-    );
+    drawLevel(context, frame, heights[i], { token: '--hairline', width: 1 });
     if (trials.length === 0) continue;
     const diameter = diameterOf(trials.length);
     const places = trials.map((trial) => x(distance(costAt(trial, budget))));
     const dots = stackDots(places, diameter, 0.7 * row);
     drawDots(context, dots, diameter, token, (along, away) => [along, heights[i] - away]);
     const median = x(distance(lines[i].median));
-    drawUpright(
-      context,
-      median,
-      { ...frame, top: heights[i] - 0.75 * row, bottom: heights[i] },
-      { token, width: 2 },
-    );
+    const between = { top: heights[i] - 0.75 * row, bottom: heights[i] };
+    drawUpright(context, median, between, { token, width: 2 });
   }
   drawNamesAt(
     context,

@@ -1,6 +1,7 @@
 // What the pictures of a contest have in common: round distances, and the names at the ends of the lines.
-/** @import { Frame } from '../../kit/chart.js' */
+/** @import { Frame, Stroke } from '../../kit/chart.js' */
 /** @import { Standings } from './contest-summary.js' */
+import { drawCurve } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
 import { drawName, spreadBeside } from '../../kit/names.js';
 import { drawMark } from '../../kit/swatch.js';
@@ -18,6 +19,19 @@ export function powersIn([from, to], height = Infinity) {
   return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => first + i)
     .filter((power) => power % each === 0)
     .map((power) => 10 ** power);
+}
+
+/** @param {readonly number[]} powers */
+export const powerNames = (powers) => powers.map((power) => words.powerOfTen(Math.round(Math.log10(power))));
+
+/** A line from one side to the other. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {number} py @param {Stroke} stroke */
+export function drawLevel(context, { left, right }, py, stroke) {
+  const ends = /** @type {const} */ ([
+    [left, py],
+    [right, py],
+  ]);
+  drawCurve(context, ends, stroke);
+  context.setLineDash([]);
 }
 
 /** With room for names at its right. @typedef {Frame & { hasNames: boolean }} NamedFrame */

@@ -1,5 +1,4 @@
 // The view of Luck in which several searches run with the same seeds and drives.
-/** @import { Experiment } from '../../core/engine.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Tools } from '../part.js' */
 /** @import { Contest } from './contest-request.js' */
@@ -7,13 +6,12 @@ import { render } from 'lit-html';
 import { download } from '../../kit/download.js';
 import { byIdIn } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
+import { changesButSeed } from '../changes.js';
 import { isAsked } from './contest-asked.js';
 import { createContestChart } from './contest-chart.js';
 import { createContestRequests } from './contest-request.js';
 import { contestSight } from './contest-sight.js';
 import { contestCsv, standingsOf } from './contest-summary.js';
-import { isSameButSeed } from './same.js';
-import { changesOf } from './sight.js';
 import { luckSlice } from './state.js';
 import words from './words/index.js';
 
@@ -37,15 +35,13 @@ export function createContest(element, { engine, store }) {
     (contest, target, until, only, draw) =>
       contest ? standingsOf(contest, { target, until, only, draw }) : null,
   );
-  const changesSince = remember((/** @type {Contest} */ contest, /** @type {Experiment} */ experiment) =>
-    isSameButSeed(contest.experiment, experiment) ? null : changesOf(contest.experiment, experiment),
-  );
+  const changes = remember(changesButSeed);
   /** Why what is shown is not what Run would show. @param {State} state */
   const staleText = (state) => {
     const own = luckSlice.of(state);
     if (!own.contest) return '';
-    const changes = changesSince(own.contest, state.experiment);
-    if (changes) return words.outOfDate(changes);
+    const since = changes(own.contest.experiment, state.experiment);
+    if (since.length > 0) return words.outOfDate(since);
     return isAsked(own.contest, own) ? '' : words.otherContest;
   };
   const changed = watch();

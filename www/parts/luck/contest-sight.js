@@ -5,6 +5,7 @@
 /** @import { LuckState } from './state.js' */
 import { html, noChange, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
+import { selectOf } from '../fields.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { createSwatch } from '../../kit/swatch.js';
 import { options, selectAll, valueIn } from '../../kit/templates.js';
@@ -24,8 +25,10 @@ import words from './words/index.js';
  */
 
 const { contestTexts: texts } = words;
-const seedChoices = contestSeeds.map((count) => /** @type {const} */ ([count, words.countChoice(count)]));
-const budgetChoices = budgets.map((drives) => /** @type {const} */ ([drives, words.drivesChoice(drives)]));
+/** @type {[number, string][]} */
+const seedChoices = contestSeeds.map((count) => [count, words.countChoice(count)]);
+/** @type {[number, string][]} */
+const budgetChoices = budgets.map((drives) => [drives, words.drivesChoice(drives)]);
 const [legend, rows] = [0, 1].map(() => styles.map(createSwatch));
 
 /** @param {State} state @param {Standings | null} standings @param {string} stale What of the lab has changed since. @param {boolean} isTyping What is typed stays. @param {ContestEvents} on */
@@ -47,7 +50,7 @@ export function contestSight(state, standings, stale, isTyping, on) {
     <fieldset id="contest-reading" class="segmented small" .hidden=${!standings?.lowest}>
       ${choicesOf('contest-reading', texts.reading, words.readings, luck.reading, (reading) => on.update({ reading }))}
     </fieldset>
-    <div class="luck-curve contest-chart"><div id="contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
+    <div class="luck-curve picture contest-chart"><div id="contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
       aria-label=${words.contestLabel(sentences)}></div></div>
     ${contest && standings?.lowest ? [targetField(luck, standings, isTyping, on), fewerSeeds(luck, standings, on)] : nothing}
     ${standings ? table(standings) : nothing}`;
@@ -59,10 +62,8 @@ function bar({ contest, contestRuns, others, seeds, budget }, { onContest, updat
   return html`
     <div class="bar luck-bar contest-bar">
       <button id="contest-run" type="button" class="primary" @click=${onContest}>${contestRuns ? words.cancel : words.contestRunText(1 + others.length, seeds)}</button>
-      <select id="contest-seeds" aria-label=${texts.seeds} .disabled=${contestRuns}
-        @change=${(/** @type {Event} */ event) => update({ seeds: Number(valueIn(event)) })}>${options(seedChoices, seeds)}</select>
-      <select id="contest-budget" aria-label=${texts.budget} .disabled=${contestRuns}
-        @change=${(/** @type {Event} */ event) => update({ budget: Number(valueIn(event)) })}>${options(budgetChoices, budget)}</select>
+      ${selectOf('contest-seeds', texts.seeds, seedChoices, seeds, (chosen) => update({ seeds: chosen }), contestRuns)}
+      ${selectOf('contest-budget', texts.budget, budgetChoices, budget, (chosen) => update({ budget: chosen }), contestRuns)}
       <progress max="1" class=${contestRuns ? '' : 'visually-hidden'} aria-label=${texts.progress} .value=${contestRuns ? done / Math.max(1, all) : 0}></progress>
     </div>`;
 }
@@ -77,10 +78,10 @@ function entrants({ others, contestRuns }, { update }) {
   const named = (/** @type {readonly Contestant[]} */ names) =>
     names.map((name) => /** @type {const} */ ([name, words.contestantName(name)]));
   return html`<ul class="contestants">
-    <li>${legend[0]}<span>${words.asInLab}</span></li>
+    <li class="row">${legend[0]}<span>${words.asInLab}</span></li>
     ${Array.from({ length: mostOthers }, (_, i) => {
       const own = others[i] ?? '';
-      return html`<li>${legend[i + 1]}<select id="contestant-${i + 2}" aria-label=${words.contestantLabel(i + 2)}
+      return html`<li class="row">${legend[i + 1]}<select id="contestant-${i + 2}" aria-label=${words.contestantLabel(i + 2)}
         .disabled=${contestRuns} @change=${choose(i)}>${options([/** @type {const} */ (['', texts.nobody])], own)}
         <optgroup label=${texts.ingredients}>${options(named(ingredientNames), own)}</optgroup>
         <optgroup label=${texts.rivals}>${options(named(rivalNames), own)}</optgroup></select></li>`;

@@ -20,6 +20,7 @@ import {
 import { extentOf } from '../../kit/extent.js';
 import { drawName } from '../../kit/names.js';
 import words from './words/index.js';
+import { drawLevel } from './contest-marks.js';
 import { drawLineNames } from './curve-names.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
@@ -127,11 +128,7 @@ function drawSurvey(context, axes, model) {
     if (seed) drawCurve(context, points(seed.costs), { token: '--ink', width: 1 });
     if (survey && Number.isFinite(survey.paper.cost)) {
       const py = y(height(survey.paper.cost));
-      const ends = /** @type {const} */ ([
-        [frame.left, py],
-        [frame.right, py],
-      ]);
-      drawCurve(context, ends, { token: '--muted', width: 1.5, dash: [2, 5] });
+      drawLevel(context, frame, py, { token: '--muted', width: 1.5, dash: [2, 5] });
     }
   });
   if (lab?.costs.length === 1) drawDot(context, x(0), y(height(lab.costs[0])), '--ink');

@@ -6,7 +6,7 @@ import './contest.css';
 import './places.css';
 import { html, render } from 'lit-html';
 import { luckSlice } from './state.js';
-import { choicesOf } from '../../kit/segmented.js';
+import { segmentedOf } from '../fields.js';
 import { createSection } from '../section.js';
 import words from './words/index.js';
 import { createContest } from './contest-page.js';
@@ -18,9 +18,7 @@ export function createPage(tools) {
   const section = createSection('luck');
   const showView = (/** @type {LuckState['view']} */ view) =>
     render(
-      html`<fieldset id="luck-view" class="segmented small">
-          ${choicesOf('luck-view', words.viewLegend, words.views, view, (chosen) => luckSlice.update(store, { view: chosen }))}
-        </fieldset>
+      html`${segmentedOf('luck-view', words.viewLegend, words.views, view, (chosen) => luckSlice.update(store, { view: chosen }), 'small')}
         <div class="luck-sight" .hidden=${view !== 'seeds'}></div>
         <div class="luck-sight" .hidden=${view !== 'contest'}></div>`,
       section,

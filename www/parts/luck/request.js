@@ -2,11 +2,12 @@
 /** @import { Engine, Experiment, PaperResult, SeedRun } from '../../core/engine.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
+/** @import { LuckState } from './state.js' */
 import { luckSlice } from './state.js';
-import { messageOf } from '../../words/errors.js';
 import { gainsOf } from '../../run/drivers.js';
 import { rememberEach } from '../../kit/memo.js';
 import { hidesPaper } from '../../run/exercise.js';
+import { createAttempts } from '../attempt.js';
 import { summaryOf } from './statistics.js';
 
 /**
@@ -48,23 +49,18 @@ export function surveyOf(state) {
 
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
 export function createSeedRequests(engine, store, paper) {
-  /** @type {AbortController | null} */
-  let running = null;
+  const { begin, cancel } = createAttempts((/** @type {Partial<LuckState>} */ patch) =>
+    luckSlice.update(store, patch),
+  );
 
   return {
-    async run() {
-      running?.abort();
-      const own = new AbortController();
-      running = own;
-      const { experiment } = store.get();
-      const { count, generations } = luckSlice.of(store.get());
-      const began = performance.now();
-      luckSlice.update(store, { progress: 0, cancelled: false, message: '' });
-      try {
+    run: () =>
+      begin(async ({ signal, onProgress }) => {
+        const { experiment } = store.get();
+        const { count, generations } = luckSlice.of(store.get());
+        const began = performance.now();
         const gains = gainsOf(store.get(), 'paper-ep', paper);
         const seeds = { first: firstSeed, count, generations };
-        const { signal } = own;
-        const onProgress = (/** @type {number} */ progress) => luckSlice.update(store, { progress });
         const [runs, [cost]] = await Promise.all([
           engine.surveys.seedRuns(experiment, seeds, { signal, onProgress }),
           engine.surveys.evaluate(experiment, gains, { signal }),
@@ -80,19 +76,9 @@ export function createSeedRequests(engine, store, paper) {
           paper: { gains, cost: hidesPaper(store.get()) ? Number.NaN : cost },
           milliseconds: performance.now() - began,
         };
-        luckSlice.update(store, { progress: null, result, chosen: null, pointed: null });
-      } catch (error) {
-        if (running === own)
-          luckSlice.update(store, { progress: null, message: own.signal.aborted ? '' : messageOf(error) });
-      } finally {
-        if (running === own) running = null;
-      }
-    },
+        return { result, chosen: null, pointed: null };
+      }),
 
-    /** What was there before stays. */
-    cancel() {
-      running?.abort();
-      luckSlice.update(store, { progress: null, cancelled: true });
-    },
+    cancel,
   };
 }

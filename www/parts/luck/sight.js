@@ -1,16 +1,16 @@
 // What Luck shows around its pictures: what is run, what was found, and one seed.
-/** @import { Experiment } from '../../core/engine.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { SeedSurvey } from './request.js' */
 /** @import { LuckState } from './state.js' */
 import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { luckSlice } from './state.js';
-import { options, valueIn } from '../../kit/templates.js';
+import { checkOf, selectOf } from '../fields.js';
+import { valueIn } from '../../kit/templates.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
+import { changesButSeed } from '../changes.js';
 import { drivesOf, surveyOf } from './request.js';
-import { isSameButSeed } from './same.js';
 
 /**
  * @typedef {object} Events
@@ -46,10 +46,9 @@ export function sight(state, index, fresh, on) {
     <p id="luck-finding" class="luck-finding" aria-live=${result || luck.progress !== null ? 'polite' : 'off'}>${finding}</p>
     <div class="heading luck-legend">
       <p class="muted" data-picture="luck-curve" data-name=${texts.luckCurvePicture}>${texts.luckCurve}</p>
-      <label class="check muted"><input id="luck-log" type="checkbox" .checked=${live(log)} .disabled=${!result}
-        @change=${() => on.update({ log: !log })}> <span>${texts.luckLog}</span></label>
+      ${checkOf('luck-log', texts.luckLog, log, (isOn) => on.update({ log: isOn }), { more: 'muted', isDisabled: !result })}
     </div>
-    <div id="luck-curve" class="luck-curve" data-picture="luck-curve" role="img"
+    <div id="luck-curve" class="luck-curve picture" data-picture="luck-curve" role="img"
       aria-label=${result ? words.curveLabel(result, finding) : words.emptyCurveLabel}></div>
     <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}${hidesPaper(state) ? '' : words.paperSign}</p>
       <p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>
@@ -64,10 +63,8 @@ function bar({ progress, count, generations }, { onRun, update }) {
   return html`
     <div class="bar luck-bar">
       <button id="luck-run" type="button" class="primary" @click=${onRun}>${runs ? words.cancel : words.runText(count)}</button>
-      <select id="luck-count" aria-label=${texts.luckCount} .disabled=${runs}
-        @change=${(/** @type {Event} */ event) => update({ count: Number(valueIn(event)) })}>${options(counts, count)}</select>
-      <select id="luck-generations" aria-label=${texts.luckGenerations} .disabled=${runs}
-        @change=${(/** @type {Event} */ event) => update({ generations: Number(valueIn(event)) })}>${options(lengths, generations)}</select>
+      ${selectOf('luck-count', texts.luckCount, counts, count, (chosen) => update({ count: chosen }), runs)}
+      ${selectOf('luck-generations', texts.luckGenerations, lengths, generations, (chosen) => update({ generations: chosen }), runs)}
       <progress id="luck-progress" max="1" class=${runs ? '' : 'visually-hidden'} aria-label=${texts.luckProgress}
         .value=${progress ?? 0}></progress>
     </div>`;
@@ -104,20 +101,6 @@ function statusText(state, fresh) {
   const { experiment } = state;
   const { result, cancelled, message } = luckSlice.of(state);
   if (message) return words.failed(message, result !== null);
-  const stale = result && !fresh ? words.outOfDate(changesOf(result.experiment, experiment)) : '';
+  const stale = result && !fresh ? words.outOfDate(changesButSeed(result.experiment, experiment)) : '';
   return [cancelled ? words.cancelled(result !== null) : '', stale].filter((text) => text !== '').join(' ');
-}
-
-/** What is another one now. @param {Experiment} then @param {Experiment} now @returns {import('./words/common.js').Change[]} */
-export function changesOf(then, now) {
-  const named = /** @type {const} */ ([
-    ['start', then.starts, now.starts],
-    ['goal', then.goal, now.goal],
-    ['limits', then.limits, now.limits],
-  ]);
-  const changes = named
-    .filter(([, before, after]) => JSON.stringify(before) !== JSON.stringify(after))
-    .map(([name]) => name);
-  const { starts, goal, limits } = now;
-  return isSameButSeed({ ...then, starts, goal, limits }, now) ? changes : [...changes, 'other'];
 }

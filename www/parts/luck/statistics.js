@@ -2,7 +2,7 @@
 /** @import { SeedRun } from '../../core/engine.js' */
 
 /** Half of the numbers lie from `low` to `high`. @typedef {{ least: number, low: number, median: number, high: number, most: number }} Quartiles */
-/** Quartiles of the best J at each generation. @typedef {{ low: number[], median: number[], high: number[] }} Band */
+/** Quartiles of J at each generation, or after each of many drives. @typedef {{ low: number[], median: number[], high: number[] }} Band */
 /** @typedef {ReturnType<typeof summaryOf>} Summary */
 
 /**
@@ -23,17 +23,18 @@ export function quartilesOf(values) {
   return { least, low, median, high, most };
 }
 
-/** @param {readonly Float64Array[]} curves @returns {Band} */
-function bandOf(curves) {
-  const generations = Array.from(curves[0], (_, generation) =>
-    quartilesOf(curves.map((curve) => curve[generation])),
+/** @param {readonly Quartiles[]} quartiles @returns {Band} */
+export const bandThrough = (quartiles) => ({
+  low: quartiles.map(({ low }) => low),
+  median: quartiles.map(({ median }) => median),
+  high: quartiles.map(({ high }) => high),
+});
+
+/** @param {readonly Float64Array[]} curves */
+const bandOf = (curves) =>
+  bandThrough(
+    Array.from(curves[0], (_, generation) => quartilesOf(curves.map((curve) => curve[generation]))),
   );
-  return {
-    low: generations.map(({ low }) => low),
-    median: generations.map(({ median }) => median),
-    high: generations.map(({ high }) => high),
-  };
-}
 
 /** @param {readonly SeedRun[]} runs */
 export function summaryOf(runs) {

@@ -3,11 +3,9 @@
 /** @import { Dots } from './dots.js' */
 /** @import { SeedSurvey } from './request.js' */
 import { scaleLinear } from 'd3-scale';
-import { createLayer } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
-import { textFont } from '../../kit/fonts.js';
 import { colour } from '../../kit/palette.js';
-import { watch } from '../../kit/memo.js';
+import { createWatchedLayer, drawText } from '../drawing.js';
 import { drawSymbol } from '../../kit/names.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
@@ -17,6 +15,7 @@ import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js
 /** @typedef {{ survey: SeedSurvey | null, paper: Triple | null, range: readonly [number, number], index: number, theme: number }} StripsModel */
 
 const colours = /** @type {const} */ (['--x', '--y', '--theta']);
+const atMedian = /** @type {const} */ ({ token: '--ink', align: 'right', baseline: 'alphabetic' });
 const axisHeight = 18;
 const margin = { left: 34, right: 64, top: 2 };
 const diamond = /** @type {const} */ ([
@@ -28,9 +27,7 @@ const diamond = /** @type {const} */ ([
 
 /** @param {HTMLCanvasElement} canvas @param {{ onPoint: (index: number) => void, onChoose: (index: number) => void }} on */
 export function createStrips(canvas, { onPoint, onChoose }) {
-  const layer = createLayer(canvas);
-  const changed = watch();
-  let size = { width: 0, height: 0 };
+  const drawWatched = createWatchedLayer(canvas);
   /** @type {Dots[]} */
   let strips = [];
   /** @type {StripsModel | null} */
@@ -38,22 +35,20 @@ export function createStrips(canvas, { onPoint, onChoose }) {
 
   const draw = () => {
     const shown = model;
-    if (shown && size.width > 0)
-      layer.draw(size, (context) => {
+    const size = sizeOf();
+    if (shown)
+      drawWatched(size, Object.values(shown), (context) => {
         strips = drawStrips(context, size, shown);
       });
   };
-
-  followSize(canvas, (now) => {
-    size = now;
-    draw();
-  });
+  const sizeOf = followSize(canvas, draw);
 
   /** The seed whose dot is there. @param {PointerEvent | MouseEvent} event */
   const at = (event) => {
     const { left, top } = canvas.getBoundingClientRect();
-    const i = Math.min(2, Math.max(0, Math.floor((event.clientY - top) / stripIn(size))));
-    const base = (i + 1) * stripIn(size);
+    const strip = stripIn(sizeOf());
+    const i = Math.min(2, Math.max(0, Math.floor((event.clientY - top) / strip)));
+    const base = (i + 1) * strip;
     return strips[i] ? nearestDot(strips[i], event.clientX - left, base - (event.clientY - top)) : -1;
   };
   canvas.addEventListener('pointermove', (event) => onPoint(at(event)));
@@ -63,7 +58,6 @@ export function createStrips(canvas, { onPoint, onChoose }) {
   return {
     /** @param {StripsModel} next */
     draw(next) {
-      if (!changed(next.survey, next.paper, next.range, next.index, next.theme)) return;
       model = next;
       draw();
     },
@@ -97,7 +91,7 @@ function drawStrips(context, size, { survey, paper, range, index }) {
       if (index >= 0) drawRing(context, dots.along[index], base - dots.away[index]);
     }
     if (paper) drawDiamond(context, scale(paper[i]), base);
-    if (survey) drawMedian(context, survey.summary.gains[i].median, size.width, base);
+    if (survey) drawText(context, fixed(survey.summary.gains[i].median, 3), size.width, base - 6, atMedian);
   }
   return strips;
 }
@@ -115,23 +109,11 @@ function domainOf({ summary }, paper) {
 
 /** @param {CanvasRenderingContext2D} context @param {import('d3-scale').ScaleLinear<number, number>} scale @param {number} height */
 function drawAxis(context, scale, height) {
-  context.font = textFont;
-  context.textAlign = 'center';
-  context.textBaseline = 'alphabetic';
   for (const tick of scale.ticks(7)) {
     context.fillStyle = colour('--hairline');
     context.fillRect(Math.round(scale(tick)) - 0.5, 0, 1, height - axisHeight + 2);
-    context.fillStyle = colour('--muted');
-    context.fillText(words.tick(tick), scale(tick), height - 3);
+    drawText(context, words.tick(tick), scale(tick), height - 3, { align: 'center', baseline: 'alphabetic' });
   }
-}
-
-/** @param {CanvasRenderingContext2D} context @param {number} median @param {number} right @param {number} base */
-function drawMedian(context, median, right, base) {
-  context.font = textFont;
-  context.textAlign = 'right';
-  context.fillStyle = colour('--ink');
-  context.fillText(fixed(median, 3), right, base - 6);
 }
 
 /** The paper's gain. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y */

@@ -34,7 +34,7 @@ export function sight(model, on, after) {
     <p class="park-count"><strong id="park-count">${parked}</strong> <span>${words.ofParked(count)}</span>
       <span class="muted">${driverOf(model, after)}</span></p>
     <fieldset id="park-gains" class=${newest && !isOwn ? 'is-idle' : ''} aria-label=${words.sliders}>${after && newest ? after.key(model) : nothing}${lab.gains.map((gain, i) => rowOf(gain, i, model, on, after))}</fieldset>
-    <p class="park-bar">
+    <p class="park-bar row">
       <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree} aria-describedby=${bred.length > 0 ? nothing : 'park-hint'}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
       <button id="park-again" type="button" aria-disabled=${String(evolving || !over)} @click=${unless(evolving || !over, on.again)}>${words.again}</button>
@@ -42,7 +42,7 @@ export function sight(model, on, after) {
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
     ${newest ? after?.climb(model) : html`<p id="park-hint" class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
     ${newest && !evolving ? after?.comparison(model, newest, after.walk) : nothing}
-    ${newest && !evolving ? html`<p class="park-on"><a id="park-lesson" href="#${on.lesson}">${words.how}</a> ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
+    ${newest && !evolving ? html`<p class="park-on row"><a id="park-lesson" href="#${on.lesson}">${words.how}</a> ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
     ${over && !evolving && parked < count ? html`<p class="muted">${words.missed(model.tolerance)}</p>` : nothing}
     <p class="visually-hidden" role="status">${over && !evolving ? (after?.told(model) ?? words.picture(parked, count)) : ''}</p>`;
 }

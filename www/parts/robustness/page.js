@@ -2,8 +2,6 @@
 /** @import { Run } from '../../core/engine.js' */
 /** @import { Page, Tools } from '../part.js' */
 /** @import { Actions } from '../../run/actions/actions.js' */
-/** @import { Scene } from '../../run/scene.js' */
-/** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
 /** @import { Quantity, Survey } from './request.js' */
 /** @import { Shading } from './scale.js' */
@@ -23,7 +21,7 @@ import { createSight } from './sight.js';
 import { createLegend } from './legend.js';
 import { createSpec, createSurveyRequests } from './request.js';
 import { createRose } from './rose.js';
-import { createShading } from './scale.js';
+import { createShading, readingOf } from './scale.js';
 import { axesOf, createMap } from './view.js';
 
 /** @param {Tools} parts @returns {Page} */
@@ -44,7 +42,6 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
-    /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       const { survey, heading, quantity, half, cursor, lit } = robustnessSlice.of(state);
       const spec = specOf(state, state.driver);
@@ -88,10 +85,7 @@ function createViews(element, store, actions) {
   followCursor(root, store, actions, size);
   return {
     size,
-    map: createMap({
-      picture: byIdIn(element, 'robustness-picture'),
-      marks: byIdIn(element, 'robustness-marks'),
-    }),
+    map: createMap(root),
     legend: createLegend(byIdIn(element, 'robustness-legend')),
     rose: createRose(byIdIn(element, 'robustness-rose'), {
       chosen: () => robustnessSlice.of(store.get()).heading,
@@ -107,12 +101,10 @@ const noParts = Array(headings).fill(null);
 const noDrives = [];
 
 /** Of each heading of a cell the part of the scale. @param {Survey} survey @param {Shading} shading @param {Quantity} quantity @param {number} cell */
-function partsOfRose({ runs }, shading, quantity, cell) {
-  const { arrived, finalTime, cost } = runs;
-  const values = { share: arrived, time: finalTime, cost }[quantity];
+function partsOfRose(survey, shading, quantity, cell) {
   return noParts.map((_, heading) => {
-    const run = cell * headings + heading;
-    return arrived[run] ? shading.part(values[run]) : null;
+    const value = readingOf(survey, quantity, heading)(cell);
+    return Number.isNaN(value) ? null : shading.part(value);
   });
 }
 

@@ -6,7 +6,7 @@ import { headings } from './grid.js';
 /** @typedef {ReturnType<typeof createShading>} Shading */
 
 /** What a cell shows; NaN where no robot arrives. @param {Survey} survey @param {Quantity} quantity @param {number | null} heading */
-function readingOf({ runs, tally }, quantity, heading) {
+export function readingOf({ runs, tally }, quantity, heading) {
   if (heading === null) {
     const { count, time, cost } = tally;
     const values = { share: count, time, cost }[quantity];

@@ -6,8 +6,7 @@
 /** @import { RobustnessState } from './state.js' */
 import { html, render } from 'lit-html';
 import { halves, robustnessSlice } from './state.js';
-import { choicesOf } from '../../kit/segmented.js';
-import { options, valueIn } from '../../kit/templates.js';
+import { segmentedOf, selectOf } from '../fields.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { areShown } from './drives.js';
 import { robustnessTable } from './table.js';
@@ -80,26 +79,20 @@ export function createSight(element, store) {
 /** @param {RobustnessState} robustness @param {Texts} shown @param {{ update: (patch: Partial<RobustnessState>) => void, onHeadings: (choice: string) => void, onTable: () => void }} on */
 function sight({ message, quantity, heading, half }, shown, { update, onHeadings, onTable }) {
   const choice = heading === null ? 'all' : 'one';
-  const extents = halves.map((one) => /** @type {const} */ ([one, words.extent(one)]));
+  /** @type {[number, string][]} */
+  const extents = halves.map((one) => [one, words.extent(one)]);
   return html`
     <div class="heading">
       <h2 id="robustness-title">${texts.robustnessTitle}</h2>
       <p id="robustness-note" class=${message ? 'muted failed' : 'muted'}>${shown.note}</p>
       <button id="robustness-table" type="button" class="link" @click=${onTable}>${tables.texts.tableButton}</button>
     </div>
-    <p class="cost-line"><span id="robustness-share" class="share">${shown.share}</span> <span class="muted"><span
+    <p class="cost-line row"><span id="robustness-share" class="share">${shown.share}</span> <span class="muted"><span
       id="robustness-summary">${shown.summary}</span><br><span id="robustness-rival">${shown.rival}</span></span></p>
     <div class="bar survey-bar">
-      <fieldset id="robustness-quantity" class="segmented">${choicesOf(
-        'robustness-quantity',
-        words.quantityLegend,
-        words.quantities,
-        quantity,
-        (chosen) => update({ quantity: chosen }),
-      )}</fieldset>
-      <label class="survey-extent muted"><select id="robustness-half" aria-label=${texts.robustnessExtent}
-        @change=${(/** @type {Event} */ event) => update({ half: Number(valueIn(event)), cursor: null })}>
-        ${options(extents, half)}</select> <span>${texts.robustnessAround}</span></label>
+      ${segmentedOf('robustness-quantity', words.quantityLegend, words.quantities, quantity, (chosen) => update({ quantity: chosen }))}
+      <label class="survey-extent muted">${selectOf('robustness-half', texts.robustnessExtent, extents, half, (chosen) => update({ half: chosen, cursor: null }))}
+        <span>${texts.robustnessAround}</span></label>
     </div>
     <div class="survey">
       <div id="robustness-map" class="survey-map layers" data-picture="robustness" data-name=${words.texts.robustnessPicture} tabindex="0" role="application"
@@ -109,13 +102,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
         <canvas id="robustness-marks" aria-hidden="true"></canvas>
       </div>
       <div class="survey-side">
-        <fieldset id="robustness-headings" class="segmented">${choicesOf(
-          'robustness-headings',
-          words.headingLegend,
-          words.headingChoices,
-          choice,
-          onHeadings,
-        )}</fieldset>
+        ${segmentedOf('robustness-headings', words.headingLegend, words.headingChoices, choice, onHeadings)}
         <div id="robustness-rose" class="rose" data-picture="robustness" role="slider" tabindex="0"></div>
         <div id="robustness-legend" class="survey-legend" data-picture="robustness"></div>
       </div>

@@ -3,13 +3,12 @@
 /** @import { Grid } from './grid.js' */
 /** @import { Shading } from './scale.js' */
 import { scaleLinear } from 'd3-scale';
-import { createLayer, strokeTwice } from '../../kit/canvas.js';
-import { textFont } from '../../kit/fonts.js';
-import { within } from '../../kit/chart.js';
+import { strokeTwice } from '../../kit/canvas.js';
+import { drawNumbersBelow, drawNumbersBeside, within } from '../../kit/chart.js';
 import { dark, drawFrame, drawShades, light, nameBeside } from '../../kit/map.js';
 import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
-import { watch } from '../../kit/memo.js';
+import { createWatchedLayer } from '../drawing.js';
 import { fixed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { startOf } from './grid.js';
@@ -63,27 +62,22 @@ export function axesOf({ grid, size }) {
 
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
-/** @param {{ picture: HTMLCanvasElement, marks: HTMLCanvasElement }} elements */
-export function createMap({ picture, marks }) {
-  const under = createLayer(picture);
-  const over = createLayer(marks);
-  const pictureChanged = watch();
-  const marksChanged = watch();
+/** @param {HTMLElement} root It holds both canvases. */
+export function createMap(root) {
+  const [under, over] = Array.from(root.querySelectorAll('canvas'), createWatchedLayer);
   return {
     /** @param {MapModel} model */
     draw(model) {
       const { grid, shading, heading, goal, starts, watched, run, cell, drives, lit, size, theme } = model;
       if (size.width === 0) return;
       const axes = axesOf(model);
-      if (pictureChanged(grid, shading, size, theme)) {
-        under.draw(size, (context) => {
-          if (shading) drawCells(context, shading, axes);
-          drawAxes(context, axes);
-        });
-      }
-      if (marksChanged(grid, goal, starts, watched, run, cell, drives, lit, heading, size, theme)) {
-        over.draw(size, (context) => drawMarks(context, axes, model));
-      }
+      under(size, [grid, shading, theme], (context) => {
+        if (shading) drawCells(context, shading, axes);
+        drawAxes(context, axes);
+      });
+      over(size, [grid, goal, starts, watched, run, cell, drives, lit, heading, theme], (context) =>
+        drawMarks(context, axes, model),
+      );
     },
   };
 }
@@ -128,21 +122,15 @@ function drawCells(context, { values, part }, { frame, side }) {
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes */
 function drawAxes(context, { frame, side, isNamed, x, y }) {
   drawFrame(context, frame);
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.textBaseline = 'top';
-  context.textAlign = 'center';
-  const ticks = side > 260 ? 8 : 4;
-  const digits = Math.abs((x.ticks(ticks)[1] ?? 1) % 1) > 1e-9 ? 1 : 0;
-  for (const [i, tick] of x.ticks(ticks).entries()) {
-    const last = i === x.ticks(ticks).length - 1;
-    const text = last && !isNamed ? words.metres(fixed(tick, digits)) : fixed(tick, digits);
-    context.fillText(text, Math.min(x(tick), frame.right - 10), frame.bottom + 7);
-  }
-  context.textBaseline = 'middle';
-  context.textAlign = 'right';
-  for (const tick of y.ticks(ticks))
-    context.fillText(fixed(tick, digits), frame.left - 8, Math.max(y(tick), frame.top + 6));
+  const [across, up] = [x, y].map((scale) => scale.ticks(side > 260 ? 8 : 4));
+  const digits = Math.abs((across[1] ?? 1) % 1) > 1e-9 ? 1 : 0;
+  const texts = across.map((tick, i) => {
+    const text = fixed(tick, digits);
+    return i === across.length - 1 && !isNamed ? words.metres(text) : text;
+  });
+  drawNumbersBelow(context, (tick) => Math.min(x(tick), frame.right - 10), frame.bottom, across, texts);
+  const beside = up.map((tick) => fixed(tick, digits));
+  drawNumbersBeside(context, (tick) => Math.max(y(tick), frame.top + 6), frame.left - 8, up, beside);
   if (isNamed) nameAxes(context, frame);
 }
 

@@ -1,9 +1,7 @@
 // The part of the page that evolves on many starts and tests on others, and what its controls do.
 /** @import { Posture } from '../../core/engine.js' */
-/** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { RowName } from './request.js' */
-/** @import { SetName } from './sets.js' */
 /** @import { TrainingState } from './state.js' */
 /** @import { Row } from './table.js' */
 import './style.css';
@@ -11,20 +9,25 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
-import { options, unless, valueIn } from '../../kit/templates.js';
+import { selectOf } from '../fields.js';
+import { unless } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { isFree } from '../../run/guard.js';
+import { changesOf } from '../changes.js';
 import { createPicture, signs } from './picture.js';
-import { changesOf, createTraining, evolvedFor, handOf, lengths } from './request.js';
-import { circleCount, gridCount, setNames, unseenCount, unseenRadius } from './sets.js';
+import { createTraining, evolvedFor, handOf, lengths } from './request.js';
+import { circleCount, gridCount, isSet, setNames, unseenCount, unseenRadius } from './sets.js';
 import { seedCount } from './spread.js';
 import { tableOf } from './table.js';
 
 const { texts } = words;
+const lengthChoices = lengths.map(
+  (length) => /** @type {const} */ ([length, words.generationsChoice(length)]),
+);
 
 /** @param {import('../part.js').Tools} parts @returns {import('../part.js').Page} */
 export function createPage({ engine, store, actions, paper }) {
@@ -54,7 +57,6 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
-    /** @param {State} state @param {Scene} scene */
     draw(state, { driving }) {
       const sets = training.setsOf(state.experiment);
       const rows = rowsOf(state);
@@ -129,9 +131,6 @@ function createEvents({ store, actions }, training, rowsOf) {
   return { choose, tryFrom, evolve, evolveIfWanted };
 }
 
-/** @param {RowName} name @returns {name is SetName} */
-const isSet = (name) => setNames.some((set) => set === name);
-
 /** @param {State} state @returns {RowName} */
 const chosenOf = (state) => {
   const { chosen, evolved } = trainingSlice.of(state);
@@ -139,27 +138,24 @@ const chosenOf = (state) => {
 };
 
 function createRows() {
-  const changes = remember(changesOf);
   const rows = remember(
     /** @param {TrainingState['evolved']} evolved @param {TrainingState['given']} given @param {State['experiment']} experiment @param {boolean} byHand @param {boolean} withPaper @returns {Row[]} */
     (evolved, given, experiment, byHand, withPaper) => {
-      const isOld = evolved !== null && changes(evolved.experiment, experiment).length > 0;
+      const isOld = evolved !== null && changesOf(evolved.experiment, experiment).length > 0;
+      const isOldGiven = given !== null && given.spec.experiment !== experiment;
       const counts = { one: experiment.starts.length, circle: circleCount, grid: gridCount };
       const ofPaper = withPaper ? /** @type {const} */ (['paper-ep', 'paper-arbitrary']) : [];
-      const names = /** @type {const} */ ([...ofPaper, ...(byHand ? ['hand'] : [])]);
+      const hand = byHand ? /** @type {const} */ (['hand']) : [];
+      /** @param {RowName} name @param {number} count @param {Row['result'] | undefined} result @param {boolean} old */
+      const row = (name, count, result, old) => ({
+        name,
+        text: words.rowName(name, count),
+        result: result ?? null,
+        old,
+      });
       return [
-        ...setNames.map((name) => ({
-          name,
-          text: words.rowName(name, counts[name]),
-          result: evolved?.results[name] ?? null,
-          old: isOld,
-        })),
-        ...names.map((name) => ({
-          name: /** @type {RowName} */ (name),
-          text: words.rowName(/** @type {RowName} */ (name), 0),
-          result: given?.results[/** @type {RowName} */ (name)] ?? null,
-          old: given !== null && given.spec.experiment !== experiment,
-        })),
+        ...setNames.map((name) => row(name, counts[name], evolved?.results[name], isOld)),
+        ...[...ofPaper, ...hand].map((name) => row(name, 0, given?.results[name], isOldGiven)),
       ];
     },
   );
@@ -199,13 +195,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <button id="training-evolve" type="button" class=${runs ? '' : 'primary'} @click=${evolve}>${
         runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll
       }</button>
-      <select id="training-generations" aria-label=${texts.trainingGenerations}
-        @change=${(/** @type {Event} */ event) => update({ generations: Number(valueIn(event)) })}>
-        ${options(
-          lengths.map((length) => /** @type {const} */ ([length, words.generationsChoice(length)])),
-          generations,
-        )}
-      </select>
+      ${selectOf('training-generations', texts.trainingGenerations, lengthChoices, generations, (chosen) => update({ generations: chosen }))}
       <button id="training-seeds" type="button" title=${words.seedsHint(seedCount)} aria-disabled=${String(hasNoSeeds)}
         @click=${unless(hasNoSeeds, onSpread)}>${words.seedsButton(seedCount)}</button>
       <progress id="training-progress" max="1" class=${runs ? '' : 'visually-hidden'}
@@ -223,7 +213,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
             : words.driving
     }</p>
     ${tableOf(rows, spread, chosenOf(state), { unseen: unseenCount, own: experiment.starts.length }, choose)}
-    <div class="training-pictures" data-picture="training" data-name=${words.texts.trainingPicture}>
+    <div class="training-pictures picture" data-picture="training" data-name=${words.texts.trainingPicture}>
       <p id="training-seen-title">${titles[0]}</p>
       <p id="training-unseen-title">${titles[1]}</p>
       <canvas id="training-seen" role="application" tabindex="0" aria-describedby="training-readout" aria-label=${words.pictureLabel(titles[0])}></canvas>

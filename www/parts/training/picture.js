@@ -1,13 +1,12 @@
 // A picture of starts around the goal: filled where the robot arrives, red and without a tail where it does not.
 /** @import { Posture } from '../../core/engine.js' */
-import { createLayer, strokeTwice } from '../../kit/canvas.js';
+import { strokeTwice } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
-import { watch } from '../../kit/memo.js';
+import { createWatchedLayer } from '../drawing.js';
 
-/** @typedef {{ width: number, height: number }} Size */
 /**
  * @typedef {object} PictureModel
  * @property {readonly Posture[]} starts
@@ -24,14 +23,13 @@ const nearest = 18;
 
 /** @param {HTMLCanvasElement} canvas `radius`: metres around the goal that are shown. @param {{ radius: number, onTry: (start: Posture) => void, onSize: () => void }} options */
 export function createPicture(canvas, { radius, onTry, onSize }) {
-  const layer = createLayer(canvas);
-  const changed = watch();
-  /** @type {Size} */
-  let size = { width: 0, height: 0 };
+  const drawWatched = createWatchedLayer(canvas);
+  const sizeOf = followSize(canvas, onSize);
   /** @type {PictureModel | null} */
   let model = null;
 
   const placeOf = (/** @type {Posture} */ goal) => {
+    const size = sizeOf();
     const scale = Math.min(size.width, size.height) / (2 * (radius + margin));
     return {
       scale,
@@ -47,11 +45,6 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
     model = { ...from, tried };
     onTry(tried);
   };
-
-  followSize(canvas, (now) => {
-    size = now;
-    onSize();
-  });
 
   canvas.addEventListener('click', ({ offsetX, offsetY }) => {
     if (!model) return;
@@ -80,9 +73,10 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
     draw(next) {
       model = next;
       const { starts, arrived, goal, tried, theme } = next;
-      if (size.width === 0 || !changed(starts, arrived, goal, tried, theme, size)) return;
       const place = placeOf(goal);
-      layer.draw(size, (context) => drawStarts(context, next, place));
+      drawWatched(sizeOf(), [starts, arrived, goal, tried, theme], (context) =>
+        drawStarts(context, next, place),
+      );
     },
   };
 }

@@ -10,6 +10,8 @@ import { messageOf } from '../../words/errors.js';
 import { createRefining } from '../../core/refine.js';
 import { once, remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
+import { createAttempts } from '../attempt.js';
+import { changesOf } from '../changes.js';
 import { createSets, setNames, testOn } from './sets.js';
 import { evolveSeeds } from './spread.js';
 
@@ -111,8 +113,9 @@ async function evolveAll(engine, sets, experiment, generations, { signal, onProg
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
 export function createTraining(engine, store, paper) {
   const setsOf = createSets(engine);
-  /** @type {AbortController | null} */
-  let evolution = null;
+  const attempts = createAttempts((/** @type {Partial<TrainingState>} */ patch) =>
+    trainingSlice.update(store, patch),
+  );
   const channel = once(() => engine.surveys.channel());
 
   const given = createRefining({
@@ -128,24 +131,6 @@ export function createTraining(engine, store, paper) {
 
   const specOf = createSpec();
 
-  /** Whether it came to its end. @param {(options: { signal: AbortSignal, onProgress: (share: number) => void }) => Promise<Partial<TrainingState>>} work */
-  async function attempt(work) {
-    evolution = new AbortController();
-    const { signal } = evolution;
-    const onProgress = (/** @type {number} */ progress) => trainingSlice.update(store, { progress });
-    trainingSlice.update(store, { progress: 0, cancelled: false, message: '' });
-    try {
-      const found = await work({ signal, onProgress });
-      trainingSlice.update(store, { ...found, progress: null });
-      return true;
-    } catch (error) {
-      const cancelled = signal.aborted;
-      evolution.abort();
-      trainingSlice.update(store, { progress: null, cancelled, message: cancelled ? '' : messageOf(error) });
-      return false;
-    }
-  }
-
   return {
     setsOf,
 
@@ -159,7 +144,7 @@ export function createTraining(engine, store, paper) {
 
     /** On each set of starts, with the experiment's own seed and settings. */
     evolve: () =>
-      attempt(async (options) => {
+      attempts.begin(async (options) => {
         const { experiment } = store.get();
         const { generations } = trainingSlice.of(store.get());
         const evolved = await evolveAll(engine, setsOf(experiment), experiment, generations, options);
@@ -168,17 +153,14 @@ export function createTraining(engine, store, paper) {
 
     /** What was evolved, with other seeds. */
     spread: () =>
-      attempt(async (options) => {
+      attempts.begin(async (options) => {
         const { evolved } = trainingSlice.of(store.get());
         return evolved
           ? { spread: await evolveSeeds(engine, setsOf(evolved.experiment), evolved, options) }
           : {};
       }),
 
-    /** What was evolved last stays. */
-    cancel() {
-      evolution?.abort();
-    },
+    cancel: attempts.cancel,
   };
 }
 
@@ -188,17 +170,4 @@ export function evolvedFor(state) {
   const isSame =
     evolved?.generations === generations && changesOf(evolved.experiment, state.experiment).length === 0;
   return isSame ? evolved : null;
-}
-
-/** What is another one than when the gains were evolved. @param {Experiment} then @param {Experiment} now @returns {('start' | 'goal' | 'limits' | 'seed' | 'settings')[]} */
-export function changesOf(then, now) {
-  if (then === now) return [];
-  const split = (/** @type {Experiment} */ experiment) => {
-    const { starts, goal, limits, evolution, ...rest } = experiment;
-    const { seed, ...evolving } = evolution;
-    return { start: starts, goal, limits, seed, settings: { ...rest, evolving } };
-  };
-  const [before, after] = [split(then), split(now)];
-  const names = /** @type {const} */ (['start', 'goal', 'limits', 'seed', 'settings']);
-  return names.filter((name) => JSON.stringify(before[name]) !== JSON.stringify(after[name]));
 }

@@ -7,6 +7,9 @@ import { remember } from '../../kit/memo.js';
 
 export const setNames = /** @type {const} */ (['one', 'circle', 'grid']);
 
+/** @param {string} name Of a row. @returns {name is SetName} */
+export const isSet = (name) => setNames.some((set) => set === name);
+
 /** As far as the paper's start is from its goal, in metres. */
 const circleRadius = 2 * Math.SQRT2;
 export const circleCount = 32;

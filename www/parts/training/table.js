@@ -5,6 +5,7 @@ import { html, nothing } from 'lit-html';
 import { styled } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
+import { isSet } from './sets.js';
 
 /** What a row shows; `result` is null before there is one. @typedef {{ name: RowName, text: string, result: Result | null, old: boolean }} Row */
 
@@ -20,7 +21,6 @@ export function tableOf(rows, spread, chosen, { unseen, own }, onChoose) {
 
 /** @param {Row} row @param {Spread | null} spread @param {number} unseen @param {boolean} chosen @param {(name: RowName) => void} onChoose */
 function rowOf({ name, text, result, old }, spread, unseen, chosen, onChoose) {
-  const isTrained = name === 'one' || name === 'circle' || name === 'grid';
   /** @param {(result: Result) => string} write */
   const shown = (write) => (result ? write(result) : words.none);
   const share = (/** @type {Result['unseen']} */ { count, starts }) => words.percent(count, starts.length);
@@ -35,8 +35,8 @@ function rowOf({ name, text, result, old }, spread, unseen, chosen, onChoose) {
               html`<span class=${id} title=${gain}>${shown(({ gains }) => words.gain(gains[i]))}</span>`,
           )}</span>
       </th>
-      <td class="training-seen">${isTrained ? shown(({ training }) => share(training)) : words.none}</td>
-      <td class="training-unseen"><span class="training-bar"><span ${styled('width', `${filled}%`)}></span>${isTrained && spread ? dotsOf(spread[name], unseen) : nothing}</span><strong>${shown(
+      <td class="training-seen">${isSet(name) ? shown(({ training }) => share(training)) : words.none}</td>
+      <td class="training-unseen"><span class="training-bar"><span ${styled('width', `${filled}%`)}></span>${isSet(name) && spread ? dotsOf(spread[name], unseen) : nothing}</span><strong>${shown(
         ({ unseen }) => share(unseen),
       )}</strong></td>
       <td class="training-cost">${shown(({ unseen }) => words.cost(unseen.cost))}</td>

@@ -113,7 +113,7 @@ function rowOf(result) {
   return html`<li class=${result.passed ? 'passed' : 'failed'}>
     <span class="checks-verdict"><span class="checks-mark" aria-hidden="true">${result.passed ? '✓' : '✗'}</span> ${verdict}</span>
     <span>${law}</span>
-    <span class="checks-values">${measure}: ${words.expectedWord} <b>${expected}</b>, ${words.foundWord} <b class="checks-found">${found}</b></span>
+    <span class="checks-values muted">${measure}: ${words.expectedWord} <b>${expected}</b>, ${words.foundWord} <b class="checks-found">${found}</b></span>
   </li>`;
 }
 

@@ -18,7 +18,7 @@ export function tokensOf(text, mark) {
   for (const match of text.matchAll(pattern)) {
     const groups = match.groups ?? {};
     const kind = ['comment', ...kinds].find((one) => groups[one] !== undefined) ?? '';
-    tokens.push(['', text.slice(from, match.index)], [kind && `code-${kind}`, match[0]]);
+    tokens.push(['', text.slice(from, match.index)], [kind, match[0]]);
     from = match.index + match[0].length;
   }
   return [...tokens, ['', text.slice(from)]];

@@ -117,7 +117,7 @@ function field(id, label, value, onInput) {
 function fieldsHtml({ fields: { kind, value, drives, points }, error }, { vary, aim }, on) {
   return html`
     <label for="maker-aim" class="maker-label">${texts.makerAim}</label>
-    <div class="maker-aim">
+    <div class="maker-aim row">
       <select id="maker-aim" @change=${on.kind}>${options(
         kinds.map((one) => /** @type {const} */ ([one, words.aims[one]])),
         kind,
@@ -127,7 +127,7 @@ function fieldsHtml({ fields: { kind, value, drives, points }, error }, { vary, 
     ${
       kind === 'none'
         ? nothing
-        : html`<div class="maker-aim"><label for="maker-drives">${texts.makerDrives}</label>
+        : html`<div class="maker-aim row"><label for="maker-drives">${texts.makerDrives}</label>
             ${field('maker-drives', texts.makerDrives, drives, (text) => on.type({ drives: text }))}</div>
           <div class="maker-points" role="group" aria-label=${texts.makerPoints}>${[1, 3].map(
             (

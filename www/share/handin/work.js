@@ -18,6 +18,7 @@ import { measure } from './measure.js';
 import { ownOf } from './own.js';
 import { holds, isWhole, toldIn } from './receipt.js';
 import { createHandInSheet } from './sheet.js';
+import './work.css';
 import words from './words/index.js';
 
 const { texts } = words;
@@ -115,7 +116,7 @@ export function createWork(tools, root) {
 
 /** No form, which some frames forbid. @param {() => void} begin @param {boolean} isMade It is only looked at. */
 const whoForm = (begin, isMade) => html`
-  <div class="work-who">
+  <div class="work-who row">
     <label for="work-who">${texts.whoFirst}</label>
     <input id="work-who" type="text" maxlength=${mostOfWho} autocomplete="off" placeholder=${texts.whoLabel}
       @keydown=${onEnter(begin)} .disabled=${isMade}>

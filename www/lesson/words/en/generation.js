@@ -9,6 +9,8 @@ export const generation = {
     title: (better, count) =>
       `Drives of ${count} offspring (pale: the parent’s). Green: ${better} better ones. Below: J.`,
     /** @param {number} count */
+    alone: (count) => `Drives of ${count} offspring. Below: J.`,
+    /** @param {number} count */
     parents: (count) => `The drives of ${count} parents. Below: J.`,
     /** @param {number} number @param {boolean} _isParent */
     name: (number, _isParent) => String(number),

@@ -9,6 +9,8 @@ export const generation = {
     title: (better, count) =>
       `자손 로봇 ${count}대의 주행(옅은 선: 부모). 초록색: 부모보다 나은 로봇 ${better}대. 아래: J.`,
     /** @param {number} count */
+    alone: (count) => `자손 로봇 ${count}대의 주행. 아래: J.`,
+    /** @param {number} count */
     parents: (count) => `부모 로봇 ${count}대의 주행. 아래: J.`,
     /** @param {number} number @param {boolean} _isParent */
     name: (number, _isParent) => String(number),

@@ -1,27 +1,27 @@
-// V and V̇ against time: the lines on one canvas, redrawn when they change; the cursor, which is the robots' clock, on another.
+// V and V̇ against time: what is drawn of them, and the cursor in it.
 /** @import { Experiment, Stability } from '../../../core/engine.js' */
 /** @import { Axes } from '../../../kit/chart.js' */
+/** @import { Plots } from '../picture.js' */
 /** @import { Layout } from './layout.js' */
-import { createLayer } from '../../../kit/canvas.js';
 import {
+  drawBand,
   drawCursorDot,
   drawCursorLine,
   drawGrid,
   line,
   pointsOf,
-  through,
+  strokeThrough,
+  take,
   within,
 } from '../../../kit/chart.js';
 import { drawTimeAxis, timeTicks } from '../axes.js';
-import { linesOf } from '../plots.js';
+import { drawPinMark, linesOf } from '../plots.js';
 import { createReady } from '../ready.js';
 import { outlineOf } from '../../../kit/extent.js';
-import { symbolFont, textFont } from '../../../kit/fonts.js';
-import { styles } from '../../../run/pins.js';
-import { drawMark } from '../../../kit/swatch.js';
+import { symbolFont } from '../../../kit/fonts.js';
+import { drawText } from '../../drawing.js';
 import { sampleBefore } from '../../../lab/track.js';
 import { colour } from '../../../kit/palette.js';
-import { watch } from '../../../kit/memo.js';
 import words from './words/index.js';
 import { drawnOf, layoutOf, rangeOf } from './layout.js';
 import { risesOf } from './summary.js';
@@ -34,8 +34,6 @@ import { risesOf } from './summary.js';
  * @property {import('../../../run/pins.js').Pins} pins
  * @property {readonly Stability[]} pinned One for each pin.
  * @property {boolean} isLog
- * @property {number} time
- * @property {{ width: number, height: number }} size
  * @property {number} theme
  */
 
@@ -52,39 +50,21 @@ const rateReady = (/** @type {boolean} */ isLog) =>
   });
 const [rateReadyOnEven, rateReadyOnLog] = [false, true].map(rateReady);
 
-/** @param {{ lines: HTMLCanvasElement, cursor: HTMLCanvasElement }} elements */
-export function createPlots({ lines, cursor }) {
-  const under = createLayer(lines);
-  const over = createLayer(cursor);
-  const linesChanged = watch();
-  const cursorChanged = watch();
-  /** @type {Layout | null} */
-  let layout = null;
-  return {
-    /** @param {StabilityModel} model */
-    draw(model) {
-      const { driving, law, comparison, pinned, isLog, time, size, theme } = model;
-      if (size.width === 0) return;
-      curvesReady([driving, comparison, ...pinned]);
-      (isLog ? rateReadyOnLog : rateReadyOnEven)([driving]);
-      if (linesChanged(driving, law, comparison, pinned, isLog, size, theme) || !layout) {
-        layout = layoutOf(size, driving, [comparison, ...pinned], isLog);
-        const drawn = layout;
-        under.draw(size, (context) => {
-          drawLyapunov(context, drawn, model);
-          drawRate(context, drawn, driving);
-          drawTimeAxis(context, drawn.time, drawn.rate.frame.bottom);
-        });
-      }
-      if (cursorChanged(layout, time)) {
-        const drawn = layout;
-        over.draw(size, (context) => drawCursor(context, drawn, driving, time));
-      }
-    },
-    /** The time at a place of the picture. @param {number} px */
-    timeAt: (px) => layout?.time.invert(px) ?? 0,
-  };
-}
+/** @type {Plots<StabilityModel, Layout>} */
+export const plotsOfStability = {
+  makeReady({ driving, comparison, pinned, isLog }) {
+    curvesReady([driving, comparison, ...pinned]);
+    (isLog ? rateReadyOnLog : rateReadyOnEven)([driving]);
+  },
+  layoutOf: (size, { driving, comparison, pinned, isLog }) =>
+    layoutOf(size, driving, [comparison, ...pinned], isLog),
+  drawLines(context, layout, model) {
+    drawLyapunov(context, layout, model);
+    drawRate(context, layout, model.driving);
+    drawTimeAxis(context, layout.time, layout.rate.frame.bottom);
+  },
+  drawCursor: (context, layout, { driving }, time) => drawCursor(context, layout, driving, time),
+};
 
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {StabilityModel} model */
 function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
@@ -98,23 +78,19 @@ function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
   );
   within(context, axes.frame, () => {
     drawLimited(context, axes, driving);
-    for (const { run, colour: own, dash, width, slot } of linesOf(model)) {
-      context.lineWidth = width;
-      context.setLineDash([...dash]);
-      context.strokeStyle = own ?? colour('--ink');
-      context.beginPath();
-      through(context, pointsOf(axes, run.time, run.lyapunov));
-      context.stroke();
+    for (const { run, token, dash, width, slot } of linesOf(model)) {
+      strokeThrough(context, pointsOf(axes, run.time, run.lyapunov), {
+        token: token ?? '--ink',
+        width,
+        dash,
+      });
       const last = run.time.length - 1;
-      if (slot !== null)
-        drawMark(context, styles[slot].mark, axes.x(run.time[last]), axes.y(run.lyapunov[last]), {
-          fill: String(own),
-          edge: colour('--paper'),
-        });
+      if (slot !== null) drawPinMark(context, slot, axes.x(run.time[last]), axes.y(run.lyapunov[last]));
     }
     drawRises(context, axes, driving);
   });
-  drawTitle(context, axes, words.lyapunovFormula(law, driving.headingWeight !== null));
+  const title = words.lyapunovFormula(law, driving.headingWeight !== null);
+  drawText(context, title, axes.frame.left, axes.frame.top - 6, { baseline: 'alphabetic' });
   drawName(context, axes, driving.lyapunov[driving.time.length - 1]);
 }
 
@@ -132,35 +108,21 @@ function drawRate(context, { rate: axes, isLog }, driving) {
   within(context, axes.frame, () => {
     for (const { token, from, to } of areas) {
       const outer = pointsOf(axes, driving.time, to);
-      context.beginPath();
-      through(context, [...outer, ...pointsOf(axes, driving.time, from).reverse()]);
-      context.globalAlpha = 0.28;
-      context.fillStyle = colour(token);
-      context.fill();
-      context.globalAlpha = 1;
-      context.strokeStyle = colour(token);
-      context.lineWidth = 1;
-      context.setLineDash([]);
-      context.beginPath();
-      through(context, outer);
-      context.stroke();
+      drawBand(context, outer, pointsOf(axes, driving.time, from), token, 0.28);
+      strokeThrough(context, outer, { token, width: 1 });
     }
     drawLimited(context, axes, driving);
-    context.strokeStyle = colour('--muted');
-    context.lineWidth = 1;
+    take(context, { token: '--muted', width: 1 });
     context.beginPath();
     line(context, [frame.left, scale(0)], [frame.right, scale(0)]);
     context.stroke();
-    context.setLineDash([4, 3]);
-    context.beginPath();
-    if (areas.length > 0) through(context, pointsOf(axes, driving.time, promised));
-    context.stroke();
-    context.setLineDash([]);
-    context.strokeStyle = colour('--ink');
-    context.lineWidth = 2.25;
-    context.beginPath();
-    through(context, pointsOf(axes, driving.time, rate));
-    context.stroke();
+    if (areas.length > 0)
+      strokeThrough(context, pointsOf(axes, driving.time, promised), {
+        token: '--muted',
+        width: 1,
+        dash: [4, 3],
+      });
+    strokeThrough(context, pointsOf(axes, driving.time, rate), { token: '--ink', width: 2.25 });
   });
   drawName(context, axes, rate[driving.time.length - 1], isLog ? words.relative : '');
 }
@@ -218,15 +180,6 @@ function decadesOf({ frame, y: scale }) {
     .filter((tick) => tick >= from && tick <= to);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {string} text */
-function drawTitle(context, { frame }, text) {
-  context.font = textFont;
-  context.textAlign = 'left';
-  context.textBaseline = 'alphabetic';
-  context.fillStyle = colour('--muted');
-  context.fillText(text, frame.left, frame.top - 6);
-}
-
 /** V at the end of its line, or V with a dot. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} end @param {string} [after] What follows V with a dot. */
 function drawName(context, { frame, y: scale }, end, after) {
   const half = 10;
@@ -234,11 +187,7 @@ function drawName(context, { frame, y: scale }, end, after) {
   const wanted = Number.isFinite(end) ? scale(end) : frame.top;
   const py = Math.min(Math.max(wanted, frame.top + half), frame.bottom - half);
   const letter = words.lyapunovSymbol;
-  context.font = symbolFont;
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
-  context.fillStyle = colour('--ink');
-  context.fillText(letter, px, py);
+  drawText(context, letter, px, py, { font: symbolFont, token: '--ink' });
   if (after === undefined) return;
   const { width, actualBoundingBoxAscent: ascent } = context.measureText(letter);
   context.fillText(after, px + width, py);

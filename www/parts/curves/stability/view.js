@@ -4,26 +4,24 @@
 /** @import { Tools } from '../../part.js' */
 /** @import { View } from '../page.js' */
 import { html, render } from 'lit-html';
-import { live } from 'lit-html/directives/live.js';
-import { followSize } from '../../../kit/elements.js';
+import { checkOf } from '../../fields.js';
 import { formula } from '../../../kit/formula.js';
-import { followPointer } from '../../../kit/map.js';
-import { remember, watch } from '../../../kit/memo.js';
+import { once, remember, watch } from '../../../kit/memo.js';
 import { showTable } from '../../../lab/table-sheet.js';
 import { sampleBefore } from '../../../lab/track.js';
-import { isFree } from '../../../run/guard.js';
 import words from './words/index.js';
-import { sampleTime } from '../axes.js';
+import { createPicture } from '../picture.js';
 import { curvesSlice } from '../state.js';
-import { createPlots } from './plots.js';
+import { plotsOfStability } from './plots.js';
 import { summaryOf } from './summary.js';
 import { stabilityTable } from './table.js';
 
-/** @typedef {{ onLog: (event: Event) => void, onTable: () => void }} Events */
+/** @typedef {{ onLog: (isLog: boolean) => void, onTable: () => void }} Events */
 /** @typedef {{ driving: Stability, law: Experiment['law'], sample: number, label: string, note: string, isLog: boolean }} Model */
 
 /** @param {HTMLElement} root @param {Tools} tools @returns {View} */
-export function createStability(root, { engine, store, actions }) {
+export function createStability(root, tools) {
+  const { engine, store } = tools;
   const stabilityOne = () =>
     remember((/** @type {Experiment} */ experiment, /** @type {Triple} */ gains) =>
       engine.stability(experiment, gains),
@@ -41,23 +39,10 @@ export function createStability(root, { engine, store, actions }) {
   );
   /** @type {{ name: string, driving: Stability } | null} */
   let shown = null;
-  /** @type {ReturnType<typeof createPicture> | null} */
-  let picture = null;
-  const createPicture = () => {
-    const [lines, cursor] = root.querySelectorAll('canvas');
-    const around = /** @type {HTMLElement} */ (lines.parentElement);
-    const plots = createPlots({ lines, cursor });
-    followPointer(around, (px) => {
-      if (shown && isFree(store.get(), 'clock')) actions.scrub(sampleTime(shown.driving, plots.timeAt(px)));
-    });
-    return { plots, size: followSize(around, store.redraw) };
-  };
+  const picture = once(() => createPicture(root, tools, plotsOfStability));
   /** @type {Events} */
   const on = {
-    onLog: ({ target }) =>
-      curvesSlice.update(store, {
-        scale: /** @type {HTMLInputElement} */ (target).checked ? 'log' : 'linear',
-      }),
+    onLog: (isLog) => curvesSlice.update(store, { scale: isLog ? 'log' : 'linear' }),
     onTable: () => showTable(shown && stabilityTable(shown.name, shown.driving)),
   };
   const changed = watch();
@@ -73,18 +58,9 @@ export function createStability(root, { engine, store, actions }) {
       shown = { name, driving };
       if (changed(driving, law, sample, texts, isLog))
         render(contentOf({ driving, law, sample, ...texts, isLog }, on), root);
-      picture ??= createPicture();
-      picture.plots.draw({
-        driving,
-        law,
-        comparison: comparisonOf(compared.experiment, compared.gains),
-        pins,
-        pinned: pinnedOf(pins),
-        isLog,
-        time,
-        size: picture.size(),
-        theme,
-      });
+      const comparison = comparisonOf(compared.experiment, compared.gains);
+      const pinned = pinnedOf(pins);
+      picture().draw({ driving, law, comparison, pins, pinned, isLog, theme }, time);
     },
   };
 }
@@ -92,13 +68,13 @@ export function createStability(root, { engine, store, actions }) {
 /** @param {Model} model @param {Events} on */
 const contentOf = ({ driving, law, sample, label, note, isLog }, { onLog, onTable }) => html`
   <dl id="stability-readout" class="stability-readout" data-picture="stability">${readingsOf(driving, law, sample)}</dl>
-  <div id="stability-picture" class="stability-picture layers" data-picture="stability" data-name=${words.texts.stabilityPicture}>
+  <div id="stability-picture" class="stability-picture picture layers" data-picture="stability" data-name=${words.texts.stabilityPicture}>
     <canvas id="stability-lines" role="img" aria-label=${label}></canvas>
     <canvas id="stability-cursor" aria-hidden="true"></canvas>
   </div>
   <div class="stability-foot">
     <p id="stability-note" class="muted" aria-live="polite">${note}</p>
-    <label class="check muted"><input id="stability-log" type="checkbox" .checked=${live(isLog)} @change=${onLog}> <span>${words.texts.stabilityLog}</span></label>
+    ${checkOf('stability-log', words.texts.stabilityLog, isLog, onLog, { more: 'muted' })}
     <button id="stability-table" type="button" class="link muted" @click=${onTable}>${words.texts.stabilityTable}</button>
   </div>`;
 

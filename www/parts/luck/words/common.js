@@ -2,7 +2,7 @@
 /** @import { SeedSurvey } from '../request.js' */
 import { fixed, powerOfTen as shortPower } from '../../../words/numbers.js';
 
-/** @typedef {'start' | 'goal' | 'limits' | 'other'} Change */
+/** @typedef {'start' | 'goal' | 'limits' | 'settings'} Change */
 
 export const costSymbol = 'J';
 

@@ -66,7 +66,7 @@ const earlier = {
   start: 'from the earlier start',
   goal: 'to the earlier goal',
   limits: 'under the earlier limits',
-  other: 'with earlier settings',
+  settings: 'with earlier settings',
 };
 
 /** @param {readonly string[]} parts */

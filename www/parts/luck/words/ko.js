@@ -63,7 +63,7 @@ export const outOfDate = (changes) =>
   `이 결과는 지금의 조건과 다릅니다. 이전 조건: ${changes.map((change) => earlier[change]).join(', ')}.`;
 
 /** @type {Readonly<Record<Change, string>>} */
-const earlier = { start: '출발', goal: '목표', limits: '제한', other: '설정' };
+const earlier = { start: '출발', goal: '목표', limits: '제한', settings: '설정' };
 
 /** What was found, true for whatever comes out. @param {SeedSurvey} survey */
 export function finding({ runs, generations, summary }) {

@@ -22,7 +22,7 @@ export const walked = ({ share }) => words.walked(percentOf(share));
 
 /** Whose the sliders are, and whose the marks on them. @param {Model} model */
 export const key = ({ between }) =>
-  html`<p class="park-key muted"><span aria-hidden="true">○</span> ${words.sliders} <span class="park-mark" aria-hidden="true"></span> ${words.marks(between !== null)}</p>`;
+  html`<p class="park-key row muted"><span aria-hidden="true">○</span> ${words.sliders} <span class="park-mark" aria-hidden="true"></span> ${words.marks(between !== null)}</p>`;
 
 /** On the track of a slider: the gain that evolution has, or that drives in between. @param {number} value @param {number} most */
 export function mark(value, most) {

@@ -1,6 +1,8 @@
-//! The tests as WebAssembly: one program, because each takes longer to link than to run. Not tests/panics.rs, which loses the instance.
-#![cfg(target_arch = "wasm32")]
+//! The other files as one program, natively and as WebAssembly, because each takes longer to link than to run. Not
+//! tests/panics.rs, which loses the instance.
 
+#[path = "architecture.rs"]
+pub mod architecture;
 #[path = "behaviour.rs"]
 pub mod behaviour;
 #[path = "bits.rs"]
@@ -45,6 +47,9 @@ pub mod ranges;
 pub mod refusals;
 #[path = "remaining.rs"]
 pub mod remaining;
+#[cfg(not(target_arch = "wasm32"))]
+#[path = "rivals.rs"]
+pub mod rivals;
 #[path = "searches.rs"]
 pub mod searches;
 #[path = "stability.rs"]
@@ -53,3 +58,5 @@ pub mod stability;
 pub mod starts;
 #[path = "surveys.rs"]
 pub mod surveys;
+#[path = "types.rs"]
+pub mod types;
