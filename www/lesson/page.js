@@ -13,18 +13,18 @@ import { progressSlice } from './state.js';
 import { texts } from '../words/index.js';
 import { createStage, stageOf } from './stage.js';
 import { createTally } from './duel/tally.js';
-import './error-posture.css';
+import './views/error-posture.css';
 import './style.css';
-import './formula.css';
-import './quiz.css';
-import './near.css';
-import './pushes.css';
-import './standings.css';
+import './formulas/formula.css';
+import './questions/quiz.css';
+import './views/near.css';
+import './views/pushes.css';
+import './views/standings.css';
 import './sheets.css';
-import './duel.css';
+import './duel/duel.css';
 import './stage.css';
-import './lineage.css';
-import './energy.css';
+import './views/lineage.css';
+import './views/energy.css';
 import './build.css';
 
 /** @import { TemplateResult } from 'lit-html' */
