@@ -25,6 +25,13 @@ export const unless = (isIdle, act) => () => {
   if (!isIdle) act();
 };
 
+/** Of a button that ends what it has begun: the second press of a double one is meant for neither. @param {() => unknown} act */
+export const unlessDouble =
+  (act) =>
+  (/** @type {MouseEvent} */ { detail }) => {
+    if (detail < 2) act();
+  };
+
 /** @param {() => void} act @returns {(event: KeyboardEvent) => void} */
 export const onEnter = (act) => (event) => {
   if (event.key === 'Enter' && !event.isComposing) act();

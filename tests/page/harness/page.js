@@ -184,6 +184,12 @@ export class Page {
     await (await this.element(selector)).click();
   }
 
+  /** @param {string} selector */
+  async doubleClick(selector) {
+    const element = await this.element(selector);
+    await this.driver.actions().doubleClick(element).perform();
+  }
+
   /**
    * Presses keys one after the other; where they go is decided by the focus, as for a person.
    * @param {...string} keys characters, or names such as Key.TAB

@@ -8,7 +8,7 @@ import { live } from 'lit-html/directives/live.js';
 import { selectOf } from '../fields.js';
 import { choicesOf } from '../../kit/segmented.js';
 import { createSwatch } from '../../kit/swatch.js';
-import { options, selectAll, valueIn } from '../../kit/templates.js';
+import { options, selectAll, unlessDouble, valueIn } from '../../kit/templates.js';
 import { styles } from '../../run/pins.js';
 import { numberOf } from '../../words/numbers.js';
 import { runsOf } from './contest-request.js';
@@ -61,7 +61,7 @@ function bar({ contest, contestRuns, others, seeds, budget }, { onContest, updat
   const { done, all } = contest ? runsOf(contest) : { done: 0, all: 1 };
   return html`
     <div class="bar luck-bar contest-bar">
-      <button id="contest-run" type="button" class="primary" @click=${onContest}>${contestRuns ? words.cancel : words.contestRunText(1 + others.length, seeds)}</button>
+      <button id="contest-run" type="button" class="primary" @click=${unlessDouble(onContest)}>${contestRuns ? words.cancel : words.contestRunText(1 + others.length, seeds)}</button>
       ${selectOf('contest-seeds', texts.seeds, seedChoices, seeds, (chosen) => update({ seeds: chosen }), contestRuns)}
       ${selectOf('contest-budget', texts.budget, budgetChoices, budget, (chosen) => update({ budget: chosen }), contestRuns)}
       <progress max="1" class=${contestRuns ? '' : 'visually-hidden'} aria-label=${texts.progress} .value=${contestRuns ? done / Math.max(1, all) : 0}></progress>

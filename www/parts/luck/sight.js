@@ -6,7 +6,7 @@ import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { luckSlice } from './state.js';
 import { checkOf, selectOf } from '../fields.js';
-import { valueIn } from '../../kit/templates.js';
+import { unlessDouble, valueIn } from '../../kit/templates.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { changesButSeed } from '../changes.js';
@@ -62,7 +62,7 @@ function bar({ progress, count, generations }, { onRun, update }) {
   const runs = progress !== null;
   return html`
     <div class="bar luck-bar">
-      <button id="luck-run" type="button" class="primary" @click=${onRun}>${runs ? words.cancel : words.runText(count)}</button>
+      <button id="luck-run" type="button" class="primary" @click=${unlessDouble(onRun)}>${runs ? words.cancel : words.runText(count)}</button>
       ${selectOf('luck-count', texts.luckCount, counts, count, (chosen) => update({ count: chosen }), runs)}
       ${selectOf('luck-generations', texts.luckGenerations, lengths, generations, (chosen) => update({ generations: chosen }), runs)}
       <progress id="luck-progress" max="1" class=${runs ? '' : 'visually-hidden'} aria-label=${texts.luckProgress}

@@ -10,7 +10,7 @@ import { html, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
 import { selectOf } from '../fields.js';
-import { unless } from '../../kit/templates.js';
+import { unless, unlessDouble } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
@@ -192,7 +192,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <p id="training-status" class="training-status" role="status">${status.join(' ')}</p>
     </div>
     <div class="bar training-controls">
-      <button id="training-evolve" type="button" class=${runs ? '' : 'primary'} @click=${evolve}>${
+      <button id="training-evolve" type="button" class=${runs ? '' : 'primary'} @click=${unlessDouble(evolve)}>${
         runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll
       }</button>
       ${selectOf('training-generations', texts.trainingGenerations, lengthChoices, generations, (chosen) => update({ generations: chosen }))}
