@@ -62,23 +62,25 @@ test('the numbers below a family are those of their places, and none touches ano
 pageTest(
   'the family of the best robot is in sight, with as many bells of each gain as it has members',
   async (page) => {
-    await page.open('#lesson&step=8');
-    const { title, hills, captions } = await page.until('the picture', () => {
-      const picture = document.getElementById('lineage');
-      const columns = [...(picture?.querySelectorAll('figure') ?? [])];
-      return (
-        columns.length === 3 && {
-          title: picture?.querySelector('.lineage-title')?.textContent ?? '',
-          hills: columns.map((column) => column.querySelectorAll('.hill').length),
-          captions: columns.map((column) => column.querySelector('figcaption .muted')?.textContent),
-        }
-      );
-    });
     const evolution = new Evolution(usual);
     for (let g = 1; g <= 60; g++) evolution.step();
     const family = lineageOf((g) => evolution.record(g), 60);
     const [first, last] = [family[0], family[family.length - 1]].map(({ individual }) => individual.sigmas);
-    assert.equal(title, words.lineage.title(60, family.length));
+    await page.open('#lesson&step=8');
+    const { hills, captions } = await page.until(
+      'the family of generation 60',
+      (title) => {
+        const picture = document.getElementById('lineage');
+        const columns = [...(picture?.querySelectorAll('figure') ?? [])];
+        return (
+          picture?.querySelector('.lineage-title')?.textContent === title && {
+            hills: columns.map((column) => column.querySelectorAll('.hill').length),
+            captions: columns.map((column) => column.querySelector('figcaption .muted')?.textContent),
+          }
+        );
+      },
+      words.lineage.title(60, family.length),
+    );
     assert.deepEqual(
       hills,
       [0, 1, 2].map(() => family.length),
