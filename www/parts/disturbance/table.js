@@ -43,7 +43,7 @@ function rowOf(part, summary) {
         <span class="remains-formula">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
         <div class="remains-plot layers" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>
       </th>
-      <td class=${numbers && !numbers.isInside ? 'beyond' : ''}>${cellOf('drive')}</td>
+      <td class=${numbers && !numbers.isInside && numbers.set > 0 ? 'beyond' : ''}>${cellOf('drive')}</td>
       <td title=${words.equationHints[part]}>${cell(numbers?.set, words.equations[part])}</td>
       <td>${cellOf('median')}</td>
       <td>${cellOf('largest')}</td>

@@ -93,7 +93,7 @@ function createEvents({ store, actions }, training, rowsOf) {
     const isPapers = name === 'paper-ep' || name === 'paper-arbitrary';
     /** @type {readonly import('../../run/exercise.js').Group[]} */
     const groups = isPapers ? ['drives', 'paper'] : ['gains'];
-    if (row?.result && !groups.every((group) => isFree(state, group))) return;
+    if ((row?.result || isPapers) && !groups.every((group) => isFree(state, group))) return;
     trainingSlice.update(store, { chosen: name });
     if (!row?.result) return;
     if (isPapers) actions.chooseDriver(name);

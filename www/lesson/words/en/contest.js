@@ -52,8 +52,8 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
         'Now {s} stays at 1 for good, nothing adapts. Which is sooner at an easy target, {J} = 8.09, and which at 7.72?',
       choices: [
         'Self-adaptation is sooner at both',
-        'At 8.09 it is no sooner; at 7.72 it is far ahead',
-        'It is sooner at neither: 1 is a good step',
+        'At 8.09 self-adaptation is no sooner; at 7.72 it is far ahead',
+        'Self-adaptation is sooner at neither: 1 is a good step',
       ],
       /** @param {{ early: Row[], late: Row[], far: number, near: number }} outcome */
       why: ({ early, late, far, near }) =>
@@ -69,7 +69,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     },
     crowd: {
       question:
-        'A hundred robots instead of twenty, but no more drives. With which do more runs get below 7.72?',
+        'A hundred robots instead of twenty, and as many drives in all. With which do more runs get below 7.72?',
       choices: [
         'With twenty, after 4\u202f000 drives and after 20\u202f000',
         'With twenty after 4\u202f000 drives, with a hundred after 20\u202f000',

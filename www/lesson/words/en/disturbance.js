@@ -68,7 +68,7 @@ export const disturbance = {
     'Under the slip straight ahead the robot ends just on the edge of the set of (6): a smaller one would be wrong.',
     'Under the slip that turns, |sin θₑ| stays a little outside its set, and it may: the theorem promises something only outside *all three*.',
     'With {ky} near zero the set of (7) is metres wide. What evolution saved is missing here.',
-    'Under random pushes the errors stay far inside the sets: the theorem allows for the worst.',
+    'Under random pushes along the way {xe} and {ye} stay far inside their sets: the theorem allows for the worst.',
   ],
 };
 

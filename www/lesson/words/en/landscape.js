@@ -27,7 +27,7 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
       ],
       /** @param {{ old: Lowest, now: Lowest, left: Run, again: string }} outcome `again` opens the drive with the old gains. */
       why: ({ old, now, left, again }) =>
-        `At 45° it was at ${place(old)}, with J ${costText(old.cost)}. Now it is at ${place(now)}, with J ${costText(now.cost)}. [Drive with the gains of the old lowest point](${again}): J ${costText(left.cost.total)}, the robot ${arrival(left)}. The wide valley has become a gorge between two edges. Drag the goal and watch the land change.`,
+        `At 45° it was at ${place(old)}, with {J} ${costText(old.cost)}. Now it is at ${place(now)}, with {J} ${costText(now.cost)}. [Drive with the gains of the old lowest point](${again}): {J} ${costText(left.cost.total)}, the robot ${arrival(left)}. The wide valley has become a gorge between two edges. Drag the goal and watch the land change.`,
     },
     ky: {
       question: 'Back to 45°, and now {ky} goes upwards. Where along {ky} is the lowest point?',
@@ -38,7 +38,7 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
       ],
       /** @param {{ lowest: Lowest, middle: Run, wall: Run }} outcome */
       why: ({ lowest, middle, wall }) =>
-        `The lowest point of the map is at ky ${fixed(lowest.gains[1], 2)}, with J ${costText(lowest.cost)}; straight above, at ky ${threeDigits(lowest.most / 2)}, J is ${costText(middle.cost.total)}. So the best walks down to the border. Beyond it stands a wall, the penalty for negative gains: at ky −0.01 J is ${costText(wall.cost.total)}.`,
+        `The lowest point of the map is at {ky} ${fixed(lowest.gains[1], 2)}, with {J} ${costText(lowest.cost)}; straight above, at {ky} ${threeDigits(lowest.most / 2)}, {J} is ${costText(middle.cost.total)}. So the best walks down to the border. Beyond it stands a wall, the penalty for negative gains: at {ky} −0.01 {J} is ${costText(wall.cost.total)}.`,
     },
   },
   tries: {
@@ -56,7 +56,7 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
 };
 
 /** @param {Lowest} lowest */
-const place = ({ gains: [kx, , ktheta] }) => `kx ${fixed(kx, 2)}, kθ ${fixed(ktheta, 2)}`;
+const place = ({ gains: [kx, , ktheta] }) => `{kx} ${fixed(kx, 2)}, {kt} ${fixed(ktheta, 2)}`;
 
 /** @param {Run} run */
 const arrival = (run) =>

@@ -32,7 +32,7 @@ The *numbers themselves* are not the paper’s, and no honest program could make
     figure7: 'Figure 7, arbitrary gains: look at the heading θ',
   },
   notice: [
-    'With a fixed time of 3 s *and our weights* evolution finds a kx far from the paper’s. With energy at a tenth it finds 2.9, near the paper’s 3.24. So nothing follows about how the paper’s drives ended.',
+    'With a fixed time of 3 s *and our weights* evolution finds a {kx} far from the paper’s. With energy at a tenth it finds 2.9, near the paper’s 3.24. So nothing follows about how the paper’s drives ended.',
     'Arriving looks at place and heading, not at speed: the gains of Figure 6(a) “arrive” at 1.25 m/s, overshoot by 11 cm, and stay within the tolerances only from 2.07 s on. If a parked robot must also be slower than 0.05 m/s, they arrive after 2.35 s instead of 1.64 s, and J is 9.060 instead of 8.271. The settings let you choose.',
     'With other weights other gains are best, and even the order of two drives may be reversed (step 6). So two programs can be compared only where every weight is stated.',
   ],

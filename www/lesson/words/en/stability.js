@@ -42,7 +42,7 @@ export const stability = {
       ],
       /** @param {{ first: number, last: number, most: number }} outcome */
       why: ({ first, last, most }) =>
-        `V begins at ${heightText(first)} and ends at ${heightText(last)}; the highest is ${heightText(most)}. With ky below zero the orange part is above zero: it pushes the robot up the wall, and the farther it is to the side, the harder, with the fourth power. At first the other two are stronger. As xe and θe shrink they fade, and the orange part is left.`,
+        `{V} begins at ${heightText(first)} and ends at ${heightText(last)}; the highest is ${heightText(most)}. With {ky} below zero the orange part is above zero: it pushes the robot up the wall, and the farther it is to the side, the harder, with the fourth power. At first the other two are stronger. As {xe} and {te} shrink they fade, and the orange part is left.`,
     },
     kanayama: {
       question:

@@ -35,7 +35,7 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
     },
     arbitrary: {
       question:
-        'The arbitrary gains of the paper, 10, 10, 10, cost much more from its start. From how many starts do they arrive?',
+        'The arbitrary gains of the paper, 10, 10, 10, cost more from its start. From how many starts do they arrive?',
       choices: ['From fewer', 'From about as many', 'From more'],
       /** @param {{ own: Share, other: Share, best: Run, dear: Run }} outcome */
       why: ({ own, other, best, dear }) =>
@@ -58,7 +58,7 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
       choices: ['It falls: more practice helps everywhere', 'It stays as it is', 'It rises'],
       /** @param {{ one: Result, many: Result }} outcome */
       why: ({ one, many }) =>
-        `From ${costText(one.own)} to ${costText(many.own)}. In return the robot arrives from ${many.unseen.count} of the ${many.unseen.starts.length} starts that it never saw, instead of ${one.unseen.count}. And ky is ${fixed(many.gains[1], 2)} now, not ${fixed(one.gains[1], 4)}: asked for, it came back. The table has all three.`,
+        `From ${costText(one.own)} to ${costText(many.own)}. In return the robot arrives from ${many.unseen.count} of the ${many.unseen.starts.length} starts that it never saw, instead of ${one.unseen.count}. And {ky} is ${fixed(many.gains[1], 2)} now, not ${fixed(one.gains[1], 4)}: asked for, it came back. The table has all three.`,
     },
   },
   tries: {

@@ -26,7 +26,7 @@ export const landscape = {
       ],
       /** @param {{ old: Lowest, now: Lowest, left: Run, again: string }} outcome `again` opens the drive with the old gains. */
       why: ({ old, now, left, again }) =>
-        `45°일 때: ${place(old)}, J ${costText(old.cost)}. 지금: ${place(now)}, J ${costText(now.cost)}. [예전의 가장 낮은 점의 이득으로 달려 보기](${again}): J ${costText(left.cost.total)}, 로봇은 ${arrival(left)}. 넓던 골짜기가 두 벼랑 사이의 좁은 협곡이 되었습니다. 목표를 끌면서 지형이 바뀌는 것을 보십시오.`,
+        `45°일 때: ${place(old)}, {J} ${costText(old.cost)}. 지금: ${place(now)}, {J} ${costText(now.cost)}. [예전의 가장 낮은 점의 이득으로 달려 보기](${again}): {J} ${costText(left.cost.total)}, 로봇은 ${arrival(left)}. 넓던 골짜기가 두 벼랑 사이의 좁은 협곡이 되었습니다. 목표를 끌면서 지형이 바뀌는 것을 보십시오.`,
     },
     ky: {
       question: '다시 45°로 돌아와, 이번에는 위로 {ky}가 커집니다. {ky}를 따라 가장 낮은 점은 어디입니까?',
@@ -37,7 +37,7 @@ export const landscape = {
       ],
       /** @param {{ lowest: Lowest, middle: Run, wall: Run }} outcome */
       why: ({ lowest, middle, wall }) =>
-        `지도에서 가장 낮은 점은 ky ${fixed(lowest.gains[1], 2)}에 있고 J는 ${costText(lowest.cost)}입니다. 그 바로 위 ky ${threeDigits(lowest.most / 2)}에서는 J가 ${costText(middle.cost.total)}입니다. 그래서 최우수 로봇은 아래 끝까지 내려갑니다. 그 너머에는 음수 이득에 대한 벌점의 벽이 있습니다. ky −0.01에서 J는 ${costText(wall.cost.total)}입니다.`,
+        `지도에서 가장 낮은 점은 {ky} ${fixed(lowest.gains[1], 2)}에 있고 {J}는 ${costText(lowest.cost)}입니다. 그 바로 위 {ky} ${threeDigits(lowest.most / 2)}에서는 {J}가 ${costText(middle.cost.total)}입니다. 그래서 최우수 로봇은 아래 끝까지 내려갑니다. 그 너머에는 음수 이득에 대한 벌점의 벽이 있습니다. {ky} −0.01에서 {J}는 ${costText(wall.cost.total)}입니다.`,
     },
   },
   tries: {
@@ -55,7 +55,7 @@ export const landscape = {
 };
 
 /** @param {Lowest} lowest */
-const place = ({ gains: [kx, , ktheta] }) => `kx ${fixed(kx, 2)}, kθ ${fixed(ktheta, 2)}`;
+const place = ({ gains: [kx, , ktheta] }) => `{kx} ${fixed(kx, 2)}, {kt} ${fixed(ktheta, 2)}`;
 
 /** @param {Run} run */
 const arrival = (run) =>

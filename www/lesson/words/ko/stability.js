@@ -41,7 +41,7 @@ export const stability = {
       ],
       /** @param {{ first: number, last: number, most: number }} outcome */
       why: ({ first, last, most }) =>
-        `V의 값은 처음 ${heightText(first)}, 마지막 ${heightText(last)}, 가장 클 때 ${heightText(most)}입니다. ky가 0보다 작으면 주황색 항이 0보다 커져 로봇을 벽 위로 밀어 올립니다. 옆으로 벗어난 거리의 네제곱에 비례하여 강해집니다. 처음에는 다른 두 항이 더 강하지만, xe와 θe가 작아지면 그 둘은 사라지고 주황색 항만 남습니다.`,
+        `{V}의 값은 처음 ${heightText(first)}, 마지막 ${heightText(last)}, 가장 클 때 ${heightText(most)}입니다. {ky}가 0보다 작으면 주황색 항이 0보다 커져 로봇을 벽 위로 밀어 올립니다. 옆으로 벗어난 거리의 네제곱에 비례하여 강해집니다. 처음에는 다른 두 항이 더 강하지만, {xe}와 {te}가 작아지면 그 둘은 사라지고 주황색 항만 남습니다.`,
     },
     kanayama: {
       question:

@@ -30,7 +30,7 @@ export const task = {
     },
     arbitrary: {
       question:
-        '논문의 임의 이득 10, 10, 10은 논문의 출발점에서 비용이 훨씬 큽니다. 얼마나 많은 출발점에서 도착합니까?',
+        '논문의 임의 이득 10, 10, 10은 논문의 출발점에서 비용이 더 큽니다. 얼마나 많은 출발점에서 도착합니까?',
       choices: ['더 적은 곳에서', '비슷한 만큼', '더 많은 곳에서'],
       /** @param {{ own: Share, other: Share, best: Run, dear: Run }} outcome */
       why: ({ own, other, best, dear }) =>
@@ -53,7 +53,7 @@ export const task = {
       choices: ['낮아진다. 연습이 많으면 어디서나 좋아진다', '그대로이다', '높아진다'],
       /** @param {{ one: Result, many: Result }} outcome */
       why: ({ one, many }) =>
-        `J ${costText(one.own)} → ${costText(many.own)}. 그 대신 한 번도 보지 못한 출발점 ${grouped(many.unseen.starts.length)}개 가운데 도착하는 곳이 ${grouped(one.unseen.count)}개 → ${grouped(many.unseen.count)}개입니다. ky는 ${fixed(one.gains[1], 4)} → ${fixed(many.gains[1], 2)}입니다. 요구하니 되살아났습니다. 표에서 셋을 모두 볼 수 있습니다.`,
+        `J ${costText(one.own)} → ${costText(many.own)}. 그 대신 한 번도 보지 못한 출발점 ${grouped(many.unseen.starts.length)}개 가운데 도착하는 곳이 ${grouped(one.unseen.count)}개 → ${grouped(many.unseen.count)}개입니다. {ky}는 ${fixed(one.gains[1], 4)} → ${fixed(many.gains[1], 2)}입니다. 요구하니 되살아났습니다. 표에서 셋을 모두 볼 수 있습니다.`,
     },
   },
   tries: {
