@@ -18,8 +18,12 @@ const sliderRange = {
   'acceleration-limits': /** @type {const} */ ([-2, 32]),
 };
 
-/** @param {Views} views @param {Engine} engine @param {PaperResult[]} paper @param {(name: string, act: () => void) => void} turn Gives each view its turn. */
-export function createDraw(views, engine, paper, turn) {
+/**
+ * @param {Views} views @param {Engine} engine @param {PaperResult[]} paper
+ * @param {(state: State) => boolean} hasGains Whether the sliders are in sight.
+ * @param {(name: string, act: () => void) => void} turn Gives each view its turn.
+ */
+export function createDraw(views, engine, paper, hasGains, turn) {
   const viewOf = remember(createView);
   const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
     const { starts, goal } = engine.experiment(preset);
@@ -61,6 +65,7 @@ export function createDraw(views, engine, paper, turn) {
       evolutionBar: () => views.evolutionBar.draw(evolutionOf(state)),
       gains: () =>
         views.gains.draw({
+          isShown: hasGains(state),
           gains: gainsOf(state, driver, paper),
           errors: state.gainErrors,
           range: sliderRange[preset],

@@ -7,7 +7,7 @@ import { selectAll, styled } from '../kit/templates.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
-/** @typedef {{ gains: Triple, errors: readonly [string, string, string], range: readonly [number, number], note: string }} GainsModel */
+/** @typedef {{ isShown: boolean, gains: Triple, errors: readonly [string, string, string], range: readonly [number, number], note: string }} GainsModel */
 /**
  * @typedef {object} GainEvents
  * @property {(index: number, value: number) => void} onSlide
@@ -23,6 +23,7 @@ export function createGains(root, note, events) {
   return {
     /** @param {GainsModel} model */
     draw(model) {
+      root.hidden = !model.isShown;
       if (!changed(...model.gains, ...model.errors, ...model.range, model.note)) return;
       note.textContent = model.note;
       for (const [i, row] of rows.entries()) row.draw(model.gains[i], model.errors[i], model.range);

@@ -28,6 +28,10 @@ export const places = {
   slices: [labSlice, ...parts.map(({ slice }) => slice)],
 };
 
+/** Whether the sliders of the gains are in sight. @param {import('../run/state.js').State} state */
+export const hasGains = (state) =>
+  state.page === 'lab' || (partOf(state.page)?.gains?.(state) ?? state.driver === 'hand');
+
 /** What links know of them. @type {Omit<import('../link/link.js').Tables, 'lesson'>} */
 export const linked = {
   pages: pageNames,

@@ -110,6 +110,40 @@ engineTest('a slider takes over by hand from the gains that are shown, and they 
   assert.deepEqual(await readDriver(page), again);
 });
 
+pageTest('whoever drives by hand finds the gains beside every part that drives', async (page) => {
+  const inSight = (/** @type {boolean} */ wanted) =>
+    page.until(
+      `sliders ${wanted}`,
+      (yes) => document.getElementById('gains')?.checkVisibility() === yes,
+      wanted,
+    );
+  for (const part of ['curves', 'landscape', 'robustness', 'disturbance']) {
+    await page.resize(1366, 768);
+    await page.open(`#${part}`);
+    await inSight(false);
+    await page.click('#drives-hand');
+    await inSight(true);
+    for (const [width, height] of /** @type {const} */ ([
+      [1366, 768],
+      [1280, 720],
+    ])) {
+      await page.resize(width, height);
+      await page.until(
+        `nothing of ${part} lies below a page of ${width}`,
+        () => document.documentElement.scrollHeight <= innerHeight,
+      );
+      assert.deepEqual(await page.obstacles(), []);
+    }
+    const kx = () =>
+      page.evaluate(() => Number(/** @type {HTMLInputElement} */ (document.getElementById('gain-kx')).value));
+    const before = await kx();
+    await page.focus('#slider-kx');
+    await page.press(Key.ARROW_RIGHT);
+    assert.ok((await kx()) > before, part);
+  }
+  assert.deepEqual(await page.problems(), []);
+});
+
 engineTest('a slider that is dragged near 0 is caught there, and the keys leave it again', async (page) => {
   await page.click('#drives-paper-ep');
   const { width, height, low, high } = await page.evaluate(() => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { steps } from '../../../www/lesson/steps.js';
 import { en as english } from '../harness/words.js';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -171,13 +171,38 @@ engineTest(
   },
 );
 
-pageTest('on a telephone the bars of the law stand over the robot that they drive', async (page) => {
-  await page.resize(390, 844);
-  await page.open('#lesson&step=law');
-  const { shown } = await sight(page);
-  assert.ok(
-    ['plane', 'pushes'].every((id) => shown.includes(id)),
-    shown.join(),
+pageTest('on a telephone the bars of the law stand over what moves them', async (page) => {
+  const inFigure = () =>
+    page.evaluate(() => {
+      const { bottom } = /** @type {HTMLElement} */ (
+        document.querySelector('.figure')
+      ).getBoundingClientRect();
+      return ['#pushes tr:last-child', '#plane', '#scrub', '#slider-kx', '#slider-ktheta'].filter((one) => {
+        const element = document.querySelector(`.figure ${one}`);
+        return element?.checkVisibility() && element.getBoundingClientRect().bottom <= bottom;
+      });
+    });
+  for (const [width, height, ...also] of /** @type {const} */ ([
+    [390, 844, '#scrub'],
+    [375, 667],
+    [600, 900, '#plane', '#scrub'],
+  ])) {
+    await page.resize(width, height);
+    await page.open('#lesson&step=law');
+    await page.until('the bars', () => document.querySelector('.pushes'));
+    assert.deepEqual(
+      await inFigure(),
+      ['#pushes tr:last-child', ...also, '#slider-kx', '#slider-ktheta'],
+      `${width}`,
+    );
+  }
+  const before = await page.evaluate(() => document.querySelector('.push-asked .push-value')?.textContent);
+  await page.focus('#slider-kx');
+  await page.press(Key.ARROW_RIGHT);
+  await page.until(
+    'the bars follow',
+    (was) => document.querySelector('.push-asked .push-value')?.textContent !== was,
+    before,
   );
 });
 

@@ -28,31 +28,6 @@ test('where there is no room for all rows, those of the paper’s figure stand a
   assert.deepEqual(rows(240, false), ['position', 'linear', 'cost']);
 });
 
-pageTest('whoever drives by hand finds the gains beside the curves', async (page) => {
-  await openCurves(page);
-  const inSight = (/** @type {boolean} */ wanted) =>
-    page.until(
-      `sliders ${wanted}`,
-      (yes) => document.getElementById('gains')?.checkVisibility() === yes,
-      wanted,
-    );
-  await inSight(false);
-  await page.click('#drives-hand');
-  await inSight(true);
-  for (const [width, height] of /** @type {const} */ ([
-    [1280, 720],
-    [1024, 768],
-  ])) {
-    await page.resize(width, height);
-    await page.until(
-      'nothing lies below the page',
-      () => document.documentElement.scrollHeight <= innerHeight,
-    );
-    assert.deepEqual(await page.obstacles(), []);
-  }
-  assert.deepEqual(await page.problems(), []);
-});
-
 pageTest('the numbers of the run are those of the core', async (page) => {
   await openCurves(page);
   await show(page, 'numbers');

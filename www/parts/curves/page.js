@@ -54,9 +54,6 @@ export function createPage(tools) {
     draw(state, scene) {
       const { view } = curvesSlice.of(state);
       show(view);
-      // What a gain does to V̇ is seen while it is moved; whoever drives by hand moves them. The lesson needs the height.
-      const gains = document.getElementById('gains');
-      if (gains) gains.hidden = view !== 'stability' && (state.driver !== 'hand' || state.lesson > 0);
       views[view].draw(state, scene, {
         name: lab.driverName(state.driver, state.generation, state.found),
         time: Math.min(state.robot.time, scene.driving.finalTime),

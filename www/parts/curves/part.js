@@ -18,6 +18,8 @@ export const curves = {
     partKey('curve', labSlice, 'curve', (text) => oneOf(labCurves, text)),
     partKey('scale', slice, 'scale', (text) => oneOf(scales, text)),
   ],
+  // What a gain does to V̇ is seen while it is moved. The lesson needs the height.
+  gains: (state) => slice.of(state).view === 'stability' || (state.driver === 'hand' && state.lesson === 0),
   figure: [0.72, 700],
   load: () => partOf([loadWords, loadStability], () => import('./page.js')),
 };
