@@ -22,7 +22,7 @@ const costsOf = (live) => live.paper.map((_, row) => runOf(live, row).cost.total
 export const paper = {
   name: 'paper',
   link: path.paper,
-  figure: 'plane',
+  figure: 'drive',
   blocks: [
     { kind: 'text', name: 'same' },
     quiz('literal', {

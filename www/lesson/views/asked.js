@@ -12,7 +12,7 @@ import {
   within,
 } from '../../kit/chart.js';
 import { create } from '../../kit/elements.js';
-import { strongFont } from '../../kit/fonts.js';
+import { strongFont, textFont } from '../../kit/fonts.js';
 import { setLettering } from '../../kit/lettering.js';
 import { fixed, powerOfTen } from '../../words/numbers.js';
 
@@ -92,8 +92,11 @@ const tickText = (tick) =>
 /** Its numbers: powers of ten, and the limit, before which one that is too near gives way. @param {Axes['y']} y @param {number} most @param {number | null} limit @returns {{ at: number, text: string }[]} */
 function numbersOn(y, most, limit) {
   const [lowest] = y.domain();
-  const limits = limit === null ? [] : [limit, -limit].filter((one) => one >= lowest);
-  const isFree = (/** @type {number} */ tick) => limits.every((one) => Math.abs(y(one) - y(tick)) > 13);
+  const isApart = (/** @type {number} */ one, /** @type {number} */ other) =>
+    Math.abs(y(one) - y(other)) > 13;
+  const limits =
+    limit === null ? [] : [limit, -limit].filter((one) => one >= lowest && (one > 0 || isApart(one, limit)));
+  const isFree = (/** @type {number} */ tick) => limits.every((one) => isApart(one, tick));
   return [
     ...limits.map((at) => ({ at, text: fixed(at, 1) })),
     ...powers(most)
@@ -145,9 +148,26 @@ function drawHalf(context, { width, height }, top, half, { run, time }, isLast =
     drawCurve(context, line(asked), { token, width: 1.25 });
     drawCurve(context, line(done), { token, width: 3 });
   });
+  if (limit !== null) namePeak(context, axes, half, run.time);
   drawUpright(context, axes.x(time), frame, { token: '--muted', width: 1 });
   setLettering(context, { token, font: strongFont, baseline: 'alphabetic' });
   context.fillText(name, frame.left, top + 15);
+}
+
+/** How much is asked for at most, where that is more than can be done. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Half} half @param {ArrayLike<number>} times */
+function namePeak(context, { frame, x, y }, { asked, limit, token }, times) {
+  const sizes = Array.from(asked, Math.abs);
+  const at = sizes.indexOf(Math.max(...sizes));
+  if (!(sizes[at] > Number(limit) && sizes[at] < 1e4)) return;
+  const text = fixed(asked[at], 1);
+  setLettering(context, { token, font: textFont, align: 'left', baseline: 'alphabetic' });
+  const { width } = context.measureText(text);
+  const isUp = asked[at] > 0;
+  context.fillText(
+    text,
+    Math.min(x(times[at]) + 6, frame.right - width),
+    isUp ? Math.max(y(asked[at]) - 4, frame.top + 10) : Math.min(y(asked[at]) + 13, frame.bottom - 2),
+  );
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {string} signs */

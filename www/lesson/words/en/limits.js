@@ -9,8 +9,8 @@ export const limits = {
     /** @param {string} asked @param {string} done */
     label: (asked, done) =>
       `What the law asks for and what the wheels do, against time. The law asks for up to ${asked} rad/s, the wheels turn at up to ${done} rad/s.`,
-    linear: 'v in m/s',
-    angular: 'ω in rad/s',
+    linear: 'v in m/s, log',
+    angular: 'ω in rad/s, log',
     asked: 'asked',
     done: 'done',
     limit: 'limit',

@@ -9,8 +9,8 @@ export const limits = {
     /** @param {string} asked @param {string} done */
     label: (asked, done) =>
       `시간에 따른 법칙의 명령과 바퀴의 실제 속도. 법칙은 ${asked} rad/s까지 명령하고, 바퀴는 ${done} rad/s까지 냅니다.`,
-    linear: 'v, m/s',
-    angular: 'ω, rad/s',
+    linear: 'v, m/s, 로그',
+    angular: 'ω, rad/s, 로그',
     asked: '명령',
     done: '실제',
     limit: '제한',
