@@ -80,5 +80,7 @@ function drawStray(context, view, { x, y }) {
   const inward = edge.px > view.width / 2 ? -1 : 1;
   const text = strings.outside(beyond / view.scale);
   setLettering(context, { align: inward < 0 ? 'right' : 'left' });
-  fillTextWithHalo(context, text, edge.px + 18 * inward, edge.py, inkOnPaper());
+  // Above the numbers of the axis.
+  const textY = Math.min(edge.py, view.height - 44);
+  fillTextWithHalo(context, text, edge.px + 18 * inward, textY, inkOnPaper());
 }

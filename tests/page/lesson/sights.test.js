@@ -77,6 +77,14 @@ pageTest(
       assert.ok(plane === 0 || plane >= 300, `${name}: ${plane}`);
       assert.equal(isStaged, stage !== undefined && !stage.after, name);
     }
+    await page.resize(1366, 768);
+    for (const { name } of steps) {
+      await page.open(`#lesson&step=${name}`);
+      await page.until(`nothing of the figure of ${name} lies below a low window`, () => {
+        const figure = document.querySelector('.figure');
+        return document.querySelector('.prose') && figure && figure.scrollHeight <= figure.clientHeight + 1;
+      });
+    }
   },
 );
 
