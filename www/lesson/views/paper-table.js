@@ -1,6 +1,7 @@
 // What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
 import { create } from '../../kit/elements.js';
 import { asPrinted } from '../printed.js';
+import { inline } from '../prose.js';
 import { lab } from '../../words/index.js';
 import { degreesText, fixed, postureText } from '../../words/numbers.js';
 
@@ -10,9 +11,9 @@ import { degreesText, fixed, postureText } from '../../words/numbers.js';
 const generations = 200;
 const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
 
-/** @param {'col' | 'row'} scope @param {Node | string} content */
-function headCell(scope, content) {
-  const cell = create('th', '', content);
+/** @param {'col' | 'row'} scope @param {(Node | string)[]} content */
+function headCell(scope, ...content) {
+  const cell = create('th', '', ...content);
   cell.setAttribute('scope', scope);
   return cell;
 }
@@ -20,7 +21,7 @@ function headCell(scope, content) {
 /** Heads above and before cells. @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
 export function tableOf(className, head, rows) {
   // A corner that names nothing heads no column.
-  const heads = head.map((text) => (text ? headCell('col', text) : create('td', '')));
+  const heads = head.map((text) => (text ? headCell('col', ...inline(text, String)) : create('td', '')));
   const body = rows.map(([first, ...rest]) =>
     create('tr', '', headCell('row', first), ...rest.map((content) => create('td', '', content))),
   );

@@ -6,8 +6,8 @@ import { costText, fixed } from '../../../words/en/numbers.js';
 export const cost = {
   texts: {
     parts: `Hasty drives, patient ones, some that never arrive: which is *good*? Somebody has to decide, and to say it in one number. The authors add up five prices:`,
-    each: `The *time* until the robot arrives. What is *missing at the end*. The *path*: the error on the way, in place and in heading, squared and integrated over time: staying far away for long is costly. The *energy*: speed and turn rate, squared and integrated. Both integrals count by half; that makes the energy {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}.) Point at a part: its piece of the bar lights up.`,
-    weights: `What is a second worth, and what a hard turn? The *weights* say so: {Rv} and {Rw}, together {R}, for driving and turning, {W} for the end, {kappa} for the penalty. *The paper does not give them.* We chose 1, and 1000 for {kappa}. With other weights another drive is the best. Four drives stand beside these words: press one to drive it, and move the weights.`,
+    each: `The *time* until the robot arrives. The *final* error: what is missing at the end. The *path*: the error on the way, in place and in heading, squared and integrated over time: staying far away for long is costly. The *energy*: speed and turn rate, squared and integrated. Both integrals count by half; that makes the energy {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}.) Point at a part: its piece of the bar lights up.`,
+    weights: `What is a second worth, and what a hard turn? The *weights* say so: {Rv} and {Rw}, together {R}, for driving and turning, {W} for the final error, {kappa} for the penalty. *The paper does not give them.* We chose 1, and 1000 for {kappa}. With other weights another drive is the best. Four drives stand beside these words: press one to drive it, and move the weights.`,
     ky: `And {ky}? With our weights and from the paper’s start, {kx} = 3 and {kt} = 5 cost {=none} if {ky} is 0, {=one} if it is 1, {=eight} if it is 8. Nothing there needs it, as step 3 showed: it only costs. J counts this one drive and no other. Keep that in mind.`,
     next: `So evolution gets one number to bring down. That is all it ever learns of the robot. How does it search?`,
   },
@@ -38,14 +38,14 @@ export const cost = {
       choices: ['That of the gentle one: it does its task', 'That of the robot that stays at home'],
       /** @param {{ stays: Run, drives: Run }} outcome */
       why: ({ stays, drives }) =>
-        `Staying costs ${costText(stays.cost.total)}: time ${fixed(stays.cost.time, 0)}, path ${fixed(stays.cost.path, 1)}, end ${fixed(stays.cost.finalError, 1)}. The gentle drive costs ${costText(drives.cost.total)}, of which energy ${fixed(drives.cost.energy, 1)}. J knows nothing of what we meant. It counts what it is told to count.`,
+        `Staying costs ${costText(stays.cost.total)}: time ${fixed(stays.cost.time, 0)}, path ${fixed(stays.cost.path, 1)}, final ${fixed(stays.cost.finalError, 1)}. The gentle drive costs ${costText(drives.cost.total)}, of which energy ${fixed(drives.cost.energy, 1)}. J knows nothing of what we meant. It counts what it is told to count.`,
     },
   },
   tries: {
     cheap: 'Moving is cheap, both weights 0.1: now haste wins',
     evolved: 'Both weights 100: what 60 generations of evolution make of it',
     final: 'Both weights 100 and {W} 100 too: staying at home is costly again',
-    negative: 'A gain a little below zero, {ky} = −0.01: the penalty',
+    negative: 'A gain a little below zero, {ky} = −0.01: the penalty, and a robot that no longer arrives',
   },
   notice: [
     'A weight changes no drive. It changes its price, and so which drive evolution will keep.',

@@ -38,7 +38,7 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
       ],
       /** @param {{ lowest: Lowest, middle: Run, wall: Run }} outcome */
       why: ({ lowest, middle, wall }) =>
-        `The lowest point of the map is at {ky} ${fixed(lowest.gains[1], 2)}, with {J} ${costText(lowest.cost)}; straight above, at {ky} ${threeDigits(lowest.most / 2)}, {J} is ${costText(middle.cost.total)}. So the best walks down to the border. Beyond it stands a wall, the penalty for negative gains: at {ky} −0.01 {J} is ${costText(wall.cost.total)}.`,
+        `The lowest point of the map is at {ky} ${fixed(lowest.gains[1], 2)}, with {J} ${costText(lowest.cost)}; straight above, at {ky} ${threeDigits(lowest.most / 2)}, {J} is ${costText(middle.cost.total)}. So the best walks down to the border. Beyond it stands a wall: at {ky} −0.01 {J} is ${costText(wall.cost.total)}, of which ${costText(wall.cost.penalty)} are the penalty for negative gains, and the robot ${wall.arrived ? 'arrives' : 'does not arrive'}.`,
     },
   },
   tries: {

@@ -40,7 +40,7 @@ The *numbers themselves* are not the paper’s, and no honest program could make
   row: (figure, method) => `Fig. ${figure}, ${method === 'ep' ? 'EP' : 'arbitrary'}`,
   /** @param {number} generations */
   ours: (generations) => `our EP, ${generations} generations, seed 1`,
-  head: ['drive', 'kx, ky, kθ', 'J in the paper', 'J here'],
+  head: ['drive', '{kx}, {ky}, {kt}', 'J in the paper', 'J here'],
   choicesTitle: 'Stated, and chosen',
   choicesHead: ['', 'in the paper', 'here'],
   /** @param {import('../common.js').Choices & { printed: string[] }} e */

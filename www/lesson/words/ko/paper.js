@@ -35,7 +35,7 @@ export const paper = {
   row: (figure, method) => `그림 ${figure}, ${method === 'ep' ? 'EP' : '임의'}`,
   /** @param {number} generations */
   ours: (generations) => `이 페이지의 EP, ${generations}세대, 시드 1`,
-  head: ['주행', 'kx, ky, kθ', '논문의 J', '이 페이지의 J'],
+  head: ['주행', '{kx}, {ky}, {kt}', '논문의 J', '이 페이지의 J'],
   choicesTitle: '논문에 있는 것과 이 페이지가 고른 것',
   choicesHead: ['', '논문', '이 페이지'],
   /** @param {import('../common.js').Choices & { printed: string[] }} e */
