@@ -8,6 +8,6 @@ await task(async () => {
   const [rounds = '20', seed = String(1 + Math.floor(Math.random() * 1e6))] = positionals;
   console.log(`${rounds} rounds from seed ${seed}`);
   await run('node', ['--test-reporter=spec', 'tests/page/harness/every.js', 'whole/monkey.test.js'], {
-    env: { PAGE_TESTS: 'in browsers', MONKEY_ROUNDS: rounds, MONKEY_SEED: seed },
+    env: { PAGE_TESTS: 'engine', MONKEY_ROUNDS: rounds, MONKEY_SEED: seed },
   });
 });

@@ -29,26 +29,26 @@ function sorted(files) {
 }
 
 /**
- * Who runs what, side by side, for each spends much of its time waiting: the first engine, which has the most to do, in
- * several processes, each of which takes the next file when it has done one; each other engine what engines can do
+ * Who runs what, side by side, for each spends much of its time waiting: what the page does in every engine alike, in the first
+ * one, in several processes, each of which takes the next file when it has done one; in each engine what engines can do
  * differently; and once what needs no browser.
- * @param {readonly EngineName[]} engines @param {string[]} files @param {number} late milliseconds by which every frame of the first engine comes late
+ * @param {readonly EngineName[]} engines @param {string[]} files @param {number} late milliseconds by which every frame, and every answer of a worker, comes late in the first engine
  * @returns {Lane[]}
  */
 export function lanesOf(engines, files, late) {
-  const [first, ...others] = engines;
-  const browser = (/** @type {EngineName} */ engine) => ({
-    PAGE_TESTS: 'in browsers',
+  const [first] = engines;
+  /** @param {import('../tests/page/harness/once.js').Kind} kind @param {EngineName} engine */
+  const browser = (kind, engine) => ({
+    PAGE_TESTS: kind,
     ENGINES: engine,
-    FIRST_ENGINE: first,
     LATE_FRAMES: String(engine === first ? late : 0),
   });
   // Who waits for late frames leaves the machine to others.
-  const atOnce = !first ? 0 : late > 0 ? 5 : 2;
+  const atOnce = !first ? 0 : late > 0 ? 4 : 2;
   const shared = sorted(files);
   return [
-    { files: [...files], env: { PAGE_TESTS: 'without browsers' } },
-    ...Array.from({ length: atOnce }, () => ({ files: shared, env: browser(first) })),
-    ...others.map((engine) => ({ files: [...files], env: browser(engine) })),
+    { files: [...files], env: { PAGE_TESTS: 'logic' } },
+    ...Array.from({ length: atOnce }, () => ({ files: shared, env: browser('page', first) })),
+    ...engines.map((engine) => ({ files: [...files], env: browser('engine', engine) })),
   ];
 }

@@ -4,7 +4,7 @@
 //   npm test -- page               only the page, in the browsers of this machine
 //   npm test -- plane keys         only the files of tests of these names, those of the page in one browser
 //   npm test -- --require-engines  an absent browser, or Python, is a failure
-//   npm test -- --late             in the first browser every frame comes 120 ms late; alone: npm run test:late
+//   npm test -- --late             in the first browser frames and workers come 120 ms late; alone: npm run test:late
 //   ENGINES=firefox npm test       only these browsers
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -18,7 +18,7 @@ import { installPackages, installTestTools, installTools } from './tools.mjs';
 
 const count = { passed: 0, failed: 0 };
 
-/** So late a frame comes on a machine with much to do. */
+/** So late a frame, or an answer of a worker, comes on a machine with much to do. */
 const lateFrame = 120;
 
 await task(async () => {

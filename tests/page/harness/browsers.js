@@ -12,7 +12,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { Builder, Key } from 'selenium-webdriver';
 import { findEngines, findProgram } from './engines.js';
-import { isForBrowsers } from './once.js';
+import { runs } from './once.js';
 import { Page, patience } from './page.js';
 import { serve } from './server.js';
 
@@ -42,52 +42,49 @@ after(async () => {
   }
 });
 
-const found = isForBrowsers ? findEngines().found : [];
+const found = runs('page') || runs('engine') ? findEngines().found : [];
 /** @type {Promise<import('./server.js').Site> | undefined} */
 let site;
 /** @type {Map<string, Promise<WebDriver>>} */
 const drivers = new Map();
-
-/** Where processes share the tests: the engine that runs those of the page itself. */
-const { FIRST_ENGINE } = process.env;
 
 /** @typedef {(page: Page) => Promise<void>} Body The page is opened afresh, by the test itself or else at its first look. */
 /** @typedef {{ moves?: boolean }} Setting moves: the robots drive by themselves. Else the browser asks for less motion, as people can: a page that stands still until it is told to move takes far less time to draw. */
 
 /** Declares a test of what the page does, the same in every engine: numbers, words, what leads where. @param {string} name @param {Body} body @param {Setting} [setting] */
 export function pageTest(name, body, setting) {
-  const first = FIRST_ENGINE ? found.filter((engine) => engine.name === FIRST_ENGINE) : found;
-  declare(first, name, body, setting);
+  if (runs('page')) for (const engine of found) declare(lightOf(engine), name, body, setting);
 }
 
 /** Declares a test in each engine: input, layout, drawing, workers, files, policies, frames, bits. @param {string} name @param {Body} body @param {Setting} [setting] */
 export function engineTest(name, body, setting) {
-  declare(found, name, body, setting);
+  if (runs('engine')) for (const engine of found) declare(engine, name, body, setting);
 }
 
-/** @param {readonly Engine[]} engines @param {string} name @param {Body} body @param {Setting} [setting] */
-function declare(engines, name, body, { moves = false } = {}) {
-  for (const engine of engines) {
-    test(`${engine.name}: ${name}`, { timeout: testTimeout }, async ({ signal }) => {
-      site ??= startSite();
-      const key = `${engine.name} ${moves}`;
-      let isOver = false;
-      // What takes too long would go on in the page of the next test. The signal comes at the end of every test.
-      signal.addEventListener('abort', () => isOver || drivers.delete(key));
-      const driver = drivers.get(key) ?? startBrowser(engine, moves);
-      drivers.set(key, driver);
-      const page = new Page(engine.name, await driver, await site);
-      try {
-        await page.resize(1200, 900);
-        await body(page);
-      } finally {
-        // A page that goes on moving would slow the tests of the other engines; a browser that is lost, fail all others.
-        await page.leave().catch(() => drivers.delete(key));
-        isOver = true;
-      }
-      assert.equal(page.uncaught, '', 'something was thrown that nobody has caught');
-    });
-  }
+/** The engine with nothing around it that no page needs, where the machine has it so: it starts and draws sooner. @param {Engine} engine @returns {Engine} */
+const lightOf = (engine) => ({ ...engine, browser: engine.bare ?? engine.browser });
+
+/** @param {Engine} engine @param {string} name @param {Body} body @param {Setting} [setting] */
+function declare(engine, name, body, { moves = false } = {}) {
+  test(`${engine.name}: ${name}`, { timeout: testTimeout }, async ({ signal }) => {
+    site ??= startSite();
+    const key = `${engine.browser} ${moves}`;
+    let isOver = false;
+    // What takes too long would go on in the page of the next test. The signal comes at the end of every test.
+    signal.addEventListener('abort', () => isOver || drivers.delete(key));
+    const driver = drivers.get(key) ?? startBrowser(engine, moves);
+    drivers.set(key, driver);
+    const page = new Page(engine.name, await driver, await site);
+    try {
+      await page.resize(1200, 900);
+      await body(page);
+    } finally {
+      // A page that goes on moving would slow the tests of the other engines; a browser that is lost, fail all others.
+      await page.leave().catch(() => drivers.delete(key));
+      isOver = true;
+    }
+    assert.equal(page.uncaught, '', 'something was thrown that nobody has caught');
+  });
 }
 
 async function startSite() {

@@ -11,6 +11,7 @@ import { fileURLToPath } from 'node:url';
  * @property {EngineName} name
  * @property {string} browser the browser's program
  * @property {string | null} driver its WebDriver; null if selenium has to find one
+ * @property {string} [bare] the program of the engine alone, without the browser around it, if the machine has it
  */
 
 /** Where npm test puts what it builds. */
@@ -19,7 +20,7 @@ const tools = fileURLToPath(new URL('../../../.tools/bin', import.meta.url));
 /** How to get the engines that a machine lacks. */
 const HINTS = {
   linux: {
-    chromium: 'apt-get install chromium chromium-driver',
+    chromium: 'apt-get install chromium chromium-driver (quicker with chromium-headless-shell beside them)',
     firefox: 'apt-get install firefox-esr (npm test builds its driver)',
     webkit: 'apt-get install webkit2gtk-driver xvfb',
   },
@@ -80,7 +81,8 @@ function chromium() {
     ...inProgramFiles('Google\\Chrome\\Application\\chrome.exe'),
   ]);
   const driver = findProgram(['chromedriver', 'chromium.chromedriver']);
-  return browser === null ? null : { name: 'chromium', browser, driver };
+  const bare = findProgram(['chromium-headless-shell']) ?? undefined;
+  return browser === null ? null : { name: 'chromium', browser, driver, bare };
 }
 
 /** @returns {Engine | null} */

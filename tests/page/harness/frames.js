@@ -1,7 +1,8 @@
-// Runs in the page before its own scripts: knows when the page has drawn what happened, and can let every frame come late.
+// Runs in the page before its own scripts: knows when the page has drawn what happened, and can let every frame, and every answer
+// of a worker, come late.
 (() => {
   const ask = window.requestAnimationFrame.bind(window);
-  /** By how many milliseconds every frame comes late. */
+  /** By how many milliseconds they come late. */
   const late = Number(document.currentScript?.dataset.late);
   /** While a frame that changes something is waited for, how long at most: what nobody sees gets no frames. */
   const patience = 10_000;
@@ -29,6 +30,7 @@
         callback(pace * now);
       } finally {
         depth = 0;
+        setTimeout(tell);
       }
     };
     // Out of sight there is no late frame either.
@@ -38,13 +40,23 @@
   };
   window.cancelAnimationFrame = (id) => {
     asked.delete(id);
+    setTimeout(tell);
   };
 
-  /** The next frame, with what the page hears of its new sizes after it; whether it came. */
+  /** Who waits for the next frame. @type {Set<(came: boolean) => void>} */
+  const waiting = new Set();
+
+  /** After a frame, and what the page hears of its new sizes after it. */
+  function tell() {
+    for (const resolve of waiting) resolve(true);
+    waiting.clear();
+  }
+
+  /** The next frame that somebody asks for: one that is asked for only to wait costs every engine its work. @returns {Promise<boolean>} whether it came */
   const frame = () =>
     new Promise((resolve) => {
-      ask(() => setTimeout(() => resolve(true)));
-      setTimeout(() => resolve(false), patience);
+      waiting.add(resolve);
+      setTimeout(() => waiting.delete(resolve) && resolve(false), patience);
     });
 
   /** So many frames in vain are no busy machine. */
@@ -68,6 +80,33 @@
   const setPace = (times) => {
     pace = times;
   };
+
+  if (late > 0) {
+    /** What was held back and is on its way again. @type {WeakSet<Event>} */
+    const held = new WeakSet();
+    window.Worker = class extends Worker {
+      /** @param {ConstructorParameters<typeof Worker>} args */
+      constructor(...args) {
+        super(...args);
+        // Before whoever made it listens.
+        this.addEventListener('message', (event) => {
+          if (held.has(event)) return;
+          event.stopImmediatePropagation();
+          const again = new MessageEvent('message', { data: event.data, ports: [...event.ports] });
+          held.add(again);
+          setTimeout(() => this.#isEnded || this.dispatchEvent(again), late);
+        });
+      }
+
+      #isEnded = false;
+
+      /** @override */
+      terminate() {
+        this.#isEnded = true;
+        super.terminate();
+      }
+    };
+  }
 
   Object.defineProperty(window, 'pageFrames', { value: { drawn, areNone, setPace } });
 })();

@@ -1,12 +1,12 @@
 // The tests that need no browser. Where each browser has a process of its own, one process runs these for all.
 import { test as declare } from 'node:test';
 
-/** Which tests this process runs: 'in browsers', 'without browsers', or, if nobody says, both. */
-const { PAGE_TESTS } = process.env;
+/** Which tests a process runs: what needs no browser, what the page does in every engine alike, what engines can do differently. @typedef {'logic' | 'page' | 'engine'} Kind */
 
-export const isForBrowsers = PAGE_TESTS !== 'without browsers';
+/** Whether this process runs such tests: all of them, if nobody says. @param {Kind} kind */
+export const runs = (kind) => (process.env.PAGE_TESTS ?? kind) === kind;
 
-export const test = PAGE_TESTS === 'in browsers' ? /** @type {typeof declare} */ (() => {}) : declare;
+export const test = runs('logic') ? declare : /** @type {typeof declare} */ (() => {});
 
 /**
  * What takes time to make, made when the first test needs it and then kept.

@@ -19,7 +19,7 @@ const reports = '/policy-reports';
 const scripts = ['collector.js', 'frames.js'].map((name) =>
   readFileSync(new URL(name, import.meta.url), 'utf8'),
 );
-/** By how many milliseconds every frame of the page comes late, as on a machine with much to do. */
+/** By how many milliseconds every frame of the page, and every answer of its workers, comes late, as on a machine with much to do. */
 const late = Number(process.env.LATE_FRAMES ?? 0);
 
 /** All that the page needs, and nothing else. */

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { createAccumulator, createFrameLoop } from '../../../www/kit/loop.js';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { engineTest } from '../harness/browsers.js';
 import { inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 
@@ -34,10 +34,10 @@ engineTest('a frame without an origin, where all storage is forbidden, drives an
 /** @typedef {{ generation: number, time: number }} Seen */
 /** @typedef {{ seen: Seen[] }} Watched */
 
-pageTest(
+engineTest(
   'out of sight nothing moves, in sight again nothing catches up; resets leave nothing behind',
   async (page) => {
-    // The others' drivers show every window at once, or draw once a second what is hidden.
+    // The others' drivers show every window at once, or draw once a second what is hidden; an engine without its browser hides none.
     if (page.engine !== 'chromium') return;
     await page.open();
     await page.evaluate(() => {
