@@ -11,8 +11,11 @@ export const glue = new URL('../../../pkg/ep_locomotion.js', import.meta.url);
 /** A cost as it is shown. @param {number} cost */
 export const shown = (cost) => cost.toFixed(3);
 
+/** What rounds to nothing has no sign. @param {number} gain */
+const shownGain = (gain) => gain.toFixed(3).replace(/^-(?=[0.]+$)/, '');
+
 /** Gains as they are shown. @param {Gains} gains */
-export const shownGains = (gains) => [...gains].map((gain) => gain.toFixed(3));
+export const shownGains = (gains) => [...gains].map(shownGain);
 
 /** Some generations of an evolution: what is shown of the newest one, its best gains in full, and the hash. @param {Experiment} from @param {number} [generations] */
 export function evolve(from, generations = 0) {

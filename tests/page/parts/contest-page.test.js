@@ -161,6 +161,13 @@ engineTest(
       (was) => Number(document.getElementById('contest-until-line')?.getAttribute('aria-valuenow')) > was,
       until.now,
     );
+    const { x } = await handle(page, 'contest-until-line');
+    await page.evaluate(() => {
+      const left = () => new KeyboardEvent('keydown', { key: 'ArrowLeft' });
+      for (let i = 0; i < 5; i += 1) document.getElementById('contest-until-line')?.dispatchEvent(left());
+    });
+    const moved = x - (await handle(page, 'contest-until-line')).x;
+    assert.ok(Math.abs(moved - 15) < 3, `five keys within a frame are five steps of 3 pixels, not ${moved}`);
     await page.click('#contest-whole');
     await page.until(
       'it is read to the end',

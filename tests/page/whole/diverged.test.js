@@ -1,6 +1,7 @@
 // Drives that leave every bound: no view says nonsense of them, and none throws or hangs.
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
+import { follow } from './surround.js';
 import { lessonViews, partViews } from './views.js';
 
 const views = [
@@ -21,9 +22,10 @@ for (const [language, run] of runs)
   pageTest(`what is nowhere is told as such: ${run}`, async (page) => {
     /** @type {string[]} */
     const found = [];
+    await page.open(`#lab&v=1&lang=${language}`);
     for (const view of views) {
       const more = `lang=${language}&limits.speed=off&limits.turnRate=off&drives=hand&${run}`;
-      await page.open(`#${view}${view.includes('v=1') ? '' : '&v=1'}&${more}`);
+      await follow(page, `${view}${view.includes('v=1') ? '' : '&v=1'}&${more}`);
       const nonsense = await page.evaluate(async () => {
         const scrub = /** @type {HTMLInputElement} */ (document.getElementById('scrub'));
         const said = [];

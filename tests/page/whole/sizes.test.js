@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { pageNames } from '../../../www/parts/parts.js';
 import { engineTest, Key, pageTest } from '../harness/browsers.js';
+import { follow } from './surround.js';
 import { views } from './views.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -44,11 +45,12 @@ for (const link of ['lab', 'lab&v=1&lang=ko', 'lab&v=1&preset=acceleration-limit
 
 pageTest('with letters twice as large nothing leads out of a telephone’s width', async (page) => {
   await page.resize(390, 844);
+  await page.open();
+  await page.evaluate(() => {
+    document.documentElement.style.fontSize = '200%';
+  });
   for (const view of views) {
-    await page.open(`#${view}`);
-    await page.evaluate(() => {
-      document.documentElement.style.fontSize = '200%';
-    });
+    await follow(page, view);
     const [aside] = await excess(page);
     assert.ok(aside <= 0, `${view}: ${aside}`);
   }

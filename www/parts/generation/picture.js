@@ -45,18 +45,22 @@ export function createPicture(element, { onChoose }) {
     const number = nearest(drawn, event.clientX - left, event.clientY - top);
     if (number !== null) onChoose(number);
   });
+  // Keys can be quicker than frames.
+  let chosen = 0;
   root.addEventListener('keydown', (event) => {
     if (!drawn || isChord(event)) return;
-    const { anatomy, phase, chosen } = drawn.model;
+    const { anatomy, phase } = drawn.model;
     const number = stepped(orderOf(anatomy, phase), chosen, event.key);
     if (number === null) return;
     event.preventDefault();
+    chosen = number;
     onChoose(number);
   });
 
   return {
     /** @param {PictureModel} model */
     draw(model) {
+      ({ chosen } = model);
       if (!changed(model.anatomy, model.phase, model.chosen)) return;
       latest = model;
       if (isCrowd(model)) drawNext();

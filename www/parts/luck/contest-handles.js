@@ -35,7 +35,11 @@ export function createHandle(root, id, label, onMove) {
   /** @type {Grip | null} */
   let grip = null;
   const moveTo = (/** @type {number} */ pixel) => {
-    if (grip) onMove(grip.valueAt(Math.min(Math.max(pixel, grip.from), grip.to)));
+    if (!grip) return;
+    const there = Math.min(Math.max(pixel, grip.from), grip.to);
+    // Keys can be quicker than frames.
+    grip = { ...grip, [grip.along]: there };
+    onMove(grip.valueAt(there));
   };
   const follow = (/** @type {PointerEvent} */ event) => {
     const [x, y] = pointIn(root, event);
