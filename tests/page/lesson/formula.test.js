@@ -33,3 +33,28 @@ pageTest('with numbers every product has its sign, and what is below zero its br
   }
   assert.ok(below > 0, 'some number is below zero');
 });
+
+pageTest(
+  'what cancels in the rate of V is something, though the drive is over, and is told where the clock stands',
+  async (page) => {
+    await page.open('#lesson&step=stability');
+    const amounts = async () => {
+      await page.click('#cancel-press');
+      const texts = await page.evaluate(() =>
+        [...document.querySelectorAll('#cancel li span')].map(({ textContent }) => textContent ?? ''),
+      );
+      return texts.map((text) => Number(text.replace('−', '-')));
+    };
+    const clock = () => page.text('#clock');
+    const end = await clock();
+    const [, steep, cross, , , steepAgain, crossAgain] = await amounts();
+    assert.notEqual(await clock(), end);
+    assert.ok(Math.abs(steep) >= 0.1 && Math.abs(cross) >= 0.1, `${steep}, ${cross}`);
+    assert.deepEqual([steepAgain, crossAgain], [-steep, -cross]);
+    // Whoever has moved the clock keeps it.
+    for (let press = 0; press < 3; press += 1) await page.click('#cancel-press');
+    const moved = await clock();
+    await amounts();
+    assert.equal(await clock(), moved);
+  },
+);

@@ -13,7 +13,7 @@ import { mathml, symbol } from '../formulas/symbols.js';
 const presses = 3;
 
 /** @param {Tools} tools @param {CancelWords} words @returns {Block} */
-export function createCancel({ store }, { cancel: words }) {
+export function createCancel({ store, actions }, { cancel: words }) {
   const element = create('div', 'cancel');
   element.id = 'cancel';
   let pressed = 0;
@@ -23,8 +23,13 @@ export function createCancel({ store }, { cancel: words }) {
     return { math, pair, of };
   });
   const changed = watch();
+  /** @type {Live | null} */
+  let latest = null;
   const press = () => {
     pressed = (pressed + 1) % (presses + 1);
+    // Where a drive ends nearly all terms are zero.
+    if (pressed === 1 && latest && latest.at === latest.samples.length - 1)
+      actions.scrub(weightiestAt(latest));
     store.redraw();
   };
   /** When a pair is struck out. @param {'kx' | 'ky' | null} pair */
@@ -32,7 +37,9 @@ export function createCancel({ store }, { cancel: words }) {
 
   return {
     element,
-    draw(/** @type {Live} */ { gains, sample, state }) {
+    draw(/** @type {Live} */ live) {
+      latest = live;
+      const { gains, sample, state } = live;
       if (!changed(pressed, gains, sample)) return;
       const amounts = rateAmounts(gains, sample.error);
       const isTheLaw = state.experiment.law === 'shim-kim';
@@ -51,4 +58,13 @@ export function createCancel({ store }, { cancel: words }) {
       );
     },
   };
+}
+
+/** When both pairs that cancel weigh much. @param {Live} live */
+function weightiestAt({ samples, gains }) {
+  const weightOf = (/** @type {Live['sample']} */ { error }) => {
+    const [, steep, cross] = rateAmounts(gains, error);
+    return Math.min(Math.abs(steep), Math.abs(cross));
+  };
+  return samples.map((one) => one).reduce((most, one) => (weightOf(one) > weightOf(most) ? one : most)).time;
 }
