@@ -2,6 +2,7 @@
 import { html, render } from 'lit-html';
 import { create } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
+import { isFree } from '../../run/guard.js';
 import { signed } from '../../words/numbers.js';
 import { rateAmounts, rateTerms } from '../formulas/formulas-motion.js';
 import { piecesOf } from '../formulas/notation.js';
@@ -27,8 +28,7 @@ export function createCancel({ store, actions }, { cancel: words }) {
   let latest = null;
   const press = () => {
     pressed = (pressed + 1) % (presses + 1);
-    // Where a drive ends nearly all terms are zero.
-    if (pressed === 1 && latest && latest.at === latest.samples.length - 1)
+    if (pressed === 1 && latest && isOver(latest) && isFree(latest.state, 'clock'))
       actions.scrub(weightiestAt(latest));
     store.redraw();
   };
@@ -59,6 +59,9 @@ export function createCancel({ store, actions }, { cancel: words }) {
     },
   };
 }
+
+/** Whether the clock stands where a drive ends: there nearly all terms are zero. @param {Live} live */
+const isOver = ({ at, samples }) => at === samples.length - 1;
 
 /** When both pairs that cancel weigh much. @param {Live} live */
 function weightiestAt({ samples, gains }) {
