@@ -10,14 +10,12 @@ export { lawTerms, startsOnGrid, winsBout } from '../../pkg/ep_locomotion.js';
  */
 export function expectedWins(costs, bouts) {
   const sorted = Float64Array.from(costs).sort();
-  return costs.map((own) => {
-    let [first, last] = [0, sorted.length];
-    while (first < last) {
-      const middle = (first + last) >> 1;
-      if (winsBout(own, sorted[middle])) last = middle;
-      else first = middle + 1;
-    }
-    const beaten = sorted.length - first - (winsBout(own, own) ? 1 : 0);
-    return (bouts * beaten) / (costs.length - 1);
-  });
+  /** @type {Map<number, number>} */
+  const beaten = new Map();
+  let first = 0;
+  for (const own of sorted) {
+    while (first < sorted.length && !winsBout(own, sorted[first])) first += 1;
+    beaten.set(own, sorted.length - first - (winsBout(own, own) ? 1 : 0));
+  }
+  return costs.map((own) => (bouts * (beaten.get(own) ?? 0)) / (costs.length - 1));
 }

@@ -17,17 +17,14 @@ import { repeat } from 'lit-html/directives/repeat.js';
  * @property {() => void} [save] As a file.
  */
 
-/** More rows than these at once would take long to lay out. */
-export const mostRows = 100;
-
 /** @param {Row} row @param {string} [className] */
 const rowOfCells = ([name, ...cells], className = '') =>
   html`<tr class=${className || nothing}><th scope="row">${name}</th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`;
 
-/** Some of the rows. What is there already stays, and so does the focus in it. @param {HTMLElement} root @param {Table} table @param {number} [first] */
-export function fillTable(root, table, first = 0) {
+/** Some of the rows. What is there already stays, and so does the focus in it. @param {HTMLElement} root @param {Table} table @param {number} first @param {number} most Rows at once. */
+export function fillTable(root, table, first, most) {
   const { caption, columns, count, rowOf, summary = [], classOf, keyOf, sortingOf } = table;
-  const shown = Array.from({ length: Math.min(mostRows, count - first) }, (_, i) => first + i);
+  const shown = Array.from({ length: Math.min(most, count - first) }, (_, i) => first + i);
   const head = columns.map(
     (name, i) => html`<th scope="col" aria-sort=${sortingOf?.(i) ?? nothing}>${name}</th>`,
   );

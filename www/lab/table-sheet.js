@@ -4,11 +4,14 @@ import { html, nothing } from 'lit-html';
 import { create } from '../kit/elements.js';
 import { once } from '../kit/memo.js';
 import { createSheet } from '../kit/sheet.js';
-import { fillTable, mostRows } from '../kit/table.js';
+import { fillTable } from '../kit/table.js';
 import { unless } from '../kit/templates.js';
 import { opening, tables as words } from '../words/index.js';
 
 const { texts } = words;
+
+/** More at once would take long to lay out: some have 14 columns. */
+const mostRows = 50;
 
 const sheet = once(() => createSheet('table', 'table-sheet', '', opening.texts.close));
 
@@ -23,7 +26,7 @@ export function showTable(table) {
 
 /** @param {Table} table @param {HTMLTableElement} rows @param {number} first The row that is shown first. */
 function draw(table, rows, first) {
-  fillTable(rows, table, first);
+  fillTable(rows, table, first, mostRows);
   // What it is called heads the sheet.
   rows.caption?.classList.add('visually-hidden');
   sheet().draw(

@@ -82,8 +82,7 @@ export function pairOf(text) {
 }
 
 /** Only what would end a value, or what browsers change, is written as %. @param {string} text */
-export const encoded = (text) =>
-  encodeURIComponent(wellFormed(text)).replaceAll('%2C', ',').replaceAll('%3B', ';');
+export const encoded = (text) => wellFormed(text).replaceAll(/[^\w,;.!~*'()-]+/g, encodeURIComponent);
 
 /** Half a character, which a cut can leave, has no code in an address. @param {string} text */
 export const wellFormed = (text) => text.replaceAll(/[\ud800-\udfff]/gu, '\ufffd');

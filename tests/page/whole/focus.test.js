@@ -35,7 +35,7 @@ pageTest('a button that can do nothing more keeps the focus', async (page) => {
   await rests(page, 'generation-back');
   assert.equal(await focused(page), 'generation-back');
 
-  await page.open('#lab&v=1&generation=130');
+  await page.open('#lab&v=1&generation=70');
   await page.click('#fitness-table');
   await press(page, '#table-after');
   await rests(page, 'table-after');

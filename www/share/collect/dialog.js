@@ -6,7 +6,7 @@
 import './style.css';
 import { html, nothing } from 'lit-html';
 import { byId, create } from '../../kit/elements.js';
-import { fillTable, mostRows } from '../../kit/table.js';
+import { fillTable } from '../../kit/table.js';
 import { unless } from '../../kit/templates.js';
 import { isEmpty } from '../../run/exercise.js';
 import { createCharts, labelsOf, legendOf } from './chart.js';
@@ -14,7 +14,7 @@ import { createChecking } from './checking.js';
 import { filesIn, joined } from './files.js';
 import { createRowEvents, isPinned } from './rows.js';
 import { createStrip } from './strip.js';
-import { tableOf } from './table.js';
+import { mostRows, tableOf } from './table.js';
 import words from './words/index.js';
 
 const { texts } = words;
@@ -92,7 +92,7 @@ export function createCollect(tools, sheet) {
     strip.draw(view, store.get().work.since);
     if (rows.length === 0) return;
     const table = tableOf(rows, order, (row) => isPinned(tools, row), on);
-    fillTable(rowsElement, table, first);
+    fillTable(rowsElement, table, first, mostRows);
     // The sheet has its name already.
     rowsElement.caption?.classList.add('visually-hidden');
     charts.draw(rows, given, store.get().theme);

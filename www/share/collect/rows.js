@@ -6,11 +6,10 @@
 /** @import { Column } from './words/common.js' */
 import { download } from '../../kit/download.js';
 import { addressOf } from '../../kit/host.js';
-import { mostRows } from '../../kit/table.js';
 import { noExercise } from '../../run/exercise.js';
 import { isFull, pinOf, styles } from '../../run/pins.js';
 import { nobody } from '../../run/variant.js';
-import { csvName, csvOf, nameOf, ordered } from './table.js';
+import { csvName, csvOf, mostRows, nameOf, ordered } from './table.js';
 import words from './words/index.js';
 
 /** What a pin holds. @param {Row} row */

@@ -22,6 +22,9 @@ const columns = /** @type {const} */ ([
   'remark',
   'open',
 ]);
+/** Rows at once: more would take long to lay out. */
+export const mostRows = 100;
+
 /** By these nothing is sorted. @type {readonly Column[]} */
 const unsorted = ['pin', 'who', 'open'];
 
