@@ -1,7 +1,7 @@
 // An element that is removed, misused, or answered by nobody, or by a figure that cannot go on.
 import assert from 'node:assert/strict';
 import * as en from '../../../www/words/en/element.js';
-import { engineTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
 import { ask, heardFrom, serveHost, within } from '../harness/host.js';
 import { serve } from '../harness/server.js';
@@ -54,7 +54,7 @@ engineTest(
   },
 );
 
-engineTest('hostile attributes of the element do no harm', async (page) => {
+pageTest('hostile attributes of the element do no harm', async (page) => {
   const html = `
     <div style="display: grid; grid-template-columns: repeat(4, 1fr); align-items: start">
     <ep-locomotion id="script" src="javascript:parent.errors.push('it ran')"></ep-locomotion>
@@ -95,7 +95,7 @@ engineTest('hostile attributes of the element do no harm', async (page) => {
   });
 });
 
-engineTest('where nothing answers, no question waits once that is known', async (page) => {
+pageTest('where nothing answers, no question waits once that is known', async (page) => {
   const html = `
     <ep-locomotion id="absent" src="/absent.html"></ep-locomotion>
     <script>
@@ -125,7 +125,7 @@ engineTest('where nothing answers, no question waits once that is known', async 
   });
 });
 
-engineTest('src set anew, even to the same page, is a figure of its own', async (page) => {
+pageTest('src set anew, even to the same page, is a figure of its own', async (page) => {
   // It says both before its page has heard the first.
   const other = `data:text/html,<script>for (const said of [{ mark: 1 }, { ep: 1, type: 'ready', link: 'other' }, { ep: 1, type: 'generation', generation: 99 }]) parent.postMessage(said, '*')</script>`;
   const html = `
@@ -195,7 +195,7 @@ const coreThatIs = (change) => ({
     file.endsWith('.wasm') ? change(content) : content,
 });
 
-engineTest('a figure that cannot begin says why, and whoever asks is told', async (page) => {
+pageTest('a figure that cannot begin says why, and whoever asks is told', async (page) => {
   for (const [changes, link] of /** @type {const} */ ([
     [coreThatIs(() => null), 'lab'],
     [coreThatIs(() => Buffer.from('no module')), 'landscape&v=1'],
@@ -231,7 +231,7 @@ engineTest('a figure that cannot begin says why, and whoever asks is told', asyn
   }
 });
 
-engineTest('a figure that begins badly and goes on is asked all the same', async (page) => {
+pageTest('a figure that begins badly and goes on is asked all the same', async (page) => {
   await inPage(page, '', async () => {
     const told = await page.evaluate(async () => {
       await customElements.whenDefined('ep-locomotion');
@@ -253,7 +253,7 @@ engineTest('a figure that begins badly and goes on is asked all the same', async
   });
 });
 
-engineTest(
+pageTest(
   'where the core has failed each question is answered by an error, and nothing more is thrown',
   async (page) => {
     // It takes gains by hand.

@@ -179,7 +179,7 @@ pageTest('what the author of a page has wrong is said in sight', async (page) =>
   });
 });
 
-engineTest('a figure says that it is on its way, and who says so is given time', async (page) => {
+pageTest('a figure says that it is on its way, and who says so is given time', async (page) => {
   const slow = `data:text/html,<script>parent.postMessage({ ep: 1, type: 'loading' }, '*')</script>`;
   const html = `
     <ep-locomotion id="slow" src="${slow}"></ep-locomotion>

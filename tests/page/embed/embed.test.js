@@ -140,7 +140,7 @@ engineTest('three figures leave focus, keys and wheel to their host until they a
   });
 });
 
-engineTest('a figure that is used has its keys, tells each generation, and is alone in it', async (page) => {
+pageTest('a figure that is used has its keys, tells each generation, and is alone in it', async (page) => {
   await inHost(page, course(page), async () => {
     await within(page, 0, async () => {
       await page.click('#one-generation');

@@ -5,7 +5,7 @@ import { relative } from 'node:path';
 import { areBuilt, book } from '../../../.tasks/examples.mjs';
 import { top } from '../../../.tasks/run.mjs';
 import { frameText } from '../../../www/embed/frame.js';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, historyOf, shown, shownGains } from '../harness/core.js';
 import { serveHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
@@ -107,7 +107,7 @@ pageTest('examples/plain/messages.html lists every generation that it hears', (p
   }),
 );
 
-engineTest('on slides the arrow keys are the deck’s until a figure is used', (page) =>
+pageTest('on slides the arrow keys are the deck’s until a figure is used', (page) =>
   inExample(page, 'examples/slides/index.html', async () => {
     /** Where the deck is, and how far the figure. */
     const stand = () =>

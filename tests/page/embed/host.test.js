@@ -18,7 +18,7 @@ pageTest(
   },
 );
 
-engineTest('the host sets experiments and reads what comes of them', async (page) => {
+pageTest('the host sets experiments and reads what comes of them', async (page) => {
   await inHost(page, course(page), async () => {
     const [first] = await heardFrom(page, 0);
     assert.equal(first.type, 'ready');

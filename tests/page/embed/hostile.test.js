@@ -1,7 +1,7 @@
 // Whoever speaks to a figure, and whatever is done with it: it answers or it refuses by name, nothing is thrown, and it goes on.
 import assert from 'node:assert/strict';
 import { idIn, isForFigure, messageIn } from '../../../www/embed/told.js';
-import { engineTest, patience } from '../harness/browsers.js';
+import { engineTest, pageTest, patience } from '../harness/browsers.js';
 import { evolve, experiment, simulate } from '../harness/core.js';
 import { ask, heardFrom, inHost } from '../harness/host.js';
 import { test } from '../harness/once.js';
@@ -93,7 +93,7 @@ test('what a figure may be told is looked at field by field, and what is wrong i
   for (const id of [0, 'a', null, { of: [1] }]) assert.deepEqual(idIn({ id }), { id });
 });
 
-engineTest('hostile messages are refused one by one, and the figure goes on', async (page) => {
+pageTest('hostile messages are refused one by one, and the figure goes on', async (page) => {
   await inHost(page, frameOf(page, 'lab&v=1&seed=7'), async () => {
     await page.evaluate(() => {
       const figure = document.querySelector('iframe')?.contentWindow;
@@ -186,7 +186,7 @@ engineTest('only who holds the frame is heard, whatever its origin', async (page
 /** Goals that no robot reaches: a worker drives all the samples. */
 const heavy = { goal: { x: 90, y: 90, theta: 0 }, horizon: 30, sampleTime: 0.001 };
 
-engineTest('an answer waits for a drive that takes long, and is of what was set', async (page) => {
+pageTest('an answer waits for a drive that takes long, and is of what was set', async (page) => {
   await inHost(page, frameOf(page, 'lab&v=1'), async () => {
     const gains = /** @type {const} */ ([4, 1, 6]);
     const set = await ask(page, 0, { type: 'set', experiment: heavy, gains });
@@ -223,7 +223,7 @@ const counting = `(() => {
   wrap('setInterval', 'clearInterval', 'intervals', true);
 })();`;
 
-engineTest('five figures on one page: at rest none asks for a frame or a time', async (page) => {
+pageTest('five figures on one page: at rest none asks for a frame or a time', async (page) => {
   const site = await serve(undefined, { before: counting });
   try {
     const links = ['lab&v=1&seed=7', 'generation&v=1', 'curves&v=1', 'landscape&v=1', 'lesson&step=3'];

@@ -48,7 +48,7 @@ pageTest('1 generation makes one generation, and the best J never rises', async 
   assert.ok(costs[6] < costs[0], `best J did not fall in six generations: ${costs}`);
 });
 
-engineTest('Run goes on by itself until Pause, however long that is pressed', async (page) => {
+pageTest('Run goes on by itself until Pause, however long that is pressed', async (page) => {
   await page.click('#run');
   await reaches(page, 2);
   const run = await page.element('#run');

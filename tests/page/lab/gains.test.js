@@ -211,7 +211,7 @@ pageTest('gains of every finite size drive at their J or are refused, and the pa
   assert.deepEqual(await readDriver(page), expected('hand', [kx, ky, ktheta]));
 });
 
-engineTest('a decimal comma and a minus sign are understood', async (page) => {
+pageTest('a decimal comma and a minus sign are understood', async (page) => {
   await type(page, 'gain-kx', '4,25');
   await type(page, 'gain-ky', '−0.5');
   const { gains } = await read(page);

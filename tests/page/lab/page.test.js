@@ -123,7 +123,7 @@ engineTest('the source of the page, served or opened as it is, says how to start
   }
 });
 
-engineTest('the page fits without scrolling into 1440 × 900 and 1024 × 768', async (page) => {
+pageTest('the page fits without scrolling into 1440 × 900 and 1024 × 768', async (page) => {
   for (const [width, height] of [
     [1440, 900],
     [1024, 768],

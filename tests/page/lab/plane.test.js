@@ -71,7 +71,7 @@ engineTest(
   { moves: true },
 );
 
-engineTest('Play lets the robots drive again, Pause holds them on the way', async (page) => {
+pageTest('Play lets the robots drive again, Pause holds them on the way', async (page) => {
   await page.focus('#scrub');
   await page.press(Key.END);
   await page.click('#speed option[value="0.5"]');
@@ -150,7 +150,7 @@ for (const [name, by] of /** @type {const} */ ([
     await assertBegunAnew(page);
   });
 
-engineTest('the keyboard moves and turns start and goal, and they go back to the paper’s', async (page) => {
+pageTest('the keyboard moves and turns start and goal, and they go back to the paper’s', async (page) => {
   const first = await read(page);
   await page.click('#one-generation');
   await page.focus('#goal-position');
@@ -222,7 +222,7 @@ pageTest('start and goal stay within reach when they are dragged out of the plan
   assert.ok(await isInReach('goal-position'), 'the goal, carried up by keys');
 });
 
-engineTest(
+pageTest(
   'what is dragged out of the plane stays where the core allows it, wherever it is tried',
   async (page) => {
     for (const [link, id] of /** @type {const} */ ([

@@ -22,7 +22,7 @@ const sight = (page) =>
     return { shown, isOnTop: top === 0, share: Math.round((10 * (bottom - top)) / innerHeight) };
   });
 
-engineTest('where there is no room beside the words, what they speak of stays over them', async (page) => {
+pageTest('where there is no room beside the words, what they speak of stays over them', async (page) => {
   await page.resize(800, 900);
   await page.open('#lesson&step=4');
   const atTheEnd = () =>

@@ -7,7 +7,7 @@ import { read, readEvolution } from '../harness/reading.js';
 const velocityLimits = experiment('velocity-limits');
 const link = 'lab&v=1&goal.x=1.5&goal.theta=30deg&seed=7&generation=24&drives=hand&gains=4,0.5,6';
 
-engineTest('a link opens the same run, and the address goes on telling what is on screen', async (page) => {
+pageTest('a link opens the same run, and the address goes on telling what is on screen', async (page) => {
   await page.open(`#${link}`);
   const goal = { x: 1.5, y: 2, theta: (30 * Math.PI) / 180 };
   const moved = { ...velocityLimits, goal, evolution: { ...velocityLimits.evolution, seed: 7 } };

@@ -1,6 +1,6 @@
 // A change of language loads the page again: what was found stays.
 import assert from 'node:assert/strict';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { saidElsewhere } from '../../../www/lesson/words/ko.js';
 import { ko } from '../harness/words.js';
 
@@ -43,7 +43,7 @@ const set = (page, id, value) =>
     value,
   );
 
-engineTest('what was found is there in the other language too', async (page) => {
+pageTest('what was found is there in the other language too', async (page) => {
   /** @type {readonly [part: string, find: () => Promise<unknown>, found: string][]} */
   const finds = [
     ['park', () => set(page, 'park-ky', '3').then(() => page.click('#park-evolve')), '.park-table tbody'],

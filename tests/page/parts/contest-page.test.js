@@ -271,7 +271,7 @@ for (const language of /** @type {const} */ (['en', 'ko']))
     }
   });
 
-engineTest(
+pageTest(
   'in a frame of 400 × 300 the table takes the place of the picture, and can be read',
   async (page) => {
     await page.resize(400, 300);

@@ -100,7 +100,7 @@ engineTest('the lines are where the core has them', async (page) => {
   assert.deepEqual(await page.obstacles(), []);
 });
 
-engineTest('the cursor of the plots is the robots’ clock, both ways', async (page) => {
+pageTest('the cursor of the plots is the robots’ clock, both ways', async (page) => {
   await openCurves(page);
   assert.deepEqual(await readings(page), expectedReadings(ep, ep.time.length - 1));
   await page.focus('#scrub');

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, paperGains, remainingErrors, startsOnCircle } from '../harness/core.js';
 import { middleOf, readEvolution } from '../harness/reading.js';
 
@@ -139,7 +139,7 @@ pageTest(
   },
 );
 
-engineTest('kind and sizes follow the mouse and the keys', async (page) => {
+pageTest('kind and sizes follow the mouse and the keys', async (page) => {
   await openPart(page);
   await readPart(page);
   const before = await pictures(page);
@@ -245,7 +245,7 @@ pageTest(
   },
 );
 
-engineTest(
+pageTest(
   'the part has no obstacles and no errors, and fits at the sizes of a laptop and a projector',
   async (page) => {
     await page.open('#disturbance');

@@ -10,7 +10,7 @@ import { createActions } from '../../../www/run/actions/actions.js';
 import { atEnd } from '../../../www/run/clock.js';
 import { firstState } from '../../../www/run/first.js';
 import { createStore } from '../../../www/run/store.js';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { evolve } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { readEvolution } from '../harness/reading.js';
@@ -81,7 +81,7 @@ pageTest('each of them is chosen by a press, and by keys', async (page) => {
   );
 });
 
-engineTest('by a press, by keys, and by name another is chosen', async (page) => {
+pageTest('by a press, by keys, and by name another is chosen', async (page) => {
   const opponent = await chooseSome(page, [0, count, 2 * count - 1], 3);
   await go(page, 'tournament');
   const links = await page.elements('#generation-details .bouts button');
@@ -246,7 +246,7 @@ pageTest('back in time the generation is as it was, and evolution is untouched',
   assert.deepEqual(await readEvolution(page), expected(13));
 });
 
-engineTest('each phase is readable for everybody, in sight without scrolling', async (page) => {
+pageTest('each phase is readable for everybody, in sight without scrolling', async (page) => {
   await page.resize(1024, 768);
   await openAt(page, 3);
   for (const phase of phases) {

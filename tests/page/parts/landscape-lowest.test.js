@@ -6,7 +6,7 @@ import { isInSlice, linearRange } from '../../../www/parts/landscape/request.js'
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import { legendOf, noteText } from '../../../www/parts/landscape/told.js';
 import words from '../../../www/parts/landscape/words/index.js';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { pageTest } from '../harness/browsers.js';
 import { evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
@@ -122,7 +122,7 @@ test('what is not in the slice is told to be paler, and what is in it is not', (
   assert.ok(!told(own).includes(words.paler('ky')), told(own));
 });
 
-engineTest(
+pageTest(
   'the lowest point of the picture is told, with its J, and follows what the picture shows',
   async (page) => {
     await page.open('#landscape&drives=paper-ep');

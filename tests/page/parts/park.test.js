@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { filmOf, isOver, later, parkedBy } from '../../../www/parts/park/film.js';
 import { sight } from '../../../www/parts/park/sight.js';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { written } from '../harness/templates.js';
 import { bred, counted, parked, slide, usual } from './parking.js';
@@ -41,7 +41,7 @@ test('the count says whose robots drive', () => {
   assert.ok(said({ isOwn: true }).includes('with your numbers'));
 });
 
-engineTest(
+pageTest(
   'an address without a part opens the parking place, where evolution does what no hand does',
   async (page) => {
     await page.open('');

@@ -55,62 +55,59 @@ pageTest('the map says what the core says of the same starts', async (page) => {
   }
 });
 
-engineTest(
-  'a click on a cell lets the robot drive from there, and evolution stays as it was',
-  async (page) => {
-    await page.click('#one-generation');
-    await page.click('#one-generation');
-    const before = await readEvolution(page);
-    await openMap(page);
-    const own = await readDrive(page);
+pageTest('a click on a cell lets the robot drive from there, and evolution stays as it was', async (page) => {
+  await page.click('#one-generation');
+  await page.click('#one-generation');
+  const before = await readEvolution(page);
+  await openMap(page);
+  const own = await readDrive(page);
 
-    // None arrives from (4.00, 1.00): the worst comes first, and the next click takes the next heading.
-    const fails = cellOf(60, 30);
-    const first = worst(ep, fails);
-    await clickCell(page, 60, 30);
-    assert.deepEqual(await readDrive(page), {
-      start: { x: 4, y: 1, degrees: degrees(first) },
-      ...driveOf(ep, fails, first),
-    });
-    await clickCell(page, 60, 30);
-    const second = (first + 1) % headings;
-    assert.deepEqual(await readDrive(page), {
-      start: { x: 4, y: 1, degrees: degrees(second) },
-      ...driveOf(ep, fails, second),
-    });
+  // None arrives from (4.00, 1.00): the worst comes first, and the next click takes the next heading.
+  const fails = cellOf(60, 30);
+  const first = worst(ep, fails);
+  await clickCell(page, 60, 30);
+  assert.deepEqual(await readDrive(page), {
+    start: { x: 4, y: 1, degrees: degrees(first) },
+    ...driveOf(ep, fails, first),
+  });
+  await clickCell(page, 60, 30);
+  const second = (first + 1) % headings;
+  assert.deepEqual(await readDrive(page), {
+    start: { x: 4, y: 1, degrees: degrees(second) },
+    ...driveOf(ep, fails, second),
+  });
 
-    // Some arrive from (0.50, 0.50).
-    const mixed = cellOf(25, 25);
-    assert.ok(ep.arrivals(mixed) > 0 && ep.arrivals(mixed) < headings);
-    await clickCell(page, 25, 25);
-    assert.deepEqual(await readDrive(page), {
-      start: { x: 0.5, y: 0.5, degrees: degrees(worst(ep, mixed)) },
-      ...driveOf(ep, mixed, worst(ep, mixed)),
-    });
-    assert.match(
-      await readout(page),
-      new RegExp(`^x 0.50 m, y 0.50 m: ${ep.arrivals(mixed)} of 18 headings arrive`),
-    );
+  // Some arrive from (0.50, 0.50).
+  const mixed = cellOf(25, 25);
+  assert.ok(ep.arrivals(mixed) > 0 && ep.arrivals(mixed) < headings);
+  await clickCell(page, 25, 25);
+  assert.deepEqual(await readDrive(page), {
+    start: { x: 0.5, y: 0.5, degrees: degrees(worst(ep, mixed)) },
+    ...driveOf(ep, mixed, worst(ep, mixed)),
+  });
+  assert.match(
+    await readout(page),
+    new RegExp(`^x 0.50 m, y 0.50 m: ${ep.arrivals(mixed)} of 18 headings arrive`),
+  );
 
-    await page.click('#restore-postures');
-    assert.deepEqual(await readDrive(page), own);
+  await page.click('#restore-postures');
+  assert.deepEqual(await readDrive(page), own);
 
-    // From (2.60, −1.20) the arbitrary gains fail twice, though a drive that arrives costs most.
-    await page.click('#drives-paper-arbitrary');
-    await finished(page, 'paper’s arbitrary gains');
-    const arbitrary = survey('arbitrary');
-    const rare = cellOf(46, 8);
-    assert.equal(arbitrary.arrivals(rare), headings - 2);
-    await clickCell(page, 46, 8);
-    assert.deepEqual(await readDrive(page), {
-      start: { x: 2.6, y: -1.2, degrees: degrees(worst(arbitrary, rare)) },
-      ...driveOf(arbitrary, rare, worst(arbitrary, rare)),
-    });
-    await page.click('#page-lab');
-    await page.click('#drives-evolved');
-    assert.deepEqual(await readEvolution(page), before);
-  },
-);
+  // From (2.60, −1.20) the arbitrary gains fail twice, though a drive that arrives costs most.
+  await page.click('#drives-paper-arbitrary');
+  await finished(page, 'paper’s arbitrary gains');
+  const arbitrary = survey('arbitrary');
+  const rare = cellOf(46, 8);
+  assert.equal(arbitrary.arrivals(rare), headings - 2);
+  await clickCell(page, 46, 8);
+  assert.deepEqual(await readDrive(page), {
+    start: { x: 2.6, y: -1.2, degrees: degrees(worst(arbitrary, rare)) },
+    ...driveOf(arbitrary, rare, worst(arbitrary, rare)),
+  });
+  await page.click('#page-lab');
+  await page.click('#drives-evolved');
+  assert.deepEqual(await readEvolution(page), before);
+});
 
 /** What the map says in words, once the page has drawn what happened last. @param {Page} page */
 const readout = (page) =>

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import * as en from '../../../www/words/en/index.js';
 import * as ko from '../../../www/words/ko/index.js';
 import { rows } from '../../../www/settings/table.js';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, fields, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
@@ -95,7 +95,7 @@ pageTest('every row is drawn, with its unit and range', async (page) => {
   assert.deepEqual(await page.obstacles(), []);
 });
 
-engineTest('a weight that is dragged changes J at every step, and the landscape follows', async (page) => {
+pageTest('a weight that is dragged changes J at every step, and the landscape follows', async (page) => {
   await page.open('#landscape');
   await openSettings(page);
   const fine = () =>

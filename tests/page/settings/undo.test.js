@@ -1,6 +1,6 @@
 // What was done is undone and done again, step by step.
 import assert from 'node:assert/strict';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { chord, openSettings, setting, summary, type } from '../harness/panel.js';
 import { middleOf, read } from '../harness/reading.js';
 
@@ -60,7 +60,7 @@ pageTest('undo and redo step through drags, presets, seeds and settings', async 
   await assertAt(2);
 });
 
-engineTest('an arrow key that is held is one step of undo, each press another', async (page) => {
+pageTest('an arrow key that is held is one step of undo, each press another', async (page) => {
   const { goal } = await read(page);
   await page.focus('#goal-position');
   const { ARROW_UP: up } = Key;

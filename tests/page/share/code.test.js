@@ -1,6 +1,6 @@
 // The controller to take away: written in each language and run, it drives as the core does.
 import assert from 'node:assert/strict';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { pageTest } from '../harness/browsers.js';
 import { controllerOf } from '../../../www/share/code/controller.js';
 import { languages } from '../../../www/share/code/languages.js';
 import { smallestDivisor } from '../../../www/share/code/parts.js';
@@ -212,7 +212,7 @@ const readCode = (page) =>
     return { file: text('code-file'), code: text('code-text'), status: text('code-status') };
   });
 
-engineTest(
+pageTest(
   'Share shows the controller in each language, copies it and saves it as what is shown',
   async (page) => {
     await page.open('#lab&v=1&seed=5&generation=6');

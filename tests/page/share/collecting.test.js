@@ -4,7 +4,7 @@ import Papa from 'papaparse';
 import { links } from '../../../www/lesson/links.js';
 import { createReader, nameOfFile } from '../../../www/share/collect/entries.js';
 import { readAll } from '../../../www/share/collect/files.js';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { saved } from '../harness/saved.js';
 import { cells, checked, openSheet, paste, stripSays } from './hand-in-sheet.js';
@@ -47,7 +47,7 @@ test('an anonymous submission keeps its number, and so do those who share a name
   assert.equal(nameOfFile('all/Participant_12345_assignsubmission_file/mine.txt'), 'Participant 12345');
 });
 
-engineTest('a class is checked, sorted, opened, pinned and saved for the gradebook', async (page) => {
+pageTest('a class is checked, sorted, opened, pinned and saved for the gradebook', async (page) => {
   const [a, b, c] = await Promise.all([
     handedIn('s1', [3.3, 0, 4.5]),
     handedIn('s2', [3, 0.1, 6]),

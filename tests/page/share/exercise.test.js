@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { parts } from '../../../www/parts/parts.js';
 import { sizes, wantedHeight } from '../../../www/embed/frame.js';
 import { mostOfTask } from '../../../www/run/exercise.js';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
 import { ask, heardFrom, inHost, within } from '../harness/host.js';
 import { middleOf, read, waysOf } from '../harness/reading.js';
@@ -19,7 +19,7 @@ const follow = (page, link) =>
 
 const task = 'Park <b>it</b> in 6 s & no ky.';
 
-engineTest('an exercise is made by pressing, and holds against pointer, keys and drag', async (page) => {
+pageTest('an exercise is made by pressing, and holds against pointer, keys and drag', async (page) => {
   await page.open('#lab&v=1&seed=7&generation=2&drives=hand&gains=4,0.5,6');
   await page.click('#keep-button');
   await page.click('#keep-exercise');

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { parts } from '../../../www/parts/parts.js';
 import { groupNames } from '../../../www/run/exercise.js';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { everything } from './everything.js';
 
@@ -122,7 +122,7 @@ pageTest('the controls of a hidden group stand nowhere in the document', async (
   }
 });
 
-engineTest('what is hidden comes back with a link that shows it, and works', async (page) => {
+pageTest('what is hidden comes back with a link that shows it, and works', async (page) => {
   await page.open(`#lab&v=1&seed=7&hide=${groupNames.join(',')}`);
   assert.equal(
     await page.evaluate(

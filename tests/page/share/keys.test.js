@@ -33,7 +33,7 @@ async function rest(page) {
   return still;
 }
 
-engineTest('"?" opens the sheet, Escape closes it, and the focus goes back to where it was', async (page) => {
+pageTest('"?" opens the sheet, Escape closes it, and the focus goes back to where it was', async (page) => {
   for (const id of ['one-generation', 'slider-ky', 'goal-position', 'preset-velocity-limits']) {
     await page.focus(`#${id}`);
     await page.press('?');
@@ -49,7 +49,7 @@ engineTest('"?" opens the sheet, Escape closes it, and the focus goes back to wh
   assert.equal((await stateOf(page)).sheet, false);
 });
 
-engineTest('each single key does what the sheet says, and no key is missing there', async (page) => {
+pageTest('each single key does what the sheet says, and no key is missing there', async (page) => {
   await page.press('?');
   const lines = await page.evaluate(() =>
     [...document.querySelectorAll('#keys-list dt')].map((term) => [

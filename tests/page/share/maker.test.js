@@ -55,7 +55,7 @@ const sideways = (page) =>
     return groups.scrollWidth - groups.clientWidth;
   });
 
-engineTest('every field of the maker has a name and room, and what is wrong is said', async (page) => {
+pageTest('every field of the maker has a name and room, and what is wrong is said', async (page) => {
   await openMaker(page);
   assert.equal(await sideways(page), 0);
   await page.focus('#maker-aim');

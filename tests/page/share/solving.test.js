@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { links } from '../../../www/lesson/links.js';
 import { sizes } from '../../../www/embed/frame.js';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { experiment, simulate } from '../harness/core.js';
 import { heardFrom, inHost, within } from '../harness/host.js';
 
@@ -56,7 +56,7 @@ const needed = [
   '#gain-ktheta',
 ];
 
-engineTest(
+pageTest(
   'the figure of an exercise shows what its task needs at every size, in both languages',
   async (page) => {
     const links = [
@@ -77,87 +77,84 @@ engineTest(
   },
 );
 
-engineTest(
-  'an exercise is solved and handed in where it is given, and the host hears of it',
-  async (page) => {
-    let address = '';
-    await inHost(page, frameOf(page, exercise, sizes[0]), async () => {
-      address = await within(page, 0, async () => {
-        await page.until('its work is there', () => document.getElementById('hand-in'));
-        assert.match(await page.text('#aim'), /not yet met/);
-        // Only a frame that is used gets keys.
-        await page.click('#task');
-        for (const [id, value] of /** @type {const} */ ([
-          ['kx', '3.3'],
-          ['ktheta', '4.5'],
-        ])) {
-          await page.focus(`#gain-${id}`);
-          await page.press(...value, Key.ENTER);
-          await page.until(
-            'it drives',
-            (gain) =>
-              document.getElementById(`gain-${gain[0]}`)?.closest('.gain')?.querySelector('input')
-                ?.valueAsNumber === Number(gain[1]),
-            [id, value],
-          );
-        }
-        await page.until('the aim is met', () => document.querySelector('#aim.met'));
-        await page.click('#hand-in');
-        await page.until('it asks who', () => document.getElementById('handin-who'));
-        await page.focus('#handin-who');
-        await page.press(...'s 4711', Key.ENTER);
-        await page.until('the receipt is there', () => document.getElementById('handin-text'));
-        if (page.engine === 'chromium') assert.deepEqual(await page.obstacles('#handin'), []);
-        return page.evaluate(
-          () => /** @type {HTMLInputElement} */ (document.getElementById('handin-link')).value,
+pageTest('an exercise is solved and handed in where it is given, and the host hears of it', async (page) => {
+  let address = '';
+  await inHost(page, frameOf(page, exercise, sizes[0]), async () => {
+    address = await within(page, 0, async () => {
+      await page.until('its work is there', () => document.getElementById('hand-in'));
+      assert.match(await page.text('#aim'), /not yet met/);
+      // Only a frame that is used gets keys.
+      await page.click('#task');
+      for (const [id, value] of /** @type {const} */ ([
+        ['kx', '3.3'],
+        ['ktheta', '4.5'],
+      ])) {
+        await page.focus(`#gain-${id}`);
+        await page.press(...value, Key.ENTER);
+        await page.until(
+          'it drives',
+          (gain) =>
+            document.getElementById(`gain-${gain[0]}`)?.closest('.gain')?.querySelector('input')
+              ?.valueAsNumber === Number(gain[1]),
+          [id, value],
         );
-      });
-      const heard = await heardFrom(page, 0);
-      const drives = heard.filter(({ type }) => type === 'drive');
-      assert.deepEqual(
-        drives.map(({ gains }) => gains),
-        [
-          [3.3, 0, 0],
-          [3.3, 0, 4.5],
-        ],
+      }
+      await page.until('the aim is met', () => document.querySelector('#aim.met'));
+      await page.click('#hand-in');
+      await page.until('it asks who', () => document.getElementById('handin-who'));
+      await page.focus('#handin-who');
+      await page.press(...'s 4711', Key.ENTER);
+      await page.until('the receipt is there', () => document.getElementById('handin-text'));
+      if (page.engine === 'chromium') assert.deepEqual(await page.obstacles('#handin'), []);
+      return page.evaluate(
+        () => /** @type {HTMLInputElement} */ (document.getElementById('handin-link')).value,
       );
-      const { cost, finalTime } = simulate(experiment('velocity-limits'), [3.3, 0, 4.5]);
-      assert.deepEqual(
-        [drives[1].cost.total, drives[1].finalTime, drives[1].drives],
-        [cost.total, finalTime, 2],
-      );
-      const [handed, ...others] = heard.filter(({ type }) => type === 'handin');
-      assert.deepEqual(others, []);
-      assert.deepEqual(
-        [
-          handed.who,
-          handed.gains,
-          handed.cost,
-          handed.met,
-          handed.points,
-          handed.most,
-          handed.drives,
-          handed.link,
-        ],
-        ['s 4711', [3.3, 0, 4.5], cost.total, true, 10, 10, 2, address],
-      );
-      assert.match(handed.text, /^ep-locomotion hand-in · [^\n]*\nName: s 4711\nJ = 7\.71/);
-      assert.ok(handed.text.endsWith(address));
     });
-    await page.visit(address);
-    await page.until('it is checked', () => document.querySelector('.work-said'));
-    assert.match(await page.text('.work-said'), /^Handed in by s 4711: J = 7\.71\d+\. It holds/);
-    assert.match(await page.evaluate(() => location.hash), /&handin=1~7\.71/);
-    // Whoever goes on from it has a run of their own.
-    await page.focus('#gain-kx');
-    await page.press('4', Key.ENTER);
-    await page.until('it is no receipt any more', () => !document.querySelector('.work-said'));
-    await page.until('nor is its address', () => !location.hash.includes('handin'));
-    await page.visit(address.replace('gains=3.3', 'gains=3.2'));
-    await page.until('it is checked', () => document.querySelector('.work-said'));
-    assert.match(await page.text('.work-said'), /was cut or changed/);
-  },
-);
+    const heard = await heardFrom(page, 0);
+    const drives = heard.filter(({ type }) => type === 'drive');
+    assert.deepEqual(
+      drives.map(({ gains }) => gains),
+      [
+        [3.3, 0, 0],
+        [3.3, 0, 4.5],
+      ],
+    );
+    const { cost, finalTime } = simulate(experiment('velocity-limits'), [3.3, 0, 4.5]);
+    assert.deepEqual(
+      [drives[1].cost.total, drives[1].finalTime, drives[1].drives],
+      [cost.total, finalTime, 2],
+    );
+    const [handed, ...others] = heard.filter(({ type }) => type === 'handin');
+    assert.deepEqual(others, []);
+    assert.deepEqual(
+      [
+        handed.who,
+        handed.gains,
+        handed.cost,
+        handed.met,
+        handed.points,
+        handed.most,
+        handed.drives,
+        handed.link,
+      ],
+      ['s 4711', [3.3, 0, 4.5], cost.total, true, 10, 10, 2, address],
+    );
+    assert.match(handed.text, /^ep-locomotion hand-in · [^\n]*\nName: s 4711\nJ = 7\.71/);
+    assert.ok(handed.text.endsWith(address));
+  });
+  await page.visit(address);
+  await page.until('it is checked', () => document.querySelector('.work-said'));
+  assert.match(await page.text('.work-said'), /^Handed in by s 4711: J = 7\.71\d+\. It holds/);
+  assert.match(await page.evaluate(() => location.hash), /&handin=1~7\.71/);
+  // Whoever goes on from it has a run of their own.
+  await page.focus('#gain-kx');
+  await page.press('4', Key.ENTER);
+  await page.until('it is no receipt any more', () => !document.querySelector('.work-said'));
+  await page.until('nor is its address', () => !location.hash.includes('handin'));
+  await page.visit(address.replace('gains=3.3', 'gains=3.2'));
+  await page.until('it is checked', () => document.querySelector('.work-said'));
+  assert.match(await page.text('.work-said'), /was cut or changed/);
+});
 
 pageTest('what is drawn for a student waits for who it is, and follows from it', async (page) => {
   const link = 'lab&v=1&task=Park.&aim=J%3C9&vary=goal,seed&lock=postures';
@@ -203,7 +200,7 @@ pageTest('what is drawn for a student waits for who it is, and follows from it',
   assert.deepEqual(await page.problems(), []);
 });
 
-engineTest('who makes an exercise sees the very figure that students get', async (page) => {
+pageTest('who makes an exercise sees the very figure that students get', async (page) => {
   await page.open('#lab&v=1&drives=hand&gains=3,0,0');
   await page.click('#keep-button');
   await page.click('#keep-exercise');

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { pageNames } from '../../../www/parts/parts.js';
 import { lab } from '../../../www/words/index.js';
-import { engineTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -30,8 +30,11 @@ const more = {
   luck: ['luck', 'luck&v=1&luck=contest'],
 };
 
+/** A chart, and a map: in every engine. */
+const inAll = ['lab&v=1&generation=20', 'landscape'];
+
 for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
-  engineTest(
+  (inAll.includes(link) ? engineTest : pageTest)(
     `on paper there is the plane and the open part, whole, and nothing to press: ${link}`,
     async (page) => {
       const [part] = link.split('&');
