@@ -1,5 +1,5 @@
 // The Lyapunov function as a bowl, V = r²/2: the robot stands on its wall as high as V, on the side to which x_e and y_e point.
-import { html, render, svg } from 'lit-html';
+import { html, nothing, render, svg } from 'lit-html';
 import { create } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { fixed, powerText } from '../../words/numbers.js';
@@ -75,13 +75,16 @@ export function createBowl(_tools, { bowl: words }) {
           <text class="bowl-text" x=${width - 8} y=${ball.y + (isAside(ball.x) ? 16 : -6)}>${`${words.height} ${heightText(sample.lyapunov)}`}</text>
           <circle class="bowl-ball" cx=${ball.x} cy=${ball.y - 7} r="9" />
           <text class="bowl-zero" x=${middle.x} y=${middle.y + 22}>${`${words.height} 0`}</text>
-          <text class="bowl-zero" x=${middle.x} y=${ring(1).y - ring(1).ry - 8}>${`${words.height} ${rimText((most * most) / 2)}`}</text>
+          ${isOnRimText(ball) ? nothing : svg`<text class="bowl-zero" x=${middle.x} y=${ring(1).y - ring(1).ry - 8}>${`${words.height} ${rimText((most * most) / 2)}`}</text>`}
         </svg>`,
         element,
       );
     },
   };
 }
+
+/** Whether the ball would lie on the text of the rim, whose V it then has. @param {{ x: number, y: number }} ball */
+const isOnRimText = ({ x, y }) => Math.abs(x - middle.x) < 60 && y < ring(1).y - ring(1).ry + 14;
 
 /** Whether the ball is where its height is written. @param {number} x */
 const isAside = (x) => x > width - 96;
