@@ -8,7 +8,7 @@ import { takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
 import { createFocusKeeper } from './kit/focus.js';
 import { isEmbedded, isStill } from './kit/host.js';
-import { createAccumulator, createApart, createFrameLoop } from './kit/loop.js';
+import { createAccumulator, createApart, createFrameLoop, pause } from './kit/loop.js';
 import { createComputing } from './lab/computing.js';
 import { createDraw } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
@@ -154,8 +154,9 @@ function createFrame({ actions, tools: { store } }, { made, turn, show }) {
   };
 }
 
-/** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
+/** What is not there yet of the open part is there, or cannot be, once this is resolved. It pauses, so that nothing holds the browser for long. @param {Engine} engine */
 async function start(engine) {
+  await pause();
   /** @type {ReturnType<typeof createSeen> | null} */
   let seen = null;
   /** @type {ReturnType<typeof createAddress> | null} */
@@ -164,10 +165,12 @@ async function start(engine) {
   let frame = null;
   const loop = createFrameLoop((seconds) => frame?.(seconds) ?? false);
   const run = createRun(engine, (state) => seen?.made.of(state.page)?.drives?.(state) ?? null, loop.request);
+  await pause();
   const { actions, tools, sight } = run;
   const { store } = tools;
   seen = createSeen(run, loop.request, () => address);
   const { open, show, openChecks } = seen;
+  await pause();
   if (isEmbedded)
     embed = createEmbed({
       ...tools,
@@ -182,7 +185,9 @@ async function start(engine) {
   createKeys(openChecks);
   byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get().history)));
   address = createAddress({ ...tools, actions, slices: places.slices, firstPage });
+  await pause();
   await open();
+  await pause();
   frame = createFrame(run, seen);
   takeInstead();
   byId('instrument').hidden = false;

@@ -25,6 +25,7 @@ const sliderRange = {
  */
 export function createDraw(views, engine, paper, hasGains, turn) {
   const viewOf = remember(createView);
+  const [cost, evolving] = ['cost', 'evolving'].map(byId);
   const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
     const { starts, goal } = engine.experiment(preset);
     return JSON.stringify([experiment.starts, experiment.goal]) !== JSON.stringify([starts, goal]);
@@ -41,7 +42,7 @@ export function createDraw(views, engine, paper, hasGains, turn) {
     byId('postures').classList.toggle('left', isUnderNotes(view, ends));
   };
 
-  /** @param {State} state @param {Scene} scene @param {number} time @returns {Record<string, () => void>} */
+  /** What is hidden is drawn once it is seen. @param {State} state @param {Scene} scene @param {number} time @returns {Record<string, () => void>} */
   const drawings = (state, scene, time) => {
     const { driver, experiment, history, generation, preset, robot, speed } = state;
     const { finalTime } = scene.driving;
@@ -53,6 +54,7 @@ export function createDraw(views, engine, paper, hasGains, turn) {
       plane: () => drawPlane(state, scene, time),
       robotBar: () => views.robotBar.draw({ time, finalTime, playing: robot.playing, speed }),
       cost: () =>
+        cost.hidden ||
         views.cost.draw({
           title: strings.costTitle(driver, state.found),
           starts: scene.experiment.starts.length,
@@ -62,7 +64,7 @@ export function createDraw(views, engine, paper, hasGains, turn) {
       generation: () => write(byId('generation'), String(generation)),
       seed: () => write(byId('seed'), String(experiment.evolution.seed)),
       curve: () => state.page === 'lab' && drawCurve(views, state, scene),
-      evolutionBar: () => views.evolutionBar.draw(evolutionOf(state)),
+      evolutionBar: () => evolving.hidden || views.evolutionBar.draw(evolutionOf(state)),
       gains: () =>
         views.gains.draw({
           isShown: hasGains(state),

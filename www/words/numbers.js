@@ -51,7 +51,11 @@ export function costText(value) {
   return value < 1e6 ? fixed(value, 1) : powerText(value);
 }
 
-/** The same, with the digits of what is large in groups. @param {(whole: number) => string} grouped */
+/** Groups of three digits, by what stands between them. Intl knows it too, but takes tens of milliseconds to begin with. @param {string} mark */
+export const groupedBy = (mark) => (/** @type {number} */ whole) =>
+  String(whole).replace(/\B(?=(\d{3})+$)/g, mark);
+
+/** costText(), with the digits of what is large in groups. @param {(whole: number) => string} grouped */
 export const costTextWith = (grouped) => (/** @type {number} */ value) => {
   const text = costText(value);
   const [whole, part] = text.split('.');

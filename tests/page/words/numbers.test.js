@@ -24,6 +24,14 @@ test('every number is written as one, also what is none', () => {
     }
 });
 
+test('digits stand in groups as each language has them', () => {
+  for (const whole of [0, 7, 999, 1000, -1234, 118_098, 2_097_152, 2 ** 53])
+    assert.deepEqual(
+      [en.lab.grouped(whole).replaceAll('\u202f', ','), ko.lab.grouped(whole)],
+      [whole.toLocaleString('en'), whole.toLocaleString('ko')],
+    );
+});
+
 test('seconds are told as short as they are exact', () => {
   const run = { outcome: 'horizon', referenceX: [0] };
   for (const [seconds, text] of /** @type {const} */ ([

@@ -20,7 +20,7 @@ export function createTask(engine) {
     starts,
     weights: { ...usual.weights, velocity: [1, 0.1] },
   });
-  const lone = starts.map((start) => engine.experiment({ ...base, starts: [start] }));
+  const lone = base.starts.map((start) => ({ ...base, starts: [start] }));
   return {
     starts,
     goal: base.goal,

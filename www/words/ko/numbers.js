@@ -1,12 +1,10 @@
 // How numbers are written in Korean.
-import { costTextWith } from '../numbers.js';
+import { costTextWith, groupedBy } from '../numbers.js';
 
 export * from '../numbers.js';
 
-const groups = new Intl.NumberFormat('ko');
-
-/** Groups of three digits. @param {number} whole */
-export const grouped = (whole) => groups.format(whole);
+/** Groups of three digits. */
+export const grouped = groupedBy(',');
 
 /** J. */
 export const costText = costTextWith(grouped);
