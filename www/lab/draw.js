@@ -20,12 +20,12 @@ const sliderRange = {
 
 /**
  * @param {Views} views @param {Engine} engine @param {PaperResult[]} paper
+ * @param {(state: State) => boolean} hasLab Whether the lab is in sight: else there are only its head and its message.
  * @param {(state: State) => boolean} hasGains Whether the sliders are in sight.
  * @param {(name: string, act: () => void) => void} turn Gives each view its turn.
  */
-export function createDraw(views, engine, paper, hasGains, turn) {
+export function createDraw(views, engine, paper, hasLab, hasGains, turn) {
   const viewOf = remember(createView);
-  const [cost, evolving] = ['cost', 'evolving'].map(byId);
   const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
     const { starts, goal } = engine.experiment(preset);
     return JSON.stringify([experiment.starts, experiment.goal]) !== JSON.stringify([starts, goal]);
@@ -42,19 +42,23 @@ export function createDraw(views, engine, paper, hasGains, turn) {
     byId('postures').classList.toggle('left', isUnderNotes(view, ends));
   };
 
-  /** What is hidden is drawn once it is seen. @param {State} state @param {Scene} scene @param {number} time @returns {Record<string, () => void>} */
-  const drawings = (state, scene, time) => {
+  /** @param {State} state @returns {Record<string, () => void>} */
+  const headOf = (state) => ({
+    message: () => showMessage(state.message),
+    pages: () => views.pages.draw(state.page, state.lesson, state.experiment.evolution.population),
+    preset: () => views.preset.draw(asked(state).preset),
+  });
+
+  /** @param {State} state @param {Scene} scene @returns {Record<string, () => void>} */
+  const labOf = (state, scene) => {
     const { driver, experiment, history, generation, preset, robot, speed } = state;
     const { finalTime } = scene.driving;
+    const time = Math.min(robot.time, finalTime);
     return {
-      message: () => showMessage(state.message),
-      pages: () => views.pages.draw(state.page, state.lesson, experiment.evolution.population),
-      preset: () => views.preset.draw(asked(state).preset),
       drivers: () => views.drivers.draw(driver),
       plane: () => drawPlane(state, scene, time),
       robotBar: () => views.robotBar.draw({ time, finalTime, playing: robot.playing, speed }),
       cost: () =>
-        cost.hidden ||
         views.cost.draw({
           title: strings.costTitle(driver, state.found),
           starts: scene.experiment.starts.length,
@@ -64,7 +68,7 @@ export function createDraw(views, engine, paper, hasGains, turn) {
       generation: () => write(byId('generation'), String(generation)),
       seed: () => write(byId('seed'), String(experiment.evolution.seed)),
       curve: () => state.page === 'lab' && drawCurve(views, state, scene),
-      evolutionBar: () => evolving.hidden || views.evolutionBar.draw(evolutionOf(state)),
+      evolutionBar: () => views.evolutionBar.draw(evolutionOf(state)),
       gains: () =>
         views.gains.draw({
           isShown: hasGains(state),
@@ -93,8 +97,8 @@ export function createDraw(views, engine, paper, hasGains, turn) {
 
   /** @param {State} state @param {Scene} scene */
   return (state, scene) => {
-    const time = Math.min(state.robot.time, scene.driving.finalTime);
-    for (const [name, drawOne] of Object.entries(drawings(state, scene, time))) turn(name, drawOne);
+    const due = { ...headOf(state), ...(hasLab(state) && labOf(state, scene)) };
+    for (const [name, drawOne] of Object.entries(due)) turn(name, drawOne);
   };
 }
 

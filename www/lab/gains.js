@@ -24,7 +24,7 @@ export function createGains(root, note, events) {
     /** @param {GainsModel} model */
     draw(model) {
       root.hidden = !model.isShown;
-      if (root.hidden || !changed(...model.gains, ...model.errors, ...model.range, model.note)) return;
+      if (!changed(...model.gains, ...model.errors, ...model.range, model.note)) return;
       note.textContent = model.note;
       for (const [i, row] of rows.entries()) row.draw(model.gains[i], model.errors[i], model.range);
     },

@@ -32,6 +32,9 @@ export const places = {
 export const hasGains = (state) =>
   state.page === 'lab' || (partOf(state.page)?.gains?.(state) ?? state.driver === 'hand');
 
+/** Whether something of the lab is in sight. @param {import('../run/state.js').State} state */
+export const hasLab = (state) => !partOf(state.page)?.alone;
+
 /** What links know of them. @type {Omit<import('../link/link.js').Tables, 'lesson'>} */
 export const linked = {
   pages: pageNames,

@@ -2,7 +2,6 @@ import assert from 'node:assert/strict';
 import { pageNames } from '../../../www/parts/parts.js';
 import { lab } from '../../../www/words/index.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
-import { read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -39,7 +38,6 @@ for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
     async (page) => {
       const [part] = link.split('&');
       await page.open(`#${link}`);
-      await read(page);
       assert.ok((await asOnPaper(page)) > 0);
       await page.resize(paper, 900);
       await page.until('everything is drawn', () =>
@@ -47,7 +45,6 @@ for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
           (canvas) => !canvas.checkVisibility() || canvas.width !== 300 || canvas.height !== 150,
         ),
       );
-      await read(page);
       const seen = await page.evaluate(() => {
         const all = (/** @type {string} */ selector) =>
           [...document.querySelectorAll(selector)].filter((element) => element.checkVisibility());
@@ -106,7 +103,6 @@ engineTest(
   'what is drawn gets the colours of paper before it is printed, and its own again',
   async (page) => {
     await page.open('#lab&v=1&generation=5');
-    await read(page);
     const reds = () =>
       page.evaluate(() => {
         const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('plane-robots'));

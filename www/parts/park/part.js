@@ -30,6 +30,7 @@ export const park = {
     gains: { lock: '#park-gains, .park-walk', hide: '#park-gains, .park-walk' },
     run: { lock: '#park-evolve', hide: '#park-evolve' },
   },
+  alone: true,
   figure: [0.75, 640],
   load: () => partOf([loadWords], () => import('./page.js')),
 };
