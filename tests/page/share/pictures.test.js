@@ -186,9 +186,10 @@ for (const { page: name, setUp, pictures } of parts)
       await page.open(`#${name}`);
       await setUp?.(page);
       await page.evaluate(async () => {
-        const scrub = /** @type {HTMLInputElement} */ (document.getElementById('scrub'));
-        scrub.value = '1';
-        scrub.dispatchEvent(new Event('input', { bubbles: true }));
+        // Park has none.
+        const scrub = /** @type {HTMLInputElement | null} */ (document.getElementById('scrub'));
+        if (scrub) scrub.value = '1';
+        scrub?.dispatchEvent(new Event('input', { bubbles: true }));
         /** @type {HTMLElement} */ (document.activeElement)?.blur();
         scrollTo(0, 0);
         // What moves has arrived, and is drawn.
