@@ -81,7 +81,8 @@ function chromium() {
     ...inProgramFiles('Google\\Chrome\\Application\\chrome.exe'),
   ]);
   const driver = findProgram(['chromedriver', 'chromium.chromedriver']);
-  const bare = findProgram(['chromium-headless-shell']) ?? undefined;
+  // Itself, not what starts it from PATH: that stays its parent, is ended in its place, and leaves it behind.
+  const bare = findProgram(['/usr/lib/chromium/chromium-headless-shell']) ?? undefined;
   return browser === null ? null : { name: 'chromium', browser, driver, bare };
 }
 
