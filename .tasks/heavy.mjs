@@ -100,7 +100,7 @@ const openBrowser = () =>
     { 'goog:loggingPrefs': { performance: 'ALL' } },
   );
 
-/** @typedef {{ name: string, ph: string, pid: number, tid: number, dur?: number, tdur?: number, args?: { name?: string, data?: { url?: string } } }} TraceEvent */
+/** @typedef {{ name: string, ph: string, ts: number, pid: number, tid: number, dur?: number, tdur?: number, args?: { name?: string, data?: { url?: string } } }} TraceEvent */
 
 /** The longest task of a page's thread since it was asked for last, in milliseconds of the processor; null if the browser has told of none. @param {Driver} driver @param {string} address */
 async function longestTask(driver, address) {
@@ -117,7 +117,14 @@ async function longestTask(driver, address) {
   );
   const drawing = events.filter(({ name, pid }) => name === 'FireAnimationFrame' && ours.has(pid));
   const threads = new Set(drawing.map(keyOf));
-  const tasks = events.filter((event) => /RunTask$/.test(event.name) && threads.has(keyOf(event)));
+  // To leave the page before is work, too, but not of this one.
+  const begins = events.filter(
+    ({ name, args }) => name === 'CommitLoad' && args?.data?.url?.startsWith(address),
+  );
+  const begin = Math.min(...begins.map(({ ts }) => ts));
+  const tasks = events.filter(
+    (event) => /RunTask$/.test(event.name) && threads.has(keyOf(event)) && event.ts >= begin,
+  );
   if (tasks.length === 0) return null;
   return tasks.reduce((most, { dur = 0, tdur = dur }) => Math.max(most, tdur / 1000), 0);
 }
