@@ -10,7 +10,7 @@ import { opening, tables as words } from '../words/index.js';
 
 const { texts } = words;
 
-/** More at once would take long to lay out: some have 14 columns. */
+/** More at once would take long to lay out: the rows of a generation are long. */
 const mostRows = 50;
 
 const sheet = once(() => createSheet('table', 'table-sheet', '', opening.texts.close));
