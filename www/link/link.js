@@ -115,7 +115,7 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
     const link = asWritten(written);
     const [name, ...rest] = whole(link.slice(0, mostCharacters), lesson).split('&');
     const page = pages.find((one) => one === (name || 'lab'));
-    const problems = page ? [] : [words.unknownPart(short(decoded(name)), pages)];
+    const problems = page ? [] : [words.unknownPart(short(decoded(name)), [...pages, 'lesson'])];
     if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
     const given = new Map(rest.filter((text) => text !== '').map(pairOf));
     const step = aloneIn(link)?.step ?? given.get('lesson');

@@ -2,7 +2,7 @@
 
 /** @param {string} found @param {readonly string[]} parts */
 export const unknownPart = (found, parts) =>
-  `The link asks for “${found}”, which is no part of this page: ${parts.join(', ')}.`;
+  `The link asks for “${found}”, which this page does not have. What it has: ${parts.join(', ')}.`;
 
 /** @param {string} key @param {string} reason */
 export const ignored = (key, reason) =>
