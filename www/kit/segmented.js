@@ -3,6 +3,13 @@ import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 
 /** @template {string} V @typedef {{ value: V, text: string, hint?: string, disabled?: boolean }} Choice */
+/** What each is called, none forgotten. @template {string} V @typedef {Readonly<Record<V, string | { text: string, hint?: string }>>} Choices */
+
+/** In the order in which they are written. @template {string} V @param {Choices<V>} choices @returns {Choice<V>[]} */
+export const listed = (choices) =>
+  /** @type {[V, string | { text: string, hint?: string }][]} */ (Object.entries(choices)).map(
+    ([value, said]) => (typeof said === 'string' ? { value, text: said } : { value, ...said }),
+  );
 
 /**
  * What a fieldset of this id holds.

@@ -8,7 +8,7 @@ import { createGains } from './gains.js';
 import { createHandles } from './handles.js';
 import { createNotes } from './notes.js';
 import { createPlane } from './plane.js';
-import { createSegmented } from '../kit/segmented.js';
+import { createSegmented, listed } from '../kit/segmented.js';
 import { createSigmas } from './sigmas.js';
 import { sigmas as sigmaWords, lab as strings, texts } from '../words/index.js';
 import { fillTexts } from '../kit/texts.js';
@@ -36,8 +36,18 @@ export function sayTexts() {
 export function createViews(store, actions, pages, onLesson) {
   return {
     pages: createPages(pages, byId('pages'), byId('tagline'), actions.openPage, onLesson),
-    preset: createSegmented(byId('preset'), strings.presetLegend, strings.presets, actions.choosePreset),
-    drivers: createSegmented(byId('drives'), strings.driverLegend, strings.drivers, actions.chooseDriver),
+    preset: createSegmented(
+      byId('preset'),
+      strings.presetLegend,
+      listed(strings.presets),
+      actions.choosePreset,
+    ),
+    drivers: createSegmented(
+      byId('drives'),
+      strings.driverLegend,
+      listed(strings.drivers),
+      actions.chooseDriver,
+    ),
     plane: createPlane(byId('plane-paths'), byId('plane-robots')),
     handles: createHandles(byId('handles'), {
       postureOf: actions.postureOf,
@@ -52,7 +62,7 @@ export function createViews(store, actions, pages, onLesson) {
     curveChoice: createSegmented(
       byId('curve-choice'),
       sigmaWords.curveLegend,
-      sigmaWords.curveChoices,
+      listed(sigmaWords.curveChoices),
       (curve) => labSlice.update(store, { curve }),
     ),
     evolutionBar: createEvolutionBar(byId('evolving'), actions),

@@ -1,5 +1,6 @@
 // The paper's gains, where an exercise hides them, are nowhere: in no table, in nothing that is saved or sent.
 import assert from 'node:assert/strict';
+import { listed } from '../../../www/kit/segmented.js';
 import { parts } from '../../../www/parts/parts.js';
 import { lab } from '../../../www/words/index.js';
 import { presets } from '../../../www/run/state.js';
@@ -25,7 +26,7 @@ function ofPaper() {
       for (const value of method === 'ep' ? [...gains, cost.total] : [cost.total])
         for (const digits of [4, 5, 6, 7]) numbers.add(String(Number(value.toPrecision(digits))));
     }
-  const names = lab.drivers
+  const names = listed(lab.drivers)
     .filter(({ value }) => value.startsWith('paper-'))
     .flatMap(({ text, hint }) => [text, hint]);
   // A time may be as short.

@@ -2,6 +2,7 @@
 import { html, render } from 'lit-html';
 import { create } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
+import { listed } from '../../kit/segmented.js';
 import { gainsOf } from '../../run/drivers.js';
 import { lab } from '../../words/index.js';
 import { threeDigits } from '../../words/numbers.js';
@@ -20,7 +21,7 @@ const entrants = /** @type {const} */ (['ep', 'arbitrary', 'gentle', 'hand']);
 
 const drivers = /** @type {const} */ ({ ep: 'paper-ep', arbitrary: 'paper-arbitrary', hand: 'hand' });
 /** As the lab names them. @param {Driver} driver */
-const driverText = (driver) => lab.drivers.find(({ value }) => value === driver)?.text ?? '';
+const driverText = (driver) => listed(lab.drivers).find(({ value }) => value === driver)?.text ?? '';
 
 /** Whose gains stand in the table; null: nobody's yet. @param {Live} live @param {Triple | null} byHand @returns {Record<Entrant, Triple | null>} */
 export const entrantsOf = ({ state, paper }, byHand) => ({

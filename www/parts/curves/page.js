@@ -7,6 +7,7 @@ import './style.css';
 import './places.css';
 import './stability/style.css';
 import { html, render } from 'lit-html';
+import { listed } from '../../kit/segmented.js';
 import { segmentedOf } from '../fields.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
@@ -30,7 +31,7 @@ export function createPage(tools) {
       html`
         <div class="heading">
           <h2 id="curves-title">${words.texts.curvesTitle}</h2>
-          ${segmentedOf('curves-view', words.viewLegend, words.views, view, choose, 'small')}
+          ${segmentedOf('curves-view', words.viewLegend, listed(words.views), view, choose, 'small')}
         </div>
         <div id="curves-over-time" class="curves-over-time" .hidden=${view !== 'time'}></div>
         <div id="curves-stability" class="stability" .hidden=${view !== 'stability'}></div>

@@ -1,5 +1,6 @@
 // The controls of the disturbance: its kind, its two sizes, and another draw.
 /** @import { DisturbanceState } from './state.js' */
+import { listed } from '../../kit/segmented.js';
 import { disturbanceSlice } from './state.js';
 import { html } from 'lit-html';
 import { createRow } from '../../lab/gains.js';
@@ -81,7 +82,7 @@ export function createControls({ engine, store, actions }) {
   return (/** @type {Disturbance} */ now, /** @type {DisturbanceState['error']} */ error) => html`
     <fieldset id="disturbance-controls" class="around" aria-label=${words.texts.disturbanceControls}>
       <div class="bar">
-        ${segmentedOf('disturbance-kind', words.kindLegend, words.kinds, now.kind, chooseKind)}
+        ${segmentedOf('disturbance-kind', words.kindLegend, listed(words.kinds), now.kind, chooseKind)}
         <button id="disturbance-draw" type="button" .hidden=${now.kind !== 'random'} @click=${onDraw}>${words.texts.disturbanceDraw}</button>
       </div>
       <fieldset id="disturbance-sizes" class="sizes" aria-label=${words.texts.disturbanceSizes}

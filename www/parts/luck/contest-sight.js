@@ -6,7 +6,7 @@
 import { html, noChange, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { selectOf } from '../fields.js';
-import { choicesOf } from '../../kit/segmented.js';
+import { choicesOf, listed } from '../../kit/segmented.js';
 import { createSwatch } from '../../kit/swatch.js';
 import { options, selectAll, unlessDouble, valueIn } from '../../kit/templates.js';
 import { styles } from '../../run/pins.js';
@@ -48,7 +48,7 @@ export function contestSight(state, standings, stale, isTyping, on) {
     <p id="contest-said" class="visually-hidden" role="status">${contest && !contestRuns && !contest.cancelled ? `${noteText(luck)}. ${sentences.join(' ')}` : ''}</p>
     ${contest ? nothing : html`<p id="contest-finding" class="luck-finding">${words.contestInvitation(luck, state.experiment.starts.length)}</p>`}
     <fieldset id="contest-reading" class="segmented small" .hidden=${!standings?.lowest}>
-      ${choicesOf('contest-reading', texts.reading, words.readings, luck.reading, (reading) => on.update({ reading }))}
+      ${choicesOf('contest-reading', texts.reading, listed(words.readings), luck.reading, (reading) => on.update({ reading }))}
     </fieldset>
     <div class="luck-curve picture contest-chart"><div id="contest-chart" data-picture="contest" data-name=${texts.picture} role="img"
       aria-label=${words.contestLabel(sentences)}></div></div>

@@ -5,6 +5,7 @@ import './style.css';
 import './contest.css';
 import './places.css';
 import { html, render } from 'lit-html';
+import { listed } from '../../kit/segmented.js';
 import { luckSlice } from './state.js';
 import { segmentedOf } from '../fields.js';
 import { createSection } from '../section.js';
@@ -18,7 +19,7 @@ export function createPage(tools) {
   const section = createSection('luck');
   const showView = (/** @type {LuckState['view']} */ view) =>
     render(
-      html`${segmentedOf('luck-view', words.viewLegend, words.views, view, (chosen) => luckSlice.update(store, { view: chosen }), 'small')}
+      html`${segmentedOf('luck-view', words.viewLegend, listed(words.views), view, (chosen) => luckSlice.update(store, { view: chosen }), 'small')}
         <div class="luck-sight" .hidden=${view !== 'seeds'}></div>
         <div class="luck-sight" .hidden=${view !== 'contest'}></div>`,
       section,

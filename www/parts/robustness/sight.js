@@ -5,6 +5,7 @@
 /** @import { Spec } from './request.js' */
 /** @import { RobustnessState } from './state.js' */
 import { html, render } from 'lit-html';
+import { listed } from '../../kit/segmented.js';
 import { halves, robustnessSlice } from './state.js';
 import { segmentedOf, selectOf } from '../fields.js';
 import { showTable } from '../../lab/table-sheet.js';
@@ -90,7 +91,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
     <p class="cost-line row"><span id="robustness-share" class="share">${shown.share}</span> <span class="muted"><span
       id="robustness-summary">${shown.summary}</span><br><span id="robustness-rival">${shown.rival}</span></span></p>
     <div class="bar survey-bar">
-      ${segmentedOf('robustness-quantity', words.quantityLegend, words.quantities, quantity, (chosen) => update({ quantity: chosen }))}
+      ${segmentedOf('robustness-quantity', words.quantityLegend, listed(words.quantities), quantity, (chosen) => update({ quantity: chosen }))}
       <label class="survey-extent muted">${selectOf('robustness-half', texts.robustnessExtent, extents, half, (chosen) => update({ half: chosen, cursor: null }))}
         <span>${texts.robustnessAround}</span></label>
     </div>
@@ -102,7 +103,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
         <canvas id="robustness-marks" aria-hidden="true"></canvas>
       </div>
       <div class="survey-side">
-        ${segmentedOf('robustness-headings', words.headingLegend, words.headingChoices, choice, onHeadings)}
+        ${segmentedOf('robustness-headings', words.headingLegend, listed(words.headingChoices), choice, onHeadings)}
         <div id="robustness-rose" class="rose" data-picture="robustness" role="slider" tabindex="0"></div>
         <div id="robustness-legend" class="survey-legend" data-picture="robustness"></div>
       </div>

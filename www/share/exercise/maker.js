@@ -12,7 +12,7 @@ import { copy } from '../../kit/copy.js';
 import { byId } from '../../kit/elements.js';
 import { addressOf } from '../../kit/host.js';
 import { watch } from '../../kit/memo.js';
-import { choicesOf } from '../../kit/segmented.js';
+import { choicesOf, listed } from '../../kit/segmented.js';
 import { closeButton, selectAll, valueIn } from '../../kit/templates.js';
 import { createTask, preset as parkPreset } from '../../parts/park/task.js';
 import {
@@ -190,7 +190,7 @@ const rowOf = (draft, group, onChoose) => html`
     <fieldset id="maker-${group}" class="segmented">${choicesOf(
       `maker-${group}`,
       exerciseWords.groups[group],
-      words.ways.map((way) => ({
+      listed(words.ways).map((way) => ({
         ...way,
         disabled: isHiddenWithPaper(draft, group) && way.value !== 'hidden',
       })),

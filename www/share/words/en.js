@@ -153,12 +153,12 @@ export const textNotCopied = 'This browser lets no page copy: the text is select
 /** What a screen reader says of the frame. @param {string} part */
 export const frameTitle = (part) => `Evolving a robot’s controller: ${part}`;
 
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../../words/common/kinds.js').Way>[]} */
-export const ways = [
-  { value: 'free', text: 'Free' },
-  { value: 'locked', text: 'Locked' },
-  { value: 'hidden', text: 'Hidden' },
-];
+/** @type {import('../../kit/segmented.js').Choices<import('../../words/common/kinds.js').Way>} */
+export const ways = {
+  free: 'Free',
+  locked: 'Locked',
+  hidden: 'Hidden',
+};
 
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `${count} of at most ${most} characters`;

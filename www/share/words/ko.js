@@ -156,12 +156,12 @@ export const textNotCopied =
 /** What a screen reader says of the frame. @param {string} part */
 export const frameTitle = (part) => `진화로 찾는 로봇 제어기: ${part}`;
 
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../../words/common/kinds.js').Way>[]} */
-export const ways = [
-  { value: 'free', text: '사용' },
-  { value: 'locked', text: '잠금' },
-  { value: 'hidden', text: '숨김' },
-];
+/** @type {import('../../kit/segmented.js').Choices<import('../../words/common/kinds.js').Way>} */
+export const ways = {
+  free: '사용',
+  locked: '잠금',
+  hidden: '숨김',
+};
 
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;

@@ -35,28 +35,26 @@ export const texts = {
 };
 
 export const presetLegend = 'Limits of the robot';
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../../core/engine.js').Preset>[]} */
-export const presets = [
-  { value: 'velocity-limits', text: 'Velocity limits', hint: 'Figures 4 and 5 of the paper' },
-  { value: 'acceleration-limits', text: '+ acceleration limits', hint: 'Figures 6 and 7 of the paper' },
-];
+/** @type {import('../../kit/segmented.js').Choices<import('../../core/engine.js').Preset>} */
+export const presets = {
+  'velocity-limits': { text: 'Velocity limits', hint: 'Figures 4 and 5 of the paper' },
+  'acceleration-limits': { text: '+ acceleration limits', hint: 'Figures 6 and 7 of the paper' },
+};
 
 export const driverLegend = 'What drives';
-/** @type {readonly import('../../kit/segmented.js').Choice<Driver>[]} */
-export const drivers = [
-  { value: 'evolved', text: 'Evolved best' },
-  { value: 'hand', text: 'By hand' },
-  {
-    value: 'paper-ep',
+/** @type {import('../../kit/segmented.js').Choices<Driver>} */
+export const drivers = {
+  evolved: 'Evolved best',
+  hand: 'By hand',
+  'paper-ep': {
     text: 'Paper: EP',
     hint: 'The gains that evolutionary programming found in the paper',
   },
-  {
-    value: 'paper-arbitrary',
+  'paper-arbitrary': {
     text: 'Paper: arbitrary',
     hint: 'The gains that the paper compares with, chosen without evolution',
   },
-];
+};
 
 /** @type {Record<string, string>} */
 export const pages = {

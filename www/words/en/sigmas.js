@@ -5,11 +5,11 @@ import { sigmaText } from '../common/sigmas.js';
 export * from '../common/sigmas.js';
 
 export const curveLegend = 'Curve over the generations';
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../common/kinds.js').LabCurve>[]} */
-export const curveChoices = [
-  { value: 'cost', text: 'J' },
-  { value: 'sigmas', text: 'σ', hint: 'Mean step size of each gain' },
-];
+/** @type {import('../../kit/segmented.js').Choices<import('../common/kinds.js').LabCurve>} */
+export const curveChoices = {
+  cost: 'J',
+  sigmas: { text: 'σ', hint: 'Mean step size of each gain' },
+};
 export const sigmaTitle = 'Step sizes';
 
 /** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */

@@ -35,24 +35,23 @@ export const texts = {
 };
 
 export const presetLegend = '로봇의 제한';
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../../core/engine.js').Preset>[]} */
-export const presets = [
-  { value: 'velocity-limits', text: '속도 제한', hint: '논문의 그림 4, 5' },
-  { value: 'acceleration-limits', text: '+ 가속도 제한', hint: '논문의 그림 6, 7' },
-];
+/** @type {import('../../kit/segmented.js').Choices<import('../../core/engine.js').Preset>} */
+export const presets = {
+  'velocity-limits': { text: '속도 제한', hint: '논문의 그림 4, 5' },
+  'acceleration-limits': { text: '+ 가속도 제한', hint: '논문의 그림 6, 7' },
+};
 
 export const driverLegend = '주행에 쓰는 이득';
-/** @type {readonly import('../../kit/segmented.js').Choice<Driver>[]} */
-export const drivers = [
-  { value: 'evolved', text: '진화 결과' },
-  { value: 'hand', text: '직접 조정' },
-  { value: 'paper-ep', text: '논문: EP', hint: '논문에서 진화 프로그래밍으로 찾은 이득' },
-  {
-    value: 'paper-arbitrary',
+/** @type {import('../../kit/segmented.js').Choices<Driver>} */
+export const drivers = {
+  evolved: '진화 결과',
+  hand: '직접 조정',
+  'paper-ep': { text: '논문: EP', hint: '논문에서 진화 프로그래밍으로 찾은 이득' },
+  'paper-arbitrary': {
     text: '논문: 임의',
     hint: '논문이 비교 대상으로 삼은, 진화 없이 정한 이득',
   },
-];
+};
 
 /** @type {Record<string, string>} */
 export const pages = {

@@ -5,11 +5,11 @@ import { sigmaText } from '../common/sigmas.js';
 export * from '../common/sigmas.js';
 
 export const curveLegend = '세대에 따른 곡선';
-/** @type {readonly import('../../kit/segmented.js').Choice<import('../common/kinds.js').LabCurve>[]} */
-export const curveChoices = [
-  { value: 'cost', text: 'J' },
-  { value: 'sigmas', text: 'σ', hint: '이득별 평균 변이 폭' },
-];
+/** @type {import('../../kit/segmented.js').Choices<import('../common/kinds.js').LabCurve>} */
+export const curveChoices = {
+  cost: 'J',
+  sigmas: { text: 'σ', hint: '이득별 평균 변이 폭' },
+};
 export const sigmaTitle = '변이 폭';
 
 /** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */

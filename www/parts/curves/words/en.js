@@ -14,13 +14,13 @@ export const texts = {
 };
 
 export const viewLegend = 'What is shown';
-/** @type {readonly import('../../../kit/segmented.js').Choice<import('../state.js').CurvesView>[]} */
-export const views = [
-  { value: 'time', text: 'Against time' },
-  { value: 'stability', text: 'Stability', hint: 'The Lyapunov function V and its rate' },
-  { value: 'compare', text: 'Compare' },
-  { value: 'numbers', text: 'Numbers' },
-];
+/** @type {import('../../../kit/segmented.js').Choices<import('../state.js').CurvesView>} */
+export const views = {
+  time: 'Against time',
+  stability: { text: 'Stability', hint: 'The Lyapunov function V and its rate' },
+  compare: 'Compare',
+  numbers: 'Numbers',
+};
 
 export const limit = 'limit';
 

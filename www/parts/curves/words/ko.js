@@ -14,13 +14,13 @@ export const texts = {
 };
 
 export const viewLegend = '보여 줄 내용';
-/** @type {readonly import('../../../kit/segmented.js').Choice<import('../state.js').CurvesView>[]} */
-export const views = [
-  { value: 'time', text: '시간에 따라' },
-  { value: 'stability', text: '안정성', hint: '리아푸노프 함수 V와 그 변화율' },
-  { value: 'compare', text: '비교' },
-  { value: 'numbers', text: '수치' },
-];
+/** @type {import('../../../kit/segmented.js').Choices<import('../state.js').CurvesView>} */
+export const views = {
+  time: '시간에 따라',
+  stability: { text: '안정성', hint: '리아푸노프 함수 V와 그 변화율' },
+  compare: '비교',
+  numbers: '수치',
+};
 
 export const limit = '제한';
 

@@ -20,12 +20,12 @@ export const texts = {
 };
 
 export const kindLegend = 'Kind of disturbance';
-/** @type {readonly import('../../../kit/segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
-export const kinds = [
-  { value: 'none', text: 'None' },
-  { value: 'random', text: 'Random', hint: 'Drawn afresh at each sample, evenly between −ε and ε' },
-  { value: 'slip', text: 'Slip', hint: 'The same at every sample' },
-];
+/** @type {import('../../../kit/segmented.js').Choices<Experiment['disturbance']['kind']>} */
+export const kinds = {
+  none: 'None',
+  random: { text: 'Random', hint: 'Drawn afresh at each sample, evenly between −ε and ε' },
+  slip: { text: 'Slip', hint: 'The same at every sample' },
+};
 
 /** @param {Experiment['disturbance']} disturbance */
 export const kindText = ({ kind, seed }) =>

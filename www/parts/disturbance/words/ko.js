@@ -20,12 +20,12 @@ export const texts = {
 };
 
 export const kindLegend = '외란의 종류';
-/** @type {readonly import('../../../kit/segmented.js').Choice<Experiment['disturbance']['kind']>[]} */
-export const kinds = [
-  { value: 'none', text: '없음' },
-  { value: 'random', text: '무작위', hint: '샘플마다 −ε와 ε 사이에서 균등하게 새로 뽑습니다' },
-  { value: 'slip', text: '미끄러짐', hint: '모든 샘플에서 같습니다' },
-];
+/** @type {import('../../../kit/segmented.js').Choices<Experiment['disturbance']['kind']>} */
+export const kinds = {
+  none: '없음',
+  random: { text: '무작위', hint: '샘플마다 −ε와 ε 사이에서 균등하게 새로 뽑습니다' },
+  slip: { text: '미끄러짐', hint: '모든 샘플에서 같습니다' },
+};
 
 /** @param {Experiment['disturbance']} disturbance */
 export const kindText = ({ kind, seed }) =>

@@ -5,15 +5,14 @@ import { costText, grouped } from '../../../words/en/numbers.js';
 import { percent, targetText, timesText } from './common.js';
 
 export const viewLegend = 'What is asked';
-/** @type {readonly import('../../../kit/segmented.js').Choice<'seeds' | 'contest'>[]} */
-export const views = [
-  { value: 'seeds', text: 'Seeds', hint: 'One search with many seeds' },
-  {
-    value: 'contest',
+/** @type {import('../../../kit/segmented.js').Choices<'seeds' | 'contest'>} */
+export const views = {
+  seeds: { text: 'Seeds', hint: 'One search with many seeds' },
+  contest: {
     text: 'Contest',
     hint: 'Several searches beside each other, with the same seeds and drives',
   },
-];
+};
 
 export const contestTexts = {
   title: 'Contest',
@@ -34,21 +33,19 @@ export const contestTexts = {
   caption: 'In drives: who reaches the target, and when',
 };
 
-/** @type {readonly import('../../../kit/segmented.js').Choice<import('../state.js').LuckState['reading']>[]} */
-export const readings = [
-  {
-    value: 'course',
+/** @type {import('../../../kit/segmented.js').Choices<import('../state.js').LuckState['reading']>} */
+export const readings = {
+  course: {
     text: 'J over drives',
     hint: 'The best J over the drives, and who has reached the target',
   },
-  {
-    value: 'targets',
+  targets: {
     text: '51 targets',
     hint: 'How many of 51 targets are reached, from 10 % above the lowest J to 0.1 %',
   },
-  { value: 'ends', text: 'Ends', hint: 'Where each run ends, a dot for each seed' },
-  { value: 'table', text: 'Table', hint: 'Who reaches the target, and when' },
-];
+  ends: { text: 'Ends', hint: 'Where each run ends, a dot for each seed' },
+  table: { text: 'Table', hint: 'Who reaches the target, and when' },
+};
 
 export const asInLab = 'as in the lab';
 /** @type {Readonly<Record<Contestant, string>>} */

@@ -8,11 +8,11 @@ import { targetText, timesText } from './common.js';
 export const percent = (part) => `${Math.round(100 * part)}%`;
 
 export const viewLegend = '무엇을 알아볼지';
-/** @type {readonly import('../../../kit/segmented.js').Choice<'seeds' | 'contest'>[]} */
-export const views = [
-  { value: 'seeds', text: '시드', hint: '한 가지 탐색을 여러 시드로' },
-  { value: 'contest', text: '겨루기', hint: '여러 탐색을 같은 시드와 같은 주행 횟수로 나란히' },
-];
+/** @type {import('../../../kit/segmented.js').Choices<'seeds' | 'contest'>} */
+export const views = {
+  seeds: { text: '시드', hint: '한 가지 탐색을 여러 시드로' },
+  contest: { text: '겨루기', hint: '여러 탐색을 같은 시드와 같은 주행 횟수로 나란히' },
+};
 
 export const contestTexts = {
   title: '겨루기',
@@ -33,17 +33,16 @@ export const contestTexts = {
   caption: '주행 횟수로 본 결과: 누가 언제 목표에 이르는가',
 };
 
-/** @type {readonly import('../../../kit/segmented.js').Choice<import('../state.js').LuckState['reading']>[]} */
-export const readings = [
-  { value: 'course', text: '주행에 따른 J', hint: '주행 횟수에 따른 최소 J와 목표에 이른 비율' },
-  {
-    value: 'targets',
+/** @type {import('../../../kit/segmented.js').Choices<import('../state.js').LuckState['reading']>} */
+export const readings = {
+  course: { text: '주행에 따른 J', hint: '주행 횟수에 따른 최소 J와 목표에 이른 비율' },
+  targets: {
     text: '목표 51개',
     hint: '최소 J보다 10% 높은 값부터 0.1% 높은 값까지 목표 51개 가운데 이른 비율',
   },
-  { value: 'ends', text: '마지막 J', hint: '실행마다 끝난 곳, 시드 하나에 점 하나' },
-  { value: 'table', text: '표', hint: '누가 언제 목표에 이르는가' },
-];
+  ends: { text: '마지막 J', hint: '실행마다 끝난 곳, 시드 하나에 점 하나' },
+  table: { text: '표', hint: '누가 언제 목표에 이르는가' },
+};
 
 export const asInLab = '실험실 그대로';
 /** @type {Readonly<Record<Contestant, string>>} */

@@ -14,19 +14,19 @@ export const texts = {
 };
 
 export const quantityLegend = 'What the colour means';
-/** @type {readonly import('../../../kit/segmented.js').Choice<Quantity>[]} */
-export const quantities = [
-  { value: 'share', text: 'Arrives', hint: 'How many of the headings arrive' },
-  { value: 'time', text: 'Time', hint: 'The time of those that arrive' },
-  { value: 'cost', text: 'J', hint: 'The cost of those that arrive' },
-];
+/** @type {import('../../../kit/segmented.js').Choices<Quantity>} */
+export const quantities = {
+  share: { text: 'Arrives', hint: 'How many of the headings arrive' },
+  time: { text: 'Time', hint: 'The time of those that arrive' },
+  cost: { text: 'J', hint: 'The cost of those that arrive' },
+};
 
 export const headingLegend = 'Headings of the starts';
-/** @type {readonly import('../../../kit/segmented.js').Choice<'all' | 'one'>[]} */
-export const headingChoices = [
-  { value: 'all', text: 'All', hint: 'All headings together' },
-  { value: 'one', text: 'One', hint: 'One heading, chosen on the dial' },
-];
+/** @type {import('../../../kit/segmented.js').Choices<'all' | 'one'>} */
+export const headingChoices = {
+  all: { text: 'All', hint: 'All headings together' },
+  one: { text: 'One', hint: 'One heading, chosen on the dial' },
+};
 
 /** @param {number} share */
 export const percent = (share) => `${fixed(100 * share, 1)} %`;

@@ -14,19 +14,19 @@ export const texts = {
 };
 
 export const quantityLegend = '색의 의미';
-/** @type {readonly import('../../../kit/segmented.js').Choice<Quantity>[]} */
-export const quantities = [
-  { value: 'share', text: '도착', hint: '도착하는 방향각의 비율' },
-  { value: 'time', text: '시간', hint: '도착한 주행의 시간' },
-  { value: 'cost', text: 'J', hint: '도착한 주행의 비용' },
-];
+/** @type {import('../../../kit/segmented.js').Choices<Quantity>} */
+export const quantities = {
+  share: { text: '도착', hint: '도착하는 방향각의 비율' },
+  time: { text: '시간', hint: '도착한 주행의 시간' },
+  cost: { text: 'J', hint: '도착한 주행의 비용' },
+};
 
 export const headingLegend = '출발 방향각';
-/** @type {readonly import('../../../kit/segmented.js').Choice<'all' | 'one'>[]} */
-export const headingChoices = [
-  { value: 'all', text: '전체', hint: '모든 방향각을 함께' },
-  { value: 'one', text: '하나', hint: '다이얼에서 고른 방향각 하나' },
-];
+/** @type {import('../../../kit/segmented.js').Choices<'all' | 'one'>} */
+export const headingChoices = {
+  all: { text: '전체', hint: '모든 방향각을 함께' },
+  one: { text: '하나', hint: '다이얼에서 고른 방향각 하나' },
+};
 
 /** @param {number} share */
 export const percent = (share) => `${fixed(100 * share, 1)}%`;
