@@ -87,7 +87,7 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
   );
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
-  const settings = createSettingsPanel(tools);
+  const settings = createSettingsPanel(tools, hasLab);
   const exercise = createExercise({
     ...tools,
     places: parts.flatMap((part) => part.places ?? []),

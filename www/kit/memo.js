@@ -4,14 +4,19 @@
  * The same function, computed anew only when an argument is another one.
  * @template {unknown[]} A @template R
  * @param {(...args: A) => R} compute
+ * @param {number} [kept] Of how many arguments it knows the result, the latest first.
  * @returns {(...args: A) => R}
  */
-export function remember(compute) {
-  /** @type {{ args: A, value: R } | null} */
-  let last = null;
+export function remember(compute, kept = 1) {
+  /** @type {{ args: A, value: R }[]} */
+  let known = [];
   return (...args) => {
-    if (!last || args.some((arg, i) => arg !== last?.args[i])) last = { args, value: compute(...args) };
-    return last.value;
+    const one = known.find((other) => args.every((arg, i) => arg === other.args[i])) ?? {
+      args,
+      value: compute(...args),
+    };
+    if (one !== known[0]) known = [one, ...known.filter((other) => other !== one)].slice(0, kept);
+    return one.value;
   };
 }
 

@@ -32,8 +32,8 @@ export function createPanel(id, className) {
   return panel;
 }
 
-/** @param {{ engine: Engine, store: Store, actions: Actions }} parts */
-export function createSettingsPanel({ engine, store, actions }) {
+/** @param {{ engine: Engine, store: Store, actions: Actions }} parts @param {(state: State) => boolean} hasLab Whether there is something beside it that it sets. */
+export function createSettingsPanel({ engine, store, actions }, hasLab) {
   const button = byId('settings-button');
   const panel = createPanel('settings', 'settings');
   button.hidden = false;
@@ -63,17 +63,18 @@ export function createSettingsPanel({ engine, store, actions }) {
     draw(state) {
       const { settings, maker } = state;
       const { experiment, preset, versions } = asked(state);
-      if (!changed(settings, maker.open, experiment, preset, versions)) return;
-      panel.hidden = !settings.open;
-      button.setAttribute('aria-expanded', String(settings.open));
-      byId('instrument').classList.toggle('with-settings', settings.open || maker.open);
+      const isOpen = settings.open && hasLab(state);
+      if (!changed(settings, isOpen, maker.open, experiment, preset, versions)) return;
+      panel.hidden = !isOpen;
+      button.setAttribute('aria-expanded', String(isOpen));
+      byId('instrument').classList.toggle('with-settings', isOpen || maker.open);
       const original = originals.of(preset);
       const differing = rows.flatMap(({ path }) =>
         valueAt(experiment, path) === valueAt(original, path) ? [] : path,
       );
       button.textContent = words.buttonText(differing.length);
       button.title = words.changedText(differing.length);
-      if (!settings.open) return;
+      if (!isOpen) return;
       const views = rowsMade();
       render(panelOf({ settings, versions }, new Set(differing), views, on), panel);
       for (const [path, { draw }] of views)

@@ -226,3 +226,24 @@ pageTest('who wants less motion sees none from one phase to the next', async (pa
   });
   assert.deepEqual([...new Set(lasts)], ['0s']);
 });
+
+pageTest(
+  'while another run begins, the generation that is still seen is the one that was recorded',
+  async (page) => {
+    await page.open('#generation&v=1&generation=9');
+    for (const population of ['300', '299']) {
+      await page.evaluate((count) => {
+        location.hash = `#generation&v=1&evolution.population=${count}&goal.x=3&generation=2`;
+      }, population);
+      await page.until('the other run is seen', () =>
+        document.getElementById('generation-title')?.textContent?.includes('2'),
+      );
+      await page.click('#preset input:not(:checked)');
+      await page.until('generation 0 is seen', () =>
+        document.getElementById('generation-title')?.textContent?.includes('0'),
+      );
+    }
+    // What was thrown meanwhile fails the test.
+    assert.deepEqual(await page.problems(), []);
+  },
+);

@@ -97,3 +97,18 @@ pageTest(
     assert.equal((await read(page)).preset, 'velocity-limits');
   },
 );
+
+pageTest(
+  'the panel is gone beside Park, of which it sets nothing, and stands beside the next part',
+  async (page) => {
+    const isThere = () =>
+      page.evaluate(() => document.getElementById('settings')?.checkVisibility() === true);
+    await openSettings(page);
+    assert.equal(await isThere(), true);
+    await page.click('#page-park');
+    await page.until('Park is there', () => document.getElementById('park-count')?.checkVisibility());
+    assert.equal(await isThere(), false);
+    await page.click('#page-curves');
+    await page.until('it is there again', () => document.getElementById('settings')?.checkVisibility());
+  },
+);

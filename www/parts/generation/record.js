@@ -83,10 +83,16 @@ function upsetOf({ survivors }, all) {
   return cost(worst) > cost(best) ? { survivor: worst, fallen: best } : null;
 }
 
-/** The shown generation, taken apart once. @param {(generation: number) => GenerationRecord} recordOf @returns {(state: State) => Anatomy} */
+/**
+ * The shown generation, taken apart once. While the drives of another run are on their way, both are asked for in turn, and the
+ * engine has no record any more of the one that is still seen.
+ * @param {(generation: number) => GenerationRecord} recordOf @returns {(state: State) => Anatomy}
+ */
 export function createAnatomy(recordOf) {
-  const of = remember((/** @type {Statistics} */ { generation }, /** @type {Settings} */ settings) =>
-    dissect(recordOf(generation), settings),
+  const of = remember(
+    (/** @type {Statistics} */ { generation }, /** @type {Settings} */ settings) =>
+      dissect(recordOf(generation), settings),
+    3,
   );
   return ({ history, generation, experiment }) => of(history[generation], experiment.evolution);
 }
