@@ -8,6 +8,8 @@ export function createSheet(id, className, title, close) {
   dialog.id = id;
   dialog.setAttribute('aria-labelledby', `${id}-title`);
   document.querySelector('main')?.append(dialog);
+  // It says what was there before.
+  addEventListener('popstate', () => dialog.close());
   return {
     dialog,
 

@@ -191,3 +191,20 @@ pageTest('what has the focus in Share is never under what is said at its foot', 
   }
   assert.deepEqual(covered, []);
 });
+
+pageTest('“back” leaves a sheet with the part that it is of', async (page) => {
+  await page.open();
+  const isOpen = () => page.evaluate(() => document.querySelector('dialog[open]') !== null);
+  for (const [part, button] of [
+    ['landscape', '#keep-button'],
+    ['generation', '#generation-table'],
+  ]) {
+    await page.click(`#page-${part}`);
+    await page.until('its link is written', (name) => location.hash.startsWith(`#${name}`), part);
+    await page.click(button);
+    assert.equal(await isOpen(), true, button);
+    await page.evaluate(() => history.back());
+    await page.until('the lab is there again', () => location.hash.startsWith('#lab'));
+    await page.until('the sheet is closed', () => document.querySelector('dialog[open]') === null);
+  }
+});

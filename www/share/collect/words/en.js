@@ -103,7 +103,7 @@ export function problemText(text, problem) {
 
 /** @param {number} all @param {number} met @param {number} unread @param {number} marked @param {number} milliseconds */
 export const summary = (all, met, unread, marked, milliseconds) =>
-  `${all} hand-ins in ${(milliseconds / 1000).toFixed(1)} s: ${met} meet the aim, ${unread} cannot be read, ${marked} more have a remark.`;
+  `${all} ${all === 1 ? 'hand-in' : 'hand-ins'} in ${(milliseconds / 1000).toFixed(1)} s: ${met} ${met === 1 ? 'meets' : 'meet'} the aim, ${unread} cannot be read, ${marked} more ${marked === 1 ? 'has' : 'have'} a remark.`;
 
 /** @param {string} exercise @param {string} task */
 export const judgedBy = (exercise, task) => `Judged by exercise ${exercise}${task ? `: ${task}` : ''}`;
