@@ -6,6 +6,7 @@ import {
   copyFileSync,
   existsSync,
   mkdirSync,
+  readdirSync,
   readFileSync,
   renameSync,
   rmSync,
@@ -15,10 +16,18 @@ import { homedir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { tidyGlue } from './glue.mjs';
-import { Failure, lastChange, run, runPackage, step, task } from './run.mjs';
+import { Failure, lastChange, run, runPackage, step, task, top } from './run.mjs';
 import { installTools } from './tools.mjs';
 
-const sources = ['src', 'Cargo.toml', 'Cargo.lock', '.cargo'];
+/** Of the core. What stands in src/ in JavaScript goes with it as it is. */
+const sources = [
+  ...readdirSync(join(top, 'src'))
+    .filter((name) => !/\.(js|d\.ts)$/.test(name))
+    .map((name) => join('src', name)),
+  'Cargo.toml',
+  'Cargo.lock',
+  '.cargo',
+];
 const wasm = 'pkg/ep_locomotion_bg.wasm';
 /** The core for hosts without JavaScript, which the wheel of python/ holds. */
 const bytesWasm = 'pkg/ep_locomotion_bytes.wasm';

@@ -19,7 +19,7 @@ import { askForLesson, createLesson } from './lesson/load.js';
 import { progressSlice } from './lesson/state.js';
 import { createAddress } from './link/address.js';
 import { askFor, createParts } from './parts/load.js';
-import { firstPage, hasGains, hasLab, parts, places } from './parts/parts.js';
+import { firstPage, inSight, parts, places } from './parts/parts.js';
 import { createActions } from './run/actions/actions.js';
 import { atEnd, fromStart } from './run/clock.js';
 import { firstState } from './run/first.js';
@@ -77,17 +77,10 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
   const go = (/** @type {string} */ link) => addressOf()?.go(link);
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
-  const draw = createDraw(
-    createViews(store, tools.actions, order, onLesson),
-    engine,
-    paper,
-    hasLab,
-    hasGains,
-    turn,
-  );
+  const draw = createDraw(createViews(store, tools.actions, order, onLesson), engine, paper, inSight, turn);
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
-  const settings = createSettingsPanel(tools, hasLab);
+  const settings = createSettingsPanel(tools, inSight.lab);
   const exercise = createExercise({
     ...tools,
     places: parts.flatMap((part) => part.places ?? []),

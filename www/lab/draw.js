@@ -18,13 +18,14 @@ const sliderRange = {
   'acceleration-limits': /** @type {const} */ ([-2, 32]),
 };
 
+/** Of the lab as a whole there are else only its head and its message; of the sliders, nothing; of what is paid of J, nothing at the path. @typedef {Record<'lab' | 'gains' | 'pays', (state: State) => boolean>} InSight */
+
 /**
  * @param {Views} views @param {Engine} engine @param {PaperResult[]} paper
- * @param {(state: State) => boolean} hasLab Whether the lab is in sight: else there are only its head and its message.
- * @param {(state: State) => boolean} hasGains Whether the sliders are in sight.
+ * @param {InSight} inSight
  * @param {(name: string, act: () => void) => void} turn Gives each view its turn.
  */
-export function createDraw(views, engine, paper, hasLab, hasGains, turn) {
+export function createDraw(views, engine, paper, inSight, turn) {
   const viewOf = remember(createView);
   const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
     const { starts, goal } = engine.experiment(preset);
@@ -37,7 +38,7 @@ export function createDraw(views, engine, paper, hasLab, hasGains, turn) {
     const view = viewOf(state.box, state.size);
     const ends = endsOf(state);
     const { pins, theme } = state;
-    views.plane.draw({ view, scene, ...ends, pins, pays: state.page === 'curves', time, theme });
+    views.plane.draw({ view, scene, ...ends, pins, pays: inSight.pays(state), time, theme });
     views.handles.draw({ view, ...ends });
     byId('postures').classList.toggle('left', isUnderNotes(view, ends));
   };
@@ -71,7 +72,7 @@ export function createDraw(views, engine, paper, hasLab, hasGains, turn) {
       evolutionBar: () => views.evolutionBar.draw(evolutionOf(state)),
       gains: () =>
         views.gains.draw({
-          isShown: hasGains(state),
+          isShown: inSight.gains(state),
           gains: gainsOf(state, driver, paper),
           errors: state.gainErrors,
           range: sliderRange[preset],
@@ -97,7 +98,7 @@ export function createDraw(views, engine, paper, hasLab, hasGains, turn) {
 
   /** @param {State} state @param {Scene} scene */
   return (state, scene) => {
-    const due = { ...headOf(state), ...(hasLab(state) && labOf(state, scene)) };
+    const due = { ...headOf(state), ...(inSight.lab(state) && labOf(state, scene)) };
     for (const [name, drawOne] of Object.entries(due)) turn(name, drawOne);
   };
 }

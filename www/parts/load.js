@@ -5,7 +5,7 @@ import { createWaiting } from '../lab/waiting.js';
 import { afterWords } from '../words/pick.js';
 
 /** What makes the page of a part, once all of it is there. @param {readonly (() => Promise<unknown>)[]} words @param {() => Promise<{ createPage: (tools: Tools) => Page }>} module */
-export async function partOf(words, module) {
+export async function makerFrom(words, module) {
   const { createPage } = await afterWords(words, module);
   return createPage;
 }

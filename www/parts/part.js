@@ -29,6 +29,7 @@
  * @property {readonly ('start' | 'disturbance')[]} [tries] What a drive there meets that evolution does not.
  * @property {(state: State) => boolean} [gains] Whether it has the sliders beside it; without this whenever one drives by hand.
  * @property {true} [alone] Whether it has the whole page, with nothing of the lab beside it.
+ * @property {true} [pays] Whether what is paid of J on the way stands at the path on the plane.
  * @property {true} [phases] Where a generation is seen phase by phase.
  * @property {readonly [share: number, most: number]} figure How high a figure of it looks best for its width, and the most that helps it, in pixels.
  * @property {() => Promise<(tools: Tools) => Page>} load What makes its page, which is not loaded before it is opened.

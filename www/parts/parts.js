@@ -28,12 +28,12 @@ export const places = {
   slices: [labSlice, ...parts.map(({ slice }) => slice)],
 };
 
-/** Whether the sliders of the gains are in sight. @param {import('../run/state.js').State} state */
-export const hasGains = (state) =>
-  state.page === 'lab' || (partOf(state.page)?.gains?.(state) ?? state.driver === 'hand');
-
-/** Whether something of the lab is in sight. @param {import('../run/state.js').State} state */
-export const hasLab = (state) => !partOf(state.page)?.alone;
+/** What of the lab is in sight. @type {import('../lab/draw.js').InSight} */
+export const inSight = {
+  lab: ({ page }) => !partOf(page)?.alone,
+  gains: (state) => state.page === 'lab' || (partOf(state.page)?.gains?.(state) ?? state.driver === 'hand'),
+  pays: ({ page }) => partOf(page)?.pays ?? false,
+};
 
 /** What links know of them. @type {Omit<import('../link/link.js').Tables, 'lesson'>} */
 export const linked = {

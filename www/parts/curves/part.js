@@ -1,6 +1,6 @@
 // The drive against time, its stability, and runs beside each other.
 /** @import { Part } from '../part.js' */
-import { partOf } from '../load.js';
+import { makerFrom } from '../load.js';
 import { labCurves, labSlice } from '../../lab/state.js';
 import { partKey } from '../../link/keys.js';
 import { oneOf } from '../../link/values.js';
@@ -20,6 +20,7 @@ export const curves = {
   ],
   // What a gain does to V̇ is seen while it is moved. The lesson needs the height.
   gains: (state) => slice.of(state).view === 'stability' || (state.driver === 'hand' && state.lesson === 0),
+  pays: true,
   figure: [0.72, 700],
-  load: () => partOf([loadWords, loadStability], () => import('./page.js')),
+  load: () => makerFrom([loadWords, loadStability], () => import('./page.js')),
 };

@@ -1,6 +1,6 @@
 // The error that remains under a disturbance.
 /** @import { Part } from '../part.js' */
-import { partOf } from '../load.js';
+import { makerFrom } from '../load.js';
 import { disturbanceSlice as slice } from './state.js';
 import { load as loadWords } from './words/load.js';
 
@@ -11,5 +11,5 @@ export const disturbance = {
   places: { settings: { lock: '#disturbance-controls', hide: '#disturbance-controls' } },
   tries: ['start', 'disturbance'],
   figure: [0.75, 680],
-  load: () => partOf([loadWords], () => import('./page.js')),
+  load: () => makerFrom([loadWords], () => import('./page.js')),
 };

@@ -1,6 +1,6 @@
 // One generation, phase by phase.
 /** @import { Part } from '../part.js' */
-import { partOf } from '../load.js';
+import { makerFrom } from '../load.js';
 import { partKey } from '../../link/keys.js';
 import { oneOf, wholeNumber } from '../../link/values.js';
 import { generationSlice as slice, phases } from './state.js';
@@ -22,5 +22,5 @@ export const generation = {
   },
   phases: true,
   figure: [0.72, 620],
-  load: () => partOf([loadWords], () => import('./page.js')),
+  load: () => makerFrom([loadWords], () => import('./page.js')),
 };

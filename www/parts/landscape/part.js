@@ -2,7 +2,7 @@
 /** @import { Part } from '../part.js' */
 /** @import { AxisChoice } from './request.js' */
 /** @import { LandscapeState } from './state.js' */
-import { partOf } from '../load.js';
+import { makerFrom } from '../load.js';
 import { partKey } from '../../link/keys.js';
 import { number, numberText, oneOf } from '../../link/values.js';
 import { link as words } from '../../words/index.js';
@@ -36,5 +36,5 @@ export const landscape = {
   },
   places: { gains: { lock: '#landscape-map' } },
   figure: [0.64, 620],
-  load: () => partOf([loadWords], () => import('./page.js')),
+  load: () => makerFrom([loadWords], () => import('./page.js')),
 };

@@ -1,6 +1,6 @@
 // The same evolution with many seeds.
 /** @import { Part } from '../part.js' */
-import { partOf } from '../load.js';
+import { makerFrom } from '../load.js';
 import { partKey } from '../../link/keys.js';
 import { number, numberText, oneOf, wholeNumber } from '../../link/values.js';
 import { contestants, mostOthers } from './contestants.js';
@@ -39,5 +39,5 @@ export const luck = {
     seed: { lock: '#luck-open', hide: '#luck-open' },
   },
   figure: [0.7, 640],
-  load: () => partOf([loadWords], () => import('./page.js')),
+  load: () => makerFrom([loadWords], () => import('./page.js')),
 };

@@ -2,7 +2,7 @@
 /** @import { Part } from '../part.js' */
 import { partKey } from '../../link/keys.js';
 import { gainsUpTo, numberText } from '../../link/values.js';
-import { partOf } from '../load.js';
+import { makerFrom } from '../load.js';
 import { mostGain, parkSlice as slice } from './state.js';
 import { load as loadWords } from './words/load.js';
 
@@ -32,5 +32,5 @@ export const park = {
   },
   alone: true,
   figure: [0.75, 640],
-  load: () => partOf([loadWords], () => import('./page.js')),
+  load: () => makerFrom([loadWords], () => import('./page.js')),
 };

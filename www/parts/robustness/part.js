@@ -1,6 +1,6 @@
 // One set of gains from many starts: where does the robot arrive?
 /** @import { Part } from '../part.js' */
-import { partOf } from '../load.js';
+import { makerFrom } from '../load.js';
 import { partKey } from '../../link/keys.js';
 import { oneOf, wholeNumber } from '../../link/values.js';
 import { headings } from './grid.js';
@@ -19,5 +19,5 @@ export const robustness = {
   places: { postures: { lock: '#robustness-map' } },
   tries: ['start'],
   figure: [0.64, 620],
-  load: () => partOf([loadWords], () => import('./page.js')),
+  load: () => makerFrom([loadWords], () => import('./page.js')),
 };

@@ -1,6 +1,6 @@
 // Gains evolved on one start and on many, tested on starts that evolution never saw.
 /** @import { Part } from '../part.js' */
-import { partOf } from '../load.js';
+import { makerFrom } from '../load.js';
 import { trainingSlice as slice } from './state.js';
 import { load as loadWords } from './words/load.js';
 
@@ -20,5 +20,5 @@ export const training = {
   },
   tries: ['start'],
   figure: [0.7, 640],
-  load: () => partOf([loadWords], () => import('./page.js')),
+  load: () => makerFrom([loadWords], () => import('./page.js')),
 };

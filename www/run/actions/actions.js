@@ -4,7 +4,8 @@ import { createBasis } from './basis.js';
 import { createClock, createDrive } from './drive.js';
 import { createEvolution } from './evolution.js';
 import { createExperiments } from './experiment.js';
-import { createOpenPage, createOpening, createPage, createPins } from './page.js';
+import { createOpenPage, createOpening, createPage } from './page.js';
+import { createPins } from './pins.js';
 
 /** @typedef {ReturnType<typeof createActions>} Actions */
 

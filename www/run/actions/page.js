@@ -5,7 +5,6 @@
 import { isHiddenWithPaper, noExercise, shownExercise, wayOf } from '../exercise.js';
 import { noErrors } from '../first.js';
 import { playsPhases } from '../pace.js';
-import { isFull, pinOf, renamed, withoutPin, withPin } from '../pins.js';
 import { newWork, noTrial } from '../state.js';
 import { noVersions } from '../undo.js';
 import { drawnFor } from '../variant.js';
@@ -147,30 +146,6 @@ export function createPage({ store }, openPage) {
     /** Colours have changed. */
     changeTheme() {
       store.update({ theme: store.get().theme + 1 });
-    },
-  };
-}
-
-/** @param {Basis} basis */
-export function createPins({ store }) {
-  return {
-    /** Pins a run, or takes away its pin. @param {import('../pins.js').Driven} driven @param {string} name */
-    togglePin(driven, name) {
-      const { pins } = store.get();
-      const pin = pinOf(pins, driven);
-      if (pin) store.update({ pins: withoutPin(pins, pin.slot), unpinned: null });
-      else if (isFull(pins)) store.update({ unpinned: driven });
-      else store.update({ pins: withPin(pins, driven, name), unpinned: null });
-    },
-
-    /** @param {number} slot @param {string} name */
-    renamePin(slot, name) {
-      store.update({ pins: renamed(store.get().pins, slot, name) });
-    },
-
-    /** @param {number} slot */
-    unpin(slot) {
-      store.update({ pins: withoutPin(store.get().pins, slot) });
     },
   };
 }
