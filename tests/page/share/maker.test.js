@@ -186,3 +186,25 @@ pageTest('on a projector the figure that students get stands whole beside the pa
   assert.equal(around.scrolls, false);
   assert.ok(around.right <= 1024);
 });
+
+pageTest(
+  'an exercise that one press would meet says so, until it asks for more or that is taken away',
+  async (page) => {
+    await openMaker(page, '#lab&v=1&aim=J%3C8');
+    const said = () => page.evaluate(() => document.getElementById('maker-easy')?.innerText ?? '');
+    await page.until('it is said', () => document.getElementById('maker-easy'));
+    assert.match(await said(), /Met already by one press: Paper: EP\. .*“what drives”/);
+    await page.click('#maker-drives-locked');
+    assert.equal(await said(), '');
+    await page.click('#maker-drives-free');
+    await page.until('it is said again', () => document.getElementById('maker-easy'));
+    await page.click('#maker-paper-hidden');
+    assert.equal(await said(), '');
+    await page.open('#lab&v=1&generation=60&aim=J%3C7.9');
+    await page.click('#keep-button');
+    await page.click('#keep-exercise');
+    await page.until('of evolution it is said', () =>
+      document.getElementById('maker-easy')?.innerText.includes('Evolved best.'),
+    );
+  },
+);

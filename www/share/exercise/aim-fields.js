@@ -127,8 +127,8 @@ function fieldsHtml({ fields: { kind, value, drives, points }, error }, { vary, 
     ${
       kind === 'none'
         ? nothing
-        : html`<div class="maker-aim row"><label for="maker-drives">${texts.makerDrives}</label>
-            ${field('maker-drives', texts.makerDrives, drives, (text) => on.type({ drives: text }))}</div>
+        : html`<div class="maker-aim row"><label for="maker-budget">${texts.makerDrives}</label>
+            ${field('maker-budget', texts.makerDrives, drives, (text) => on.type({ drives: text }))}</div>
           <div class="maker-points" role="group" aria-label=${texts.makerPoints}>${[1, 3].map(
             (
               at,

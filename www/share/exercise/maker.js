@@ -3,7 +3,7 @@
 /** @import { Linked } from '../../link/keys.js' */
 /** @import { Opened } from '../../run/actions/page.js' */
 /** @import { Exercise, Group, Way } from '../../run/exercise.js' */
-/** @import { State } from '../../run/state.js' */
+/** @import { Driver, State } from '../../run/state.js' */
 /** @import { SheetTools } from '../load.js' */
 import './maker.css';
 import { html, nothing, render } from 'lit-html';
@@ -27,15 +27,18 @@ import {
 import { nothingDone } from '../../run/state.js';
 import { nobody, undrawn } from '../../run/variant.js';
 import { createPanel } from '../../settings/panel.js';
-import { exercise as exerciseWords } from '../../words/index.js';
+import { exercise as exerciseWords, lab } from '../../words/index.js';
 import { frameOf, isOnDisk } from '../frame-text.js';
 import { withoutAnswer } from '../handin/work.js';
 import { createAimFields } from './aim-fields.js';
+import { createEasy } from './easy.js';
 import { createPreview } from './preview.js';
 import { createPackaging } from '../scorm/button.js';
 import words from '../words/index.js';
 
 const { texts } = words;
+/** As the lab names them. @param {Driver} driver */
+const driverText = (driver) => listed(lab.drivers).find(({ value }) => value === driver)?.text ?? '';
 
 /** @param {SheetTools} tools */
 export function createMaker({ engine, store, actions, links, paper }) {
@@ -46,6 +49,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
   const change = (/** @type {Partial<Exercise>} */ patch) =>
     actions.makeExercise({ draft: { ...draftNow(), ...patch } });
   const aim = createAimFields(draftNow, change, store.redraw);
+  const easyOf = createEasy({ engine, paper }, store.redraw);
   const preview = createPreview(store.redraw);
   const say = (/** @type {string} */ text) => {
     status = text;
@@ -95,7 +99,8 @@ export function createMaker({ engine, store, actions, links, paper }) {
       // What was said of another exercise is not true of this one.
       if (link !== linkSaid) status = '';
       const isRefused = state.page === withoutAnswer && asksSomething(draft);
-      if (changed(draft, link, status, aim.typed(), preview.chosen(), packaging.asks(), isRefused)) {
+      const easy = easyOf(state, draft);
+      if (changed(draft, link, status, aim.typed(), preview.chosen(), packaging.asks(), isRefused, easy)) {
         const addresses = {
           link: addressOf(location.href, link, false),
           frame: frameOf(state, link, preview.chosen() ?? undefined),
@@ -103,7 +108,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
         render(
           panelOf(draft, isRefused ? null : addresses, aim.typed().error !== '', status, {
             ...on,
-            fields: aim.fields(draft),
+            fields: html`${aim.fields(draft)}${easy.length > 0 ? html`<p id="maker-easy" class="muted">${words.easyText(easy.map(driverText), exerciseWords.groups.drives)}</p>` : nothing}`,
             preview: preview.choice(),
             packaging: packaging.template(link, draft),
           }),

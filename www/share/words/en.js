@@ -160,6 +160,10 @@ export const ways = {
   hidden: 'Hidden',
 };
 
+/** @param {readonly string[]} names @param {string} group */
+export const easyText = (names, group) =>
+  `Met already by one press: ${names.join(', ')}. Ask for more, or lock or hide “${group}”.`;
+
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `${count} of at most ${most} characters`;
 

@@ -6,7 +6,7 @@ export const unknownPart = (found, parts) =>
 
 /** @param {string} key @param {string} reason */
 export const ignored = (key, reason) =>
-  `In the link, ${key} was left out: ${reason}${/[.…]$/.test(reason) ? '' : '.'}`;
+  `In the link, ${key || 'what has no name'} was left out: ${reason}${/[.…]$/.test(reason) ? '' : '.'}`;
 
 /** @param {string} key @param {string} reason */
 export const partlyIgnored = (key, reason) =>

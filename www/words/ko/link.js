@@ -6,7 +6,7 @@ export const unknownPart = (found, parts) =>
 
 /** @param {string} key @param {string} reason */
 export const ignored = (key, reason) =>
-  `링크의 ${key} 항목은 쓰지 않았습니다. ${reason.replace(`${key}: `, '')}`;
+  `링크의 ${key || '이름 없는'} 항목은 쓰지 않았습니다. ${reason.replace(`${key}: `, '')}`;
 
 /** @param {string} key @param {string} reason */
 export const partlyIgnored = (key, reason) =>
