@@ -91,7 +91,7 @@ class EpLocomotion extends HTMLElement {
     removeEventListener('message', this);
     this.#isPlaced = false;
     this.#close();
-    this.#questions.giveUp(this.#words.gone);
+    this.#refuse(this.#words.gone);
   }
 
   /** @param {string} name */

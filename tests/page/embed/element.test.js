@@ -124,6 +124,8 @@ engineTest('an element shows a figure, does what its page asks, and tells what c
     );
     const { refused, generation } = await use(page, 'far', 'it.read()');
     assert.deepEqual({ refused, generation }, { refused: undefined, generation: 0 });
+    // Out of the page nobody answers.
+    assert.deepEqual(await use(page, 'far', '{ it.remove(); return it.read(); }'), { refused: en.gone });
   });
 });
 
