@@ -46,7 +46,7 @@ export const summary = (name) => `arrive with ${withArticle(name)}`;
 
 /** @param {string} name @param {number | null} share */
 export const rivalText = (name, share) =>
-  `${share === null ? '…' : percent(share)} with ${withArticle(name)}`;
+  share === null ? `${withArticle(name)}: …` : `${percent(share)} with ${withArticle(name)}`;
 
 /** Nobody says “the your gains”. @param {string} name */
 const withArticle = (name) => (name.startsWith('your ') ? name : `the ${name}`);
