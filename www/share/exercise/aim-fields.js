@@ -99,8 +99,8 @@ export function createAimFields(draft, change, redraw) {
     read(exercise) {
       typed = { fields: fieldsOf(exercise), error: '' };
     },
-    /** @param {Exercise} exercise */
-    fields: (exercise) => fieldsHtml(typed, exercise, on),
+    /** @param {Exercise} exercise @param {unknown} note On what is asked for. */
+    fields: (exercise, note) => fieldsHtml(typed, exercise, note, on),
   };
 }
 
@@ -111,10 +111,10 @@ function field(id, label, value, onInput) {
 }
 
 /**
- * @param {{ fields: Fields, error: string }} typed @param {Exercise} exercise
+ * @param {{ fields: Fields, error: string }} typed @param {Exercise} exercise @param {unknown} note
  * @param {{ type: (patch: Partial<Fields>) => void, kind: (event: Event) => void, points: (index: number, text: string) => void, vary: (name: Varied) => void }} on
  */
-function fieldsHtml({ fields: { kind, value, drives, points }, error }, { vary, aim }, on) {
+function fieldsHtml({ fields: { kind, value, drives, points }, error }, { vary, aim }, note, on) {
   return html`
     <label for="maker-aim" class="maker-label">${texts.makerAim}</label>
     <div class="maker-aim row">
@@ -124,6 +124,7 @@ function fieldsHtml({ fields: { kind, value, drives, points }, error }, { vary, 
       )}</select>
       ${kind === 'none' ? nothing : field('maker-value', texts.makerValue, value, (text) => on.type({ value: text }))}
     </div>
+    ${note}
     ${
       kind === 'none'
         ? nothing

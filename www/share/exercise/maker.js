@@ -37,8 +37,6 @@ import { createPackaging } from '../scorm/button.js';
 import words from '../words/index.js';
 
 const { texts } = words;
-/** As the lab names them. @param {Driver} driver */
-const driverText = (driver) => listed(lab.drivers).find(({ value }) => value === driver)?.text ?? '';
 
 /** @param {SheetTools} tools */
 export function createMaker({ engine, store, actions, links, paper }) {
@@ -108,7 +106,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
         render(
           panelOf(draft, isRefused ? null : addresses, aim.typed().error !== '', status, {
             ...on,
-            fields: html`${aim.fields(draft)}${easy.length > 0 ? html`<p id="maker-easy" class="muted">${words.easyText(easy.map(driverText), exerciseWords.groups.drives)}</p>` : nothing}`,
+            fields: aim.fields(draft, easy.length > 0 ? easyNote(easy) : nothing),
             preview: preview.choice(),
             packaging: packaging.template(link, draft),
           }),
@@ -187,6 +185,12 @@ const panelOf = (draft, addresses, isWrong, status, on) => html`
     }
     <p id="maker-status" class="muted" role="status">${status}</p>
   </div>`;
+
+/** @param {readonly Driver[]} easy */
+const easyNote = (easy) => {
+  const names = listed(lab.drivers).flatMap(({ value, text }) => (easy.includes(value) ? [text] : []));
+  return html`<p id="maker-easy" class="muted">${words.easyText(names, exerciseWords.groups.drives)}</p>`;
+};
 
 /** @param {Exercise} draft @param {Group} group @param {(group: Group, way: Way) => void} onChoose */
 const rowOf = (draft, group, onChoose) => html`
