@@ -13,7 +13,7 @@ import { choicesOf } from '../kit/segmented.js';
 import { selectAll } from '../kit/templates.js';
 import { messageOf } from '../words/errors.js';
 import { opening } from '../words/index.js';
-import { createTask, inLab } from '../parts/park/task.js';
+import { createTask, inLab, linkInLab } from '../parts/park/task.js';
 import { driveCsv, driveOrigin, generationsCsv } from './csv.js';
 import { fingerprintOf } from './code/fingerprint.js';
 import { createMaker } from './exercise/maker.js';
@@ -119,11 +119,12 @@ export function createKeep(tools, sheet) {
 }
 
 /** In Park, where the lab's run is out of sight: what is there instead, and the lab's link of it, if anybody has tried. @param {SheetTools} tools */
-function parkedOf({ engine, store, links }) {
+function parkedOf(tools) {
+  const { engine, store } = tools;
   const state = store.get();
   if (state.page !== withoutAnswer) return null;
   const run = inLab(state, createTask(engine).experiment);
-  return { run, link: run && links.linkOf(run, engine.experiment) };
+  return { run, link: run && linkInLab(state, run, tools) };
 }
 
 /** What is saved as a file, each with the name of the run. @param {SheetTools} tools @param {HTMLDialogElement} dialog @param {() => string} address @param {(text: string) => void} say */
@@ -174,7 +175,7 @@ const contentOf = ({ address, frame, frameText, pictures, status, park }, on) =>
     <input id="keep-link" type="text" readonly aria-label=${texts.keepLink} .value=${live(address)} @focus=${selectAll}>
     <button id="keep-copy" type="button" class="primary" @click=${on.copyLink}>${texts.keepCopy}</button>
   </div>
-  ${park ? toLab(park.link, on) : nothing}
+  ${park && (park.link || !park.run) ? toLab(park.link, on) : nothing}
   <h3>${texts.embedTitle}</h3>
   <p class="muted">${park ? texts.embedParkHelp : texts.embedHelp}</p>
   <div class="bar">

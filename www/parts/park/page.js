@@ -6,6 +6,8 @@ import { create, followSize } from '../../kit/elements.js';
 import { followKeys } from '../../kit/map.js';
 import { once, watch } from '../../kit/memo.js';
 import { createWaiting } from '../../lab/waiting.js';
+import { withExercise } from '../../link/link.js';
+import { shownExercise } from '../../run/exercise.js';
 import { isFree } from '../../run/guard.js';
 import { afterWords } from '../../words/pick.js';
 import { createSection } from '../section.js';
@@ -15,7 +17,7 @@ import { createParkPicture } from './picture.js';
 import { createPlay } from './play.js';
 import { heading, sight } from './sight.js';
 import { mostGain, parkSlice } from './state.js';
-import { createTask, inLab, parkedOf } from './task.js';
+import { createTask, inLab, linkInLab, parkedOf } from './task.js';
 import words from './words/index.js';
 
 /** @param {Tools} tools @returns {Page} */
@@ -69,11 +71,16 @@ export function createPage(tools) {
         most: mostGain,
         population: task.population,
       };
-      if (!changed(state.slices.park, parked, model.over, model.isFree, model.isOwn, after)) return;
+      const said = [parked, model.over, model.isOwn, after, shownExercise(state)];
+      // Its links carry what stands beside Park as well.
+      if (!changed(state.slices.park, ...said, ...links.carried(state))) return;
       plane.setAttribute('aria-label', words.planeLabel(parked, model.count));
       const found = inLab(state, task.experiment);
-      const lab = found && links.linkOf(found, engine.experiment);
-      const on = { ...play.on, lesson: links.linkOfStep(1), lab };
+      const lab = found && linkInLab(state, found, tools);
+      const lesson = isFree(state, 'lesson')
+        ? withExercise(links.linkOfStep(1), state, engine.experiment)
+        : null;
+      const on = { ...play.on, lesson, lab };
       render(heading(model, after), head);
       render(sight(model, on, after), side);
       after?.draw(state, model);

@@ -9,7 +9,7 @@ import words from './words/index.js';
 
 /** What there is once something has been tried, when it is there. @typedef {import('./after/page.js').After | null} After */
 /** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, driven: Triple, driving: number, moved: boolean, isFree: boolean, isOwn: boolean, parked: number, over: boolean, count: number, most: number, population: number, tolerance: Experiment['tolerance'] }} Model `isFree`: the sliders can be moved; `isOwn`: the robots drive with the sliders' gains; `driven`: what they drive with, and `driving`: how many park so. */
-/** @typedef {{ slide: (index: number, value: number) => void, again: () => void, evolve: () => void, stop: () => void, lesson: string, lab: string | null }} Events */
+/** @typedef {{ slide: (index: number, value: number) => void, again: () => void, evolve: () => void, stop: () => void, lesson: string | null, lab: string | null }} Events */
 
 /** @param {Model} model @param {After} after */
 export function heading(model, after) {
@@ -42,7 +42,7 @@ export function sight(model, on, after) {
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
     ${newest ? after?.climb(model) : html`<p id="park-hint" class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
     ${newest && !evolving ? after?.comparison(model, newest, after.walk) : nothing}
-    ${newest && !evolving ? html`<p class="park-on row"><a id="park-lesson" href="#${on.lesson}">${words.how}</a> ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
+    ${newest && !evolving ? html`<p class="park-on row">${on.lesson ? html`<a id="park-lesson" href="#${on.lesson}">${words.how}</a>` : nothing} ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
     ${over && !evolving && parked < count ? html`<p class="muted">${words.missed(model.tolerance)}</p>` : nothing}
     <p class="visually-hidden" role="status">${over && !evolving ? (after?.told(model) ?? words.picture(parked, count)) : ''}</p>`;
 }

@@ -1,6 +1,9 @@
 // What there is to do: to park from every start of a circle; turning is cheap.
 /** @import { Engine, Experiment, PaperResult, Run, Triple } from '../../core/engine.js' */
+/** @import { Links } from '../../link/link.js' */
+/** @import { Group } from '../../run/exercise.js' */
 /** @import { State } from '../../run/state.js' */
+import { isFree } from '../../run/guard.js';
 import { parkSlice } from './state.js';
 
 /** A robot's drive, and how far its wheels have rolled at each sample, in metres. @typedef {{ run: Run, left: Float64Array, right: Float64Array }} Drive */
@@ -56,6 +59,20 @@ export function inLab(state, experimentOf) {
   if (found)
     return { ...state, page: 'lab', preset, experiment, generation: found.generation, driver: 'evolved' };
   return gains && driveInLab(state, experiment, gains);
+}
+
+/** The link to it; null where an exercise holds some of what it changes. @param {State} state @param {State} run @param {{ engine: Engine, links: Links }} tools */
+export function linkInLab(state, run, { engine, links }) {
+  /** @type {Group[]} */
+  const changed = [
+    'parts',
+    'postures',
+    'settings',
+    'seed',
+    'drives',
+    run.driver === 'hand' ? 'gains' : 'run',
+  ];
+  return changed.every((group) => isFree(state, group)) ? links.linkOf(run, engine.experiment) : null;
 }
 
 /** With these the sliders begin where the paper's are hidden. @type {Triple} */

@@ -4,10 +4,9 @@
 /** @import { Model } from '../sight.js' */
 import { nothing, render } from 'lit-html';
 import { isEmbedded, isStill } from '../../../kit/host.js';
-import { isFree } from '../../../run/guard.js';
 import { planOf } from '../picture.js';
 import { parkSlice } from '../state.js';
-import { driveInLab } from '../task.js';
+import { driveInLab, linkInLab } from '../task.js';
 import { createLook } from './look.js';
 import * as sight from './sight.js';
 import { createWalk } from './walk.js';
@@ -15,7 +14,8 @@ import { createWalk } from './walk.js';
 /** @typedef {ReturnType<typeof createAfter>} After */
 
 /** @param {Tools} tools @param {ReturnType<typeof import('../task.js').createTask>} task @param {ReturnType<typeof import('../play.js').createPlay>} play @param {{ note: HTMLElement, side: HTMLElement, size: () => { width: number, height: number } }} places */
-export function createAfter({ engine, store, links }, task, play, { note, side, size }) {
+export function createAfter(tools, task, play, { note, side, size }) {
+  const { engine, store } = tools;
   const look = createLook(engine, task);
   const slice = () => parkSlice.of(store.get());
   const show = (/** @type {number | null} */ looked) => parkSlice.update(store, { looked });
@@ -23,9 +23,7 @@ export function createAfter({ engine, store, links }, task, play, { note, side, 
 
   /** The link to the drive of one robot alone. @param {State} state @param {number} index */
   const linkTo = (state, index) =>
-    /** @type {const} */ (['gains', 'postures', 'parts']).every((group) => isFree(state, group))
-      ? links.linkOf(driveInLab(state, task.alone(index), play.driven()), engine.experiment)
-      : null;
+    linkInLab(state, driveInLab(state, task.alone(index), play.driven()), tools);
 
   return {
     ...sight,
