@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { pageNames } from '../../../www/parts/parts.js';
 import { lab } from '../../../www/words/index.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
+import { bred, counted, slide } from '../parts/parking.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -98,6 +99,49 @@ for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
       assert.equal(seen.groups, true);
     },
   );
+
+/** As high as a sheet of Letter between its margins, the lower of the two. */
+const sheet = 960;
+
+pageTest('Park is one sheet, with the numbers that drive and what evolution found', async (page) => {
+  await page.open('#park');
+  await page.setPace(8);
+  for (const gain of ['kx', 'ky', 'ktheta']) await slide(page, gain, 5);
+  await counted(page);
+  await asOnPaper(page);
+  await page.resize(paper, 900);
+  const seen = () =>
+    page.evaluate(() => {
+      const shown = (/** @type {string} */ selector) =>
+        [...document.querySelectorAll(selector)].filter((element) => element.checkVisibility());
+      const texts = (/** @type {string} */ selector) =>
+        shown(selector).map((element) => /** @type {HTMLElement} */ (element).innerText.trim());
+      return {
+        height: document.documentElement.scrollHeight,
+        numbers: texts('.park .gain > span'),
+        marks: shown('.park-mark, .park-key, .park-walk, #park a').length,
+        whole: texts('#park').join(),
+      };
+    });
+  const byHand = await seen();
+  assert.deepEqual(byHand.numbers, ['5.0', '5.0', '5.0']);
+  assert.match(byHand.whole, /Red and hollow: missed/);
+  assert.doesNotMatch(byHand.whole, /Press|Stuck/);
+  await page.evaluate(() => document.getElementById('park-evolve')?.click());
+  await page.until('evolution has come to its end', () => document.querySelector('.park-table'));
+  const evolved = await seen();
+  const { gains, generation } = bred(1);
+  assert.deepEqual(
+    evolved.numbers,
+    gains.map((gain) => `${gain.toFixed(1)}${gain > 12 ? ' →' : ''}`),
+  );
+  for (const told of ['32 of 32', '22 of 32', `Best of generation ${generation}`])
+    assert.ok(evolved.whole.includes(told), `${told} in ${evolved.whole}`);
+  for (const { height, marks } of [byHand, evolved]) {
+    assert.ok(height <= sheet, `${height} px of ${sheet}`);
+    assert.equal(marks, 0);
+  }
+});
 
 engineTest(
   'what is drawn gets the colours of paper before it is printed, and its own again',

@@ -43,7 +43,7 @@ export function sight(model, on, after) {
     ${newest ? after?.climb(model) : html`<p id="park-hint" class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
     ${newest && !evolving ? after?.comparison(model, newest, after.walk) : nothing}
     ${newest && !evolving ? html`<p class="park-on row">${on.lesson ? html`<a id="park-lesson" href="#${on.lesson}">${words.how}</a>` : nothing} ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
-    ${over && !evolving && parked < count ? html`<p class="muted">${words.missed(model.tolerance)}</p>` : nothing}
+    ${over && !evolving && parked < count ? html`<p class="muted">${words.missed(model.tolerance)} <span class="hint">${words.pressOne}</span></p>` : nothing}
     <p class="visually-hidden" role="status">${over && !evolving ? (after?.told(model) ?? words.picture(parked, count)) : ''}</p>`;
 }
 

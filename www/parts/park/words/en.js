@@ -42,4 +42,5 @@ export const planeLabel = (parked, count) =>
 
 /** What red means. @param {{ position: number, heading: number }} tolerance */
 export const missed = ({ position, heading }) =>
-  `Red and hollow: missed by more than ${fixed(100 * position, 0)} cm or ${fixed((180 / Math.PI) * heading, 1)}°. Press one to see why.`;
+  `Red and hollow: missed by more than ${fixed(100 * position, 0)} cm or ${fixed((180 / Math.PI) * heading, 1)}°.`;
+export const pressOne = 'Press one to see why.';

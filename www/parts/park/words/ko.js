@@ -42,4 +42,5 @@ export const planeLabel = (parked, count) => `${picture(parked, count)} 화살�
 
 /** What red means. @param {{ position: number, heading: number }} tolerance */
 export const missed = ({ position, heading }) =>
-  `속이 빈 빨간 로봇은 주차하지 못했습니다. ${fixed(100 * position, 0)} cm 또는 ${fixed((180 / Math.PI) * heading, 1)}° 넘게 벗어나 있습니다. 누르면 이유가 보입니다.`;
+  `속이 빈 빨간 로봇은 주차하지 못했습니다. ${fixed(100 * position, 0)} cm 또는 ${fixed((180 / Math.PI) * heading, 1)}° 넘게 벗어나 있습니다.`;
+export const pressOne = '누르면 이유가 보입니다.';
