@@ -32,7 +32,7 @@ export function createPanel(id, className) {
   return panel;
 }
 
-/** @param {{ engine: Engine, store: Store, actions: Actions }} parts @param {(state: State) => boolean} hasLab Whether there is something beside it that it sets. */
+/** @param {{ engine: Engine, store: Store, actions: Actions }} parts @param {(state: State) => boolean} hasLab Whether what is set, undone and redone is in sight. */
 export function createSettingsPanel({ engine, store, actions }, hasLab) {
   const button = byId('settings-button');
   const panel = createPanel('settings', 'settings');
@@ -55,7 +55,7 @@ export function createSettingsPanel({ engine, store, actions }, hasLab) {
   };
   button.addEventListener('click', () => actions.openSettings(!store.get().settings.open));
   followHelp(panel, () => [...rowsMade().values()]);
-  followKeys(panel, button, store, actions);
+  followKeys(panel, button, store, actions, hasLab);
 
   const changed = watch();
   return {
@@ -156,8 +156,8 @@ function followHelp(panel, viewsOf) {
   panel.addEventListener('focusin', show);
 }
 
-/** Escape closes; Ctrl+Z and Ctrl+Y undo and redo, wherever nobody types. @param {HTMLElement} panel @param {HTMLElement} button @param {Store} store @param {Actions} actions */
-function followKeys(panel, button, store, actions) {
+/** Escape closes; Ctrl+Z and Ctrl+Y undo and redo, wherever nobody types. @param {HTMLElement} panel @param {HTMLElement} button @param {Store} store @param {Actions} actions @param {(state: State) => boolean} hasLab */
+function followKeys(panel, button, store, actions, hasLab) {
   document.addEventListener('keydown', (event) => {
     const target = /** @type {Node} */ (event.target);
     const isOurs = panel.contains(target) || target === button || target === document.body;
@@ -173,7 +173,7 @@ function followKeys(panel, button, store, actions) {
         (!panel.contains(target) || target.hasAttribute(typingMark)));
     if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping) return;
     const key = event.key.toLowerCase();
-    if (key !== 'z' && key !== 'y') return;
+    if ((key !== 'z' && key !== 'y') || !hasLab(store.get())) return;
     event.preventDefault();
     if (key === 'y' || event.shiftKey) actions.redo();
     else actions.undo();

@@ -60,6 +60,33 @@ pageTest('undo and redo step through drags, presets, seeds and settings', async 
   await assertAt(2);
 });
 
+pageTest(
+  'on Park, where nothing of the lab is in sight, none of it is undone or done again',
+  async (page) => {
+    const seed = () => page.evaluate(() => new URLSearchParams(location.hash).get('seed'));
+    const seedIs = (/** @type {string | null} */ wanted) =>
+      page.until(`seed ${wanted}`, (one) => new URLSearchParams(location.hash).get('seed') === one, wanted);
+    const at = async (/** @type {string} */ part) => {
+      await page.click(`#page-${part}`);
+      await page.until('it is open', (name) => document.body.dataset.open === name, part);
+    };
+    await page.open('#lab&v=1&seed=7');
+    await page.click('#new-seed');
+    await page.until('another seed', () => !/seed=7(&|$)/.test(location.hash));
+    const drawn = await seed();
+    await at('park');
+    await chord(page, Key.CONTROL, 'z');
+    await at('lab');
+    await seedIs(drawn);
+    await chord(page, Key.CONTROL, 'z');
+    await seedIs('7');
+    await at('park');
+    await chord(page, Key.CONTROL, 'y');
+    await at('lab');
+    await seedIs('7');
+  },
+);
+
 pageTest('an arrow key that is held is one step of undo, each press another', async (page) => {
   const { goal } = await read(page);
   await page.focus('#goal-position');
