@@ -124,6 +124,36 @@ pageTest(
   },
 );
 
+pageTest(
+  'a link with other numbers begins with them; one with the same keeps what was found',
+  async (page) => {
+    await page.open('#park');
+    await page.setPace(8);
+    await slide(page, 'ky', 3);
+    await page.click('#park-evolve');
+    await page.until('it has come to its end', () => document.getElementById('park-lesson'));
+    await page.click('#page-lab');
+    await page.until('the lab is open', () => document.body.dataset.open === 'lab');
+    await page.evaluate(() => history.back());
+    await page.until('Park is open', () => document.body.dataset.open === 'park');
+    assert.equal(await counted(page), 32);
+    assert.ok((await page.text('.park-table')).includes('32 of 32'));
+
+    await page.evaluate(() => {
+      location.hash = 'park&v=1&park=1,2,3';
+    });
+    await page.until('the sliders stand so', () => {
+      const ky = /** @type {HTMLInputElement} */ (document.getElementById('park-ky'));
+      return ky.value === '2' && !document.getElementById('park-lesson');
+    });
+    assert.equal(await counted(page), parked([1, 2, 3]));
+    assert.equal(await page.text('.park-count .muted'), 'with your numbers');
+    const left = () => page.evaluate(() => document.querySelectorAll('.park-mark, .park-table').length);
+    assert.equal(await left(), 0);
+    assert.match(await page.text('.park-say'), /^32 robots, one parking place/);
+  },
+);
+
 pageTest('the evolution that was seen is opened in the lab, with the same best robot', async (page) => {
   await page.open('#park');
   await page.setPace(8);

@@ -19,7 +19,7 @@ import { createSlice } from '../../run/store.js';
 /** Where the sliders end, which begin at 0: no hand parks all with them. */
 export const mostGain = 12;
 
-export const parkSlice = createSlice(
+const slice = createSlice(
   'park',
   /** @type {ParkState} */ ({
     ...{ gains: null, best: null, bred: [], evolving: false, seed: 1, message: '' },
@@ -28,3 +28,13 @@ export const parkSlice = createSlice(
   [],
   ['gains', 'best', 'bred', 'seed'],
 );
+
+/** A link with other numbers begins with them afresh: what was found before is not of them. @type {typeof slice} */
+export const parkSlice = {
+  ...slice,
+  opened(state, patch) {
+    const { gains } = /** @type {Partial<ParkState>} */ (patch ?? {});
+    const isOther = gains && String(gains) !== String(slice.of(state).gains);
+    return isOther ? { ...slice.first, ...patch } : slice.opened(state, patch);
+  },
+};
