@@ -1,6 +1,7 @@
 // A change of language loads the page again: what was found stays.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
+import { bred } from '../parts/parking.js';
 import { saidElsewhere } from '../../../www/lesson/words/ko.js';
 import { ko } from '../harness/words.js';
 
@@ -100,6 +101,24 @@ pageTest('evolution that runs goes on in the other language', async (page) => {
     ko.lab.pauseEvolution,
   );
 });
+
+pageTest(
+  'evolution that runs on Park goes on in the other language, to what it would have come to',
+  async (page) => {
+    await page.open('#park');
+    await set(page, 'park-ky', '3');
+    await page.click('#park-evolve');
+    await page.until('generation 2 has come', () =>
+      document.querySelector('.park-climb figcaption')?.textContent?.includes('generation 2'),
+    );
+    await toKorean(page);
+    await page.until('it has come to its end', () => document.getElementById('park-between'));
+    const { generation } = bred(1);
+    const climb = await page.text('.park-climb figcaption');
+    assert.ok(climb.startsWith(`${generation}세대의 최우수: 32대 주차`), climb);
+  },
+  { moves: true },
+);
 
 pageTest('generations after the one that is shown are there in the other language too', async (page) => {
   await page.open('#lab&v=1&generation=12');

@@ -19,9 +19,13 @@ export function createBreeding(engine, task) {
       evolution = next;
     },
 
-    /** The best robot of the next generation and its drives, with those of the one in the middle and of the last. @param {Bred | null} before */
-    next(before) {
-      if (!evolution) throw new Error('park: begin an evolution first');
+    /** The best robot of the next generation and its drives, with those of the one in the middle and of the last; null: it has yet to come to the one before, as in another language, for which the page is loaded again. @param {Bred | null} before @param {number} seed */
+    next(before, seed) {
+      evolution ??= engine.apart(task.experiment(seed));
+      if (before && evolution.statistics().generation < before.generation) {
+        evolution.step();
+        return null;
+      }
       const { generation, evaluations, best } = before ? evolution.step() : evolution.statistics();
       const population = evolution.population();
       const [drives, ...others] = task.drive(

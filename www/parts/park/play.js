@@ -30,8 +30,10 @@ export function createPlay(engine, store, paper, task) {
 
   /** One generation more, as a film. */
   function breed() {
-    const { bred } = slice();
-    const { drives, others, robot } = breeding.next(bred.at(-1) ?? null);
+    const { bred, seed } = slice();
+    const next = breeding.next(bred.at(-1) ?? null, seed);
+    if (!next) return;
+    const { drives, others, robot } = next;
     const length = bred.length < 3 ? 'first' : robot.gains === bred.at(-1)?.gains ? 'same' : 'next';
     update({ bred: [...bred, robot] });
     show(filmOf(drives, others, length));
@@ -79,15 +81,8 @@ export function createPlay(engine, store, paper, task) {
           const { seed, bred } = slice();
           const next = bred.length > 0 ? seed + 1 : seed;
           breeding.begin(next);
-          update({
-            ...tried(),
-            seed: next,
-            bred: [],
-            evolving: true,
-            message: '',
-            between: null,
-            looked: null,
-          });
+          const afresh = { bred: [], message: '', between: null, looked: null };
+          update({ ...tried(), ...afresh, seed: next, evolving: true });
           breed();
         } catch (error) {
           if (isLost(error)) throw error;

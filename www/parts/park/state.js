@@ -26,7 +26,7 @@ const slice = createSlice(
     ...{ between: null, looked: null },
   }),
   [],
-  ['gains', 'best', 'bred', 'seed'],
+  ['gains', 'best', 'bred', 'evolving', 'seed'],
 );
 
 /** A link with other numbers begins with them afresh: what was found before is not of them. @type {typeof slice} */
