@@ -7,7 +7,7 @@ import { createErrorPosture } from './views/error-posture.js';
 import { createLit } from './lit.js';
 import { createKeepsake, createPlace } from './keepsake.js';
 import { settle } from './questions/settle.js';
-import { createSights } from './sights.js';
+import { createSights, figureOf } from './sights.js';
 import { steps } from './steps.js';
 import { progressSlice } from './state.js';
 import { texts } from '../words/index.js';
@@ -65,12 +65,13 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       const { lesson } = state;
       const step = steps[lesson - 1];
       const place = stageOf(step, state)?.place;
-      if (headChanged(lesson, state.page, place)) {
+      const figure = figureOf(step, state);
+      if (headChanged(lesson, state.page, figure, place)) {
         document.body.toggleAttribute('data-lesson', lesson > 0);
         document.title = step ? `${nameOf(lesson)} · ${texts.pageTitle}` : texts.pageTitle;
-        document.body.dataset.figure = !step ? '' : state.page === 'lab' ? step.figure : 'part';
+        document.body.dataset.figure = figure;
         article.hidden = !step;
-        sights.open(step, state.page, place);
+        sights.open(step, state.page, figure, place);
       }
       errorPosture.hide(!step?.overlay);
       stage.open(step, state);

@@ -4,8 +4,18 @@ import { lab } from '../words/index.js';
 import words from './words/index.js';
 
 /** @import { Choice } from '../kit/segmented.js' */
+/** @import { State } from '../run/state.js' */
 /** @import { Step } from './steps.js' */
 /** @typedef {'robot' | 'stage' | 'part' | 'gains'} Sight */
+/** What stands under the plane. @typedef {'' | 'drive' | 'evolve' | 'plane' | 'part'} Figure */
+
+/** @param {Step | undefined} step @param {Pick<State, 'page' | 'driver'>} state @returns {Figure} */
+export function figureOf(step, { page, driver }) {
+  if (!step) return '';
+  if (page !== 'lab') return 'part';
+  if (step.figure === 'driver') return driver === 'hand' ? 'drive' : 'evolve';
+  return step.figure;
+}
 
 /** @param {HTMLFieldSetElement} fieldset */
 export function createSights(fieldset) {
@@ -25,14 +35,13 @@ export function createSights(fieldset) {
   };
   narrow.addEventListener('change', show);
   return {
-    /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {string} page @param {'instead' | 'beside' | 'under' | undefined} stage */
-    open(step, page, stage) {
+    /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {string} page @param {Figure} figure @param {'instead' | 'beside' | 'under' | undefined} stage */
+    open(step, page, figure, stage) {
       if (step !== opened) wanted = null;
       opened = step;
       chosen = null;
       if (step) {
-        const { figure } = step;
-        const isPart = page !== 'lab' || figure === 'evolve';
+        const isPart = figure === 'part' || figure === 'evolve';
         const hasGains = page === 'curves' || !isPart;
         chosen = stage ? 'stage' : isPart ? 'part' : figure === 'drive' ? 'gains' : 'robot';
         /** @type {Choice<Sight>[]} */

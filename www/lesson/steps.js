@@ -26,7 +26,7 @@ import * as every from './steps/all.js';
  * @typedef {object} Step
  * @property {StepName} name
  * @property {string} link What is on screen when the step is opened.
- * @property {'drive' | 'evolve' | 'plane'} figure What stands under the plane while the link opens the lab: J and the gains, J and evolution, or the gains alone. Another part stands there by itself.
+ * @property {'drive' | 'evolve' | 'plane' | 'driver'} figure What stands under the plane while the link opens the lab: J and the gains, J and evolution, or the gains alone; with `driver` the gains while somebody drives by hand, else evolution. Another part stands there by itself.
  * @property {(live: Live) => number} [time] Where the robots' clock stands, in seconds; without it they drive.
  * @property {boolean} [overlay] The error posture is drawn on the plane.
  * @property {readonly Content[]} blocks

@@ -156,6 +156,39 @@ test('lab: bold gains with slow wheels arrive much later', () => {
   assert.ok(slow.arrived && slow.finalTime > 2 * quick.finalTime);
 });
 
+pageTest(
+  'where a class is to move sliders they are there, where it is to watch evolution its curve',
+  async (page) => {
+    await page.open('#lesson&step=lecturers');
+    for (const [item, hasSliders] of /** @type {const} */ ([
+      ['demonstration-park', true],
+      ['demonstration-random', false],
+      ['lab-beside', true],
+      ['lab-works', false],
+    ])) {
+      await page.click(`[data-try="${item}"]`);
+      await page.until(
+        item,
+        (wanted) => {
+          const isSeen = (/** @type {string} */ id) =>
+            document.getElementById(id)?.checkVisibility() ?? false;
+          return isSeen('gains') === wanted && isSeen('curve') !== wanted;
+        },
+        hasSliders,
+      );
+    }
+    // On a telephone they are the sight over the words.
+    await page.resize(400, 800);
+    for (const [item, chosen] of [
+      ['demonstration-park', 'gains'],
+      ['demonstration-random', 'part'],
+    ]) {
+      await page.click(`[data-try="${item}"]`);
+      await page.until(item, (wanted) => document.body.dataset.sight === wanted, chosen);
+    }
+  },
+);
+
 pageTest('the links of a lecturer’s sheets set up what they say', async (page) => {
   await page.open('#lesson&step=14');
   for (const [sheet, { items }] of Object.entries({ demonstration, lab }))

@@ -57,7 +57,7 @@ export const exam = sheet('exam', examItems, 'tasks');
 export const lecturers = {
   name: 'lecturers',
   link: path.lecturers,
-  figure: 'evolve',
+  figure: 'driver',
   blocks: [
     { kind: 'text', name: 'begin' },
     demonstration,
