@@ -51,13 +51,14 @@ export function stepNamed(text) {
   return { number: number > numbered.length ? pathLength : 1, isThere: false };
 }
 
-/** The link with the step of the lesson in it. @param {string} link @param {number} number @returns {string} */
+/** The link with the step of the lesson in it; with 0, by itself. @param {string} link @param {number} number @returns {string} */
 export function hrefOf(link, number) {
   const step = /^lesson&step=(\w+)$/.exec(link);
   if (step) return `#${linkOfStep(stepNamed(step[1]).number)}`;
   const [part, ...pairs] = link.split('&');
   const read = language === usualLanguage ? [] : [`lang=${language}`];
-  return `#${[part, 'v=1', ...read, ...pairs, `lesson=${textOfStep(number)}`].join('&')}`;
+  const beside = number === 0 ? [] : [`lesson=${textOfStep(number)}`];
+  return `#${[part, 'v=1', ...read, ...pairs, ...beside].join('&')}`;
 }
 
 /** The same from the number of a step alone. @param {number} number */

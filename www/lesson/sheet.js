@@ -1,13 +1,25 @@
 // A list for a class: what to show, do or ask, each with the link that sets it up; and apart from it what is to be seen then.
 import { html, nothing, render } from 'lit-html';
-import { addressOf } from '../kit/host.js';
+import { addressOf, isEmbedded } from '../kit/host.js';
 import { create } from '../kit/elements.js';
+import { hrefOf } from './path.js';
 import { inline } from './prose.js';
 
 /** @import { Block, Tools } from './page.js' */
-/** @typedef {{ title: string, note?: string, items: Record<string, { text: string, seen?: string }> }} SheetWords */
-/** @typedef {{ sheets: Record<string, SheetWords>, show: string, print: string, answersTo: (title: string) => string }} Words */
+/** @typedef {{ title: string, note?: string, apart?: string, items: Record<string, { text: string, seen?: string }> }} SheetWords */
+/** @typedef {{ sheets: Record<string, SheetWords>, show: string, showApart: string, print: string, answersTo: (title: string) => string }} Words */
 /** What of it: both together, or for students and for lecturers apart. @typedef {'all' | 'tasks' | 'answers'} Half */
+
+/** Of the window for all that is shown to a class, while the notes stay here. */
+const shownWindow = 'ep-shown';
+
+/** Opens an item there; a frame need not be allowed to open any. @param {string} link @param {string} text */
+function apartLink(link, text) {
+  if (isEmbedded) return nothing;
+  // A whole address, for what begins with # the lesson opens within this page.
+  const address = addressOf(location.href, hrefOf(link, 0).slice(1), false);
+  return html`<a class="sheet-apart" href=${address} target=${shownWindow}>${text}</a>`;
+}
 
 /** Prints this sheet alone. @param {HTMLElement} sheet */
 function printAlone(sheet) {
@@ -29,7 +41,7 @@ export const sheet = (name, items, half = 'all') => ({
   half,
   /** @param {Tools} _tools @param {Words} words @param {(link: string) => string} href @returns {Block} */
   create(_tools, words, href) {
-    const { title, note, items: texts } = words.sheets[name];
+    const { title, note, apart, items: texts } = words.sheets[name];
     const muted = (/** @type {string} */ text) => html`<p class="muted">${inline(text, href)}</p>`;
     const rows = items.map(([item, link]) => {
       const { text, seen } = texts[item];
@@ -37,6 +49,7 @@ export const sheet = (name, items, half = 'all') => ({
       const anchor =
         link !== null &&
         html`<a class="sheet-link" href=${href(link)} data-try=${`${name}-${item}`}>${words.show}</a>
+          ${apartLink(link, words.showApart)}
           <span class="address">${addressOf(location.href, href(link).slice(1), false)}</span>`;
       return html`<li><p>${inline(text, href)}</p>${anchor || nothing}${half === 'all' && seen ? muted(seen) : nothing}</li>`;
     });
@@ -44,7 +57,8 @@ export const sheet = (name, items, half = 'all') => ({
     render(
       html`<div class="sheet-list-head"><h3>${half === 'answers' ? words.answersTo(title) : title}</h3>
           <button type="button" class="link" @click=${() => printAlone(element)}>${words.print}</button></div>
-        ${note && half !== 'answers' ? muted(note) : nothing}<ol>${rows}</ol>`,
+        ${note && half !== 'answers' ? muted(note) : nothing}
+        ${apart && !isEmbedded ? html`<div class="sheet-apart">${muted(apart)}</div>` : nothing}<ol>${rows}</ol>`,
       element,
     );
     return { element, draw() {} };

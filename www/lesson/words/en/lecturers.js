@@ -8,12 +8,15 @@ export const lecturers = {
     cite: `*How to cite.* The method: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. This program: ep-locomotion, version {=version}; its CITATION.cff holds the entry. What the paper leaves open and we chose stands in [the step on the paper’s numbers](lesson&step=paper).`,
   },
   show: 'set it up',
+  showApart: 'in its own window',
   print: 'Print this sheet',
   /** @param {string} title */
   answersTo: (title) => `${title}: what is to be seen`,
   sheets: {
     demonstration: {
       title: 'Ten minutes, for a lecture',
+      apart:
+        '“In its own window” shows an item without these notes, every time in the same second window: drag that one to the projector.',
       items: {
         park: {
           text: '*0 min.* Ask: who can park it? Let somebody call out numbers for the three sliders.',

@@ -8,12 +8,15 @@ export const lecturers = {
     cite: `*인용하기.* 방법: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. 프로그램: ep-locomotion, 버전 {=version}. 인용 정보는 CITATION.cff에 있습니다. 논문이 정하지 않아 이 페이지가 고른 것은 [논문의 수치를 다룬 단계](lesson&step=paper)에 있습니다.`,
   },
   show: '화면 준비',
+  showApart: '별도의 창에서',
   print: '이 자료 인쇄',
   /** @param {string} title */
   answersTo: (title) => `${title}: 보게 될 것`,
   sheets: {
     demonstration: {
       title: '강의용, 10분',
+      apart:
+        '“별도의 창에서”를 누르면 이 메모 없이 화면만, 늘 같은 둘째 창에 열립니다. 그 창을 프로젝터로 옮겨 두십시오.',
       items: {
         park: {
           text: '*0분.* 누가 주차할 수 있는지 묻습니다. 슬라이더 세 개의 숫자를 외쳐 보게 합니다.',
