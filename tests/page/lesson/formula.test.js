@@ -1,6 +1,6 @@
 // What a formula reads with the numbers of now.
 import assert from 'node:assert/strict';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 
 const steps = ['error', 'law', 'stability', 'cost', 'generation', 'sigma', 'disturbance'];
 
@@ -56,5 +56,32 @@ pageTest(
     const moved = await clock();
     await amounts();
     assert.equal(await clock(), moved);
+  },
+);
+
+engineTest(
+  'the dot of a rate stands over its letter, not at its shoulder as a prime, and V is the same with it',
+  async (page) => {
+    await page.open('#lesson&step=stability');
+    const { dots, widths } = await page.evaluate(() => {
+      const box = (/** @type {Element | null} */ element) => {
+        if (!element) throw new Error('it is not there');
+        return element.getBoundingClientRect();
+      };
+      const shown = '.formula-lines:not(.formula-now) [data-term';
+      return {
+        dots: [...document.querySelectorAll('.formula-lines mover')].map((over) => {
+          const [letter, dot] = [box(over.querySelector('mi')), box(over.querySelector('mo'))];
+          const off = (dot.left + dot.right - letter.left - letter.right) / 2 / letter.width;
+          return { of: over.closest('[data-term]')?.getAttribute('data-term'), off: Math.abs(off) };
+        }),
+        widths: ['V', 'Vdot'].map(
+          (name) => box(document.querySelector(`${shown}="${name}"] mi, ${shown}="${name}"]:is(mi)`)).width,
+        ),
+      };
+    });
+    assert.deepEqual([...new Set(dots.map(({ of }) => of))].sort(), ['Vdot', 'te', 'xe', 'ye']);
+    for (const { of, off } of dots) assert.ok(off < 0.3, `${of}: ${off} of its width beside it`);
+    assert.ok(Math.abs(widths[0] - widths[1]) < 0.5, `V is ${widths} wide`);
   },
 );

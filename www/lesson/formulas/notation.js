@@ -8,7 +8,7 @@
 // *                   a product: a dot between numbers, nothing between symbols
 // { … }               what stands together as one
 // [kx: … ]            a term, which lights up as one
-import { isSymbol, mathml, sub } from './symbols.js';
+import { dotted, isSymbol, mathml, sub } from './symbols.js';
 
 /** @import { Live } from '../page.js' */
 /** @import { SymbolName } from './symbols.js' */
@@ -50,11 +50,12 @@ function term(name, pieces) {
   return group;
 }
 
-/** A symbol with the dot of its rate. @param {Element} of */
+/** A symbol with the dot of its rate, over the letter alone: over letter and index it would read as a prime. @param {Element} of */
 function rate(of) {
-  const dotted = mathml('mover', of, mathml('mo', '˙'));
-  dotted.setAttribute('accent', 'true');
-  return dotted;
+  const letter = of.localName === 'msub' ? of.querySelector('mi') : null;
+  if (!letter) return dotted(of);
+  letter.replaceWith(dotted(/** @type {Element} */ (letter.cloneNode(true))));
+  return of;
 }
 
 /** The pieces that a text is read as. @param {string} text @param {Leaf} leaf */

@@ -87,9 +87,18 @@ export function symbol(name) {
 
 /** A letter with its prime and its index, if it has them. The prime stands in line, where it has its size in every font. @param {string} letter @param {string} index */
 function withIndex(letter, index) {
-  const plain = mathml('mi', letter.replace('′', ''));
+  // With its dot in one piece the letter would count as a word, and stand upright.
+  const bare = mathml('mi', letter.replace('′', '').replace('\u0307', ''));
+  const plain = letter.endsWith('\u0307') ? dotted(bare) : bare;
   const base = letter.endsWith('′') ? mathml('mrow', plain, mathml('mo', '′')) : plain;
   return index ? sub(base, mathml(/\d/.test(index) ? 'mn' : 'mi', index)) : base;
+}
+
+/** A letter with the dot of a rate. @param {Element} letter */
+export function dotted(letter) {
+  const over = mathml('mover', letter, mathml('mo', '˙'));
+  over.setAttribute('accent', 'true');
+  return over;
 }
 
 /** Every base reaches as far down as a y, so that all indices stand on one line: without a mathematical font an index hangs from its letter. @param {Element} base @param {Element} index */
