@@ -99,6 +99,12 @@ test('of the two in the question the better one falls, and the answer says so', 
   assert.equal(record.survivors.includes(question.worse), true);
 });
 
+test('of a best J that only fell it is said that it never rose', () => {
+  const { why } = words.quizzes.best;
+  assert.match(why({ generations: 60, fell: 16, rose: 0 }), / fell 16 times and never rose\./);
+  assert.match(why({ generations: 60, fell: 16, rose: 2 }), / fell 16 times and rose 2 times\./);
+});
+
 test('the best J never rises, for the best wins all its bouts', async () => {
   const { rose, fell, right } = (await answered('generation', 'best')).outcome;
   assert.equal(rose, 0);

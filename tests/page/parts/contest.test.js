@@ -4,6 +4,7 @@ import { trials } from '../../../pkg/ep_locomotion.js';
 import { mostRobotsOfCall } from '../../../www/core/bounds.js';
 import { partsOf } from '../../../www/parts/luck/contest-asked.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
+import { shortName } from '../../../www/parts/luck/words/contest-en.js';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
 import { test } from '../harness/once.js';
 import { contestOf, others, small, velocityLimits } from './contests.js';
@@ -196,4 +197,8 @@ test('the CSV has a row for each improvement', () => {
     ),
   );
   assert.deepEqual(rows.slice(1), expected);
+});
+
+test('no contestant’s name reads as a list where a sentence begins with it', () => {
+  for (const name of contestants) assert.doesNotMatch(shortName(name), /,/);
 });

@@ -77,6 +77,13 @@ test('Korean is written at one speech level, and never offers two particles to c
   }
 });
 
+test('an index is no plain letter behind its symbol, nor behind a low line', () => {
+  const words = modules.filter((name) => /(^|[\\/])words[\\/]/.test(name));
+  assert.ok(words.length > 80);
+  for (const name of words)
+    assert.doesNotMatch(readFileSync(join(source, name), 'utf8'), /θ_?e|\b[xyqN]_[a-z]\b/, name);
+});
+
 test('no view has words of its own language', () => {
   // The element stands in pages of others, and has its language from them.
   const views = modules.filter(

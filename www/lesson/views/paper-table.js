@@ -89,7 +89,9 @@ export function createChoicesTable({ engine }, words) {
   const printed = engine
     .paper()
     .map((_, row) => lab.costText(asPrinted({ engine, paper: engine.paper() }, row)));
-  const rows = words.choices({ ...textsOf(e, a), printed });
+  /** @type {string[][]} */
+  const texts = words.choices({ ...textsOf(e, a), printed });
+  const rows = texts.map((row) => row.map((text) => create('span', '', ...inline(text, String))));
   const table = tableOf('lesson-table choices-table', words.choicesHead, rows);
   const element = create('section', '', create('h3', '', words.choicesTitle), scrolling(table));
   return { element, draw() {} };

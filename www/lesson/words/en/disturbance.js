@@ -30,7 +30,7 @@ export const disturbance = {
     /** @param {number} time @param {number} count */
     all: (time, count) =>
       count === 3
-        ? `After ${fixed(time, 2)} s all three hold: by the theorem, V falls.`
+        ? `After ${fixed(time, 2)} s all three hold: by the theorem, {V} falls.`
         : `After ${fixed(time, 2)} s not all three hold: the theorem promises nothing here.`,
   },
   quizzes: {

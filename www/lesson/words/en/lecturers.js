@@ -74,7 +74,7 @@ export const lecturers = {
         },
         limits: {
           text: '*37 to 45 min.* Step 5: what the proof assumes. Saturation, samples, chattering.',
-          seen: 'V rises in most drives with the limits on: the proof promises nothing about saturated wheels.',
+          seen: '{V} rises in most drives with the limits on: the proof promises nothing about saturated wheels.',
         },
         cost: {
           text: '*45 to 52 min.* Step 6: what is good? Vote on the two questions first.',

@@ -19,7 +19,7 @@ export const limits = {
     asked: `The law asks, the wheels answer. In the drive of the paper’s EP gains the law asks for up to {=askedV} m/s and {=askedW} rad/s. The paper’s robot can do {=v} m/s and {=w} rad/s. Beside the plane the thin line is what was asked, the thick one what was done: what is beyond the limit, the dashed line, is cut off. Engineers call that *saturation*. The robot drives at full speed for most of the way.
 
 Would it be better without limits? The proof of the last step assumes none.`,
-    theory: `The proof has a gap where it meets a real robot: it wants the law to act *at every instant*, but a computer decides once in a hundredth of a second and holds its command until the next. A huge command that is held turns the robot much too far; a faster computer helps little, because where sin θe is 0 the command has no bound. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples. (Such a drive is *chaotic*: the last digits of the arithmetic decide exactly how many.)
+    theory: `The proof has a gap where it meets a real robot: it wants the law to act *at every instant*, but a computer decides once in a hundredth of a second and holds its command until the next. A huge command that is held turns the robot much too far; a faster computer helps little, because where sin {te} is 0 the command has no bound. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples. (Such a drive is *chaotic*: the last digits of the arithmetic decide exactly how many.)
 
 Do speed limits close that gap? From the paper’s own start it looks so: with them {V} falls at every sample.`,
     clipped: `The terms of {v} and of {w} cancel each other only together. Limits clip {v} and {w} *apart*, each to its own size, and then what should cancel no longer does. So with limits, too, {V} may rise for a while; the proof promises nothing about a robot whose wheels are saturated. Limits of *acceleration* add to it: the robot answers late, and cannot brake where the law wants it to.`,
@@ -31,7 +31,7 @@ Do speed limits close that gap? From the paper’s own start it looks so: with t
       choices: ['It falls: the robot may do all it wants', 'It stays about the same', 'It rises'],
       /** @param {{ free: Driven, limited: Driven }} outcome */
       why: ({ free, limited }) =>
-        `J is ${costText(free.run.cost.total)} instead of ${costText(limited.run.cost.total)}, and the robot ${arrival(free.run)}. Near the goal θe is almost 0, the law divides by its sine, and the command jumps between huge values of both signs, which engineers call *chattering*: the largest turn rate is ${fixed(Math.max(...free.run.angular.map(Math.abs)), 0)} rad/s, and energy counts its square.`,
+        `J is ${costText(free.run.cost.total)} instead of ${costText(limited.run.cost.total)}, and the robot ${arrival(free.run)}. Near the goal {te} is almost 0, the law divides by its sine, and the command jumps between huge values of both signs, which engineers call *chattering*: the largest turn rate is ${fixed(Math.max(...free.run.angular.map(Math.abs)), 0)} rad/s, and energy counts its square.`,
     },
     heals: {
       question:
@@ -39,7 +39,7 @@ Do speed limits close that gap? From the paper’s own start it looks so: with t
       choices: ['In fewer than 10', 'In 10 to 50', 'In more than half'],
       /** @param {{ drives: number, starts: number }} outcome */
       why: ({ drives, starts }) =>
-        `In ${drives} of ${starts}. The drive on the plane, from yet another start, is such a one: look at the red marks under V.`,
+        `In ${drives} of ${starts}. The drive on the plane, from yet another start, is such a one: look at the red marks under {V}.`,
     },
     brakes: {
       question:
@@ -47,7 +47,7 @@ Do speed limits close that gap? From the paper’s own start it looks so: with t
       choices: ['Earlier', 'A little later', 'Much later, or never'],
       /** @param {{ limited: Driven, sluggish: Driven }} outcome */
       why: ({ limited, sluggish }) =>
-        `With speed limits the robot ${arrival(limited.run)}; with acceleration limits it ${arrival(sluggish.run)}, and V rises at ${sluggish.rises} samples (before: ${limited.rises}). Bold gains need quick wheels. J: ${costText(limited.run.cost.total)} and ${costText(sluggish.run.cost.total)}.`,
+        `With speed limits the robot ${arrival(limited.run)}; with acceleration limits it ${arrival(sluggish.run)}, and {V} rises at ${sluggish.rises} samples (before: ${limited.rises}). Bold gains need quick wheels. J: ${costText(limited.run.cost.total)} and ${costText(sluggish.run.cost.total)}.`,
     },
   },
   tries: {

@@ -67,7 +67,7 @@ The *numbers themselves* are not the paper’s, and no honest program could make
     ['between samples', '0.01 s; motion not given', `${e.sampleTime} s; exact arcs`],
     [
       'energy in (9)',
-      'of q_m, the commanded velocity',
+      'of {qm}, the commanded velocity',
       `of the limited velocity; as printed J would be ${e.printed.join('; ')}`,
     ],
     ['the integral', 'not given', 'sum of left rectangles'],
@@ -82,9 +82,9 @@ The *numbers themselves* are not the paper’s, and no honest program could make
       'not looked at, unless the settings ask for it',
     ],
     ['at the start', 'not given', 'the robot is at rest'],
-    ['disturbance δ', 'q_m + δ, put into (2)', 'added after the limits'],
-    ['division by sin θe', 'not given', 'by at least 0.000001, with its sign'],
-    ['draws of a mutation', 'N_i, i counts robots', 'one for each component, one more common to its σ'],
+    ['disturbance {delta}', '{qm} + {delta}, put into (2)', 'added after the limits'],
+    ['division by sin {te}', 'not given', 'by at least 0.000001, with its sign'],
+    ['draws of a mutation', '{Ni}, i counts robots', 'one for each component, one more common to its σ'],
     ['who meets whom', 'random opponents', 'with replacement, never oneself; ties by J, then by number'],
   ],
 };

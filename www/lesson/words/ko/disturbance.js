@@ -30,7 +30,7 @@ export const disturbance = {
     /** @param {number} time @param {number} count */
     all: (time, count) =>
       count === 3
-        ? `${fixed(time, 2)}초: 셋 모두 성립합니다. 정리에 따라 V가 줄어듭니다.`
+        ? `${fixed(time, 2)}초: 셋 모두 성립합니다. 정리에 따라 {V}가 줄어듭니다.`
         : `${fixed(time, 2)}초: 셋 모두 성립하지는 않습니다. 여기서 정리는 아무것도 보장하지 않습니다.`,
   },
   quizzes: {

@@ -46,7 +46,7 @@ export const sentences = {
     'largest difference',
   ],
   lyapunovRate: (count) => [
-    `Without limits V falls as Theorem 1 says, V̇ = −kx x_e² cos² θ_e − ky y_e⁴ − kθ sin² θ_e, at ${count} postures.`,
+    `Without limits V falls as Theorem 1 says, V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ, at ${count} postures.`,
     'largest relative difference',
   ],
   halfArcs: (count) => [`Two half arcs lead where the whole arc leads, ${count} times.`, 'largest distance'],
