@@ -49,6 +49,7 @@ test('the duel compares with the core’s evolution and random search of that se
   assert.equal(verdict.costs.evolution, evolvedBest(3, 20).cost);
   assert.deepEqual(round.champion, evolvedBest(3, 20).gains);
   assert.equal(verdict.costs.random, run.random[20]);
+  assert.equal(evaluate(contest, round.drawn)[0], run.random[20]);
   assert.equal(verdict.later.evolution, evolvedBest(3, 60).cost);
   assert.equal(verdict.costs.you, 20 - 45 / 20);
   /** @type {typeof contest} */
@@ -64,7 +65,7 @@ test('who has the lowest J wins', async () => {
   const evolution = Array.from({ length: 61 }, (_, i) => 13 - i / 60);
   const random = evolution.map((cost, i) => (i < 30 ? 12.8 : cost + 0.5));
   /** @type {import('../../../www/lesson/duel/duel.js').Round} */
-  const round = { seed: 1, evolution, random, champion: [1, 1, 1] };
+  const round = { seed: 1, evolution, random, champion: [1, 1, 1], drawn: [2, 2, 2] };
   const winnerWith = (/** @type {number} */ best) => judge(driven([30, best]), round).winner;
   assert.equal(winnerWith(12.5), 'you');
   assert.equal(winnerWith(12.7), 'evolution');
@@ -91,7 +92,10 @@ test('a duel is about start, goal and weights, not about the seed, and the seeds
   assert.ok(!isDuelOf(duel, yard.experimentOf(opened(tryOf('duel', 'dear')).experiment)));
   assert.equal(nextSeed(duel), 1);
   assert.equal(
-    nextSeed({ ...duel, rounds: [{ seed: 4, evolution: [], random: [], champion: [1, 1, 1] }] }),
+    nextSeed({
+      ...duel,
+      rounds: [{ seed: 4, evolution: [], random: [], champion: [1, 1, 1], drawn: [2, 2, 2] }],
+    }),
     5,
   );
 });
@@ -172,6 +176,13 @@ pageTest('drive, lock in, predict; every number is the core’s', async (page) =
   assert.equal(hidden, 0, 'every number of the table is seen');
   const champion = yard.drive(contest, evolvedBest(1, 20).gains);
   assert.equal((await table(page))[0].parked, String(champion?.parked));
+  const { drawn } = await roundOf(engine, driven(costs), 1);
+  const random = (await table(page)).find(({ who }) => who === 'random');
+  assert.equal(
+    random?.parked,
+    String(yard.drive(contest, drawn)?.parked),
+    'also how many random search parks',
+  );
 
   await page.click('#duel-watch');
   await page.until(

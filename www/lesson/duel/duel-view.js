@@ -172,10 +172,11 @@ function tableOf(duel, verdict, words, { engine }) {
     const yard = gains && yardOf(engine).drive(duel.experiment, gains);
     return yard ? String(yard.parked) : '';
   };
+  const round = duel.rounds.at(-1);
   const parked = {
     you: parkedWith(duel.gains),
-    evolution: parkedWith(duel.rounds.at(-1)?.champion ?? null),
-    random: '',
+    evolution: parkedWith(round?.champion ?? null),
+    random: parkedWith(round?.drawn ?? null),
   };
   const rows = /** @type {const} */ (['you', 'evolution', 'random'])
     .map((name) => ({ name, cost: costs[name], driven: name === 'you' ? drives : given }))

@@ -6,8 +6,8 @@ import { taskText } from './tally.js';
 /** @import { Tally } from '../state.js' */
 
 /**
- * The best J of each generation, what random search had found by then, and the gains that evolution is judged by.
- * @typedef {{ seed: number, evolution: ArrayLike<number>, random: ArrayLike<number>, champion: Triple }} Round
+ * The best J of each generation, what random search had found by then, and the gains that each is judged by.
+ * @typedef {{ seed: number, evolution: ArrayLike<number>, random: ArrayLike<number>, champion: Triple, drawn: Triple }} Round
  */
 /**
  * What was locked in, and what the others have done since.
@@ -66,15 +66,19 @@ export async function roundOf(engine, duel, seed) {
   const { population } = experiment.evolution;
   const generations = generationsIn(longestOf(duel), population);
   // Whatever searches in the lab.
-  const own = {
+  const by = (/** @type {'ep' | 'random'} */ method) => ({
     ...experiment,
-    evolution: { ...experiment.evolution, method: /** @type {const} */ ('ep'), seed },
-  };
-  const [[{ best, random }], { gains }] = await Promise.all([
-    engine.surveys.seedRuns(own, { first: seed, count: 1, generations }),
-    engine.surveys.evolve(own, generationsIn(costs.length, population)),
+    evolution: { ...experiment.evolution, method, seed },
+  });
+  const judged = generationsIn(costs.length, population);
+  const [[{ best, random }], champion, drawn] = await Promise.all([
+    engine.surveys.seedRuns(by('ep'), { first: seed, count: 1, generations }),
+    engine.surveys.evolve(by('ep'), judged),
+    engine.surveys.evolve(by('random'), judged),
   ]);
-  return { seed, evolution: best, random, champion: /** @type {Triple} */ ([...gains]) };
+  const gainsIn = (/** @type {{ gains: Triple }} */ { gains }) =>
+    /** @type {Triple} */ ([...gains]);
+  return { seed, evolution: best, random, champion: gainsIn(champion), drawn: gainsIn(drawn) };
 }
 
 /** The seed of the next round: the experiment's own, then those that follow it. @param {Duel} duel */
