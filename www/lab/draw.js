@@ -1,5 +1,6 @@
 // What the lab shows of the state: each view gets the numbers that it draws.
-/** @import { Engine, Experiment, PaperResult, Preset } from '../core/engine.js' */
+/** @import { Engine, Experiment, PaperResult, Posture, Preset } from '../core/engine.js' */
+/** @import { View } from '../kit/transform.js' */
 /** @import { Scene } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Views } from './views.js' */
@@ -10,6 +11,9 @@ import { gainsOf } from '../run/drivers.js';
 import { isReached, pausesAt } from '../run/pace.js';
 import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
+import { namesOfRuns } from './notes.js';
+import { placeOfName, isLeftForPostures } from './plane-corners.js';
+import { isSmall } from './plane-names.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
 
@@ -38,9 +42,11 @@ export function createDraw(views, engine, paper, inSight, turn) {
     const view = viewOf(state.box, state.size);
     const ends = endsOf(state);
     const { pins, theme } = state;
-    views.plane.draw({ view, scene, ...ends, pins, pays: inSight.pays(state), time, theme });
+    const pays = inSight.pays(state);
+    views.plane.draw({ view, scene, ...ends, pins, pays, time, theme });
     views.handles.draw({ view, ...ends });
-    byId('postures').classList.toggle('left', isUnderNotes(view, ends));
+    const { solid, dashed } = namesOfRuns({ ...state, scene });
+    placeWords(view, scene, ends.start, ends.goal, pays && !isSmall(view), solid, dashed);
   };
 
   /** @param {State} state @returns {Record<string, () => void>} */
@@ -103,16 +109,18 @@ export function createDraw(views, engine, paper, inSight, turn) {
   };
 }
 
-/** The room of the two postures in words, at the lower edge. */
-const notes = { width: 230, height: 140 };
-
-/** Whether start or goal would stand under them in the right corner, and neither in the left. @param {import('../kit/transform.js').View} view @param {ReturnType<typeof endsOf>} ends */
-function isUnderNotes(view, { start, goal }) {
-  const low = [start, goal]
-    .filter(({ y }) => view.screenY(y) > view.height - notes.height)
-    .map(({ x }) => view.screenX(x));
-  return low.some((px) => px > view.width - notes.width) && low.every((px) => px > notes.width);
-}
+/** The words that stand in a corner of the plane. */
+const placeWords = remember(
+  /** @param {View} view @param {Scene} scene @param {Posture} start @param {Posture} goal @param {boolean} isPaid @param {string} solid @param {string} dashed */
+  (view, { driving, comparison, pins }, start, goal, isPaid, solid, dashed) => {
+    const standing = { view, ends: { start, goal }, runs: [driving, comparison, ...pins], isPaid };
+    const { corner, raised } = placeOfName(standing, solid, dashed);
+    const legend = byId('legend');
+    legend.dataset.corner = corner;
+    legend.style.setProperty('--raised', `${raised}px`);
+    byId('postures').classList.toggle('left', isLeftForPostures(standing));
+  },
+);
 
 /** Whether evolution counts the drive that is seen, and not the mean over many. @param {State} state */
 const isOneDrive = ({ experiment }) => experiment.starts.length === 1;

@@ -74,14 +74,25 @@ export function createNotes({ onRestore }) {
   };
 }
 
-/** Which line is whose. @param {NotesModel} model */
-function legendOf({ scene, driver, found, generation, population, pins }) {
-  const { chosen, others, comparison, comparisonDriver, withoutDisturbance } = scene;
+/** Who drives, and whom that is compared with. @param {Pick<NotesModel, 'scene' | 'driver' | 'found' | 'generation'>} model */
+export function namesOfRuns({ scene, driver, found, generation }) {
+  const { chosen, comparison, comparisonDriver, withoutDisturbance } = scene;
   const rival = chosen?.partner?.name ?? strings.driverName(comparisonDriver, generation, found);
+  return {
+    solid: chosen?.name ?? strings.driverName(driver, generation, found),
+    dashed: withoutDisturbance ? strings.withoutDisturbance : strings.comparisonText(rival, comparison),
+    isAlone: comparisonDriver === driver && !withoutDisturbance && !chosen,
+  };
+}
+
+/** Which line is whose. @param {NotesModel} model */
+function legendOf(model) {
+  const { scene, population, pins } = model;
+  const { solid, dashed, isAlone } = namesOfRuns(model);
   return html`
-    <li class="solid">${chosen?.name ?? strings.driverName(driver, generation, found)}</li>
-    <li class="thin" .hidden=${others.length === 0}>${othersText(scene, population)}</li>
-    <li class="dashed" .hidden=${comparisonDriver === driver && !withoutDisturbance && !chosen}>${withoutDisturbance ? strings.withoutDisturbance : strings.comparisonText(rival, comparison)}</li>
+    <li class="solid">${solid}</li>
+    <li class="thin" .hidden=${scene.others.length === 0}>${othersText(scene, population)}</li>
+    <li class="dashed" .hidden=${isAlone}>${dashed}</li>
     ${pinTextsOf(pins, scene.pins, scene.experiment).map(
       (text, i) => html`<li class="pin">${createSwatch(styles[pins[i].slot])}${text}</li>`,
     )}`;

@@ -3,6 +3,7 @@
 /** @import { View } from '../kit/transform.js' */
 /** @import { Pins } from '../run/pins.js' */
 /** @import { Scene } from '../run/scene.js' */
+/** @import { PostureName } from './plane-names.js' */
 /** @import { Track } from './track.js' */
 import { scaleLinear } from 'd3-scale';
 import { createLayer, fillTextWithHalo } from '../kit/canvas.js';
@@ -15,6 +16,7 @@ import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
+import { isSmall, namesIn } from './plane-names.js';
 import { drawRobots } from './robots.js';
 import { emptyKite, inMetres, kite, referenceOf, sizes, trace } from './track.js';
 
@@ -32,9 +34,8 @@ export function createPlane(pathsCanvas, robotsCanvas) {
     const { driving, others, comparison } = scene;
     if (pathsChanged(view, driving, others, comparison, scene.pins, start, goal, pays, theme)) {
       paths.draw(view, (context) => {
-        // A small plane has no room for what is written along the path, nor beside the legend.
         const isPaid = pays && !isSmall(view);
-        const names = namesIn(view, start, goal, driving, isPaid ? -1 : 1);
+        const names = namesIn(view, { start, goal }, driving, isPaid);
         drawGrid(context, view, names);
         drawPinnedGoals(context, view, pins, goal);
         drawPaths(context, view, scene, pins);
@@ -50,9 +51,6 @@ export function createPlane(pathsCanvas, robotsCanvas) {
   };
   return { draw };
 }
-
-/** @param {View} view */
-const isSmall = ({ height }) => height < 280;
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {readonly PostureName[]} names Over a number they would leave pieces of it. */
 function drawGrid(context, view, names) {
@@ -162,32 +160,6 @@ function drawPayments(context, view, run) {
     named = [textX, textY];
     fillTextWithHalo(context, strings.paidText(cost), textX, textY, look);
   }
-}
-
-/** Whether the robot ends where the name of its goal would stand. @param {View} view @param {Posture} goal @param {number} side @param {Run} run */
-function isTaken(view, goal, side, { x, y }) {
-  const end = x.length - 1;
-  const right = (x[end] - goal.x) * Math.sin(goal.theta) - (y[end] - goal.y) * Math.cos(goal.theta);
-  const away = Math.hypot(x[end] - goal.x, y[end] - goal.y) * view.scale;
-  return away > 16 && away < 80 && right * side * view.scale > 12;
-}
-
-/** @typedef {{ text: string, px: number, py: number, align: CanvasTextAlign }} PostureName */
-
-/** Start and goal by name, as far as there is room. @param {View} view @param {Posture} start @param {Posture} goal @param {Run} run @param {number} side Their right hand, or their left, where J is written on the right of the path. @returns {PostureName[]} */
-function namesIn(view, start, goal, run, side) {
-  if (view.height < 170) return [];
-  const names = [nameAt(view, start, strings.startName, side)];
-  if (!isTaken(view, goal, side, run)) names.push(nameAt(view, goal, strings.goalName, side));
-  else if (!isSmall(view)) names.push(nameAt(view, goal, strings.goalName, -side));
-  return names;
-}
-
-/** Beside it, where neither its knob is nor the way to it. @param {View} view @param {Posture} posture @param {string} text @param {number} side @returns {PostureName} */
-function nameAt(view, { x, y, theta }, text, side) {
-  const [across, down] = [side * Math.sin(theta), side * Math.cos(theta)];
-  const align = Math.abs(across) < 0.5 ? 'center' : across > 0 ? 'left' : 'right';
-  return { text, px: view.screenX(x) + 20 * across, py: view.screenY(y) + 24 * down, align };
 }
 
 /** @param {CanvasRenderingContext2D} context @param {readonly PostureName[]} names */

@@ -3,6 +3,7 @@
 /** @import { View } from '../kit/transform.js' */
 /** @import { Pins } from '../run/pins.js' */
 /** @import { Scene } from '../run/scene.js' */
+/** @import { PostureName } from './plane-names.js' */
 import { isTracking } from '../core/reference.js';
 import { fillTextWithHalo } from '../kit/canvas.js';
 import { setLettering } from '../kit/lettering.js';
@@ -68,19 +69,32 @@ function drawTrail(context, view, run, time) {
   context.restore();
 }
 
-/** A robot outside the plane leaves a mark at the edge, with its distance from there. @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture */
-function drawStray(context, view, { x, y }) {
-  const [px, py] = [view.screenX(x), view.screenY(y)];
-  const edge = keepInside(view, px, py);
-  const beyond = Math.hypot(px - edge.px, py - edge.py);
-  if (beyond < 24) return;
+/** Of a robot outside the plane: where its mark stands at the edge, and how far it is from there. @param {View} view @param {Posture} posture */
+export function strayOf(view, { x, y }) {
+  const [farX, farY] = [view.screenX(x), view.screenY(y)];
+  const { px, py } = keepInside(view, farX, farY);
+  const beyond = Math.hypot(farX - px, farY - py);
+  if (beyond < 24) return null;
+  const inward = px > view.width / 2 ? -1 : 1;
+  /** @type {PostureName} */
+  const name = {
+    text: strings.outside(beyond / view.scale),
+    px: px + 18 * inward,
+    // Above the numbers of the axis.
+    py: Math.min(py, view.height - 44),
+    align: inward < 0 ? 'right' : 'left',
+  };
+  return { px, py, angle: Math.atan2(py - farY, farX - px), name };
+}
+
+/** @param {CanvasRenderingContext2D} context @param {View} view @param {Posture} posture */
+function drawStray(context, view, posture) {
+  const stray = strayOf(view, posture);
+  if (!stray) return;
+  const { px, py, angle, name } = stray;
   context.fillStyle = colour('--ink');
-  kite(context, edge.px, edge.py, Math.atan2(edge.py - py, px - edge.px), 10);
+  kite(context, px, py, angle, 10);
   context.fill();
-  const inward = edge.px > view.width / 2 ? -1 : 1;
-  const text = strings.outside(beyond / view.scale);
-  setLettering(context, { align: inward < 0 ? 'right' : 'left' });
-  // Above the numbers of the axis.
-  const textY = Math.min(edge.py, view.height - 44);
-  fillTextWithHalo(context, text, edge.px + 18 * inward, textY, inkOnPaper());
+  setLettering(context, { align: name.align });
+  fillTextWithHalo(context, name.text, name.px, name.py, inkOnPaper());
 }

@@ -76,8 +76,7 @@ export async function roundOf(engine, duel, seed) {
     engine.surveys.evolve(by('ep'), judged),
     engine.surveys.evolve(by('random'), judged),
   ]);
-  const gainsIn = (/** @type {{ gains: Triple }} */ { gains }) =>
-    /** @type {Triple} */ ([...gains]);
+  const gainsIn = (/** @type {{ gains: Triple }} */ { gains }) => /** @type {Triple} */ ([...gains]);
   return { seed, evolution: best, random, champion: gainsIn(champion), drawn: gainsIn(drawn) };
 }
 

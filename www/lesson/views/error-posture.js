@@ -2,13 +2,18 @@
 import { html, render, svg } from 'lit-html';
 import { createView } from '../../kit/transform.js';
 import { watch } from '../../kit/memo.js';
+import { namesOfRuns } from '../../lab/notes.js';
+import { legendRooms } from '../../lab/plane-corners.js';
+import { meet, namesIn, roomOf } from '../../lab/plane-names.js';
+import { endsOf } from '../../run/state.js';
 import { symbolInText } from '../formulas/symbols.js';
 
 /** @import { Sample } from '../../core/engine.js' */
+/** @import { Room } from '../../lab/plane-names.js' */
 /** @import { Live } from '../page.js' */
 
 /** In pixels. @typedef {readonly [x: number, y: number]} At */
-/** One of the three: its line, where its name stands, and whether it is long enough to be seen. @typedef {{ path: string, at: At, seen: boolean }} Mark */
+/** One of the three: its line, where its name may stand, best first, and whether it is long enough to be seen. @typedef {{ path: string, places: readonly At[], seen: boolean }} Mark */
 
 /** Their terms and their colours. */
 const terms = /** @type {const} */ ([
@@ -28,9 +33,15 @@ export function createErrorPosture(root) {
       root.hidden = hidden;
     },
     /** @param {Live} live */
-    draw({ state: { size, box }, sample }) {
-      if (size.width === 0 || !changed(sample, box, size)) return;
-      const { marks, ahead } = errorOn(createView(box, size), sample);
+    draw({ state, scene, sample }) {
+      const { size, box } = state;
+      if (size.width === 0 || !changed(sample, box, size, scene)) return;
+      const view = createView(box, size);
+      const { marks, ahead } = errorOn(view, sample);
+      const { solid, dashed } = namesOfRuns({ ...state, scene });
+      const taken = [...namesIn(view, endsOf(state), scene.driving, false).map(roomOf)];
+      taken.push(...legendRooms([solid, dashed]));
+      const at = marks.map(({ places, seen }) => (seen ? freeOf(size, places, taken) : places[0]));
       const lines = terms.map(([name, colour], i) => {
         const path = marks[i].seen ? marks[i].path : '';
         return svg`<g data-term=${name}>
@@ -38,8 +49,8 @@ export function createErrorPosture(root) {
         </g>`;
       });
       const labels = terms.map(([name, colour], i) => {
-        const { at, seen } = marks[i];
-        const place = `translate(${clamp(at[0], size.width)}px, ${clamp(at[1], size.height)}px)`;
+        const { seen } = marks[i];
+        const place = `translate(${at[i][0]}px, ${at[i][1]}px)`;
         return html`<span class=${`error-label of-${colour}`} data-term=${name} ?hidden=${!seen}
           .style=${`transform: ${place} translate(-50%, -50%)`}>${symbols[i]}</span>`;
       });
@@ -53,6 +64,15 @@ export function createErrorPosture(root) {
 
 /** Within the plane. @param {number} at @param {number} end */
 const clamp = (at, end) => Math.max(16, Math.min(end - 16, at));
+
+/** The first of these places at which the name meets none of the words, which it then is one of. @param {{ width: number, height: number }} size @param {readonly At[]} places @param {Room[]} taken @returns {At} */
+function freeOf(size, places, taken) {
+  const all = places.map(([x, y]) => /** @type {At} */ ([clamp(x, size.width), clamp(y, size.height)]));
+  const room = (/** @type {At} */ [x, y]) => ({ left: x - 14, right: x + 14, top: y - 14, bottom: y + 14 });
+  const at = all.find((one) => !taken.some((other) => meet(other, room(one)))) ?? all[0];
+  taken.push(room(at));
+  return at;
+}
 
 /** The marks of x_e, y_e and θ_e, and the two directions between which θ_e lies. @param {import('../../kit/transform.js').View} view @param {Sample} sample */
 function errorOn(view, { posture, reference, error }) {
@@ -82,10 +102,14 @@ function lineOf(from, to, third) {
   const [nx, ny] = [by - ay, ax - bx];
   const side = Math.sign(nx * (ax - ox) + ny * (ay - oy)) || 1;
   const length = Math.hypot(nx, ny);
-  const away = (/** @type {number} */ n) => (18 * side * n) / (length || 1);
+  /** @param {number} far @returns {At} */
+  const beside = (far) => {
+    const away = (far * side) / (length || 1);
+    return [(ax + bx) / 2 + away * nx, (ay + by) / 2 + away * ny];
+  };
   return {
     path: `M${from}L${to}`,
-    at: [(ax + bx) / 2 + away(nx), (ay + by) / 2 + away(ny)],
+    places: [18, -18, -30, 44].map(beside),
     seen: length > 4,
   };
 }
@@ -101,7 +125,9 @@ function arcOf([x, y], radius, from, turn) {
   const sweep = turn > 0 ? 0 : 1;
   return {
     path: `M${on(from, radius)}A${radius},${radius} 0 0 ${sweep} ${on(to, radius)}`,
-    at: on((from + to) / 2, radius + 18),
+    places: [0, Math.PI, Math.PI / 2, -Math.PI / 2].map((aside, i) =>
+      on((from + to) / 2 + aside, i === 0 ? radius + 18 : 28),
+    ),
     seen: Math.abs(turn) > 0.03,
   };
 }

@@ -1,0 +1,137 @@
+// In which corner of the plane words stand: the name of the dotted run where that has no room beside the first one, and the two postures.
+/** @import { Posture, Run } from '../core/engine.js' */
+/** @import { View } from '../kit/transform.js' */
+/** @import { Room } from './plane-names.js' */
+import { referenceOf, sizes } from './track.js';
+import { strongFont } from '../kit/fonts.js';
+import { knobOf } from '../kit/transform.js';
+import { isTracking } from '../core/reference.js';
+import { meet, namesIn, roomOf, widthOf } from './plane-names.js';
+import { strayOf } from './robots.js';
+
+/** At an edge, so far above the corner below. @typedef {{ corner: string, raised: number, room: Room }} Place */
+/** What stands on the plane, and the runs there, of which the first is in ink. @typedef {{ view: View, ends: { start: Posture, goal: Posture }, runs: readonly Run[], isPaid: boolean }} Standing */
+
+/** Of the legend, as its styles have it. */
+const edge = { left: 56, right: 12, top: 12, bottom: 30 };
+const [line, sample, widest] = [20, 28, 192];
+/** Its letters are larger than those on canvases. */
+const larger = 14 / 13;
+/** The room of the two postures in words. */
+const postures = { width: 210, height: 72, left: 56, right: 16, bottom: 36 };
+
+/** Around a point. @param {number} px @param {number} py @param {number} radius @returns {Room} */
+const around = (px, py, radius) => ({
+  left: px - radius,
+  right: px + radius,
+  top: py - radius,
+  bottom: py + radius,
+});
+
+/** Start and goal with their names and knobs, the robots at rest, and how far outside one is. @param {Standing} standing @returns {Room[]} */
+function standing({ view, ends, runs, isPaid }) {
+  const at = (/** @type {{ x: number, y: number }} */ { x, y }, /** @type {number} */ radius) =>
+    around(view.screenX(x), view.screenY(y), radius);
+  const last = (/** @type {Pick<Run, 'x' | 'y' | 'theta'>} */ { x, y, theta }) => {
+    const end = x.length - 1;
+    return { x: x[end], y: y[end], theta: theta[end] };
+  };
+  const [driving] = runs;
+  const stray = strayOf(view, last(driving));
+  return [
+    ...Object.values(ends).flatMap((end) => {
+      const { px, py } = knobOf(view, end);
+      return [at(end, sizes.posture), around(px, py, 8)];
+    }),
+    ...namesIn(view, ends, driving, isPaid).map(roomOf),
+    ...runs.map((run) => at(last(run), sizes.robot + 3)),
+    ...(isTracking(driving) ? [at(last(referenceOf(driving)), sizes.posture)] : []),
+    ...(stray ? [around(stray.px, stray.py, 12), roomOf(stray.name)] : []),
+  ];
+}
+
+/** How many samples of the runs lie there. @param {Standing} standing @param {Room} room */
+function passing({ view, runs }, { left, right, top, bottom }) {
+  const [low, high] = [view.world(left, bottom), view.world(right, top)];
+  let count = 0;
+  for (const { x, y } of runs)
+    for (let i = 0; i < x.length; i += 1)
+      if (x[i] > low.x && x[i] < high.x && y[i] > low.y && y[i] < high.y) count += 1;
+  return count;
+}
+
+/** The first that meets nothing, else the one that meets least. @param {Standing} all @param {readonly Place[]} places */
+function emptiest(all, places) {
+  const things = standing(all);
+  let best = { place: places[0], met: Number.POSITIVE_INFINITY, passed: 0 };
+  for (const place of places) {
+    const met = things.filter((thing) => meet(thing, place.room)).length;
+    if (met > best.met) continue;
+    const passed = passing(all, place.room);
+    if (met < best.met || passed < best.passed) best = { place, met, passed };
+    if (met + passed === 0) break;
+  }
+  return best.place;
+}
+
+/** How large a text of the legend is that is no wider than `most`, in two lines if it must: its own at the right, and at the left below each other. @param {string} text @param {number} most @param {boolean} atLeft @param {string} [font] */
+function sizeOf(text, most, atLeft, font) {
+  const wide = (/** @type {string[]} */ words) => larger * widthOf(words.join(' '), font);
+  const words = text.split(' ');
+  const whole = sample + wide(words);
+  if (whole <= most) return { width: whole, height: line };
+  const broken = words
+    .slice(1)
+    .map((_, i) =>
+      Math.max(sample + wide(words.slice(0, i + 1)), (atLeft ? sample : 0) + wide(words.slice(i + 1))),
+    );
+  return { width: Math.min(most, ...broken), height: 2 * line };
+}
+
+/** Where the names of the runs stand below each other. @param {readonly string[]} texts @returns {Room[]} */
+export const legendRooms = (texts) =>
+  texts.map((text, i) => {
+    const top = edge.top + i * line;
+    const { width } = sizeOf(text, Number.POSITIVE_INFINITY, true, i === 0 ? strongFont : undefined);
+    return { left: edge.left, right: edge.left + width, top, bottom: top + line };
+  });
+
+/** Where the name of the dotted run stands: below on the right or on the left, under the first name, or else between. @param {Standing} all @param {string} first @param {string} text */
+export function placeOfName(all, first, text) {
+  const { width, height } = all.view;
+  const free = width - edge.left - edge.right;
+  const top = edge.top + sizeOf(first, free, true, strongFont).height;
+  /** @param {'left' | 'right'} side @param {number | 'above'} at @returns {Place} */
+  const place = (side, at) => {
+    const size = sizeOf(text, Math.min(widest, free), side === 'left');
+    const left = side === 'left' ? edge.left : width - edge.right - size.width;
+    const from = at === 'above' ? top : height - edge.bottom - at - size.height;
+    const room = { left, right: left + size.width, top: from, bottom: from + size.height };
+    return at === 'above' ? { corner: `above ${side}`, raised: 0, room } : { corner: side, raised: at, room };
+  };
+  const heights = Array.from(
+    { length: Math.max(0, Math.floor((height - top - edge.bottom) / line) - 2) },
+    (_, i) => i + 1,
+  );
+  return emptiest(all, [
+    place('right', 0),
+    place('left', 0),
+    place('left', 'above'),
+    place('right', 'above'),
+    ...heights.flatMap((i) => [place('right', i * line), place('left', i * line)]),
+  ]);
+}
+
+/** Whether the postures stand on the left, below. @param {Standing} all */
+export function isLeftForPostures(all) {
+  const { width, height } = all.view;
+  const bottom = height - postures.bottom;
+  /** @param {string} corner @param {number} left @returns {Place} */
+  const place = (corner, left) => ({
+    corner,
+    raised: 0,
+    room: { left, right: left + postures.width, top: bottom - postures.height, bottom },
+  });
+  const right = place('right', width - postures.right - postures.width);
+  return emptiest(all, [right, place('left', postures.left)]) !== right;
+}

@@ -1,0 +1,64 @@
+// The names of start and goal on the plane, each beside its arrow.
+/** @import { Posture, Run } from '../core/engine.js' */
+/** @import { View } from '../kit/transform.js' */
+import { textFont } from '../kit/fonts.js';
+import { once } from '../kit/memo.js';
+import { lab as strings } from '../words/index.js';
+
+/** @typedef {{ text: string, px: number, py: number, align: CanvasTextAlign }} PostureName */
+/** In pixels. @typedef {{ left: number, right: number, top: number, bottom: number }} Room */
+
+/** A plane that has no room for what is written along the path, nor beside the legend. @param {View} view */
+export const isSmall = ({ height }) => height < 280;
+
+/** Start and goal by name, as far as there is room: at their right hand, or at their left, where J is written on the right of the path. @param {View} view @param {{ start: Posture, goal: Posture }} ends @param {Run} run @param {boolean} isPaid @returns {PostureName[]} */
+export function namesIn(view, { start, goal }, run, isPaid) {
+  if (view.height < 170) return [];
+  const side = isPaid ? -1 : 1;
+  const names = [nameAt(view, start, strings.startName, side)];
+  if (!isTaken(view, goal, side, run)) names.push(nameAt(view, goal, strings.goalName, side));
+  else if (!isSmall(view)) names.push(nameAt(view, goal, strings.goalName, -side));
+  return names;
+}
+
+/** Whether the robot ends where the name of its goal would stand. @param {View} view @param {Posture} goal @param {number} side @param {Run} run */
+function isTaken(view, goal, side, { x, y }) {
+  const end = x.length - 1;
+  const right = (x[end] - goal.x) * Math.sin(goal.theta) - (y[end] - goal.y) * Math.cos(goal.theta);
+  const away = Math.hypot(x[end] - goal.x, y[end] - goal.y) * view.scale;
+  return away > 16 && away < 80 && right * side * view.scale > 12;
+}
+
+/** Beside it, where neither its knob is nor the way to it. @param {View} view @param {Posture} posture @param {string} text @param {number} side @returns {PostureName} */
+function nameAt(view, { x, y, theta }, text, side) {
+  const [across, down] = [side * Math.sin(theta), side * Math.cos(theta)];
+  const align = Math.abs(across) < 0.5 ? 'center' : across > 0 ? 'left' : 'right';
+  return { text, px: view.screenX(x) + 20 * across, py: view.screenY(y) + 24 * down, align };
+}
+
+const context = once(() => document.createElement('canvas').getContext('2d'));
+/** @type {Map<string, number>} */
+const widths = new Map();
+
+/** How wide a text is, measured once and without asking the page, which would have to be laid out for it. @param {string} text @param {string} [font] */
+export function widthOf(text, font = textFont) {
+  const key = `${font} ${text}`;
+  let width = widths.get(key);
+  if (width === undefined) {
+    const pen = context();
+    if (pen) pen.font = font;
+    width = pen?.measureText(text).width ?? 0;
+    widths.set(key, width);
+  }
+  return width;
+}
+
+/** @param {PostureName} name @returns {Room} */
+export function roomOf({ text, px, py, align }) {
+  const width = widthOf(text);
+  const left = px - (align === 'center' ? width / 2 : align === 'right' ? width : 0);
+  return { left, right: left + width, top: py - 9, bottom: py + 9 };
+}
+
+/** @param {Room} a @param {Room} b */
+export const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
