@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { hrefOf, linkOfStep, stepNames } from '../../../www/lesson/path.js';
 import * as steps from '../../../www/lesson/steps/all.js';
-import { pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { endSurrounding, follow, surround } from '../whole/surround.js';
 
 /** Every link of a step, with a name for it. */
@@ -121,4 +121,30 @@ pageTest('on a laptop no words on the plane lie on others in any step of the les
     await endSurrounding(page);
   }
   assert.equal(found.join('\n'), '');
+});
+
+pageTest('where x_e and y_e are drawn, the corner in which they meet is on the plane', async (page) => {
+  if (page.engine !== 'chromium') return;
+  const withErrors = Object.values(steps).filter(({ overlay }) => overlay);
+  try {
+    await page.open('#lab&v=1');
+    await surround(page, [1366, 768]);
+    for (const [name, link] of links.filter(([one]) =>
+      withErrors.some((step) => one.startsWith(step.name)),
+    )) {
+      await follow(page, link);
+      await page.focus('#scrub');
+      await page.press(Key.HOME);
+      const far = await page.evaluate(() => {
+        const plane = /** @type {HTMLElement} */ (document.getElementById('plane'));
+        const { clientWidth, clientHeight } = plane;
+        const path = plane.querySelector('.error-line.of-y')?.getAttribute('d') ?? '';
+        const [, x, y] = /L([-\d.]+),([-\d.]+)/.exec(path) ?? [];
+        return path ? Math.min(+x, clientWidth - +x, +y, clientHeight - +y) : null;
+      });
+      assert.ok(far === null || far > 16, `${name}: ${far} px within the edge`);
+    }
+  } finally {
+    await endSurrounding(page);
+  }
 });

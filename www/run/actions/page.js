@@ -5,7 +5,7 @@
 import { isHiddenWithPaper, noExercise, shownExercise, wayOf } from '../exercise.js';
 import { noErrors } from '../first.js';
 import { playsPhases } from '../pace.js';
-import { newWork, noTrial } from '../state.js';
+import { endsOf, newWork, noTrial } from '../state.js';
 import { noVersions } from '../undo.js';
 import { drawnFor } from '../variant.js';
 
@@ -66,7 +66,7 @@ export function createOpening(basis, catchUp) {
           },
         };
         tryToBegin(nextOf(experiment, patch), 'begin', patch);
-        newBox(nearEnd);
+        newBox(() => [...nearEnd(), ...cornerIn(store.get())]);
         catchUp(newest, generation);
         if (problems.length > 0) store.update({ message: problems.join(' ') });
       });
@@ -108,6 +108,15 @@ const createNearEnd =
     const away = Math.hypot(end.x - goal.x, end.y - goal.y);
     return away < Math.hypot(start.x - goal.x, start.y - goal.y) ? [end] : [];
   };
+
+/** Beside the words of the lesson the lab shows x_e and y_e too: the corner in which they meet at the start. @param {State} state */
+function cornerIn(state) {
+  if (state.lesson === 0 || state.page !== 'lab') return [];
+  const { start, goal } = endsOf(state);
+  const [cos, sin] = [Math.cos(goal.theta), Math.sin(goal.theta)];
+  const behind = (goal.x - start.x) * cos + (goal.y - start.y) * sin;
+  return [{ ...goal, x: goal.x - behind * cos, y: goal.y - behind * sin }];
+}
 
 /** What is open, and what is said. @param {Basis} basis @param {(page: string) => void} openPage */
 export function createPage({ store }, openPage) {
