@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { lowestOf } from '../../../www/parts/landscape/lowest.js';
 import { placeNames } from '../../../www/parts/landscape/names.js';
+import { namesOf } from '../../../www/parts/landscape/points.js';
 import { isInSlice, linearRange } from '../../../www/parts/landscape/request.js';
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import { legendOf, noteText } from '../../../www/parts/landscape/told.js';
@@ -105,6 +106,35 @@ test('no name lies on another: where there is no side left, the later ones give 
   const crowd = Array(6).fill({ x: 200, y: 150, name: 'name', width: 60 });
   const kept = placeNames(frame, crowd, []).map((place) => place !== null);
   assert.deepEqual(kept, [true, true, true, true, false, false]);
+});
+
+test('the lowest point has its name and all its four strokes, wherever others stand around it', () => {
+  const at = { x: 200, y: 150 };
+  for (const [dx, dy] of [
+    [-24, -18],
+    [-24, 18],
+    [24, -18],
+    [0, -26],
+    [-30, 0],
+  ]) {
+    // biome-ignore format: places
+    const point = (/** @type {number} */ x, /** @type {number} */ y, /** @type {any} */ mark) =>
+      /** @type {const} */ ({ gains: [0, 0, 0], name: mark, mark, place: [x, y], isPale: false });
+    const points = [point(at.x, at.y, 'sight'), point(at.x + dx, at.y + dy, 'diamond')];
+    const names = namesOf(frame, points, [], () => 80);
+    assert.equal(names[0].name, 'sight');
+    assert.ok(names[0].place);
+    const place = names[1].place;
+    assert.ok(place);
+    for (const [x, y] of [[-11, 0], [11, 0], [0, -11], [0, 11]]) // biome-ignore format: strokes
+      assert.ok(
+        at.x + x <= place.left ||
+          at.x + x >= place.left + 80 ||
+          at.y + y <= place.top ||
+          at.y + y >= place.top + 17,
+        `beside it at ${dx}, ${dy}`,
+      );
+  }
 });
 
 test('what is not in the slice is told to be paler, and what is in it is not', () => {

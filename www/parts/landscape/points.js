@@ -22,7 +22,30 @@ export const outlines = {
 /** How much is seen of a mark that is not in the slice. */
 export const pale = 0.5;
 
-/** Whole also at the edge, where a gain is 0. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {readonly (Point & { place: readonly [number, number], isPale: boolean })[]} points @param {readonly (readonly [number, number])[]} best What no name covers besides the marks. */
+/** @typedef {Point & { place: readonly [number, number], isPale: boolean }} Placed */
+
+/** As far as the strokes of the lowest point reach; other marks are wholly under what covers their middle. @param {Point['mark']} mark */
+const reachOf = (mark) => (mark === 'sight' ? 12 : 8);
+
+/** The names of points, and where they stand; those of the pins are in the legend, beside the same marks. @param {Frame} frame @param {readonly Placed[]} points @param {readonly (readonly [number, number])[]} best What no name covers besides the marks. @param {(name: string) => number} widthOf */
+export function namesOf(frame, points, best, widthOf) {
+  const isLowest = (/** @type {Placed} */ { mark }) => mark === 'sight';
+  const others = points.filter((point) => typeof point.mark === 'string' && !isLowest(point));
+  // What the picture is about has its name first, then the last that was put there.
+  const named = [...points.filter(isLowest), ...others.reverse()].map(({ name, place: [x, y] }) => ({
+    x,
+    y,
+    name,
+    width: widthOf(name),
+  }));
+  const spots = [
+    ...points.map(({ place: [x, y], mark }) => /** @type {const} */ ([x, y, reachOf(mark)])),
+    ...best.map(([x, y]) => /** @type {const} */ ([x, y, 8])),
+  ];
+  return placeNames(frame, named, spots).map((place, i) => ({ name: named[i].name, place }));
+}
+
+/** Whole also at the edge, where a gain is 0. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {readonly Placed[]} points @param {readonly (readonly [number, number])[]} best */
 export function drawPoints(context, frame, points, best) {
   context.save();
   context.lineJoin = 'round';
@@ -34,19 +57,9 @@ export function drawPoints(context, frame, points, best) {
   context.font = strongFont;
   context.textAlign = 'left';
   context.textBaseline = 'middle';
-  // The names of the pins are in the legend, beside the same marks.
-  const named = points
-    .filter(({ mark }) => typeof mark === 'string')
-    // The last that was put there has its name first; that of the lowest stands below the map too.
-    .reverse()
-    .map(({ name, place: [x, y] }) => ({ x, y, name, width: context.measureText(name).width }));
-  const spots = [...points.map(({ place }) => place), ...best].map(
-    ([x, y]) => /** @type {const} */ ([x, y, 8]),
-  );
-  for (const [i, place] of placeNames(frame, named, spots).entries()) {
-    const look = { fill: light, halo: dark, width: 4 };
-    if (place) fillTextWithHalo(context, named[i].name, place.left, middleOf(place), look);
-  }
+  const look = { fill: light, halo: dark, width: 4 };
+  for (const { name, place } of namesOf(frame, points, best, (text) => context.measureText(text).width))
+    if (place) fillTextWithHalo(context, name, place.left, middleOf(place), look);
   context.restore();
 }
 
