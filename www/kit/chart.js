@@ -3,6 +3,7 @@ import { createLayer } from './canvas.js';
 import { followSize } from './elements.js';
 import { outlineOf } from './extent.js';
 import { setLettering } from './lettering.js';
+import { standingFree } from './names.js';
 import { watch } from './memo.js';
 import { colour } from './palette.js';
 
@@ -110,10 +111,10 @@ export function drawGrid(context, { x, y, frame }, ticks, texts) {
   drawNumbersBeside(context, y, frame.left - 6, ticks.y, texts);
 }
 
-/** Numbers on the left, which end there. @param {CanvasRenderingContext2D} context @param {(value: number) => number} y @param {number} right @param {readonly number[]} ticks @param {readonly string[]} texts */
+/** Numbers on the left, which end there; one that would touch another before it in the list is left out. @param {CanvasRenderingContext2D} context @param {(value: number) => number} y @param {number} right @param {readonly number[]} ticks @param {readonly string[]} texts */
 export function drawNumbersBeside(context, y, right, ticks, texts) {
   setLettering(context, { align: 'right' });
-  for (const [i, tick] of ticks.entries()) context.fillText(texts[i], right, y(tick));
+  for (const i of standingFree(ticks.map(y))) context.fillText(texts[i], right, y(ticks[i]));
 }
 
 /** The numbers below. @param {CanvasRenderingContext2D} context @param {(value: number) => number} x @param {number} bottom @param {readonly number[]} ticks @param {readonly string[]} texts */

@@ -78,6 +78,15 @@ export function drawAxisNames(context, frame, { x, y }) {
   if (y) drawName(context, { text: y, x: frame.left - 50, y: frame.top + high / 2 });
 }
 
+/** Which of several numbers at one side do not touch one before them in the list. @param {readonly number[]} heights @returns {number[]} */
+export function standingFree(heights) {
+  /** @type {number[]} */
+  const free = [];
+  for (const [i, height] of heights.entries())
+    if (free.every((other) => Math.abs(heights[other] - height) >= high)) free.push(i);
+  return free;
+}
+
 /** So far above the lower end of a chart the lowest name beside it leaves that of the axis alone. */
 const aboveAxis = 5;
 

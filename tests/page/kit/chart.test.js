@@ -4,7 +4,7 @@ import fc from 'fast-check';
 import { scaleLinear } from 'd3-scale';
 import { pointsOf, sameDigits, ticksOn } from '../../../www/kit/chart.js';
 import { extentOf, largest, outlineOf } from '../../../www/kit/extent.js';
-import { labelHeight, spread } from '../../../www/kit/names.js';
+import { labelHeight, spread, standingFree } from '../../../www/kit/names.js';
 import { test } from '../harness/once.js';
 
 const frame = { left: 40, right: 140, top: 10, bottom: 210 };
@@ -169,4 +169,20 @@ test('the numbers of an axis are their ticks, however near together these are', 
   );
   assert.deepEqual(sameDigits([0, 0.25, 0.5]), ['0.00', '0.25', '0.50']);
   assert.deepEqual(sameDigits([0, 20, 40]), ['0', '20', '40']);
+});
+
+test('numbers of an axis do not touch: the first of them stays, and so does each that has room', () => {
+  const heights = fc.array(fc.double({ min: 0, max: 200, noNaN: true }), { minLength: 1, maxLength: 12 });
+  fc.assert(
+    fc.property(heights, (all) => {
+      const kept = standingFree(all);
+      assert.equal(kept[0], 0);
+      const near = (/** @type {number} */ i) => kept.filter((other) => Math.abs(all[other] - all[i]) < 13);
+      for (const i of all.keys())
+        if (kept.includes(i)) assert.deepEqual(near(i), [i]);
+        else assert.ok(near(i).some((other) => other < i));
+    }),
+  );
+  // The limits of a low picture, then 0 between them.
+  assert.deepEqual(standingFree([10, 27, 18.5]), [0, 1]);
 });

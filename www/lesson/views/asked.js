@@ -99,7 +99,9 @@ function numbersOn(y, most, limit) {
   const isFree = (/** @type {number} */ tick) => limits.every((one) => isApart(one, tick));
   return [
     ...limits.map((at) => ({ at, text: fixed(at, 1) })),
+    // What is near 0 goes before what is not.
     ...powers(most)
+      .sort((one, other) => Math.abs(one) - Math.abs(other))
       .filter((tick) => tick >= lowest && isFree(tick))
       .map((at) => ({ at, text: tickText(at) })),
   ];

@@ -7,6 +7,7 @@ import { pointsOf, ticksOn } from '../../kit/chart.js';
 import { create, followSize } from '../../kit/elements.js';
 import { extentOf } from '../../kit/extent.js';
 import { remember, watch } from '../../kit/memo.js';
+import { standingFree } from '../../kit/names.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { pushesOver, reach } from './push-terms.js';
@@ -105,7 +106,8 @@ function drawn(pushes, finalTime, width, height) {
       colour,
       axes,
       limits,
-      ticks: [0, ...(limits.length > 0 ? limits : [most])],
+      // The limits keep their numbers where 0 would touch them.
+      ticks: [...(limits.length > 0 ? limits : [most]), 0],
       asked: drawnCurve(half.asked),
       // What is off lies on the line of 0.
       curves: half.terms.filter(({ values }) => values.some((one) => one !== 0)).map(drawnCurve),
@@ -120,7 +122,11 @@ const halfOf = ({ name, colour, axes: { frame, y }, limits, ticks, asked, curves
   <path class=${`strip-asked ${colour}`} data-term=${asked.term} d=${asked.path} />
   ${curves.map(({ term, path }) => svg`<path class=${`strip-curve ${classes[term]}`} data-term=${term} d=${path} />`)}
   <text class=${`strip-name ${colour}`} x="2" y=${frame.top + 16}>${name}</text>
-  ${ticks.map((tick) => svg`<text class="strip-number" x=${left - 6} y=${y(tick) + 4} text-anchor="end">${fixed(tick, tick === 0 ? 0 : 1)}</text>`)}`;
+  ${standingFree(ticks.map(y)).map((i) => numberAt(ticks[i], y(ticks[i])))}`;
+
+/** @param {number} tick @param {number} y */
+const numberAt = (tick, y) =>
+  svg`<text class="strip-number" x=${left - 6} y=${y + 4} text-anchor="end">${fixed(tick, tick === 0 ? 0 : 1)}</text>`;
 
 /** @param {import('../../kit/chart.js').Frame} frame @param {number} y */
 const across = (frame, y) => `M${frame.left},${y}H${frame.right}`;
