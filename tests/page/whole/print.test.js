@@ -18,7 +18,8 @@ const asOnPaper = (page) =>
       if (rule instanceof CSSMediaRule && rule.media.mediaText === 'print') {
         rule.media.mediaText = 'all';
         found += 1;
-      }
+      } else if (rule instanceof CSSMediaRule && rule.media.mediaText === 'screen')
+        rule.media.mediaText = 'not all';
     return found;
   });
 
@@ -142,6 +143,36 @@ pageTest('Park is one sheet, with the numbers that drive and what evolution foun
     assert.equal(marks, 0);
   }
 });
+
+pageTest(
+  'a step on paper has its plane, a bowl that leaves room for the words, and the terms they ask to put in',
+  async (page) => {
+    for (const step of ['drive', 'law', 'stability']) {
+      await page.open(`#lesson&step=${step}`);
+      await asOnPaper(page);
+      await page.resize(paper, 900);
+      const seen = await page.until('the plane', () => {
+        const box = (/** @type {string} */ selector) => {
+          const element = document.querySelector(selector);
+          return element?.checkVisibility() ? element.getBoundingClientRect() : null;
+        };
+        const plane = box('#plane');
+        const [bowl, letters, asked, terms] = ['#bowl', '.bowl-text', '.cancel-said', '.cancel-terms'].map(
+          box,
+        );
+        return plane && { plane, bowl, letters, asked, terms };
+      });
+      assert.ok(seen.plane.height > 100, `${step}: the plane is ${seen.plane.height} px high`);
+      if (step !== 'stability') continue;
+      const { bowl, letters, asked, terms } = seen;
+      assert.ok(bowl && letters && asked && terms, JSON.stringify(seen));
+      const centimetre = 96 / 2.54;
+      assert.ok(bowl.height <= 8 * centimetre, `the bowl is ${bowl.height} px high`);
+      assert.ok(letters.height < 26, `its letters are ${letters.height} px high`);
+      assert.ok(terms.top >= asked.bottom && terms.height > 20, 'the terms stand after what asks for them');
+    }
+  },
+);
 
 engineTest(
   'what is drawn gets the colours of paper before it is printed, and its own again',
