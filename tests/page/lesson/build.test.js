@@ -6,6 +6,8 @@ import { checkValues } from '../../../www/lesson/views/check-values.js';
 import { rateAmounts } from '../../../www/lesson/formulas/formulas-motion.js';
 import { build as en } from '../../../www/lesson/words/en/build.js';
 import { build as ko } from '../../../www/lesson/words/ko/build.js';
+import { pathLength, stepNames } from '../../../www/lesson/path.js';
+import { titles } from '../../../www/words/en/lesson.js';
 import { phases } from '../../../www/parts/generation/state.js';
 import { findProgram } from '../harness/engines.js';
 import { pageTest } from '../harness/browsers.js';
@@ -107,3 +109,27 @@ pageTest('the phase that the figure shows lights its lines', async (page) => {
   await page.until('the next phase', () => document.querySelector('#program .now[data-phase="mutation"]'));
   assert.deepEqual(await lit(), ['mutation']);
 });
+
+pageTest(
+  'the last step says that the path ends, and leads to Park and to the place for lecturers',
+  async (page) => {
+    await page.open('#lesson&step=duel');
+    const ends = () => page.evaluate(() => document.querySelector('.lesson-end')?.textContent ?? '');
+    assert.equal(await ends(), '');
+    await page.open(`#lesson&step=${stepNames[pathLength - 1]}`);
+    assert.match(await ends(), /That was the path/);
+    await page.click('.lesson-end a[href*="lecturers"]');
+    await page.until(
+      'the place',
+      (title) => document.getElementById('lesson-title')?.textContent === title,
+      titles.lecturers,
+    );
+    assert.equal(await ends(), '');
+    await page.evaluate(() => history.back());
+    await page.click('.lesson-end a[href^="#park"]');
+    await page.until(
+      'Park',
+      () => document.body.dataset.open === 'park' && document.getElementById('lesson')?.hidden,
+    );
+  },
+);

@@ -42,6 +42,9 @@ export const watching = 'Watch the drive: the answer comes when it has ended.';
 export const besidePath = 'Beside the path';
 /** @param {string} title */
 export const toPath = (title) => `To the lesson: ${title}`;
+/** After the last step. */
+export const pathEnds =
+  'That was the path. From here: the open task above, [Park them all](park) once more, and beside the path a page [for lecturers](lesson&step=lecturers).';
 export const stage = 'What this step is about';
 
 /** @type {Record<import('./common.js').Mark['name'], string>} */

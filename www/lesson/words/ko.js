@@ -42,6 +42,9 @@ export const watching = '주행을 지켜보십시오. 주행이 끝나면 답�
 export const besidePath = '수업 밖의 자료';
 /** @param {string} title */
 export const toPath = (title) => `수업으로: ${title}`;
+/** After the last step. */
+export const pathEnds =
+  '수업은 여기까지입니다. 이제 위의 열린 과제를 풀거나, [로봇을 모두 주차시켜](park) 보십시오. 강의에 쓸 자료는 [강의하는 분께](lesson&step=lecturers)에 있습니다.';
 export const stage = '이 단계의 그림';
 
 /** @type {Record<import('./common.js').Mark['name'], string>} */
