@@ -98,7 +98,7 @@ async function sectionOf(step, live, number) {
 const href = (/** @type {string} */ link) => `#${link}`;
 
 /** What is said in HTML; the rest is for who can press it. */
-const kept = ['class', 'scope', 'role', 'aria-label', 'display', 'displaystyle', 'stretchy'];
+const kept = ['class', 'scope', 'role', 'aria-label', 'display', 'displaystyle', 'stretchy', 'accent'];
 
 /** An element as it is read: with the values that its texts name, and without links, for none leads anywhere. @param {HTMLElement} element @param {Record<string, string>} values */
 function written(element, values) {

@@ -1,5 +1,6 @@
 // Where there is no room for all of the figure beside the words, it shows one sight: the robot, what the step is about, or the gains. It stays over the words; in a frame it stands beside them sooner.
 import { createSegmented } from '../kit/segmented.js';
+import { parts } from '../parts/parts.js';
 import { lab } from '../words/index.js';
 import words from './words/index.js';
 
@@ -42,7 +43,7 @@ export function createSights(fieldset) {
       chosen = null;
       if (step) {
         const isPart = figure === 'part' || figure === 'evolve';
-        const hasGains = page === 'curves' || !isPart;
+        const hasGains = !isPart || parts.find(({ name }) => name === page)?.gains !== undefined;
         chosen = stage ? 'stage' : isPart ? 'part' : figure === 'drive' ? 'gains' : 'robot';
         /** @type {Choice<Sight>[]} */
         const choices = [];

@@ -165,7 +165,7 @@ export const ways = {
 
 /** @param {readonly string[]} names @param {string} group */
 export const easyText = (names, group) =>
-  `누르기만 해도 해결됩니다: ${names.join(', ')}. 더 어려운 값을 정하거나 “${group}” 항목을 잠그거나 숨기세요.`;
+  `누르기만 해도 해결됩니다: ${names.join(', ')}. 더 어려운 값을 정하거나 “${group}” 항목을 잠그거나 숨기십시오.`;
 
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;

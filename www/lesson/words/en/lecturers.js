@@ -16,7 +16,7 @@ export const lecturers = {
     demonstration: {
       title: 'Ten minutes, for a lecture',
       apart:
-        '“In its own window” shows an item without these notes, every time in the same second window: drag that one to the projector.',
+        '“In its own window” shows an item without these notes, every time in the same second window: drag that one to the projector, and enlarge it there with Ctrl and +.',
       items: {
         park: {
           text: '*0 min.* Ask: who can park it? Let somebody call out numbers for the three sliders.',
