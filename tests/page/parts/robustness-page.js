@@ -58,7 +58,7 @@ export function finished(page, name) {
       const text = (/** @type {string} */ id) =>
         document.getElementById(`robustness-${id}`)?.textContent?.replace(/\s/g, ' ') ?? '';
       return (
-        text('summary').includes(driver) && text('note').startsWith(starts) && !text('rival').startsWith('…')
+        text('summary').includes(driver) && text('note').startsWith(starts) && !text('rival').includes('…')
       );
     },
     name,
