@@ -45,6 +45,8 @@ export function widthOf(text, font = textFont) {
   const key = `${font} ${text}`;
   let width = widths.get(key);
   if (width === undefined) {
+    // A name has the number of its generation, of which there are many.
+    if (widths.size >= 1000) widths.clear();
     const pen = context();
     if (pen) pen.font = font;
     width = pen?.measureText(text).width ?? 0;
