@@ -145,7 +145,7 @@ async function testModule() {
     await clippy(['--lib', ...target], { yields });
     await clippy(['--lib', ...target, '--no-default-features', '--features', 'bytes'], { yields });
   });
-  await step('the known values, natively with every optimisation', () =>
+  await step('the known values natively, with the core fully optimised', () =>
     // Not as a release, which would compile every library anew.
     counted('cargo', ['test', '--test', 'golden'], { env: { CARGO_PROFILE_TEST_OPT_LEVEL: '3' }, yields }),
   );
