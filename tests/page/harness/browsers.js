@@ -95,8 +95,10 @@ async function startSite() {
 
 /** @param {Engine} engine @param {boolean} moves @returns {Promise<WebDriver>} */
 async function startBrowser(engine, moves) {
-  const screen = engine.name === 'webkit' ? await startScreen(moves) : {};
-  const builder = new Builder().withCapabilities(capabilities(engine, moves));
+  const folder = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
+  endings.push(() => rm(folder, { recursive: true, maxRetries: 5 }));
+  const screen = engine.name === 'webkit' ? await startScreen(moves, folder) : {};
+  const builder = new Builder().withCapabilities(capabilities(engine, moves, folder));
   if (engine.driver !== null) {
     const [program, ...args] = amongEquals(engine.driver);
     const service = new DriverService.Builder(program)
@@ -120,8 +122,8 @@ function amongEquals(driver) {
   return isPossible ? ['setpriv', limit, driver] : [driver];
 }
 
-/** @param {Engine} engine @param {boolean} moves @returns {Record<string, unknown>} */
-function capabilities({ name, browser }, moves) {
+/** @param {Engine} engine @param {boolean} moves @param {string} folder Where the page's files are saved, not among those of whoever runs the tests. @returns {Record<string, unknown>} */
+function capabilities({ name, browser }, moves, folder) {
   const asRoot = process.getuid?.() === 0;
   switch (name) {
     case 'chromium': {
@@ -130,7 +132,10 @@ function capabilities({ name, browser }, moves) {
       if (!moves) args.push('--force-prefers-reduced-motion');
       // Its sandbox does not run as root, which is who runs in most containers.
       if (asRoot) args.push('--no-sandbox');
-      return { browserName: 'chrome', 'goog:chromeOptions': { binary: browser, args } };
+      return {
+        browserName: 'chrome',
+        'goog:chromeOptions': { binary: browser, args, prefs: { 'download.default_directory': folder } },
+      };
     }
     case 'firefox':
       return {
@@ -138,7 +143,13 @@ function capabilities({ name, browser }, moves) {
         'moz:firefoxOptions': {
           binary: browser,
           args: ['-headless'],
-          prefs: { 'intl.accept_languages': 'en', 'ui.prefersReducedMotion': moves ? 0 : 1 },
+          prefs: {
+            'intl.accept_languages': 'en',
+            'ui.prefersReducedMotion': moves ? 0 : 1,
+            // In the folder that is named.
+            'browser.download.folderList': 2,
+            'browser.download.dir': folder,
+          },
         },
       };
     case 'webkit':
@@ -153,9 +164,10 @@ function capabilities({ name, browser }, moves) {
 /**
  * WebKitGTK has no headless mode: it gets a screen that nobody sees.
  * @param {boolean} moves
+ * @param {string} folder
  * @returns {Promise<Record<string, string>>} what its programs have to know
  */
-async function startScreen(moves) {
+async function startScreen(moves, folder) {
   const program = findProgram(['Xvfb']);
   if (program === null) return {};
   const args = ['-displayfd', '3', '-screen', '0', '1600x1200x24', '-nolisten', 'tcp'];
@@ -166,6 +178,7 @@ async function startScreen(moves) {
     child.once('error', reject);
     child.stdio[3]?.once('data', (number) => resolve(String(number).trim()));
   });
+  await writeDesktopSettings(moves, folder);
   /** @type {Record<string, string>} */
   const environment = {
     DISPLAY: `:${display}`,
@@ -174,20 +187,18 @@ async function startScreen(moves) {
     LC_ALL: 'en_US.UTF-8',
     // This screen has no graphics card, without which that renderer needs a third of a second for a frame.
     WEBKIT_DISABLE_DMABUF_RENDERER: '1',
-    XDG_CONFIG_HOME: await writeDesktopSettings(moves),
+    XDG_CONFIG_HOME: folder,
   };
   if (process.getuid?.() === 0) environment.WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS = '1';
   return environment;
 }
 
-/** WebKitGTK asks the desktop whether things may move. @param {boolean} moves @returns {Promise<string>} the folder of its settings */
-async function writeDesktopSettings(moves) {
-  const folder = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
-  endings.push(() => rm(folder, { recursive: true }));
+/** WebKitGTK asks the desktop whether things may move, and where files are saved. @param {boolean} moves @param {string} folder */
+async function writeDesktopSettings(moves, folder) {
   for (const version of ['gtk-3.0', 'gtk-4.0']) {
     await mkdir(join(folder, version));
     const text = `[Settings]\ngtk-enable-animations=${moves}\n`;
     await writeFile(join(folder, version, 'settings.ini'), text);
   }
-  return folder;
+  await writeFile(join(folder, 'user-dirs.dirs'), `XDG_DOWNLOAD_DIR="${folder}"\n`);
 }
