@@ -29,9 +29,9 @@ export function createStore(initial, onChange) {
 /**
  * What one part of the page keeps in the state, of which only it knows the type.
  * @template {object} S
- * @param {string} name @param {S} first @param {readonly (keyof S)[]} [passing] What does not outlast the link that is opened next. @param {readonly (keyof S)[]} [lasting] What was found, in no words, which a change of language keeps.
+ * @param {string} name @param {S} first @param {readonly (keyof S)[]} [passing] What does not outlast the link that is opened next. @param {readonly (keyof S)[]} [lasting] What was found, in no words, which a change of language keeps. @param {(slice: S) => Partial<S>} [asked] What was under way then, asked for anew.
  */
-export function createSlice(name, first, passing = [], lasting = []) {
+export function createSlice(name, first, passing = [], lasting = [], asked = () => ({})) {
   const of = (/** @type {Pick<State, 'slices'>} */ { slices }) => /** @type {S} */ (slices[name] ?? first);
   return {
     name,
@@ -40,8 +40,10 @@ export function createSlice(name, first, passing = [], lasting = []) {
     /** @param {Store} store @param {Partial<S>} patch */
     update: (store, patch) => store.keep(name, { ...of(store.get()), ...patch }),
     /** @param {Pick<State, 'slices'>} state @returns {Partial<S>} */
-    lasting: (state) =>
-      /** @type {Partial<S>} */ (Object.fromEntries(lasting.map((field) => [field, of(state)[field]]))),
+    lasting: (state) => ({
+      .../** @type {Partial<S>} */ (Object.fromEntries(lasting.map((field) => [field, of(state)[field]]))),
+      ...asked(of(state)),
+    }),
     /** As the next link finds it. @param {Pick<State, 'slices'>} state @param {object} [patch] @returns {object} */
     opened: (state, patch) => ({
       ...of(state),

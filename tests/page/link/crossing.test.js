@@ -90,6 +90,29 @@ pageTest('what was found is there in the other language too', async (page) => {
   }
 });
 
+pageTest('what is being computed in a part is computed in the other language', async (page) => {
+  /** Leaves the page while it is under way, long before its end. @param {string} button @param {string} runs @param {'en' | 'ko'} [language] */
+  const cross = async (button, runs, language = 'ko') => {
+    const isRunning = () => page.until(`${button}: it runs`, (one) => document.querySelector(one), runs);
+    await page.click(button);
+    await isRunning();
+    await toLanguage(page, language);
+    await isRunning();
+  };
+  await page.open('#luck&v=1');
+  await set(page, 'luck-count', '500');
+  await cross('#luck-run', '#luck-progress:not(.visually-hidden)');
+  await page.open('#luck&v=1&luck=contest&seeds=101&budget=20000');
+  await cross('#contest-run', '#contest-only:disabled');
+
+  const trains = '#training-progress:not(.visually-hidden)';
+  await page.open('#training&v=1');
+  await set(page, 'training-generations', '50');
+  await cross('#training-evolve', trains);
+  await page.until('it is found', () => document.querySelector('#training-circle.chosen'));
+  await cross('#training-seeds', trains, 'en');
+});
+
 pageTest('evolution that runs goes on in the other language', async (page) => {
   await page.open('#lab&v=1');
   await page.click('#pace option:nth-child(2)');

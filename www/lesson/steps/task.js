@@ -37,7 +37,7 @@ const createTaskStage = (tools) =>
 
 /** What a prediction sets going in Training, and waits for. @type {Pick<Quiz, 'begins' | 'ready'>} */
 const evolvesAll = {
-  begins: (store) => trainingSlice.update(store, { wanted: true }),
+  begins: (store) => trainingSlice.update(store, { wanted: 'evolved' }),
   ready: ({ state }) => trainingIsDone(state),
 };
 

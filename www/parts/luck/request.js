@@ -49,9 +49,8 @@ export function surveyOf(state) {
 
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
 export function createSeedRequests(engine, store, paper) {
-  const { begin, cancel } = createAttempts((/** @type {Partial<LuckState>} */ patch) =>
-    luckSlice.update(store, patch),
-  );
+  const update = (/** @type {Partial<LuckState>} */ patch) => luckSlice.update(store, patch);
+  const { begin, cancel } = createAttempts(update);
 
   return {
     run: () =>
@@ -78,6 +77,13 @@ export function createSeedRequests(engine, store, paper) {
         };
         return { result, chosen: null, pointed: null };
       }),
+
+    /** Runs them where they were under way when the page was left for another language. */
+    follow() {
+      if (!luckSlice.of(store.get()).seedsWanted) return;
+      update({ seedsWanted: false });
+      this.run();
+    },
 
     cancel,
   };

@@ -68,6 +68,7 @@ export function createSeeds(element, { engine, store, actions, paper }) {
   return {
     /** @param {State} state */
     draw(state) {
+      requests.follow();
       const { result, generations, log } = luckSlice.of(state);
       const fresh = isFresh(state.experiment, result);
       const index = questionOf(state);

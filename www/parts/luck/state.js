@@ -25,6 +25,7 @@ export const budgets = /** @type {const} */ ([1000, 4000, 20_000]);
  * @property {Contest | null} contest
  * @property {boolean} contestRuns
  * @property {boolean} wanted Somebody asks for the contest that is set up.
+ * @property {boolean} seedsWanted Somebody asks for the runs of many seeds.
  * @property {string} contestMessage
  * @property {number} count How many seeds to run next.
  * @property {number} generations For how many generations.
@@ -53,6 +54,7 @@ export const luckSlice = createSlice(
     contest: null,
     contestRuns: false,
     wanted: false,
+    seedsWanted: false,
     contestMessage: '',
     count: 100,
     generations: 200,
@@ -66,4 +68,5 @@ export const luckSlice = createSlice(
   }),
   ['targetError', 'reading', 'until', 'only', 'draw'],
   ['contest', 'count', 'generations', 'result', 'chosen'],
+  ({ wanted, contestRuns, progress }) => ({ wanted: wanted || contestRuns, seedsWanted: progress !== null }),
 );

@@ -36,7 +36,7 @@ export function createPage({ engine, store, actions, paper }) {
   const update = (/** @type {Partial<TrainingState>} */ patch) => trainingSlice.update(store, patch);
   const rowsOf = createRows();
 
-  const { choose, tryFrom, evolve, evolveIfWanted } = createEvents({ store, actions }, training, rowsOf);
+  const { choose, tryFrom, evolve, workIfWanted } = createEvents({ store, actions }, training, rowsOf);
   const changed = watch();
   /** @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles @param {string} readout */
   const show = (state, rows, titles, readout) => {
@@ -63,7 +63,7 @@ export function createPage({ engine, store, actions, paper }) {
       const chosen = chosenOf(state);
       const result = rows.find(({ name }) => name === chosen)?.result ?? null;
       training.follow(state);
-      evolveIfWanted(state);
+      workIfWanted(state);
 
       const own = isSet(chosen) ? sets[chosen] : sets.one;
       const seen = result?.training ?? { starts: own, arrived: null };
@@ -119,16 +119,17 @@ function createEvents({ store, actions }, training, rowsOf) {
     if (store.get().page === 'training' && isSet(next)) choose(next);
   };
 
-  /** Where the lesson has asked for it, unless it is there, or once what is under way is done. @param {State} state */
-  const evolveIfWanted = (state) => {
+  /** What was asked for elsewhere, unless it is there, or once what is under way is done. @param {State} state */
+  const workIfWanted = (state) => {
     const { wanted, progress } = trainingSlice.of(state);
     if (!wanted || progress !== null) return;
-    trainingSlice.update(store, { wanted: false });
-    if (evolvedFor(state)) choose('circle');
+    trainingSlice.update(store, { wanted: null });
+    if (wanted === 'spread') training.spread();
+    else if (evolvedFor(state)) choose('circle');
     else evolve();
   };
 
-  return { choose, tryFrom, evolve, evolveIfWanted };
+  return { choose, tryFrom, evolve, workIfWanted };
 }
 
 /** @param {State} state @returns {RowName} */

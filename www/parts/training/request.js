@@ -113,9 +113,13 @@ async function evolveAll(engine, sets, experiment, generations, { signal, onProg
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
 export function createTraining(engine, store, paper) {
   const setsOf = createSets(engine);
-  const attempts = createAttempts((/** @type {Partial<TrainingState>} */ patch) =>
-    trainingSlice.update(store, patch),
-  );
+  const update = (/** @type {Partial<TrainingState>} */ patch) => trainingSlice.update(store, patch);
+  const attempts = createAttempts(update);
+  /** @param {import('./state.js').Work} begun @param {Parameters<typeof attempts.begin>[0]} work */
+  const begin = (begun, work) => {
+    update({ begun });
+    return attempts.begin(work);
+  };
   const channel = once(() => engine.surveys.channel());
 
   const given = createRefining({
@@ -125,8 +129,8 @@ export function createTraining(engine, store, paper) {
       const options = { channel: channel() };
       return { spec, results: await testRobots(engine, setsOf(experiment), experiment, robots, options) };
     },
-    onResult: (result) => trainingSlice.update(store, { given: result, message: '' }),
-    onFailure: (error) => trainingSlice.update(store, { message: messageOf(error) }),
+    onResult: (result) => update({ given: result, message: '' }),
+    onFailure: (error) => update({ message: messageOf(error) }),
   });
 
   const specOf = createSpec();
@@ -144,7 +148,7 @@ export function createTraining(engine, store, paper) {
 
     /** On each set of starts, with the experiment's own seed and settings. */
     evolve: () =>
-      attempts.begin(async (options) => {
+      begin('evolved', async (options) => {
         const { experiment } = store.get();
         const { generations } = trainingSlice.of(store.get());
         const evolved = await evolveAll(engine, setsOf(experiment), experiment, generations, options);
@@ -153,7 +157,7 @@ export function createTraining(engine, store, paper) {
 
     /** What was evolved, with other seeds. */
     spread: () =>
-      attempts.begin(async (options) => {
+      begin('spread', async (options) => {
         const { evolved } = trainingSlice.of(store.get());
         return evolved
           ? { spread: await evolveSeeds(engine, setsOf(evolved.experiment), evolved, options) }

@@ -4,6 +4,8 @@
 /** @import { Spread } from './spread.js' */
 import { createSlice } from '../../run/store.js';
 
+/** The three evolutions, or what was evolved with other seeds. @typedef {'evolved' | 'spread'} Work */
+
 /**
  * @typedef {object} TrainingState
  * @property {number} generations
@@ -14,7 +16,8 @@ import { createSlice } from '../../run/store.js';
  * @property {Evolved | null} evolved
  * @property {Spread | null} spread Of what was evolved, with other seeds.
  * @property {{ spec: Spec, results: Partial<Record<RowName, Result>> } | null} given What was not evolved here.
- * @property {boolean} wanted Somebody asks for the three evolutions of the present experiment.
+ * @property {Work} begun What is under way while there is progress.
+ * @property {Work | null} wanted What somebody asks for; the evolutions are those of the present experiment.
  * @property {Triple | null} byHand Gains by hand, kept while a row of the table drives.
  */
 
@@ -29,9 +32,11 @@ export const trainingSlice = createSlice(
     evolved: null,
     spread: null,
     given: null,
-    wanted: false,
+    begun: 'evolved',
+    wanted: null,
     byHand: null,
   }),
   [],
   ['generations', 'chosen', 'evolved', 'spread', 'byHand'],
+  ({ wanted, begun, progress }) => ({ wanted: wanted ?? (progress === null ? null : begun) }),
 );
