@@ -76,6 +76,13 @@ pageTest(
       assert.ok(bottom <= 900, `${name} ends at ${bottom}`);
       assert.ok(plane === 0 || plane >= 300, `${name}: ${plane}`);
       assert.equal(isStaged, stage !== undefined && !stage.after, name);
+      const slipped = await page.evaluate(() => {
+        const top = () => document.querySelector('.figure')?.getBoundingClientRect().top ?? 0;
+        const before = top();
+        scrollTo(0, document.documentElement.scrollHeight);
+        return before - top();
+      });
+      assert.ok(slipped < 1, `${name}: at the end of the words the figure slips ${slipped} px under the bar`);
     }
     await page.resize(1366, 768);
     for (const { name } of steps) {
