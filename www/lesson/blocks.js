@@ -20,7 +20,7 @@ import words from './words/index.js';
 /** @import { Block, Live, Part, Tools } from './page.js' */
 /** @import { Content, Step } from './steps.js' */
 
-/** @param {Step} step @param {string} name of a question of it */
+/** @param {Pick<Step, 'name'>} step @param {string} name of a question of it */
 export const keyOf = (step, name) => `${step.name}.${name}`;
 
 /** Whether a question of the step has been answered. @param {Live['state']} state @param {Step} step @param {string} name */

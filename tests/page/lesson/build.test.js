@@ -5,6 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { checkValues } from '../../../www/lesson/views/check-values.js';
 import { rateAmounts } from '../../../www/lesson/formulas/formulas-motion.js';
 import { build as en } from '../../../www/lesson/words/en/build.js';
+import { drive } from '../../../www/lesson/words/en/drive.js';
 import { build as ko } from '../../../www/lesson/words/ko/build.js';
 import { pathLength, stepNames } from '../../../www/lesson/path.js';
 import { titles } from '../../../www/words/en/lesson.js';
@@ -12,7 +13,10 @@ import { phases } from '../../../www/parts/generation/state.js';
 import { findProgram } from '../harness/engines.js';
 import { pageTest } from '../harness/browsers.js';
 import { experiment, lawTerms, paper, paperGains, simulate } from '../harness/core.js';
+import { questionsOf } from '../../../www/lesson/views/predictions.js';
+import { steps } from '../../../www/lesson/steps.js';
 import { engine } from './links.js';
+import { answered } from './live.js';
 import { test } from '../harness/once.js';
 
 const files = new URL('../../../www/lesson/files/', import.meta.url);
@@ -108,6 +112,52 @@ pageTest('the phase that the figure shows lights its lines', async (page) => {
   await page.click('#generation-step button:last-child');
   await page.until('the next phase', () => document.querySelector('#program .now[data-phase="mutation"]'));
   assert.deepEqual(await lit(), ['mutation']);
+});
+
+test('the questions that are counted in the end are those of the path, in its order', () => {
+  const asked = steps
+    .slice(0, pathLength)
+    .flatMap(({ name, blocks }, i) =>
+      blocks.flatMap((block) => (block.kind === 'quiz' ? [[i + 1, `${name}.${block.name}`]] : [])),
+    );
+  const answers = Object.fromEntries(asked.map(([, key], i) => [key, { choice: i, right: 0, why: '' }]));
+  assert.deepEqual(
+    questionsOf(answers).map(({ number, answer }) => [number, asked[answer?.choice ?? -1]?.[1]]),
+    asked,
+  );
+});
+
+pageTest('the last step says how often one was right, and leads to what came otherwise', async (page) => {
+  const all = questionsOf({}).length;
+  const { outcome } = await answered('drive', 'bolder');
+  const { choices } = drive.quizzes.bolder;
+  const goTo = (/** @type {number} */ step) => page.click(`#lesson-step option[value="${step}"]`);
+  const told = () => page.evaluate(() => document.querySelector('.predictions:not([hidden])')?.textContent);
+  /** @param {boolean} isRight */
+  const predict = async (isRight) => {
+    await goTo(1);
+    await page.until('the question', () => document.querySelector('#quiz-bolder'));
+    const text = choices[(outcome.right + Number(!isRight)) % choices.length];
+    for (const choice of await page.elements('#quiz-bolder .choice'))
+      if ((await choice.getText()).includes(text)) await choice.click();
+    await page.until('the answer', () => document.querySelector('#quiz-bolder .choice.right'));
+    await goTo(pathLength);
+  };
+  await page.open(`#lesson&step=${stepNames[pathLength - 1]}`);
+  await page.setPace(20);
+  assert.equal(await told(), null);
+  await predict(false);
+  assert.ok((await told())?.includes(en.predictions.counts({ all, answered: 1, right: 0 })));
+  await page.click('.predictions a');
+  await page.until(
+    'the step of the question',
+    (title) => document.getElementById('lesson-title')?.textContent === title,
+    titles.drive,
+  );
+  await page.click('#quiz-bolder .link');
+  await predict(true);
+  assert.ok((await told())?.includes(en.predictions.counts({ all, answered: 1, right: 1 })));
+  assert.deepEqual(await page.elements('.predictions a'), []);
 });
 
 pageTest(

@@ -1,5 +1,6 @@
 // Build it yourself: what a program needs, the numbers by which one knows that it is right, and a task that is open.
 import { createProgram } from '../views/program.js';
+import { createPredictions } from '../views/predictions.js';
 import { createDownloads, createCheckValues } from '../views/check-values.js';
 import { errorRateFormula, motionFormula } from '../formulas/formulas-motion.js';
 import { lawFormula } from '../formulas/formulas.js';
@@ -32,6 +33,7 @@ export const build = {
       ['few', 'training&population=6&generation=100&weights.velocity=1,0.1'],
     ]),
     { kind: 'text', name: 'recap' },
+    { kind: 'view', create: createPredictions },
     { kind: 'notice' },
   ],
 };

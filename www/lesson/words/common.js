@@ -6,6 +6,7 @@
 /** Gains that one can beat by hand, and their J. @typedef {{ name: 'fives' | 'arbitrary' | 'ep', cost: number }} Mark */
 /** How many of so many starts arrive. @typedef {{ count: number, starts: number, share: number }} Share */
 /** The lowest point of a landscape, with the gain at which its axes end. @typedef {{ gains: Triple, cost: number, most: number }} Lowest */
+/** How many questions there are on the path, how many have been answered, and how many of those as predicted. @typedef {{ all: number, answered: number, right: number }} Counts */
 /** @typedef {'you' | 'evolution' | 'random'} Duellist */
 /**
  * Who is ahead in a duel.

@@ -1,6 +1,7 @@
 // The step “build” in English.
 
-/** @typedef {import('../../views/program.js').Line} Line */
+/** @import { Line } from '../../views/program.js' */
+/** @import { Counts } from '../common.js' */
 
 export const build = {
   texts: {
@@ -25,6 +26,13 @@ export const build = {
 *6.* Selection finds what no hand would try, but it stops where its steps collapse, and luck is part of it: one seed proves nothing.
 
 *7.* An optimiser gives what the cost asks for, not what you meant, so test where you did not ask.`,
+  },
+  predictions: {
+    title: 'Your predictions',
+    /** @param {Counts} counts */
+    counts: ({ all, answered, right }) =>
+      `Of the ${all} questions on the path you have answered ${answered}; ${right === answered ? 'all' : right || 'none'} came as you predicted.`,
+    otherwise: 'These came otherwise. What would you predict now?',
   },
   program: {
     label: 'One drive and one generation as pseudo-code',

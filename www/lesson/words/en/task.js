@@ -41,6 +41,13 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
       why: ({ own, other, best, dear }) =>
         `They arrive from ${percent(other.share)} of the starts, the evolved ones from ${percent(own.share)}. From the start of the paper it was J ${costText(dear.cost.total)} against ${costText(best.cost.total)}. What is best in one place need not be good in others.`,
     },
+    price: {
+      question: 'Evolved on 32 starts instead of one: what becomes of {J} from the one start of the paper?',
+      choices: ['It falls: more practice helps everywhere', 'It stays as it is', 'It rises'],
+      /** @param {{ one: Result, many: Result }} outcome */
+      why: ({ one, many }) =>
+        `From ${costText(one.own)} to ${costText(many.own)}. In return the robot arrives from ${many.unseen.count} of the ${many.unseen.starts.length} starts that it never saw, instead of ${one.unseen.count}. And {ky} is ${fixed(many.gains[1], 2)} now, not ${fixed(one.gains[1], 4)}: asked for, it came back. The table has all three.`,
+    },
     turning: {
       question:
         'With turning at a tenth of its price, evolved again on the same 32 starts: from how many of the 1000 unseen starts do the robots park?',
@@ -52,13 +59,6 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
       /** @param {{ before: Result, after: Result }} outcome */
       why: ({ before, after }) =>
         `From ${after.unseen.count} of ${after.unseen.starts.length}, instead of ${before.unseen.count}. The gains were ${gainsText(before.gains)} and are ${gainsText(after.gains)} now.`,
-    },
-    price: {
-      question: 'Evolved on 32 starts instead of one: what becomes of {J} from the one start of the paper?',
-      choices: ['It falls: more practice helps everywhere', 'It stays as it is', 'It rises'],
-      /** @param {{ one: Result, many: Result }} outcome */
-      why: ({ one, many }) =>
-        `From ${costText(one.own)} to ${costText(many.own)}. In return the robot arrives from ${many.unseen.count} of the ${many.unseen.starts.length} starts that it never saw, instead of ${one.unseen.count}. And {ky} is ${fixed(many.gains[1], 2)} now, not ${fixed(one.gains[1], 4)}: asked for, it came back. The table has all three.`,
     },
   },
   tries: {

@@ -1,6 +1,7 @@
 // The step “build” in Korean.
 
-/** @typedef {import('../../views/program.js').Line} Line */
+/** @import { Line } from '../../views/program.js' */
+/** @import { Counts } from '../common.js' */
 
 export const build = {
   texts: {
@@ -25,6 +26,13 @@ export const build = {
 *6.* 선택은 손으로는 해 보지 않을 것을 찾아냅니다. 그러나 변이 폭이 무너지면 멈추고 운도 작용하므로, 시드 하나로는 아무것도 증명되지 않습니다.
 
 *7.* 최적화는 우리가 뜻한 것이 아니라 비용이 요구하는 것을 내놓으므로, 요구하지 않은 곳에서 시험해야 합니다.`,
+  },
+  predictions: {
+    title: '나의 예측',
+    /** @param {Counts} counts */
+    counts: ({ all, answered, right }) =>
+      `수업의 질문 ${all}개 가운데 ${answered}개에 답했고, 그 가운데 예측한 대로인 것은 ${right}개입니다.`,
+    otherwise: '다음은 예측과 달랐습니다. 지금은 어떻게 예측하겠습니까?',
   },
   program: {
     label: '주행 하나와 세대 하나의 의사 코드',

@@ -36,6 +36,13 @@ export const task = {
       why: ({ own, other, best, dear }) =>
         `임의 이득은 출발점의 ${percent(other.share)}에서, 진화한 이득은 ${percent(own.share)}에서 도착합니다. 논문의 출발점에서는 J가 ${costText(dear.cost.total)} 대 ${costText(best.cost.total)}입니다. 한 곳에서 가장 좋다고 다른 곳에서도 좋은 것은 아닙니다.`,
     },
+    price: {
+      question: '출발점 하나 대신 32개로 진화시키면, 논문의 그 출발점에서 {J}는 어떻게 됩니까?',
+      choices: ['낮아진다. 연습이 많으면 어디서나 좋아진다', '그대로이다', '높아진다'],
+      /** @param {{ one: Result, many: Result }} outcome */
+      why: ({ one, many }) =>
+        `J ${costText(one.own)} → ${costText(many.own)}. 그 대신 한 번도 보지 못한 출발점 ${grouped(many.unseen.starts.length)}개 가운데 도착하는 곳이 ${grouped(one.unseen.count)}개 → ${grouped(many.unseen.count)}개입니다. {ky}는 ${fixed(one.gains[1], 4)} → ${fixed(many.gains[1], 2)}입니다. 요구하니 되살아났습니다. 표에서 셋을 모두 볼 수 있습니다.`,
+    },
     turning: {
       question:
         '회전의 비용을 10분의 1로 하고 같은 출발점 32개로 다시 진화시킵니다. 처음 보는 출발점 1,000개 가운데 몇 곳에서 주차합니까?',
@@ -47,13 +54,6 @@ export const task = {
       /** @param {{ before: Result, after: Result }} outcome */
       why: ({ before, after }) =>
         `${grouped(after.unseen.starts.length)}개 가운데 ${grouped(before.unseen.count)}개 → ${grouped(after.unseen.count)}개입니다. 이득은 ${gainsText(before.gains)} → ${gainsText(after.gains)}입니다.`,
-    },
-    price: {
-      question: '출발점 하나 대신 32개로 진화시키면, 논문의 그 출발점에서 {J}는 어떻게 됩니까?',
-      choices: ['낮아진다. 연습이 많으면 어디서나 좋아진다', '그대로이다', '높아진다'],
-      /** @param {{ one: Result, many: Result }} outcome */
-      why: ({ one, many }) =>
-        `J ${costText(one.own)} → ${costText(many.own)}. 그 대신 한 번도 보지 못한 출발점 ${grouped(many.unseen.starts.length)}개 가운데 도착하는 곳이 ${grouped(one.unseen.count)}개 → ${grouped(many.unseen.count)}개입니다. {ky}는 ${fixed(one.gains[1], 4)} → ${fixed(many.gains[1], 2)}입니다. 요구하니 되살아났습니다. 표에서 셋을 모두 볼 수 있습니다.`,
     },
   },
   tries: {
