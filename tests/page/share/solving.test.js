@@ -214,6 +214,8 @@ pageTest('who makes an exercise sees the very figure that students get', async (
   await page.press(Key.END, '.', 'x');
   assert.match(await page.text('#maker-aim-error'), /must be a number/);
   await page.press(Key.BACK_SPACE, '5');
+  // From here on nothing comes and goes above what is pressed.
+  const hint = await page.until('the hint', () => document.getElementById('maker-easy')?.innerText);
   const points = /** @type {const} */ ([
     ['points-0', '0'],
     ['at-0', '9'],
@@ -224,6 +226,7 @@ pageTest('who makes an exercise sees the very figure that students get', async (
     await page.focus(`#maker-${id}`);
     await page.press(...value);
   }
+  assert.equal(await page.text('#maker-easy'), hint);
   await page.click('#maker-vary-seed');
   const link = await page.until('the link has it all', () => {
     const { value } = /** @type {HTMLInputElement} */ (document.getElementById('maker-link'));
