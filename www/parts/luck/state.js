@@ -68,5 +68,8 @@ export const luckSlice = createSlice(
   }),
   ['targetError', 'reading', 'until', 'only', 'draw'],
   ['contest', 'count', 'generations', 'result', 'chosen'],
-  ({ wanted, contestRuns, progress }) => ({ wanted: wanted || contestRuns, seedsWanted: progress !== null }),
+  ({ wanted, contestRuns, seedsWanted, progress }) => ({
+    wanted: wanted || contestRuns,
+    seedsWanted: seedsWanted || progress !== null,
+  }),
 );
