@@ -1,7 +1,7 @@
-// The contest on the page: its table is what the core's trials say; it is cancelled, linked, dragged, and refused in a line.
+// The contest on the page: its table is what the core's trials say; it is cancelled, linked, and refused in a line.
 import assert from 'node:assert/strict';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { saved } from '../harness/saved.js';
 import {
   expectedTable,
@@ -75,119 +75,24 @@ pageTest('cancel keeps what was done and says how much', async (page) => {
   assert.deepEqual(await page.problems(), []);
 });
 
-/** Where the handle of a line stands, and what it says. @param {Page} page @param {string} id */
-const handle = (page, id) =>
-  page.evaluate((name) => {
-    const element = /** @type {HTMLElement} */ (document.getElementById(name));
-    const { left, top, width, height } = element.getBoundingClientRect();
-    return {
-      x: left + width / 2,
-      y: top + height / 2,
-      now: Number(element.getAttribute('aria-valuenow')),
-      text: element.getAttribute('aria-valuetext') ?? '',
-    };
-  }, id);
-
-/** Presses on a handle and moves by so much. @param {Page} page @param {string} id @param {number} dx @param {number} dy @param {'mouse' | 'touch'} kind */
-const dragHandle = (page, id, dx, dy, kind) =>
-  page.evaluate(
-    async (name, right, down, pointerType) => {
-      const element = /** @type {HTMLElement} */ (document.getElementById(name));
-      const { left, top, width, height } = element.getBoundingClientRect();
-      const at = { clientX: left + width / 2, clientY: top + height / 2 };
-      const send = (/** @type {string} */ type, /** @type {object} */ point) =>
-        element.dispatchEvent(
-          new PointerEvent(type, {
-            ...point,
-            pointerId: 1,
-            pointerType,
-            button: 0,
-            buttons: 1,
-            bubbles: true,
-            cancelable: true,
-          }),
-        );
-      // A pointer that is made up cannot be captured.
-      element.setPointerCapture = () => {};
-      element.hasPointerCapture = () => true;
-      send('pointerdown', at);
-      for (const part of [0.5, 1])
-        send('pointermove', { clientX: at.clientX + part * right, clientY: at.clientY + part * down });
-      send('pointerup', at);
-      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-    },
-    id,
-    dx,
-    dy,
-    kind,
-  );
-
-engineTest(
-  'target and budget are dragged by mouse and finger, and moved by keys; the table follows',
+pageTest(
+  'a target that is no number is refused, the one before stays, and the usual one comes back',
   async (page) => {
     await openContest(page, `${link}&target=7.9`);
     await runContest(page);
-    for (const kind of /** @type {const} */ (['mouse', 'touch'])) {
-      const before = await handle(page, 'contest-target-line');
-      await dragHandle(page, 'contest-target-line', 0, -20, kind);
-      const after = await handle(page, 'contest-target-line');
-      assert.ok(
-        after.now > before.now && Math.abs(before.y - 20 - after.y) < 2,
-        JSON.stringify([before, after]),
-      );
-      const typed = await page.evaluate(() =>
-        Number(/** @type {HTMLInputElement} */ (document.getElementById('contest-target')).value),
-      );
-      assert.equal(typed, after.now);
-      assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, after.now));
-    }
-    const { now: target } = await handle(page, 'contest-target-line');
-    const whole = await handle(page, 'contest-until-line');
-    assert.equal(whole.now, 1000);
-    await dragHandle(page, 'contest-until-line', -60, 0, 'touch');
-    const until = await handle(page, 'contest-until-line');
-    assert.ok(until.now < 900 && until.now > 50, JSON.stringify(until));
-    const expected = standingsOf(small, { target, until: until.now }).lines.map(
-      ({ reached }) => `${reached} of 15`,
+    await page.focus('#contest-target');
+    await page.evaluate(() =>
+      /** @type {HTMLInputElement} */ (document.getElementById('contest-target')).select(),
     );
-    assert.deepEqual(
-      (await readTable(page)).map(({ cells }) => cells[0]),
-      expected,
-    );
-    await page.evaluate(() => document.getElementById('contest-until-line')?.focus());
-    await page.press(Key.ARROW_RIGHT);
-    await page.until(
-      'a key moves it on',
-      (was) => Number(document.getElementById('contest-until-line')?.getAttribute('aria-valuenow')) > was,
-      until.now,
-    );
-    const { x } = await handle(page, 'contest-until-line');
-    await page.evaluate(() => {
-      const left = () => new KeyboardEvent('keydown', { key: 'ArrowLeft' });
-      for (let i = 0; i < 5; i += 1) document.getElementById('contest-until-line')?.dispatchEvent(left());
-    });
-    const moved = x - (await handle(page, 'contest-until-line')).x;
-    assert.ok(Math.abs(moved - 15) < 3, `five keys within a frame are five steps of 3 pixels, not ${moved}`);
-    await page.click('#contest-whole');
-    await page.until(
-      'it is read to the end',
-      () => document.getElementById('contest-until-line')?.getAttribute('aria-valuenow') === '1000',
-    );
-    assert.deepEqual(await page.problems(), []);
+    await page.press('l', 'o', 'w', Key.ENTER);
+    assert.match(await page.text('#contest-target-error'), /must be a number; it was “low”/);
+    assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 7.9));
+
+    await page.click('#contest-usual');
+    assert.equal(await page.text('#contest-target-error'), '');
+    assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, null));
   },
 );
-
-pageTest('a target that is no number is refused, and the one before stays', async (page) => {
-  await openContest(page, `${link}&target=7.9`);
-  await runContest(page);
-  await page.focus('#contest-target');
-  await page.evaluate(() =>
-    /** @type {HTMLInputElement} */ (document.getElementById('contest-target')).select(),
-  );
-  await page.press('l', 'o', 'w', Key.ENTER);
-  assert.match(await page.text('#contest-target-error'), /must be a number; it was “low”/);
-  assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 7.9));
-});
 
 pageTest('fewer seeds are drawn from what is there, and others of them', async (page) => {
   await openContest(page, `${link}&target=7.9&only=5`);
@@ -201,6 +106,17 @@ pageTest('fewer seeds are drawn from what is there, and others of them', async (
     assert.deepEqual(await cells(), reachedBy(draw));
   }
   assert.match((await readTable(page))[1].verdict, /In \d+ of 100 draws of 5 seeds one can tell\./);
+  await page.focus('#contest-only');
+  await page.press(Key.ARROW_RIGHT);
+  assert.deepEqual(
+    await cells(),
+    standingsOf(small, { target: 7.9, only: 6, draw: 3 }).lines.map(({ reached }) => `${reached} of 6`),
+  );
+  assert.match(await page.text('#contest-count'), /^6 of 15/);
+  await page.press(Key.END);
+  assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 7.9));
+  await page.press(Key.HOME, Key.ARROW_RIGHT);
+  assert.match(await page.text('#contest-count'), /^\d of 15/);
   for (const reading of ['targets', 'ends', 'course']) {
     await page.click(`#contest-reading-${reading}`);
     assert.deepEqual(await page.obstacles(), []);

@@ -189,24 +189,34 @@ const numbersIn = (text) =>
 const same = (printed, exact, what) =>
   assert.ok(Math.abs(printed - exact) <= 0.00051 * Math.max(1, Math.abs(exact)), `${what}: ${exact}`);
 
+/** One generation of every move of the simplex but its beginning, which is no sum. @returns {[Method, number][]} */
+function movesOfSimplex() {
+  const motions = ['reflection', 'expansion', 'outside-contraction', 'inside-contraction', 'shrink'];
+  const moves = anatomiesOf('nelder-mead', 400).map(({ record }) => String(record.plan.motion));
+  return motions.map((motion) => ['nelder-mead', moves.indexOf(motion)]);
+}
+
 pageTest('the numbers of a trial are those of the record', async (page) => {
-  for (const method of /** @type {const} */ ([
-    'de',
-    'cma-es',
-    'one-plus-one-es',
-    'nelder-mead',
-    'one-at-a-time',
+  for (const [method, generation] of /** @type {[Method, number][]} */ ([
+    ['de', 6],
+    ['cma-es', 6],
+    ['one-plus-one-es', 6],
+    ...movesOfSimplex(),
+    ['one-at-a-time', 6],
   ])) {
-    const generation = 6;
     const anatomy = anatomiesOf(method, generation)[generation];
     const { record, count } = anatomy;
-    await openAt(page, method, generation, 'mutation', `&individual=${count}`);
+    // The last: three corners of a simplex shrink at once.
+    const own = record.offspring.length - 1;
+    await openAt(page, method, generation, 'mutation', `&individual=${count + own}`);
     const { equations, headline } = await readDetails(page);
-    assert.equal(headline.split(/\s+/).slice(0, 2).join(' ').toLowerCase(), en.nameOf(anatomy, count));
-    const trial = record.offspring[0].gains;
+    const name = headline.split(/\s+/).slice(0, 2).join(' ').toLowerCase();
+    assert.equal(name, en.nameOf(anatomy, count + own));
+    const trial = record.offspring[own].gains;
     for (const [i, lines] of equations.entries()) {
       const told = method === 'de' ? lines[1] : lines[0];
-      same(/** @type {number} */ (numbersIn(told).at(-1)), trial[i], `${method}: ${lines.join(' / ')}`);
+      const what = `${method}, generation ${generation}: ${lines.join(' / ')}`;
+      same(/** @type {number} */ (numbersIn(told).at(-1)), trial[i], what);
     }
     assert.deepEqual(await page.problems(), []);
   }

@@ -1,13 +1,53 @@
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
+import { experiment, startsOnCircle } from '../harness/core.js';
+import { read } from '../harness/reading.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** @param {Page} page */
+async function openTraining(page) {
+  await page.open('#training');
+  await page.until('the paper’s gains have driven', () =>
+    document.getElementById('training-unseen-title')?.textContent?.startsWith('Never seen: 250'),
+  );
+}
+
+pageTest(
+  'a start that is pressed is driven from, and a press beside all of them changes nothing',
+  async (page) => {
+    await openTraining(page);
+    // The goal is in the middle; the outermost circle of those never seen begins at its right.
+    const { x, y } = experiment('velocity-limits').goal;
+    const radius = (4 * 17.5) / 18;
+    const [start] = startsOnCircle({ x, y, radius, count: 108, seed: 1017 });
+    const press = async (/** @type {number} */ right, /** @type {number} */ up) => {
+      const { width, height } = await page.evaluate(() => {
+        const { clientWidth, clientHeight } = /** @type {Element} */ (
+          document.getElementById('training-unseen')
+        );
+        return { width: clientWidth, height: clientHeight };
+      });
+      const metre = Math.min(width, height) / 8.6;
+      await page.drag('#training-unseen', [{ x: width / 2 + right * metre, y: height / 2 - up * metre }]);
+      return read(page);
+    };
+    const pressed = await press(radius, 0);
+    assert.deepEqual(pressed.start, {
+      x: Number(start.x.toFixed(2)),
+      y: Number(start.y.toFixed(2)),
+      degrees: Math.round((start.theta * 180) / Math.PI),
+    });
+    // In a corner, far outside of the circles.
+    assert.deepEqual(await press(3.9, 3.9), pressed);
+    assert.deepEqual(await page.problems(), []);
+  },
+);
 
 pageTest(
   'a thousand starts have room, and those that miss differ by colour from those that arrive',
   async (page) => {
-    await page.open('#training');
-    await page.until('the paper’s gains have driven', () =>
-      document.getElementById('training-unseen-title')?.textContent?.startsWith('Never seen: 250'),
-    );
+    await openTraining(page);
     for (const [width, height, side] of [
       [1366, 768, 320],
       [1280, 720, 300],

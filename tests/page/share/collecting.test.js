@@ -157,12 +157,22 @@ pageTest('hand-ins come as files, are shown page by page, and a cancel ends the 
   const [one, large] = await cells(page);
   assert.deepEqual([one[2], one[5]], ['Kim Lee', 'met']);
   assert.match(String(large[8]), /too long/);
+  // A file that is chosen joins those that were dropped.
+  await page.evaluate((text) => {
+    const input = /** @type {HTMLInputElement} */ (document.getElementById('collect-file'));
+    const files = new DataTransfer();
+    files.items.add(new File([text], 'Ann Bo_4712_assignsubmission_file.txt'));
+    input.files = files.files;
+    input.dispatchEvent(new Event('change'));
+  }, link);
+  await checked(page, 3);
+  assert.ok((await cells(page)).some((row) => row[2] === 'Ann Bo' && row[5] === 'met'));
 
   await paste(page, many);
   await page.click('#collect-check');
-  await checked(page, 132);
+  await checked(page, 133);
   await page.click('#collect-after');
-  assert.equal((await cells(page)).length, 32);
+  assert.equal((await cells(page)).length, 33);
   // Within one turn of the page, so that there is something to cancel.
   await page.evaluate(() => {
     document.getElementById('collect-check')?.click();
