@@ -1,5 +1,6 @@
 // What is counted of many seeds.
 import assert from 'node:assert/strict';
+import { seedRuns } from '../../../pkg/ep_locomotion.js';
 import { placeWhereAlone } from '../../../www/parts/luck/curve-names.js';
 import { csvOf, quartilesOf } from '../../../www/parts/luck/statistics.js';
 import { drivesOf, surveyOf } from '../../../www/parts/luck/request.js';
@@ -8,8 +9,9 @@ import * as en from '../../../www/parts/luck/words/en.js';
 import * as ko from '../../../www/parts/luck/words/ko.js';
 import { firstMaker, noExercise } from '../../../www/run/exercise.js';
 import { Key, pageTest } from '../harness/browsers.js';
-import { Evolution, experiment, startsOnCircle, wordFields } from '../harness/core.js';
+import { Evolution, experiment, shown, shownGains, startsOnCircle, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { read } from '../harness/reading.js';
 
 test('quartiles lie between the numbers in proportion, also when some are infinite', () => {
   assert.deepEqual(quartilesOf([4, 1, 3, 2, 5]), { least: 1, low: 2, median: 3, high: 4, most: 5 });
@@ -169,5 +171,45 @@ pageTest(
             JSON.stringify([one, other]),
           );
     }
+  },
+);
+
+pageTest(
+  'the dots beside the curve are seeds, higher where J is, and drive when they are pressed',
+  async (page) => {
+    await page.click('#page-luck');
+    await page.until('the part is open', () => document.getElementById('luck')?.hidden === false);
+    await page.click('#luck-count option[value="20"]');
+    await page.click('#luck-generations option[value="50"]');
+    await page.click('#luck-run');
+    await page.until('the seeds have run', () => document.getElementById('luck-seed')?.hidden === false);
+    const runs = seedRuns(experiment('velocity-limits'), { seeds: [1, 21], generations: 50 });
+    const { left, height } = await page.evaluate(() => {
+      const canvas = /** @type {HTMLElement} */ (document.querySelector('#luck-curve canvas'));
+      const box = canvas.getBoundingClientRect();
+      const begins = Array.from({ length: Math.round(box.width) }, (_, x) => x).find((x) => {
+        const at = { clientX: box.left + x, clientY: box.top + box.height / 2 };
+        canvas.dispatchEvent(new PointerEvent('pointermove', at));
+        return canvas.classList.contains('pressable');
+      });
+      return { left: begins ?? 0, height: box.height };
+    });
+    const pressed = new Set();
+    for (let y = 24; y < height - 20; y += 10) {
+      await page.drag('#luck-curve canvas', [{ x: left + 18, y }]);
+      pressed.add(Number(/seed (\d+)/.exec(await page.text('#luck-open'))?.[1]));
+    }
+    // The lab's own, before any is met.
+    const seeds = [...pressed].slice(1);
+    const costs = seeds.map((seed) => runs[seed - 1].champion.cost);
+    assert.ok(costs.length >= 4, `${seeds}`);
+    assert.deepEqual(
+      costs,
+      [...costs].sort((a, b) => b - a),
+    );
+    await page.click('#page-lab');
+    const { champion } = runs[seeds[seeds.length - 1] - 1];
+    const { cost, gains, driver } = await read(page);
+    assert.deepEqual([driver, cost, gains], ['hand', shown(champion.cost), shownGains(champion.gains)]);
   },
 );

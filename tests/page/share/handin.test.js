@@ -18,6 +18,7 @@ import { createEngine, evaluate, evolve, experiment, paper, simulate } from '../
 import { Key, pageTest } from '../harness/browsers.js';
 import { frameOf, heardFrom, inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
+import { saved } from '../harness/saved.js';
 import { serve } from '../harness/server.js';
 
 const engine = createEngine();
@@ -261,6 +262,20 @@ pageTest('a receipt is one person’s: where the name is corrected it is made an
       /** @type {HTMLTextAreaElement | null} */ (document.getElementById('handin-text'))?.value ?? '',
     ),
   );
+  // Not every browser lets a page copy by itself.
+  const [text, link, ...copied] = await page.evaluate(async () => {
+    const texts = ['handin-text', 'handin-link'].map(
+      (id) => /** @type {HTMLTextAreaElement} */ (document.getElementById(id)).value,
+    );
+    const writeText = async (/** @type {string} */ text) => void texts.push(text);
+    Object.defineProperty(navigator, 'clipboard', { value: { writeText }, configurable: true });
+    for (const id of ['handin-copy', 'handin-copy-link']) document.getElementById(id)?.click();
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    return texts;
+  });
+  assert.deepEqual(copied, [text, link]);
+  assert.equal(await page.text('#handin-status'), 'Copied.');
+  assert.equal(await saved(page, '#handin-save'), `${text}\n`);
   assert.deepEqual(await page.obstacles(), []);
   assert.deepEqual(await page.problems(), []);
 });

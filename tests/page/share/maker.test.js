@@ -99,6 +99,20 @@ pageTest('every field of the maker has a name and room, and what is wrong is sai
       .map(({ id }) => id),
   );
   assert.deepEqual(unnamed, []);
+  const type = async (/** @type {string} */ id, /** @type {string} */ text) => {
+    await page.focus(id);
+    await page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).select());
+    await page.press(...text, Key.TAB);
+  };
+  await type('#maker-budget', 'few');
+  await page.until('the error is said', () => document.getElementById('maker-aim-error')?.checkVisibility());
+  assert.deepEqual(await taken(), []);
+  await type('#maker-budget', '40');
+  await page.until('it is right', () => !document.getElementById('maker-aim-error')?.checkVisibility());
+  assert.match(decodeURIComponent(await linkMade(page)), /&aim=unseen:0\.9;drives<=40&/);
+  await page.click('#maker-aim option[value="none"]');
+  await page.until('it asks for nothing', () => !document.getElementById('maker-budget'));
+  assert.doesNotMatch(await linkMade(page), /aim=/);
   // What is hidden while it is made, and the button that opened the panel with it.
   for (const group of groupNames) await page.click(`#maker-${group}-hidden`);
   await page.press(Key.ESCAPE);
