@@ -15,6 +15,7 @@ function reasonOf(error) {
   if (typeof WebAssembly === 'undefined') return words.reasons.absent;
   if (/content security policy|\bcsp\b|unsafe-eval/i.test(String(error))) return words.reasons.forbidden;
   if (!WebAssembly.validate(simd)) return words.reasons.old;
+  if (/out of memory|cannot allocate/i.test(String(error))) return words.reasons.full;
   return words.notLoaded(messageOf(error));
 }
 

@@ -51,6 +51,12 @@ const failing = (name) => `
     listen(name, ...rest);
   };`;
 
+/** As Chromium says it, where many tabs and figures are open. */
+const full = `
+  WebAssembly.Instance = function () {
+    throw RangeError('WebAssembly.Instance(): Out of memory: Cannot allocate Wasm memory for new instance');
+  };`;
+
 engineTest('what the browser or the server lacks is said, above a picture and the lesson', async (page) => {
   for (const [wrong, fragment, said] of /** @type {[Changes, string, RegExp][]} */ ([
     [{ before: 'delete globalThis.WebAssembly;' }, '', /^The robots cannot drive here: .*no WebAssembly/],
@@ -60,6 +66,7 @@ engineTest('what the browser or the server lacks is said, above a picture and th
       /no SIMD/,
     ],
     [without(/\.wasm$/), '?embed#lab', /could not be loaded \(.*404/],
+    [{ before: full }, '', /no memory left/],
     [{ before: failing('popstate') }, '', /could not be loaded \(no ear for popstate\)/],
     [{ policy: { 'script-src': "'self'" } }, '#lesson&lang=ko', /주행할 수 없습니다.*WebAssembly를 금지/],
   ]))

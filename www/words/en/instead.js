@@ -12,6 +12,7 @@ export const reasons = {
   old: 'the WebAssembly of this browser is too old, it has no SIMD.',
   forbidden:
     'the server that sends this page forbids WebAssembly (its content security policy lacks wasm-unsafe-eval).',
+  full: 'this browser has no memory left for them. Close other tabs, then load the page again.',
 };
 /** @param {string} message */
 export const notLoaded = (message) => `a part of the page could not be loaded (${message}).`;

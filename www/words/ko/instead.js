@@ -12,6 +12,7 @@ export const reasons = {
   old: '이 브라우저의 WebAssembly는 오래되어 SIMD를 지원하지 않습니다.',
   forbidden:
     '이 페이지를 보내는 서버가 WebAssembly를 금지하고 있습니다(콘텐츠 보안 정책에 wasm-unsafe-eval이 없습니다).',
+  full: '이 브라우저에 남은 메모리가 없습니다. 다른 탭을 닫고 페이지를 새로 고치십시오.',
 };
 /** @param {string} message */
 export const notLoaded = (message) => `페이지의 일부를 불러오지 못했습니다(${message}).`;
