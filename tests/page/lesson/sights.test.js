@@ -91,6 +91,12 @@ pageTest(
         const figure = document.querySelector('.figure');
         return document.querySelector('.prose') && figure && figure.scrollHeight <= figure.clientHeight + 1;
       });
+      const apart = await page.evaluate(() => {
+        const [table, seed] = ['#fitness-table', '#seed'].map((one) => document.querySelector(one));
+        if (!table?.checkVisibility() || !seed) return 0;
+        return table.getBoundingClientRect().bottom - seed.getBoundingClientRect().bottom;
+      });
+      assert.ok(Math.abs(apart) < 12, `${name}: the table is named ${apart} px under the generation`);
     }
   },
 );
