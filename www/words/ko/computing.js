@@ -5,7 +5,7 @@ export const computingText = (what, generation, newest) =>
   what === 'begin'
     ? '새 진화를 계산하고 있습니다.'
     : newest !== null
-      ? `진화를 따라잡고 있습니다: ${newest}세대 가운데 ${generation}세대.`
+      ? `진화를 처음부터 다시 계산하고 있습니다: ${newest}세대 가운데 ${generation}세대.`
       : what === 'generation'
         ? `${generation + 1}세대를 계산하고 있습니다.`
         : '기록된 세대를 다시 계산하고 있습니다.';

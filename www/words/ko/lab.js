@@ -69,7 +69,7 @@ export const pages = {
 /** What each part is for. @param {number} population @returns {Record<string, string>} */
 export const taglines = (population) => ({
   lab: `무작위 이득을 세 개씩 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`,
-  park: '출발점 32곳의 로봇, 주차 자리 하나, 수 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
+  park: '출발점 32개에서 나선 로봇, 주차 자리 하나, 수 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
   generation:
     '한 세대를 단계별로 봅니다: 누가 누구의 자손인지, 어떻게 주행했는지, 누구를 만났는지, 누가 남는지.',
   curves: '논문의 그림 5, 7과 같은 시간에 따른 주행, 그동안 쌓이는 J, 그리고 리아푸노프 함수입니다.',
@@ -121,7 +121,7 @@ export const outcomeText = (run) =>
   ({
     arrived: `${fixed(run.finalTime, 2)}초 뒤 도착`,
     horizon: isTracking(run)
-      ? `${sixDigits(run.finalTime)}초 동안 기준을 추종`
+      ? `${sixDigits(run.finalTime)}초 동안 기준 자세를 추종`
       : `${sixDigits(run.finalTime)}초 안에 도착하지 못함`,
     diverged: '유한한 값을 벗어나 발산',
   })[run.outcome];
@@ -159,7 +159,7 @@ export const withoutDisturbance = '같은 주행, 외란 없음';
 export const dragHint = '끌어서 옮기거나 돌리기';
 export const startName = '출발';
 export const goalName = '목표';
-export const referenceName = '기준';
+export const referenceName = '기준 자세';
 export const restorePostures = '논문의 자세로';
 
 /** @param {string} name @param {Posture} posture */

@@ -17,7 +17,7 @@ export const titles = {
   sigma: '스스로 적응하는 변이 폭',
   duel: '나와 진화의 대결',
   landscape: '진화가 탐색한 비용 지형',
-  contest: '어느 부분 덕분인가?',
+  contest: '어느 부분이 효과를 내는가?',
   task: '주차를 배운 것인가?',
   disturbance: '바닥이 밀 때',
   paper: '논문의 수치와 이 페이지의 수치',

@@ -59,9 +59,9 @@ export const settings = {
   'goal.theta': { name: '목표 방향각', help: '마지막에 로봇이 향해야 할 방향입니다.' },
   'referenceVelocity.linear': {
     name: '기준 선속도',
-    help: '0이면 주차입니다. 0이 아니면 기준이 목표에서 출발하고, 로봇은 제한 시간까지 기준을 따라갑니다.',
+    help: '0이면 주차입니다. 0이 아니면 기준 자세가 목표에서 출발하고, 로봇은 제한 시간까지 기준 자세를 따라갑니다.',
   },
-  'referenceVelocity.angular': { name: '기준 각속도', help: '움직이는 기준의 각속도입니다.' },
+  'referenceVelocity.angular': { name: '기준 각속도', help: '움직이는 기준 자세의 각속도입니다.' },
   'tolerance.position': {
     name: '위치 허용 오차',
     help: '방향각도 맞으면서 목표에 이만큼 가까우면 도착으로 봅니다.',
@@ -115,7 +115,7 @@ export const settings = {
       ep: '진화 프로그래밍',
       random: '무작위 탐색',
       de: '차분 진화',
-      'cma-es': 'CMA-ES(공분산 적응)',
+      'cma-es': 'CMA-ES(공분산 행렬 적응)',
       'one-plus-one-es': '(1+1)-ES, 1/5 규칙',
       'nelder-mead': '넬더–미드',
       'one-at-a-time': '이득을 하나씩',
@@ -124,12 +124,12 @@ export const settings = {
   },
   'evolution.belowZero': {
     name: '0보다 작은 이득',
-    help: '벌점을 매기고 그대로 시험하거나, 시험하기 전에 0을 기준으로 뒤집거나 0에서 멈춥니다.',
-    choices: { penalty: '벌점', mirror: '뒤집기', clamp: '0에서 멈추기' },
+    help: '벌점을 매기고 그대로 시험하거나, 시험하기 전에 0을 기준으로 뒤집거나 0으로 바꿉니다.',
+    choices: { penalty: '벌점', mirror: '뒤집기', clamp: '0으로 바꾸기' },
   },
   'evolution.step': {
-    name: '변이의 분포',
-    help: '변이가 따르는 분포입니다. 코시 분포의 변이는 대개 더 작지만 가끔 훨씬 큽니다.',
+    name: '돌연변이의 분포',
+    help: '돌연변이가 따르는 분포입니다. 코시 분포에서는 걸음이 대개 더 작지만 가끔 훨씬 큽니다.',
     choices: { gaussian: '가우스', cauchy: '코시' },
   },
   'evolution.adaptation': {
@@ -144,7 +144,7 @@ export const settings = {
   },
   'evolution.crossover': {
     name: '교차',
-    help: '변이하기 전에 부모가 다른 부모와 이득을 하나씩 섞을 확률입니다.',
+    help: '돌연변이에 앞서 부모가 다른 부모와 이득을 하나씩 섞을 확률입니다.',
   },
 };
 

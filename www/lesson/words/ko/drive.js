@@ -25,11 +25,11 @@ export const drive = {
       choices: ['더 빨리 도착하고 J도 낮아진다', '더 빨리 도착하지만 J는 높아진다', '더 늦게 도착한다'],
       /** @param {{ gentle: Run, bold: Run }} outcome */
       why: ({ gentle, bold }) =>
-        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. J에서 에너지의 몫은 ${fixed(gentle.cost.energy, 2)} → ${fixed(bold.cost.energy, 2)}, 경로의 몫은 ${fixed(gentle.cost.path, 2)} → ${fixed(bold.cost.path, 2)}입니다. 둘 다 그려져 있고, 5로 달리는 로봇은 고정되어 있습니다.`,
+        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. J에서 에너지의 몫은 ${fixed(gentle.cost.energy, 2)} → ${fixed(bold.cost.energy, 2)}, 경로의 몫은 ${fixed(gentle.cost.path, 2)} → ${fixed(bold.cost.path, 2)}입니다. 둘 다 그려져 있습니다. 5로 달린 주행은 비교할 수 있게 화면에 고정해 두었습니다.`,
     },
   },
   tries: {
-    stops: '첫째 숫자만: 3, 0, 0. 어디에, 왜 멈추는가?',
+    stops: '첫째 숫자만: 3, 0, 0. 어디에 멈추며, 왜 하필 거기인가?',
     onlySecond: '둘째만: 0, 5, 0',
     noDrive: '셋째만: 0, 0, 5',
     negative: '첫째를 0보다 작게: −1, 1, 5',

@@ -69,7 +69,7 @@ export function upsetText(anatomy) {
   const [a, b] = [all[survivor].cost, all[fallen].cost];
   const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
   if (record.wins.length === 0)
-    return `${nameOf(anatomy, survivor)}(J ${write(a)}): 생존. 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)}): 탈락. 서로 겨루지 않고 각자 자기 ${record.mutations.length > 0 ? '부모' : '개체'}와만 비교합니다.`;
+    return `${nameOf(anatomy, survivor)}(J ${write(a)}): 생존. 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)}): 탈락. 서로 겨루지 않고 각자 ${record.mutations.length > 0 ? '자기 부모' : '원래 개체'}와만 비교합니다.`;
   return `${nameOf(anatomy, survivor)}(J ${write(a)}): ${winsText(record.wins[survivor])}, 생존. ${nameOf(anatomy, fallen)}(J ${write(b)}): ${winsText(record.wins[fallen])}, 탈락. 상대를 잘 만난 운입니다.`;
 }
 
@@ -143,7 +143,7 @@ export const givenText = (gains) =>
 /** What becomes of gains that are drawn there. */
 export const belowZeroText = {
   mirror: '0보다 작은 이득은 시험하기 전에 0을 기준으로 뒤집습니다.',
-  clamp: '0보다 작은 이득은 시험하기 전에 0에서 멈춥니다.',
+  clamp: '0보다 작은 이득은 시험하기 전에 0으로 바꿉니다.',
 };
 /** @param {string} sigma */
 export const floorText = (sigma) => `σ는 ${sigma} 아래로 내려가지 않습니다.`;

@@ -242,7 +242,7 @@ export const staysText = (gain) => `${gain} 그대로`;
 /** @param {string} times @param {string} sigma */
 export const apartText = (times, sigma) => `σ의 ${times}배, σ는 ${sigma}`;
 /** Where it cannot be told what was drawn. */
-export const heldText = '0보다 작게 뽑혀 0에서 멈춤';
+export const heldText = '0보다 작게 뽑혀 0으로 바꿈';
 export const mirroredText = '뽑은 값 그대로, 또는 0을 기준으로 뒤집은 값';
 /** @param {string} step */
 export const nextStep = (step) => `다음 걸음: ${step}`;
@@ -250,7 +250,7 @@ export const nextStep = (step) => `다음 걸음: ${step}`;
 export const weightText = (weight) => fixed(weight, 3);
 /** @param {number} weight */
 export const weighedText = (weight) =>
-  weight > 0 ? `전체 1 가운데 ${weightText(weight)}의 가중치를 가집니다.` : '반영되지 않습니다.';
+  weight > 0 ? `가중치의 합을 1로 할 때 ${weightText(weight)}만큼 반영됩니다.` : '반영되지 않습니다.';
 /** @param {import('../detail-methods.js').Successes} successes */
 export const successText = ({ steps, won }) =>
   `최근 ${steps}걸음 중 ${won}걸음 성공: 다섯 번에 한 번${5 * won > steps ? '보다 많습니다' : 5 * won === steps ? '입니다' : '보다 적습니다'}.`;

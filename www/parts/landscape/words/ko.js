@@ -5,15 +5,15 @@ import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 export * from './common.js';
 
 export const texts = {
-  landscapePicture: 'J의 비용 지형',
-  landscapeTitle: 'J의 비용 지형',
+  landscapePicture: 'J의 지형',
+  landscapeTitle: 'J의 지형',
   landscapeAcross: '가로축의 이득',
   landscapeUp: '세로축의 이득',
   landscapeFollows: '주행과 같게',
 };
 
 export const mapLabel =
-  '두 이득에 대한 J의 비용 지형. 화살표 키로 커서를 옮기고, Shift와 함께 더 크게 옮깁니다. Enter를 누르면 커서가 가리키는 이득으로 주행합니다.';
+  '두 이득에 대한 J의 지형. 화살표 키로 커서를 옮기고, Shift와 함께 더 크게 옮깁니다. Enter를 누르면 커서가 가리키는 이득으로 주행합니다.';
 
 /** @param {string} name */
 export const thirdLabel = (name) => `${name}, 모든 점에서 같은 값`;

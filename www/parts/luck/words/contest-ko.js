@@ -24,34 +24,34 @@ export const contestTexts = {
   nobody: '–',
   ingredients: '구성 요소 하나 바꾸기',
   rivals: '경쟁 방법',
-  target: '목표 J',
+  target: '목푯값 J',
   until: '읽는 시점의 주행 횟수',
   reading: '어떤 그림',
   fewer: '시드를 더 적게 썼다면',
   otherSeeds: '다른 시드로',
-  usualTarget: '기본 목표로',
-  caption: '주행 횟수로 본 결과: 누가 언제 목표에 이르는가',
+  usualTarget: '기본 목푯값으로',
+  caption: '주행 횟수로 본 결과: 누가 언제 목푯값에 이르는가',
 };
 
 /** @type {import('../../../kit/segmented.js').Choices<import('../state.js').LuckState['reading']>} */
 export const readings = {
-  course: { text: '주행에 따른 J', hint: '주행 횟수에 따른 최소 J와 목표에 이른 비율' },
+  course: { text: '주행에 따른 J', hint: '주행 횟수에 따른 최소 J와 목푯값에 이른 비율' },
   targets: {
-    text: '목표 51개',
-    hint: '최소 J보다 10% 높은 값부터 0.1% 높은 값까지 목표 51개 가운데 이른 비율',
+    text: '목푯값 51개',
+    hint: '최소 J보다 10% 높은 값부터 0.1% 높은 값까지 목푯값 51개 가운데 이른 비율',
   },
   ends: { text: '마지막 J', hint: '실행마다 끝난 곳, 시드 하나에 점 하나' },
-  table: { text: '표', hint: '누가 언제 목표에 이르는가' },
+  table: { text: '표', hint: '누가 언제 목푯값에 이르는가' },
 };
 
 export const asInLab = '실험실 그대로';
 /** @type {Readonly<Record<Contestant, string>>} */
 const names = {
-  cauchy: '코시 변이',
+  cauchy: '코시 돌연변이',
   fixed: 'σ 고정(적응 없음)',
   'floor-0.01': 'σ 하한 0.01',
   'floor-0.1': 'σ 하한 0.1',
-  truncation: '토너먼트 없이 가장 낮은 J 선택',
+  truncation: '절단 선택: 가장 낮은 J가 생존',
   parent: '자손 대 부모',
   crossover: '교차 0.5',
   'n-6': 'N = 6',
@@ -94,7 +94,7 @@ export const drivesChoice = (drives) => `주행 ${grouped(drives)}회`;
 export const asOne = (starts) => (starts > 1 ? `(출발점 ${starts}개를 한 번으로 셈)` : '');
 export const wholeNumber = grouped;
 /** @param {number} low @param {number} high */
-export const intervalText = (low, high) => `${grouped(low)}–${Number.isFinite(high) ? grouped(high) : '∞'}`;
+export const intervalText = (low, high) => `${grouped(low)}~${Number.isFinite(high) ? grouped(high) : '∞'}`;
 
 /** @param {number} done @param {number} all */
 export const contestProgress = (done, all) => `실행 ${all}회 중 ${done}회`;
@@ -116,13 +116,13 @@ export const contestInvitation = ({ seeds, budget }, starts) =>
 export const usualTargetText = ({ cost, name, seed }) =>
   `최소 J ${targetText(cost)}보다 0.2% 높은 값(${shortName(name)}, 시드 ${seed})`;
 /** @param {string} was */
-export const targetRefused = (was) => `목표는 수여야 하는데, 입력한 값은 “${was}”입니다.`;
+export const targetRefused = (was) => `목푯값은 수여야 하는데, 입력한 값은 “${was}”입니다.`;
 
 export const drivesAxis = '주행 횟수';
 /** What comes where no contest has run. */
 export const emptyCosts = '참가자마다 J의 중앙값';
-export const shareAxis = '목표에 이른 비율';
-export const targetsAxis = '목표 51개 가운데 이른 비율';
+export const shareAxis = '목푯값에 이른 비율';
+export const targetsAxis = '목푯값 51개 가운데 이른 비율';
 /** @param {number} drives */
 export const untilText = (drives) => `주행 ${grouped(drives)}회까지 읽음, 끝까지 보기`;
 /** @param {number} count @param {number} seeds */
@@ -130,18 +130,18 @@ export const seedsText = (count, seeds) => `시드 ${seeds}개 가운데 ${count
 /** @param {number} told @param {number} count */
 export const toldText = (told, count) => `시드 ${count}개를 100번 뽑으면 ${told}번은 차이를 알 수 있습니다.`;
 /** @param {number} target */
-export const targetLine = (target) => `목표 ${targetText(target)}`;
+export const targetLine = (target) => `목푯값 ${targetText(target)}`;
 
 export const contestColumns = [
-  { text: '도달', hint: '목표에 이른 실행의 수' },
+  { text: '도달', hint: '목푯값에 이른 실행의 수' },
   {
     text: 'ERT',
-    hint: '기대 실행 시간: 모든 실행이 목표나 한도까지 쓴 주행 횟수를 목표에 이른 실행의 수로 나눈 값. 옆의 값은 95% 신뢰구간(부트스트랩)',
+    hint: '기대 실행 시간: 모든 실행이 목푯값이나 한도까지 쓴 주행 횟수를 목푯값에 이른 실행의 수로 나눈 값. 옆의 값은 95% 신뢰구간(부트스트랩)',
   },
   { text: 'J 중앙값', hint: '주행 한도에서 J의 중앙값' },
   {
     text: 'A12',
-    hint: '이 참가자의 실행이 첫 참가자의 실행보다 나을 확률: 목표에 더 일찍 이르거나, 둘 다 이르지 못했다면 J가 더 낮은 쪽',
+    hint: '이 참가자의 실행이 첫 참가자의 실행보다 나을 확률: 목푯값에 더 일찍 이르거나, 둘 다 이르지 못했다면 J가 더 낮은 쪽',
   },
   { text: 'p', hint: '같은 순서로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정' },
 ];
@@ -156,23 +156,23 @@ export function verdictText(verdict, name) {
   const who = shortName(name);
   switch (verdict.kind) {
     case 'same':
-      return '모든 실행이 첫 참가자와 똑같습니다. 여기에서는 아무것도 바꾸지 않습니다.';
+      return '모든 실행이 첫 참가자와 똑같습니다. 여기서는 이것을 바꾸어도 달라지는 것이 없습니다.';
     case 'undecided':
       return `${verdict.runs}번의 실행으로는 둘의 차이를 알 수 없습니다.`;
     case 'sooner':
-      return `${who}: 목표에 ${timesText(verdict.times)}배 빨리 이릅니다.`;
+      return `${who}: 목푯값에 ${timesText(verdict.times)}배 빨리 이릅니다.`;
     case 'later':
-      return `${who}: 목표에 이르는 데 주행이 ${timesText(verdict.times)}배 필요합니다.`;
+      return `${who}: 목푯값에 이르는 데 주행이 ${timesText(verdict.times)}배 필요합니다.`;
     case 'mostly':
-      return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번 목표에 이르지만, 첫 참가자는 ${verdict.first}번만 이릅니다.`;
+      return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번 목푯값에 이르지만, 첫 참가자는 ${verdict.first}번만 이릅니다.`;
     case 'hardly':
-      return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번만 목표에 이르고, 첫 참가자는 ${verdict.first}번 이릅니다.`;
+      return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번만 목푯값에 이르고, 첫 참가자는 ${verdict.first}번 이릅니다.`;
     case 'only-this':
-      return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번 목표에 이르지만, 첫 참가자는 한 번도 이르지 못합니다.`;
+      return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번 목푯값에 이르지만, 첫 참가자는 한 번도 이르지 못합니다.`;
     case 'only-first':
-      return `${who}: 목표에 한 번도 이르지 못합니다. 첫 참가자는 실행 ${verdict.runs}번 중 ${verdict.reached}번 이릅니다.`;
+      return `${who}: 목푯값에 한 번도 이르지 못합니다. 첫 참가자는 실행 ${verdict.runs}번 중 ${verdict.reached}번 이릅니다.`;
     case 'surer':
-      return `${who}: 두 실행을 짝지으면 ${percent(1 - verdict.a12)}에서 더 늦지만 실패가 적어서, 평균으로는 목표에 ${timesText(verdict.times)}배 빨리 이릅니다.`;
+      return `${who}: 두 실행을 짝지으면 ${percent(1 - verdict.a12)}에서 더 늦지만 실패가 적어서, 평균으로는 목푯값에 ${timesText(verdict.times)}배 빨리 이릅니다.`;
     case 'riskier':
       return `${who}: 두 실행을 짝지으면 ${percent(verdict.a12)}에서 더 빠르지만 실패가 많아서, 평균으로는 주행이 ${timesText(verdict.times)}배 필요합니다.`;
     default:
@@ -182,6 +182,6 @@ export function verdictText(verdict, name) {
 
 /** @param {readonly string[]} sentences */
 export const contestLabel = (sentences) =>
-  `주행 횟수에 따른 최소 J와 목표에 이른 실행의 비율. ${sentences.join(' ')}`;
+  `주행 횟수에 따른 최소 J와 목푯값에 이른 실행의 비율. ${sentences.join(' ')}`;
 /** @param {number} cost */
 export const medianText = (cost) => (Number.isFinite(cost) ? targetText(cost) : costText(cost));

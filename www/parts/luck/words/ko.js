@@ -60,7 +60,7 @@ export const failed = (message, hasResult) =>
 
 /** @param {readonly Change[]} changes */
 export const outOfDate = (changes) =>
-  `이 결과는 지금의 조건과 다릅니다. 이전 조건: ${changes.map((change) => earlier[change]).join(', ')}.`;
+  `지금과 다른 조건에서 얻은 결과입니다. 바뀐 조건: ${changes.map((change) => earlier[change]).join(', ')}.`;
 
 /** @type {Readonly<Record<Change, string>>} */
 const earlier = { start: '출발', goal: '목표', limits: '제한', settings: '설정' };

@@ -35,7 +35,7 @@ export const percent = (share) => `${fixed(100 * share, 1)}%`;
 export const startsText = (starts, milliseconds) =>
   `출발점 ${grouped(starts)}개, ${fixed(milliseconds, 0)} ms`;
 
-export const tracking = '기준이 움직이므로 도착으로 끝나는 주행이 없습니다.';
+export const tracking = '기준 자세가 움직이므로 도착으로 끝나는 주행이 없습니다.';
 export const computing = '로봇이 주행하고 있습니다…';
 
 /** @param {string} message */

@@ -31,7 +31,7 @@ const limits = {
 /** @type {Readonly<Record<Exclude<Task, 'parking'>, string>>} */
 const tasks = {
   noise: '무작위 외란',
-  tracking: '움직이는 기준',
+  tracking: '움직이는 기준 자세',
   unlimited: '제한 없음',
 };
 
@@ -94,7 +94,7 @@ export const sentences = {
   ],
   drawMean: () => ['이 난수들의 평균은 0에 가깝습니다.', '평균'],
   drawVariance: () => ['그 분산은 1에 가깝습니다.', '분산'],
-  drawCorrelation: () => ['k에 쓴 난수와 σ에 쓴 난수는 서로 관계가 없습니다.', '상관계수'],
+  drawCorrelation: () => ['k에 쓴 난수와 σ에 쓴 난수는 서로 상관이 없습니다.', '상관계수'],
   offspringCosts: () => [
     '모든 자손의 J는 그 이득으로 다시 주행한 비용과 같습니다.',
     '한 비트라도 다른 J의 수',

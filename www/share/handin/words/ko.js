@@ -21,7 +21,7 @@ export const texts = {
   helpWithin:
     '이 페이지를 둘러싼 학습 플랫폼에 결과를 받았다는 안내가 없으면, 이것을 교수님께 내십시오. 텍스트를 붙여 넣거나 링크 또는 파일을 보내면 됩니다.',
   proves:
-    '여는 사람은 로봇의 주행을 보고 J를 마지막 자리까지 다시 계산합니다. 결과를 증명할 뿐, 누구의 것인지는 증명하지 않습니다.',
+    '여는 사람은 로봇의 주행을 보게 되며, J는 그때 마지막 자리까지 다시 계산됩니다. 제출물은 결과를 증명할 뿐, 누구의 것인지는 증명하지 않습니다.',
   text: '제출물',
   link: '제출물의 링크',
   copyText: '텍스트 복사',
@@ -45,8 +45,8 @@ export const wantedText = (wanted) =>
   wanted.kind === 'cost'
     ? `J ${wanted.below} 미만`
     : wanted.kind === 'parks'
-      ? `출발점 ${wanted.of}곳 가운데 ${wanted.least}곳 이상에서 주차`
-      : `진화에 쓰지 않은 출발점 1,000곳의 ${Math.round(1000 * wanted.share) / 10}% 이상에서 주차`;
+      ? `출발점 ${wanted.of}개 가운데 ${wanted.least}개 이상에서 주차`
+      : `진화에 쓰지 않은 출발점 1,000개의 ${Math.round(1000 * wanted.share) / 10}% 이상에서 주차`;
 
 /** @param {number | null} drives */
 export const budgetText = (drives) => (drives === null ? '' : `, 주행 ${drives}회 이내`);
@@ -56,7 +56,7 @@ export const valueText = (wanted, value) =>
   wanted.kind === 'cost'
     ? `J ${costText(value)}`
     : wanted.kind === 'parks'
-      ? `${wanted.of}곳 중 ${value}곳`
+      ? `${wanted.of}개 중 ${value}개`
       : `${Math.round(1000 * value) / 10}%`;
 
 /** @type {Readonly<Record<Thing, string>>} */
@@ -106,7 +106,7 @@ export function receiptText(receipt, address = receipt.link) {
   return [
     head(program, exercise),
     `이름: ${who}`,
-    `${costLine(cost)}, 출발점 ${starts}곳 중 ${parked}곳에서 주차`,
+    `${costLine(cost)}, 출발점 ${starts}개 중 ${parked}개에서 주차`,
     ...(judged
       ? [
           `기준 ${metWord(judged.isMet)}${judged.points === null ? '' : `, ${judged.most}점 만점에 ${judged.points}점`}`,

@@ -58,7 +58,7 @@ function raisedText({ raised, negative, referenceSpeed }) {
     guilty.length > 0
       ? `${guilty.map((part) => gainNames[part]).join(', ')}의 값이 음수여서 `
       : referenceSpeed < 0
-        ? '기준이 뒤로 달려서 '
+        ? '기준 자세가 뒤로 달려서 '
         : '';
   return `${why}${raised.map((part) => errorNames[part]).join(', ')}의 항이 0보다 크므로, 법칙 자체가 V를 키웁니다.`;
 }
@@ -84,7 +84,7 @@ function lawText({ law, isPromised, referenceSpeed }) {
     return 'Kanayama의 규칙은 ky > 0이 아니면 아무것도 보장하지 않습니다. 여기의 V는 법칙 (5)의 것입니다.';
   return referenceSpeed === 0
     ? 'Kanayama의 규칙에서 목표가 멈추어 있으면 V̇에는 앞쪽으로 잰 목표까지의 거리 x만 남습니다. 목표 옆에 이르면 로봇은 그 자리에 머뭅니다.'
-    : 'Kanayama의 규칙에는 고유한 V가 있습니다. x는 로봇의 앞쪽으로 잰 기준까지의 거리입니다.';
+    : 'Kanayama의 규칙에는 고유한 V가 있습니다. x는 로봇의 앞쪽으로 잰 기준 자세까지의 거리입니다.';
 }
 
 /** @param {string} name @param {Summary} summary */

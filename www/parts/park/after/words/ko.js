@@ -10,7 +10,7 @@ export function ending({ best, count }, { parked, generation }) {
   if (parked <= mine)
     return `진화는 로봇 ${count}대 가운데 ${parked}대에서 멈추었고, 직접 찾은 세 수로는 ${mine}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
   return parked === count
-    ? `${generation}세대 만에 출발점 ${count}곳 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화는 로봇마다 수 하나를 받고, 잘 주행한 로봇을 남겼을 뿐입니다.`
+    ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화는 로봇마다 수 하나를 받고, 잘 주행한 로봇을 남겼을 뿐입니다.`
     : `${generation}세대 뒤에 진화는 로봇 ${count}대 가운데 ${parked}대를 주차시킵니다.`;
 }
 
@@ -45,16 +45,16 @@ export const walkedTo = (gains, parked, count) => `${gains.join(', ')}: ${count}
 
 /** @param {number} robot @param {number} count @param {number} seconds */
 export const parkedAfter = (robot, count, seconds) =>
-  `로봇 ${count}대 중 ${robot}번은 ${fixed(seconds, 1)}초 만에 주차했습니다.`;
+  `로봇 ${count}대 중 ${robot}번 로봇은 ${fixed(seconds, 1)}초 만에 주차했습니다.`;
 /** @param {number} robot @param {number} count @param {Missed} missed */
 export function missed(robot, count, { seconds, ahead, aside, degrees, gain: name, asks }) {
   const off = [
-    ahead && `${ahead > 0 ? '뒤로' : '앞으로'} ${fixed(Math.abs(ahead), 2)} m`,
+    ahead && `${ahead > 0 ? '목표에 못 미쳐' : '목표를 지나쳐'} ${fixed(Math.abs(ahead), 2)} m`,
     aside && `옆으로 ${fixed(Math.abs(aside), 2)} m`,
     degrees && `방향으로 ${fixed(Math.abs(degrees), 1)}°`,
   ];
   const asked = asks.map(({ value, unit }) => `${fixed(value, 3)} ${unit}`).join(', ');
-  return `로봇 ${count}대 중 ${robot}번은 주차하지 못했습니다. ${fixed(seconds, 0)}초 뒤에 ${off.filter(Boolean).join(', ')} 벗어나 있습니다. 그곳에서 ${name}의 명령: ${asked}.`;
+  return `로봇 ${count}대 중 ${robot}번 로봇은 주차하지 못했습니다. ${fixed(seconds, 0)}초 뒤에 ${off.filter(Boolean).join(', ')} 벗어나 있습니다. 그곳에서 ${name}의 명령: ${asked}.`;
 }
 export const watchThis = '이 로봇을 실험실에서 보기';
 export const previous = '앞 로봇';
