@@ -54,6 +54,7 @@ const engine = /** @type {Engine} */ (
     surveys: {
       evolve: async (/** @type {Experiment} */ from, /** @type {number} */ generations) => ({
         hash: hashOf(from, generations),
+        history: { best: [], median: [] },
       }),
     },
   })
@@ -80,10 +81,12 @@ export function checkLink(link) {
   const again = openLink(written, engine);
   assert.deepEqual(again.problems, [], written);
   assert.equal(linkAgain(again.opened), written);
-  // What is tried is in the links of the parts that try it only, and who works on it in those of exercises.
+  // What is tried is in the links of the parts that try it only, the sliders of Park in its own, and who works on it in those of exercises.
   const { page, trial, exercise, student } = opened;
+  const { park, ...others } = opened.parts;
   const kept = {
     ...opened,
+    parts: page === 'park' ? opened.parts : others,
     student: { ...student, who: isEmpty(exercise) ? '' : student.who },
     trial: {
       start: places.triesStarts(page) ? trial.start : null,
@@ -164,6 +167,8 @@ export async function fuzz(count, seed) {
   const usual = openLink('', engine);
   fc.assert(fc.property(anyLink, checkLink), { numRuns: count, seed });
   fc.assert(fc.property(anyExperiment, checkExperiment), { numRuns: Math.ceil(count / 100), seed });
+  // That of a run is opened as long as nobody has changed it.
+  await openRunFile(fileOf('lab', 2), engine, pageLinks);
   await fc.assert(fc.asyncProperty(anyFile, checkFile), { numRuns: Math.ceil(count / 100), seed });
   // What went before has left no trace.
   assert.deepEqual(openLink('', engine), usual);

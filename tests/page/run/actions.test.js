@@ -1,6 +1,8 @@
 // What the controls do, without the controls.
 import assert from 'node:assert/strict';
 import { breathe } from '../../../www/kit/loop.js';
+import { links } from '../../../www/lesson/links.js';
+import { pageNames } from '../../../www/parts/parts.js';
 import { noErrors } from '../../../www/run/first.js';
 import { lastGeneration, pausesAt } from '../../../www/run/pace.js';
 import { asked } from '../../../www/run/state.js';
@@ -48,6 +50,16 @@ test('a start that a link tries is tried where one can be', () => {
   const start = { x: 2, y: 0, theta: 0 };
   assert.deepEqual(pageOf('robustness&from=2,0,0').store.get().trial.start, start);
   assert.equal(pageOf('curves&from=2,0,0').store.get().trial.start, null);
+});
+
+test('in every part a link tries what the link of what is on screen tries', () => {
+  const { store, open } = pageOf('lab');
+  for (const name of pageNames) {
+    open(`${name}&v=1&from=2,0,0&under=slip,0.5,0.2,1`);
+    const { trial } = store.get();
+    open(links.linkOf(store.get(), experiment));
+    assert.deepEqual(store.get().trial, trial, name);
+  }
 });
 
 const usual = experiment('velocity-limits');

@@ -33,7 +33,7 @@ export function createOpening(basis, catchUp) {
   /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
   const trialOf = ({ page, trial }, tried) => {
     if (places.triesDisturbance(page)) return { ...trial, disturbance: tried };
-    return places.triesStarts(page) ? trial : noTrial;
+    return places.triesStarts(page) && trial.start ? { ...noTrial, start: trial.start } : noTrial;
   };
 
   return {
