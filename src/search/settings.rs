@@ -33,7 +33,7 @@ words! {
     pub enum Step {
         /// Normally, as in the paper.
         Gaussian = "gaussian",
-        /// As Cauchy's distribution has it: often smaller, at times much larger.
+        /// As Cauchy's distribution has it: small less often, at times much larger.
         Cauchy = "cauchy",
     }
 }

@@ -89,7 +89,7 @@ pageTest('evolution stops at the first J below the one that is asked for', async
   await rests(page);
   assert.deepEqual(await readEvolution(page), expected(generation));
   const { cost } = evolution.statistics().best;
-  const said = `The best J of generation ${generation}, ${cost.toFixed(3)}, is below 7.9. Run goes on.`;
+  const said = `The best J of generation ${generation}, ${cost.toFixed(3)}, is below 7.9. Press Run to go on.`;
   assert.equal(await page.text('#evolution-note'), said);
   await choose(page, 'pace', 'fastest');
   await page.click('#run');

@@ -131,7 +131,7 @@ pageTest('what ran before is said to be out of date once another contest is set 
   assert.equal(await status(), '');
   for (const change of ['contestant-2 option[value="cauchy"]', 'contest-seeds option[value="51"]']) {
     await page.click(`#${change}`);
-    assert.match(await status(), /^Out of date: this is the contest of before/);
+    assert.match(await status(), /^Out of date: this is the earlier contest/);
     assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, null));
     assert.deepEqual(await page.obstacles(), []);
   }

@@ -64,7 +64,7 @@ const gainsText = (gains) => gains.map((gain) => fixed(gain, gain < 10 ? 2 : 0))
 export const swarm = {
   /** @param {string} name @param {number} parked @param {number} starts */
   label: (name, parked, starts) =>
-    `${name}: robots drive from ${starts} starts around one bay. In the end ${parked} of them have parked.`,
+    `${name}: robots drive from ${starts} starts around one goal. In the end ${parked} of them have parked.`,
   parked: 'parked',
   /** @param {number} starts */
   ofStarts: (starts) => `of ${starts}`,
@@ -78,8 +78,7 @@ export const swarm = {
 };
 export const askAgain = 'Ask me again';
 export const lapsed = 'Something was changed before the answer was there. Predict again.';
-export const saidElsewhere =
-  'It was explained in the other language. To read it here, let yourself be asked again.';
+export const saidElsewhere = 'It was explained in the other language. To read it here, press “Ask me again”.';
 export const otherWeights = 'The other weights';
 
 export const steps = {

@@ -75,7 +75,7 @@ export const fingerprint = (hash, generations) =>
   `Fingerprint of generations 0 to ${generations}: ${hash}. It is the same wherever this link is opened.`;
 
 export const copied = 'The link is copied.';
-export const notCopied = 'This browser lets no page copy: the link is selected, copy it by the keyboard.';
+export const notCopied = 'This browser lets no page copy: the link is selected, copy it with the keyboard.';
 
 /** The exercise as a package for a learning platform. */
 export const scorm = {
@@ -148,7 +148,8 @@ export const sizeLegend = 'Size of the frame';
 
 export const textCopied = 'The text is copied.';
 
-export const textNotCopied = 'This browser lets no page copy: the text is selected, copy it by the keyboard.';
+export const textNotCopied =
+  'This browser lets no page copy: the text is selected, copy it with the keyboard.';
 
 /** What a screen reader says of the frame. @param {string} part */
 export const frameTitle = (part) => `Evolving a robot’s controller: ${part}`;
@@ -189,7 +190,7 @@ export const wrongPoints = (most) =>
 export const aims = {
   none: 'nobody checks',
   cost: 'J is below',
-  parks: 'it parks from, of',
+  parks: 'it parks from … of … starts',
   unseen: 'share of unseen starts',
 };
 

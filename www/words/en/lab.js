@@ -80,7 +80,7 @@ export const taglines = (population) => ({
   landscape:
     'Every point is a robot with gains of its own, its colour the cost of its drive. Drag the goal: the valley moves.',
   robustness:
-    'The same gains from everywhere: where does the robot arrive? Click a place to watch it from there.',
+    'The same gains from everywhere: where does the robot arrive? Press a place to watch it start there.',
   training:
     'Gains evolved on one start have learned that start. Evolve on many, test on starts never seen before.',
   disturbance:
@@ -241,11 +241,11 @@ export function progressText(first, newest) {
 }
 
 /** @param {number} generation */
-export const restText = (generation) => `Paused at generation ${generation}. Run goes on.`;
+export const restText = (generation) => `Paused at generation ${generation}. Press Run to go on.`;
 
 /** @param {number} value Below which J was to come. @param {Statistics} statistics */
 export const reachedText = (value, { generation, best }) =>
-  `The best J of generation ${generation}, ${costText(best.cost)}, is below ${sixDigits(value)}. Run goes on.`;
+  `The best J of generation ${generation}, ${costText(best.cost)}, is below ${sixDigits(value)}. Press Run to go on.`;
 
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>

@@ -57,11 +57,11 @@ export const settings = {
   'starts[0].y': { name: 'Start y', help: 'Where the robot starts; you can also drag it on the plane.' },
   'starts[0].theta': {
     name: 'Start heading',
-    help: 'Where the robot looks when it starts; 90° looks up the plane.',
+    help: 'Which way the robot points when it starts; 90° is straight up the plane.',
   },
   'goal.x': { name: 'Goal x', help: 'Where the robot should stop; you can also drag it on the plane.' },
   'goal.y': { name: 'Goal y', help: 'Where the robot should stop; you can also drag it on the plane.' },
-  'goal.theta': { name: 'Goal heading', help: 'Where the robot should look in the end.' },
+  'goal.theta': { name: 'Goal heading', help: 'Which way the robot should point in the end.' },
   'referenceVelocity.linear': {
     name: 'Reference speed',
     help: '0 means parking. With a speed, the reference leaves the goal and the robot follows it until the horizon.',
@@ -72,11 +72,11 @@ export const settings = {
   },
   'tolerance.position': {
     name: 'Position tolerance',
-    help: 'So near to the goal counts as arrived, if the heading is right too.',
+    help: 'Within this distance of the goal the robot has arrived, if its heading is right too.',
   },
   'tolerance.heading': {
     name: 'Heading tolerance',
-    help: 'So near to the heading of the goal counts as arrived.',
+    help: 'Within this angle of the goal’s heading the robot has arrived, if its position is right too.',
   },
   'tolerance.speed': {
     name: 'Speed tolerance',
@@ -143,7 +143,7 @@ export const settings = {
   },
   'evolution.step': {
     name: 'Steps',
-    help: 'How mutations are distributed: Cauchy’s are often smaller, and at times much larger.',
+    help: 'How mutations are distributed: Cauchy steps are small less often, and at times much larger.',
     choices: { gaussian: 'Gaussian', cauchy: 'Cauchy' },
   },
   'evolution.adaptation': {

@@ -129,7 +129,7 @@ export const settings = {
   },
   'evolution.step': {
     name: '돌연변이의 분포',
-    help: '돌연변이가 따르는 분포입니다. 코시 분포에서는 걸음이 대개 더 작지만 가끔 훨씬 큽니다.',
+    help: '돌연변이가 따르는 분포입니다. 코시 분포에서는 작은 걸음이 더 드물고, 가끔 훨씬 큰 걸음이 나옵니다.',
     choices: { gaussian: '가우스', cauchy: '코시' },
   },
   'evolution.adaptation': {

@@ -5,12 +5,12 @@
 
 export const build = {
   texts: {
-    begin: `Everything you have seen fits into about seventy lines of program. This step says what they must hold, and gives you five numbers by which you know that yours are right.`,
+    begin: `The robot and its evolution fit into about seventy lines of program. This step says what they must contain, and gives you five numbers by which you know that yours are right.`,
     motion: `*The robot.* Its posture changes with {v} and {w}, and with nothing else. A program keeps both for one sample of 0.01 s; then the robot drives an exact arc, which needs no approximation. The law (5) commands them, for a goal at rest:`,
-    errors: `*Its errors* follow from that. You need not integrate them, (3) gives them at every sample; but with them you can check the proof of step 4 by pencil:`,
-    program: `*The program.* One drive, and one generation. Press the phases of the figure: the lines that do it light up.`,
+    errors: `*Its errors* change with {v} and {w} too. You need not integrate (4), for (3) gives the errors at every sample; but with (4) you can check the proof of step 4 with a pencil:`,
+    program: `*The program.* One drive, and one generation. Press a phase in the figure: the lines that carry it out light up.`,
     check: `*Is it right?* Check the law first, then one drive, then another. All digits come from the program of this page as it runs now; yours may differ in the last two or three.`,
-    task: `*An open task.* In step 12 one price made the difference. Now leave the prices alone, {R} = 1, 1, and find another way to make more than 95 % of unseen starts park: a longer horizon, a price for each start that is missed, other starts to evolve on, a floor for {s} … Evolve, test on starts that you did not evolve on, and with five seeds. Say what it costs. And does it hold elsewhere?`,
+    task: `*An open task.* In step 12 one weight made the difference. Now leave the weights alone, {R} = 1, 1, and find another way to park from more than 95 % of unseen starts: a longer horizon, a penalty for each start that is missed, other starts to evolve on, a floor for {s} … Evolve, test on starts that you did not evolve on, and with five seeds. Say what it costs. And does it hold elsewhere?`,
     recap: `*The lesson in seven sentences.*
 
 *1.* Parking means bringing three errors to zero by choosing two velocities.
@@ -31,8 +31,8 @@ export const build = {
     title: 'Your predictions',
     /** @param {Counts} counts */
     counts: ({ all, answered, right }) =>
-      `Of the ${all} questions on the path you have answered ${answered}; ${right === answered ? 'all' : right || 'none'} came as you predicted.`,
-    otherwise: 'These came otherwise. What would you predict now?',
+      `Of the ${all} questions on the path you have answered ${answered}; ${right === answered ? 'all' : right || 'none'} came out as you predicted.`,
+    otherwise: 'These came out otherwise. What would you predict now?',
   },
   program: {
     label: 'One drive and one generation as pseudo-code',

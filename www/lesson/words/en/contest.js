@@ -22,13 +22,13 @@ function rankText({ comparison, count }, name) {
 
 export const contest = {
   texts: {
-    begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for a generation of one may cost ten times as many drives as that of another.
+    begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel of step 9 what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for a generation of one may cost ten times as many drives as that of another.
 
 Two things can be asked of a run: how low is {J} when the drives are used up, or *how many drives until {J} is below a target*? Here it is the second: 7.72, a quarter of a percent above the best that is known.`,
-    read: `That is how such a result looks, and it is a result. The shaded bands, half of the runs each, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would be as uneven. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
+    read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would be as uneven. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
     drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Had we asked for 8.09 alone, we would have called them a waste.`,
-    slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then slide to 3, to 10, to 20. A few runs do not lie. They leave the question open, and it is we who read an answer into them.`,
-    budget: `Drag the *upright* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: what has not arrived by then mostly never does. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
+    slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then slide to 3, to 10, to 20. So few runs do not lie: they leave the question open, and it is we who read an answer into them.`,
+    budget: `Drag the *vertical* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: a run that has not reached the target by then mostly never does. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
     ellipse: `Why does CMA-ES, the famous one, lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it follows the best three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a wall: below {ky} = 0 there is the penalty.
 
 There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=55), or [let it try twenty](landscape&x=kx&y=ky&evolution.method=cma-es&generation=19) before it decides. Which helps more? The last of the things to try lets them run. So was it the method that lost, or whoever set it up?`,
@@ -90,16 +90,16 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
   },
   tries: {
     floor: 'The remedy of step 8: {s} never below 0.1, with 20\u202f000 drives',
-    crossover: 'Three more parts: crossover, Cauchy’s steps, each child against its own parent',
+    crossover: 'Three more parts: crossover, Cauchy steps, each child against its own parent',
     robots: 'Six, twenty or a hundred robots, to {J} = 7.8',
     hand: 'One gain after the other, as a hand does with sliders that end at 0; the same without that end; and a simplex',
     remedies: 'CMA-ES and its remedies',
   },
   notice: [
     'Of the other three parts only crossover makes the search better, as far as can be told: robots trade gains *and* step sizes. The paper has none.',
-    'Cauchy’s steps make no difference that 51 runs could show; letting each child fight only its own parent is fatal.',
-    'With a floor far fewer runs are lost in the end, but none gets much below its target either: then the steps are too long.',
+    'Cauchy steps make no difference that 51 runs could show; letting each child fight only its own parent is fatal.',
+    'With a floor, far fewer runs are lost in the end, but none gets much below the target either: by then the steps are too long.',
     'Whether six robots come to 7.8 sooner than twenty, 51 runs cannot tell. A hundred need twice as many drives.',
-    'A hand that moves one slider after the other does well here, for the best {ky} lies at the end of its slider. Take the end away, and it is lost.',
+    'A hand that moves one slider after the other does well here, for the best {ky} lies at 0, where such sliders end. Without that end it is lost.',
   ],
 };

@@ -5,8 +5,8 @@ import { costText, fixed } from '../../../words/en/numbers.js';
 
 export const cost = {
   texts: {
-    parts: `Hasty drives, patient ones, some that never arrive: which is *good*? Somebody has to decide, and to say it in one number. The authors add up five prices:`,
-    each: `The *time* until the robot arrives. The *final* error: what is missing at the end. The *path*: the error on the way, in place and in heading, squared and integrated over time: staying far away for long is costly. The *energy*: speed and turn rate, squared and integrated. Both integrals count by half; that makes the energy {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}.) Point at a part: its piece of the bar lights up.`,
+    parts: `Hasty drives, patient ones, some that never arrive: which is *good*? Somebody has to decide, and to say it in one number. The authors add up five parts:`,
+    each: `The *time* until the robot arrives. The *final* error: how far off the robot is at the end, in place and in heading, squared. The *path*: the error on the way, in place and in heading, squared and integrated over time: staying far away for long is costly. The *energy*: speed and turn rate, squared and integrated. Both integrals count half; that makes the energy {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}.) Point at a part: its piece of the bar lights up.`,
     weights: `What is a second worth, and what a hard turn? The *weights* say so: {Rv} and {Rw}, together {R}, for driving and turning, {W} for the final error, {kappa} for the penalty. *The paper does not give them.* We chose 1, and 1000 for {kappa}. With other weights another drive is the best. Four drives stand beside these words: press one to drive it, and move the weights.`,
     ky: `And {ky}? With our weights and from the paper’s start, {kx} = 3 and {kt} = 5 cost {=none} if {ky} is 0, {=one} if it is 1, {=eight} if it is 8. Nothing there needs it, as step 3 showed: it only costs. J counts this one drive and no other. Keep that in mind.`,
     next: `So evolution gets one number to bring down. That is all it ever learns of the robot. How does it search?`,
@@ -30,7 +30,7 @@ export const cost = {
       ],
       /** @param {{ runs: Run[] }} outcome */
       why: ({ runs: [ep, arbitrary, gentle] }) =>
-        `Now J is ${costText(ep.cost.total)} for the EP gains, ${costText(arbitrary.cost.total)} for the arbitrary and ${costText(gentle.cost.total)} for the gentle ones. Energy alone is ${fixed(ep.cost.energy, 1)}, ${fixed(arbitrary.cost.energy, 1)} and ${fixed(gentle.cost.energy, 1)} of it. The drives are what they were; the prices have changed.`,
+        `Now J is ${costText(ep.cost.total)} for the EP gains, ${costText(arbitrary.cost.total)} for the arbitrary and ${costText(gentle.cost.total)} for the gentle ones. Energy alone is ${fixed(ep.cost.energy, 1)}, ${fixed(arbitrary.cost.energy, 1)} and ${fixed(gentle.cost.energy, 1)} of it. The drives are what they were; the weights have changed.`,
     },
     home: {
       question:

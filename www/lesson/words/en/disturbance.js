@@ -4,10 +4,10 @@ import { fixed } from '../../../words/numbers.js';
 export const disturbance = {
   texts: {
     slip: `Until now the wheels did exactly what they were told. Now the ground slips: {=push}\u00a0m/s is added to whatever speed the robot drives. It runs past the goal, and there it stands, {=distance}\u00a0m away, for good. The picture beside the plane shows the last centimetres.`,
-    why: `Why just there? At this place the law commands {=command}\u00a0m/s: backwards, as fast as the ground slides forwards. Nearer to the goal its command {kx} {xe} cos {te} is weaker than the ground.`,
+    why: `Why just there? At this place the law commands {=command}\u00a0m/s: backwards, as fast as the ground slides forwards. Nearer to the goal its command {kx} {xe} cos {te} is slower than the ground slides.`,
     theorem: `Must one know how the ground pushes? No: Theorem 2 asks only for a *bound*. The push {d1} on the speed never exceeds {e1}, the push {d2} on the turn rate never exceeds {e2}. The pushes add ({ye} sin {te} − {xe} cos {te}) {d1} − {d2} sin {te} to the rate of {V}. As long as each part of step 4 outweighs its share of that, {V} falls:`,
     sets: `Near the goal they cannot all hold: the right side of (6), for one, grows without end. So an error may remain. Solved for the error, each gives a *set* around zero: a coloured band under the curves, a strip in the picture of the last centimetres. *Larger gains, smaller sets*: so, says the paper, one chooses gains for an error that one allows.`,
-    unknown: `What does the theorem not know? *Limits* and *samples*: with gains of 250 a robot that looks 100 times a second *chatters*. And *time*: without a push the error goes to 0, but how fast? With {ky} = {=ky}, from {=starts} other starts, up to {=left}\u00a0m of {ye} are left in the last two of {=horizon} seconds.`,
+    unknown: `What does the theorem leave out? *Limits*: the paper counts what they cut off as part of the push, but near sin {te} = 0 that has no bound. *Samples*: with gains of 250 a robot that gets a new command 100 times a second *chatters*. And *time*: without a push the error goes to 0, but how fast? With {ky} = {=ky}, from {=starts} other starts, up to {=left}\u00a0m of {ye} are left in the last two of {=horizon} seconds.`,
     next: `So much for what can be proved. Now for the paper’s own numbers: do ours agree with them?`,
   },
   near: {
@@ -68,7 +68,7 @@ export const disturbance = {
     'Under the slip straight ahead the robot ends just on the edge of the set of (6): a smaller one would be wrong.',
     'Under the slip that turns, |sin θₑ| stays a little outside its set, and it may: the theorem promises something only outside *all three*.',
     'With {ky} near zero the set of (7) is metres wide. What evolution saved is missing here.',
-    'Under random pushes along the way {xe} and {ye} stay far inside their sets: the theorem allows for the worst.',
+    'Under random pushes on the speed {xe} and {ye} stay far inside their sets: the theorem allows for the worst.',
   ],
 };
 

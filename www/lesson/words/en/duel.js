@@ -8,7 +8,7 @@ const trialsText = (count) => (count === 1 ? '1 trial' : `${grouped(count)} tria
 
 export const duel = {
   texts: {
-    begin: `One robot from one start was easy. Now the same three gains must park it *from 32 starts*, all around the bay and pointing anywhere. {J} is the mean over all 32 drives, and turning counts only a tenth as much as before ({Rw} = 0.1).
+    begin: `One robot from one start was easy. Now the same three gains must park it *from 32 starts*, all around the goal and pointing anywhere. {J} is the mean over all 32 drives, and turning counts only a tenth as much as before ({Rw} = 0.1).
 
 You go first. Move the sliders under the picture, or type numbers. Each time you let go of a slider, 32 robots drive: that is *one trial*, however far you dragged. When you are content, *lock in your best*.
 
@@ -67,7 +67,7 @@ Then evolution has its turn: {=count} robots for {=generations} generations, {=g
   },
   tries: {
     luck: 'A hundred seeds of the easy task in the part Luck: how often does random search stay ahead there?',
-    dear: 'The same contest with turning as costly as driving: {Rw} = 1',
+    dear: 'The same duel with turning as costly as driving: {Rw} = 1',
     sharp: 'Start from 12, 12, 6, near the best that the sliders allow',
   },
   notice: [

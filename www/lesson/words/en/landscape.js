@@ -44,12 +44,12 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
   tries: {
     walked: 'A hundred generations later',
     smooth: 'The same map with {ky} = 0: no ripples',
-    deep: '{ky} upwards, as a logarithm: the path leaves the map at the bottom. How small {ky} is stands under it',
+    deep: '{ky} upwards, as a logarithm: the path leaves the map at the bottom. The line under the map says how small {ky} is',
     stuck: 'The goal at 0°, seed 3: stuck in a gorge',
   },
   notice: [
     'Most of the time the best stands still. Now and then an offspring lands on better ground, and the line jumps.',
-    'The thin cross through a dot shows its step sizes σ. In the gorge they have shrunk to nothing: the robots see no way on, though {J} falls on the left.',
+    'The thin cross through a dot shows its step sizes σ. In the gorge they have shrunk to nothing: the robots see no way on, though {J} falls to the left.',
     'The dots have a {ky} of their own, so the colour under a dot is not quite its {J}.',
     'The gains of the paper lie in this valley too, though the paper does not tell its weights.',
   ],

@@ -7,8 +7,8 @@ export const law = {
   texts: {
     one: `This robot starts below the goal, so all three errors are there. *Only {kx} is on*; the other two gains are 0. It drives until {xe} is gone and stays there: {=side} m to the side, and turned wrong by {=turned}.
 
-A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the law asks for. They stand beside these words. Grey: beyond what the wheels can do.`,
-    written: `The clock stands where the law asks for most. Move it, and the bars follow the robot; move a slider, and they change at once. The formula says the same: point at a term, and its slider, its pushes and its errors light up.`,
+A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the *law* asks for: the rule that turns the errors into {v} and {w}. The bars stand beside these words. Grey: beyond what the wheels can do.`,
+    written: `The clock stands where the law asks for most. Move it, and the bars follow the robot; move a slider, and they change at once. The formula, the paper’s (5) for a goal at rest, says the same: point at a term, and its slider, its pushes and its errors light up.`,
     each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. (Two more terms of {w} contain {ye}: the next step shows what they cancel.) Now two gains together.`,
     sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from this start the gains 3, 8, 5 ask for {=most} rad/s after {=at} s, and the limits leave {=leaves}.`,
     next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and at every instant the wheels do what is asked.`,
@@ -36,11 +36,11 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
       why: ({ arrived, error, time }) =>
         arrived
           ? `It arrives after ${fixed(time, 2)} s.`
-          : `It parks ${fixed(Math.hypot(error.x, error.y), 2)} m from the goal: {xe} is ${fixed(error.x, 2)} m, {te} is ${degreesText(error.theta)}, and {ye} is ${fixed(error.y, 2)} m. With {xe} and sin {te} at zero, every push is zero.`,
+          : `It stops ${fixed(Math.hypot(error.x, error.y), 2)} m from the goal: {xe} is ${fixed(error.x, 2)} m, {te} is ${degreesText(error.theta)}, and {ye} is ${fixed(error.y, 2)} m. With {xe} and sin {te} at zero, every push is zero.`,
     },
     ahead: {
       question: 'The same gains, {ky} still 0, but from the paper’s own start: 0 m, 0 m, 0°. And now?',
-      choices: ['It arrives', 'It parks beside the goal again', 'It comes near, pointing the wrong way'],
+      choices: ['It arrives', 'It stops beside the goal again', 'It comes near, pointing the wrong way'],
       /** @param {{ arrived: boolean, error: Posture, time: number, farthest: number }} outcome */
       why: ({ arrived, error, time, farthest }) =>
         arrived

@@ -2,7 +2,7 @@
 
 export const lecturers = {
   texts: {
-    begin: `Everything on this page is in its link: what you set up before the lecture opens on any machine as you left it, with the same numbers to the last digit. *Share* gives the link, the pictures and the tables. *Settings* holds every number of the experiment. Keys: press *?*.
+    begin: `Everything on this page is in its link: what you have set up opens on any machine as you left it, with the same numbers to the last digit. *Share* gives the link, the pictures and the tables. *Settings* holds every number of the experiment. Keys: press *?*.
 
 *Share* also makes an exercise: a link with a task in your words, in which you lock or hide what your students should leave alone. Nothing in it is secret: they can always open the whole page.`,
     cite: `*How to cite.* The method: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. This program: ep-locomotion, version {=version}; its CITATION.cff holds the entry. What the paper leaves open and we chose stands in [the step on the paper’s numbers](lesson&step=paper).`,
@@ -58,15 +58,15 @@ export const lecturers = {
     },
     plan: {
       title: 'Ninety minutes, for a class',
-      note: 'Students have the page before them. Questions are answered before they are shown.',
+      note: 'Students have the page before them. They answer each question before the page shows what happens.',
       items: {
         play: {
-          text: '*0 to 10 min.* Play: three numbers, one robot. Whose J is the lowest? Write the marks on the board.',
+          text: '*0 to 10 min.* Play: three numbers, one robot. Whose J is the lowest? Write each J on the board.',
           seen: 'Within minutes somebody is below the evolved gains of the paper: from one start it is easy.',
         },
         model: {
           text: '*10 to 25 min.* Steps 2 and 3: three errors, two velocities, a gain for each error. Kinematics and the error posture on the board.',
-          seen: 'With {ky} = 0 the robot parks beside the goal from most places, and arrives from the paper’s start.',
+          seen: 'With {ky} = 0 the robot stops beside the goal from most places, and arrives from the paper’s start.',
         },
         theory: {
           text: '*25 to 37 min.* Step 4: let a student do the chain rule; strike the terms out, press by press.',
@@ -86,7 +86,7 @@ export const lecturers = {
         },
         contest: {
           text: '*65 to 73 min.* Step 9: pairs against evolution, each with a seed of their own. Collect the scores.',
-          seen: 'Hands come to 13 and park 26 of 32. Evolution comes below 13 with nearly every seed, at a {ky} that nobody tried.',
+          seen: 'By hand one comes to a mean J of about 13 and parks 26 of 32. Evolution comes below 13 with nearly every seed, at a {ky} that nobody tried.',
         },
         task: {
           text: '*73 to 86 min.* Step 12: one start, many starts, another price. Predict each before it is shown.',
@@ -137,7 +137,7 @@ export const lecturers = {
       items: {
         negative: {
           text: 'In V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ, let ky be below zero. Which errors can then grow?',
-          seen: 'The second part becomes positive: V can grow while yₑ is large, so the robot may be driven away sideways. Both theorems need all three gains above zero.',
+          seen: 'The second part becomes positive: V grows wherever it outweighs the other two, however small yₑ is, once xₑ and θₑ have faded. So the robot may be driven away sideways. Both theorems need all three gains above zero.',
         },
         best: {
           text: 'Why can the best J of the paper’s EP never rise from one generation to the next?',
@@ -149,7 +149,7 @@ export const lecturers = {
         },
         collapse: {
           text: 'With seed 1, σ has fallen by more than seven powers of ten after 300 generations. What does that say about the gains found, and what would you change?',
-          seen: 'Only that no step helped for long. A lower bound for σ, a restart or a larger population keeps the search alive.',
+          seen: 'Not that they are the best: short steps survive because they spoil little, wherever the search stands. A lower bound for σ, a restart or a larger population keeps the search alive.',
         },
         ky: {
           text: 'Evolution sends ky to zero. Is the robot better without this term?',

@@ -6,7 +6,7 @@ export const paper = {
     same: `All that you have seen follows a paper of 1995, by Jong-Hwan Kim and Hyun-Sik Shim. It gives four drives with their gains and their J. A page that teaches should be able to show them again. Can it?`,
     order: `The *order* is the paper’s: the evolved gains are better than the arbitrary ones, with both kinds of limits. With velocity limits the arbitrary ones cost {=velocity} times as much here, {=paperVelocity} times in the paper; with acceleration limits {=acceleration} times, {=paperAcceleration} in the paper, because here they do not arrive at all. Our own evolution finds {kx} and {kt} of a similar size, and sends {ky} towards zero, as the paper’s did.
 
-The *numbers themselves* are not the paper’s, and no honest program could make them so: J depends on weights and on rules that the paper does not give. We have not tuned them until it fits. This is what stands in the paper, and what we chose where it is silent:`,
+The *numbers themselves* are not the paper’s, and no honest program could make them so: J depends on weights and on rules that the paper does not give. We have not tuned them to make the numbers fit. This is what stands in the paper, and what we chose where it is silent:`,
     figure7: `One picture we cannot reproduce. In Figure 7 the heading of the arbitrary gains 30, 30, 30 stays below 60°. Here it swings up to {=swing}. We know no reading of the acceleration limit that gives the paper’s picture.`,
   },
   quizzes: {
@@ -25,10 +25,10 @@ The *numbers themselves* are not the paper’s, and no honest program could make
   },
   tries: {
     speed:
-      'Who may say that it has parked? Figure 6(a)’s gains, when {v} must be below 0.05 m/s as well: look at {v} and at the distance',
+      'When has a robot parked? Figure 6(a)’s gains, when {v} must be below 0.05 m/s as well: look at {v} and at the distance',
     horizon: 'Let every drive last 3 s instead of until it arrives, and evolve again',
     shortCheap: 'The same 3 s, and energy at a tenth: {R} = 0.1, 0.1. Where is {kx} now?',
-    weights: 'Let the wheels’ work count twice: J grows, the drive is the same',
+    weights: 'Let energy count twice: J grows, the drive is the same',
     figure7: 'Figure 7, arbitrary gains: look at the heading θ',
   },
   notice: [
@@ -84,7 +84,7 @@ The *numbers themselves* are not the paper’s, and no honest program could make
     ['at the start', 'not given', 'the robot is at rest'],
     ['disturbance {delta}', '{qm} + {delta}, put into (2)', 'added after the limits'],
     ['division by sin {te}', 'not given', 'by at least 0.000001, with its sign'],
-    ['draws of a mutation', '{Ni}, i counts robots', 'one for each component, one more common to its σ'],
+    ['draws of a mutation', '{Ni}, i counts robots', 'one for each component, and one shared by all three σ'],
     ['who meets whom', 'random opponents', 'with replacement, never oneself; ties by J, then by number'],
   ],
 };

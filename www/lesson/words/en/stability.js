@@ -7,10 +7,10 @@ const heightText = (V) => (V < 1e4 ? fixed(V, 2) : costText(V));
 export const stability = {
   texts: {
     bowl: `Three errors are hard to watch at once. So take one number for all of them, {V}. Think of a bowl, the one beside the plane: {V} is how high the robot stands on its wall. It is zero only at the bottom, where the robot is parked. At {=time} s it is {=V}. Play the drive, and watch the robot roll.`,
-    falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move when the robot drives at {v} and {w}; for a goal at rest {vr} and {wr} are 0:`,
+    falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move when the robot drives at {v} and {w}; {vr} and {wr}, the goal’s own speed and turn rate, are 0 for a goal at rest:`,
     chain: `How fast does {V} change? By the chain rule:`,
-    left: `What is left is the rate at which {V} changes, the paper’s Theorem 1:`,
-    parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive; and all three are zero together only at the bottom, except at one spot, which the last note below describes. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot rolls down until it is at the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
+    left: `What is left is the rate at which {V} changes. It proves the paper’s Theorem 1, that the errors go to zero; for the proof the paper refers to an earlier one, so this one is ours:`,
+    parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive; and all three are zero together only at the bottom and at one other spot, which the last note below describes. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot rolls down until it is at the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
     before: `Before this law there was a simpler one, by Kanayama and others. It follows a moving goal well. But with it the robot turns only while the goal *moves*.`,
     next: `The proof says that {V} never rises. From another start the program shows that at times it does. Both are right: the next step tells why.`,
   },
@@ -25,7 +25,7 @@ export const stability = {
     said: [
       'Three terms, and a law of five. Put it in:',
       'Seven terms. The number under each is what it comes to at the robot’s clock; move it, and they change. Two of them contain ky and a division by sin θₑ.',
-      'The two are the same, once with plus and once with minus: gone, and the division with them. That is what the second term of ω with ky is for.',
+      'The two are the same, once with plus and once with minus: gone, and the division with them. That is what the term of ω with ky is for.',
       'The two with xₑ yₑ go the same way: that is why kx stands in ω. Three squares are left.',
     ],
     presses: ['Put the law in', 'Strike out the two with ky', 'Strike out the two with kx'],
@@ -65,7 +65,7 @@ export const stability = {
   },
   notice: [
     'Early the blue part is the largest: most of {V} is lost by driving ahead.',
-    'Close to the goal all parts are tiny, and the orange one the tiniest: the fourth power of a small number is very small. The last centimetres to the side take long. The dotted curve is the run that is compared.',
+    'Close to the goal all parts are tiny, and the orange one the tiniest: the fourth power of a small number is very small. The last centimetres to the side take long. The dotted curve is that of the dotted drive, for comparison.',
     'One spot is flat without being the bottom: [on the goal, turned by 180°](curves&view=stability&drives=hand&gains=3,1,5&start=2,2,-135deg). There every term of the law is zero, and {V} stays at 2. It is no hilltop but a *saddle*: sideways the bowl rises, only turning leads down. For seconds nothing happens, until rounding in the last digits has tipped the balance.',
   ],
 };

@@ -10,13 +10,13 @@ export const task = {
   texts: {
     good: `The robot of steps 7, 8 and 10 was evolved from *one* start. Generation {=generation}: it arrives after {=time} s at J {=cost}; the gains of the paper come to {=paper} here. There is little left to find. *So has this robot learned to park?*
 
-Put it to the test: the same gains, other starts. {=places} places on a square of {=side} m around the goal, in each {=headings} headings, make {=starts} starts.`,
+Put it to the test: the same gains, other starts. {=places} places in a square with sides of {=side} m around the goal, with {=headings} headings at each, make {=starts} starts.`,
     beside: `Watch those that fail, here or on [the map](robustness&generation=100), where a press on a hatched place drives from there. The robot drives up, turns the right way, and stops *beside* the goal: {xe} and {te} are gone, {ye} is left. The gain against {ye} is {ky}, and evolution has left it at {=ky}.`,
-    asked: `Why so small? The one start that evolution was given lies straight behind the goal, on the goal’s own line: there {ye} is {=ye} m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and it made that drive cheap. Fitting what one is asked so closely that it fails elsewhere is called *overfitting*; doing well where one was not asked, *generalisation*.
+    asked: `Why so small? The one start that evolution was given lies straight behind the goal, on the goal’s own line: there {ye} is {=ye} m. On this drive {ky} has almost nothing to do, and costs. So evolution took it away. That was no mistake: it was asked about *one* drive, and it made that drive cheap. To fit what was asked so closely that one fails elsewhere is called *overfitting*; to do well where one was not asked, *generalisation*.
 
 *An optimiser gives what the cost asks for, not what you meant.*`,
     many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. [Training](training&generation=100) does that three times: on one start, on 32 on a circle, on 36 on a grid. Each result is then tested on 1000 starts that none has seen. Your prediction sets it going.`,
-    half: `Better, and still far from all of the unseen starts. More starts alone do not solve it, so look at what the cost *asks for*. Who starts beside the bay must turn away, drive, and turn back. Turning is energy, and at {Rw} = 1 it is so costly that a robot which stops near the bay and waits is cheaper than one which parks. (You saw such a robot in step 6.) The price of turning was our choice. Here it is: *make it a tenth*, 0.1 in the place of 1.`,
+    half: `Better, and still far from all of the unseen starts. More starts alone do not solve it, so look at what the cost *asks for*. Who starts beside the goal must turn away, drive, and turn back. Turning is energy, and at {Rw} = 1 it is so costly that a robot which stops near the goal and waits is cheaper than one which parks. (You saw such a robot in step 6.) The price of turning was our choice. Here it is: *make it a tenth*, 0.1 in the place of 1.`,
     whole: `Press any start in the pictures, and watch the robot park. Nothing about the robot, the law, the starts or evolution has changed. *What was asked for has.* This is what you played in step 9. And between 0.1 and 1? Set another price of turning, press *Evolve again*, and find where the robots stop parking.`,
     next: `This holds far beyond robots: look at what a cost does *not* ask for. Ours has never asked for a floor that pushes.`,
   },
@@ -70,7 +70,7 @@ Put it to the test: the same gains, other starts. {=places} places on a square o
   },
   notice: [
     'The map has an axis: the direction in which the goal points. The robot arrives from behind and from ahead, and hardly ever from the sides.',
-    'Even after many starts a part is missed. With {Rw} = 1 {J} asks for cheap drives, not for arrivals: with seed 3 the gains of the grid arrive less often than the arbitrary ones, at a far lower mean {J}.',
+    'Even trained on many starts, the robot misses some. With {Rw} = 1 {J} asks for cheap drives, not for arrivals: with seed 3 the gains of the grid arrive less often than the arbitrary ones, at a far lower mean {J}.',
     'Gains look best where they were evolved: compare “trained on” with “never seen”.',
   ],
 };

@@ -53,7 +53,7 @@ export function sentence(anatomy, phase) {
     ranking:
       record.wins.length > 0
         ? `Most wins first; with equal wins, lower J first. The line is drawn after ${count}.`
-        : `Those that survive first, each part by J. The line is drawn after ${count}.`,
+        : `Survivors first, then the others, each group by J. The line is drawn after ${count}.`,
     survivors: `${parts(stayed, 'parent', 'parents')} and ${count - stayed} offspring stay, with their σ: the parents of generation ${generation + 1}.`,
   }[phase];
 }
@@ -199,7 +199,7 @@ export function tableCaption(anatomy) {
   const counts = (/** @type {number} */ number) => `${nameOf(anatomy, number)} is its number ${number}`;
   return record.generation === 0
     ? `Generation 0: ${count} ${count === 1 ? 'robot' : 'robots'} with random gains. The core’s record counts from 0: ${counts(0)}.`
-    : `Generation ${record.generation}, all ${all.length}. The core’s record counts from 0: ${counts(0)}, ${counts(count)}. ${record.wins.length > 0 ? 'Most wins first.' : 'Those that stay first.'}`;
+    : `Generation ${record.generation}, all ${all.length}. The core’s record counts from 0: ${counts(0)}, ${counts(count)}. ${record.wins.length > 0 ? 'Most wins first.' : 'Survivors first.'}`;
 }
 const columns = [
   'rank',

@@ -86,7 +86,7 @@ const sentences = {
     parents: ({ count, record }) =>
       `The ${count} draws of generation ${record.generation - 1}. Nothing is taken over from them.`,
     mutation: ({ record }) =>
-      `${record.offspring.length} new draws, anywhere in the dashed box: nothing was learnt from those before.`,
+      `${record.offspring.length} new draws, anywhere in the dashed box: nothing was learned from those before.`,
     drive: () => 'They drive and get their J.',
     survivors: () => 'The next draws come from the same box. Only the best of all is remembered.',
   },
@@ -173,7 +173,7 @@ const sentences = {
     drive: (anatomy, write) =>
       anatomy.record.plan.steps
         ? `It drives: ${duel(anatomy, write)}`
-        : 'The probes drive. How much J changes from one to the other is the slope.',
+        : 'The probes drive. How much J changes from the robot to each of them gives the slope.',
     survivors(anatomy) {
       const { plan, next } = anatomy.record;
       if (!plan.steps)

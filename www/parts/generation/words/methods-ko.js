@@ -174,7 +174,7 @@ const sentences = {
     drive: (anatomy, write) =>
       anatomy.record.plan.steps
         ? `주행합니다. ${duel(anatomy, write)}`
-        : '시험점이 주행합니다. J가 서로 얼마나 다른지가 곧 기울기입니다.',
+        : '시험점이 주행합니다. 로봇에서 각 시험점까지 J가 얼마나 변하는지가 곧 기울기입니다.',
     survivors(anatomy) {
       const { plan, next } = anatomy.record;
       if (!plan.steps)

@@ -25,7 +25,7 @@ export const onLogAxis = (gain) => `${gain}, log`;
 export const drivesText = (drives, milliseconds) =>
   `${grouped(drives)} drives in ${fixed(milliseconds, 0)} ms`;
 
-export const computing = 'the robots are driving…';
+export const computing = 'the robots are driving …';
 
 /** @param {string} message */
 export const failed = (message) => `The landscape is the last that could be computed: ${message}`;

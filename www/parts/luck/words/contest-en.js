@@ -116,7 +116,7 @@ export const runTooLong = (budget, most) =>
 /** @param {number} done @param {number} all */
 export const contestCancelled = (done, all) =>
   `Cancelled after ${done} of ${all} runs: what you see is what these say.`;
-export const otherContest = 'Out of date: this is the contest of before. Run the one that is set up now.';
+export const otherContest = 'Out of date: this is the earlier contest. Run the one that is set up now.';
 /** @param {{ seeds: number, budget: number }} asked @param {number} starts */
 export const contestInvitation = ({ seeds, budget }, starts) =>
   `Which part does the work? Every contestant runs with the same ${seeds} seeds, ${grouped(budget)} drives each${asOne(starts)}. Then count drives, not generations.`;
@@ -146,7 +146,7 @@ export const contestColumns = [
   { text: 'reached', hint: 'How many runs reached the target' },
   {
     text: 'ERT',
-    hint: 'Expected running time: the drives of all runs until the target or the budget, by the number of those that reached it; beside it its 95 % confidence interval (bootstrap)',
+    hint: 'Expected running time: the drives of all runs until the target or the budget, divided by the number of those that reached it; beside it its 95 % confidence interval (bootstrap)',
   },
   { text: 'median J', hint: 'The median of J at the budget' },
   {

@@ -36,7 +36,7 @@ export const startsText = (starts, milliseconds) =>
   `${grouped(starts)} starts in ${fixed(milliseconds, 0)} ms`;
 
 export const tracking = 'The reference moves: no drive ends by arriving.';
-export const computing = 'the robots are driving…';
+export const computing = 'the robots are driving …';
 
 /** @param {string} message */
 export const failed = (message) => `The map could not be computed anew: ${message}`;

@@ -85,7 +85,7 @@ export const key = (count, radius, horizon) =>
 export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =>
   `seed ${experiment.evolution.seed}, ${generations} generations: ${whole(drives)} drives in ${fixed(milliseconds / 1000, 1)} s`;
 
-export const driving = 'the robots are driving…';
+export const driving = 'the robots are driving …';
 
 /** @param {number} count The starts of the experiment. */
 export const invitation = (count) =>

@@ -46,7 +46,7 @@ export const sentences = {
     'largest difference',
   ],
   lyapunovRate: (count) => [
-    `Without limits V falls as Theorem 1 says, V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ, at ${count} postures.`,
+    `Without limits V falls as our proof of Theorem 1 says, V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ, at ${count} postures.`,
     'largest relative difference',
   ],
   halfArcs: (count) => [`Two half arcs lead where the whole arc leads, ${count} times.`, 'largest distance'],
@@ -162,7 +162,7 @@ export const foundWord = 'found';
 /** @param {boolean} passed */
 export const verdict = (passed) => (passed ? 'passed' : 'failed');
 
-export const checking = 'Checking…';
+export const checking = 'Checking …';
 
 /** @param {number} failed @param {number} count @param {number} milliseconds */
 export function summary(failed, count, milliseconds) {
@@ -176,4 +176,4 @@ export function summary(failed, count, milliseconds) {
 export const unfinished = (reason) => `The checks could not be finished: ${reason}`;
 
 export const copied = 'The text is copied.';
-export const notCopied = 'This browser lets no page copy: the text is selected, copy it by the keyboard.';
+export const notCopied = 'This browser lets no page copy: the text is selected, copy it with the keyboard.';

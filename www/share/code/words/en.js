@@ -11,7 +11,7 @@ export const texts = {
 export const languageLegend = 'Programming language';
 export const computing = 'The drive is being computed …';
 export const copied = 'The code is copied.';
-export const notCopied = 'This browser lets no page copy: the code is selected, copy it by the keyboard.';
+export const notCopied = 'This browser lets no page copy: the code is selected, copy it with the keyboard.';
 
 /** @param {string} file */
 export const codeLabel = (file) => `The code of ${file}`;

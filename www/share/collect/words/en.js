@@ -7,7 +7,7 @@ export * from './common.js';
 export const texts = {
   help: 'Paste what your students handed in, or drop files and folders here: receipts, links, a column or the whole table of Moodle or Canvas, their online texts. A zip is to be unpacked first. Every drive is computed again here, and nothing leaves this page.',
   paste: 'What was handed in',
-  exercise: 'Link of the exercise (else the one that most are of)',
+  exercise: 'Link of the exercise (if empty: that of most hand-ins)',
   files: 'Choose files',
   folder: 'Choose a folder',
   empty: 'Another class',
@@ -41,7 +41,7 @@ export const columns = {
   number: 'No.',
   pin: 'Pin',
   name: 'Name',
-  who: 'Says to be',
+  who: 'Claims to be',
   cost: 'J',
   met: 'Aim',
   points: 'Points',

@@ -29,12 +29,12 @@ export const texts = {
   save: 'Save as a file',
   computing: 'Computing …',
   made: 'The receipt is made.',
-  counts: 'It counts in the exercise as it was given.',
-  backToExercise: 'Back to the exercise’s',
+  counts: 'What counts is the exercise as it was given.',
+  backToExercise: 'Back to the exercise as given',
 };
 
 export const copied = 'Copied.';
-export const notCopied = 'This browser lets no page copy: it is selected, copy it by the keyboard.';
+export const notCopied = 'This browser lets no page copy: it is selected, copy it with the keyboard.';
 
 /** @param {string} reason */
 export const failed = (reason) => `The receipt could not be made: ${reason}`;
