@@ -56,7 +56,7 @@ function misplaced(name, given) {
   const isThere = name === 'lesson' || parts.includes(name);
   const step = name === 'lesson' ? given.get('step') : given.get('lesson');
   return [
-    ...(isThere ? [] : [words.unknownPart(decoded(name).slice(0, mostOfName), parts)]),
+    ...(isThere ? [] : [words.unknownPart(decoded(name).slice(0, mostOfName), [...parts, 'lesson'])]),
     ...(step === undefined || stepNamed(step).isThere ? [] : [words.noStep(step.slice(0, mostOfName))]),
   ];
 }

@@ -175,7 +175,8 @@ class EpLocomotion extends HTMLElement {
     this.#dress();
     const src = this.getAttribute('src') ?? 'index.html';
     const base = this.hasAttribute('src') ? document.baseURI : here;
-    const address = URL.canParse(src, base) ? new URL(src, base) : null;
+    // A browser of before 2023 has no such question.
+    const address = URL.canParse?.(src, base) === false ? null : new URL(src, base);
     const isAddress = address !== null && protocols.includes(address.protocol);
     if (isAddress) {
       address.hash = this.#link;

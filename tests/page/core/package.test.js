@@ -215,8 +215,8 @@ test('openLink says of a part, a driver, a version and a step what the page says
   for (const name of [...pageNames, 'lesson', ''])
     assert.deepEqual([openLink(name).part, openLink(name).problems], [name || 'lab', []]);
   for (const [link, problem] of /** @type {const} */ ([
-    ['garbage&v=1', unknownPart('garbage', pageNames)],
-    ['https://a.host/ep/', unknownPart('https://a.host/ep/', pageNames)],
+    ['garbage&v=1', unknownPart('garbage', [...pageNames, 'lesson'])],
+    ['https://a.host/ep/', unknownPart('https://a.host/ep/', [...pageNames, 'lesson'])],
     [
       'lab&drives=hnad',
       /^drives: it must be one of evolved, hand, paper-ep, paper-arbitrary, but was “hnad”/,
