@@ -244,7 +244,7 @@ pageTest(
     });
     await page.until('the narrow page is ready', () => {
       const inside = document.querySelector('iframe')?.contentDocument;
-      return inside?.documentElement.dataset.ready === 'true' && inside.querySelector('#park-kx') !== null;
+      return inside?.documentElement?.dataset.ready === 'true' && inside.querySelector('#park-kx') !== null;
     });
     await page.evaluate(() => {
       const inside = /** @type {Document} */ (document.querySelector('iframe')?.contentDocument);

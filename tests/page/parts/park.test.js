@@ -240,7 +240,7 @@ pageTest(
       }, language);
       const ends = await page.until('the narrow page is ready', () => {
         const inside = document.querySelector('iframe')?.contentDocument;
-        if (inside?.documentElement.dataset.ready !== 'true') return;
+        if (inside?.documentElement?.dataset.ready !== 'true') return;
         const shown = [...inside.querySelectorAll('.park-plane, .park-count, .park .gain')];
         return shown.map((element) => Math.round(element.getBoundingClientRect().bottom));
       });
