@@ -40,7 +40,7 @@
 //! - The science knows no clock, no global state and no chance but its seeds.
 //! - The same experiment gives the same bits natively, on x86-64 and aarch64, and in every WebAssembly engine: sums are in a
 //!   fixed order, and every function beyond + − × ÷ √ comes from `libm` (`clippy.toml`).
-//! - There is one control law in the source, generic over [`number::Real`].
+//! - Each control law stands once in the source, generic over [`number::Real`].
 //! - An error names the field, what it must be and what it was.
 
 #![deny(unsafe_code)]

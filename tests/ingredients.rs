@@ -62,6 +62,16 @@ fn without_adaptation_every_sigma_stays_and_with_a_floor_none_is_under_it() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn the_floor_is_that_of_evolutionary_programming_alone() {
+    for &method in Method::ALL {
+        let of = |floor| {
+            evolved(searched_by(|e| (e.method, e.sigma_floor) = (method, floor)), 12).hash()
+        };
+        assert_eq!(of(5.0) == of(0.0), method != Method::Ep, "{method:?}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn cauchys_steps_have_its_quartiles_and_shift_no_other_draw() {
     let step = |step| {
         let change = move |e: &mut EvolutionSettings| (e.step, e.population) = (step, 2000);

@@ -21,6 +21,14 @@ fn the_values_of_an_axis_begin_and_end_where_it_says() {
     assert_eq!(values(axis(1.0, 3.0, 5, false)), [1.0, 1.5, 2.0, 2.5, 3.0]);
     assert_eq!(values(axis(2.0, -2.0, 3, false)), [2.0, 0.0, -2.0]);
     assert_eq!(values(axis(5.0, 9.0, 1, false)), [5.0]);
+    // What rounding would move: a constant axis, and the ends of a logarithmic one.
+    for constant in
+        [axis(0.1, 0.1, 50, false), axis(1000.0, 1000.0, 50, false), axis(10.0, 10.0, 7, true)]
+    {
+        assert!(values(constant).iter().all(|&value| value == constant.from), "{constant:?}");
+    }
+    assert_eq!(values(axis(0.1, 10.0, 2, true)), [0.1, 10.0]);
+    assert_eq!(values(axis(10.0, 0.1, 1, true)), [10.0]);
     for (value, expected) in
         values(axis(0.01, 100.0, 5, true)).iter().zip([0.01, 0.1, 1.0, 10.0, 100.0])
     {

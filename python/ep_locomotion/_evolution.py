@@ -77,7 +77,7 @@ class Evolution:
         return self._call("population", generation)
 
     def hash(self) -> str:
-        """16 hexadecimal digits over every number of the history."""
+        """16 hexadecimal digits over the numbers that decide the history."""
         return self._call("hash")
 
     @property
@@ -107,7 +107,8 @@ def whole_number(generations):
 def row(statistics):
     """A generation with the numbers of the page's own CSV in the same order.
 
-    J and the gains are those of the best; gains in 1/s, 1/(m² s) and rad/s, sigmas in the same units.
+    J and the gains are those of the best; gains in 1/s, 1/(m² s) and rad/s, with Kanayama's rule in 1/s,
+    rad/m² and rad/m, sigmas in the same units.
     """
     best = statistics["best"]
     return {

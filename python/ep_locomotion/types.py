@@ -156,7 +156,7 @@ class EvolutionSettings(TypedDict):
     seed: float
     #: The interval from which the first gains are drawn.
     initialRange: Sequence[float]
-    #: The first σ of every gain; of other methods the first step.
+    #: The first σ of every gain, or the floor where that is larger; of other methods the first step.
     initialSigma: float
     #: How gains are looked for.
     method: Method
@@ -184,7 +184,7 @@ class Run(TypedDict):
     x: List[float]
     #: Metres.
     y: List[float]
-    #: Radians, not wrapped.
+    #: Radians, not wrapped, but that beyond 10⁶ rad full turns are left out.
     theta: List[float]
     #: The velocity applied from this sample to the next, after the limits, m/s; the last sample repeats the one before.
     linear: List[float]
@@ -217,7 +217,9 @@ class Run(TypedDict):
 
 
 class Cost(TypedDict):
-    """The cost J of equation (9) and its parts. Lower is better; Infinity if the run left the finite numbers."""
+    """The cost J of equation (9) and its parts. Lower is better; Infinity if the run left the finite numbers, or a sum of
+    squares did, whatever its weight.
+    """
 
     #: J, the sum of the parts.
     total: float
@@ -238,7 +240,7 @@ class Sample(TypedDict):
 
     #: Seconds.
     time: float
-    #: Where the robot is; θ is not wrapped.
+    #: Where the robot is; θ is not wrapped, but that beyond 10⁶ rad full turns are left out.
     posture: Posture
     #: The reference posture, which moves when the reference velocity is not zero.
     reference: Posture
@@ -274,9 +276,9 @@ class Individual(TypedDict):
 
     #: The gains (kx, ky, kθ).
     gains: Sequence[float]
-    #: The strategy parameters: the standard deviation of each gain's mutation. Of other methods than evolutionary
-    #: programming, how far the next step goes in each gain; 0, or of random search the initial σ, where a method has no
-    #: such number.
+    #: The strategy parameters: the standard deviation of each gain's mutation. Of CMA-ES the one it was drawn with; of a
+    #: method that goes from point to point, how far the step after it was to go when it was found (``plan`` has the next one);
+    #: of random search the initial σ; else 0.
     sigmas: Sequence[float]
     #: J, the mean over the start postures; infinite if it is not finite or not yet known.
     cost: float
@@ -313,7 +315,7 @@ class GenerationRecord(TypedDict):
     offspring: List[Individual]
     #: The draws behind each offspring of evolutionary programming.
     mutations: List[Mutation]
-    #: For each offspring the numbers of the other parents in it: with whom its parent was crossed, or a, b and c of
+    #: For each offspring the numbers of the other parents it was made with: with whom its parent was crossed, or a, b and c of
     #: a + F (b − c) in differential evolution. Empty where a method crosses nothing.
     donors: List[List[float]]
     #: What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution, before
@@ -496,7 +498,7 @@ class Robustness(TypedDict):
 class SeedRuns(TypedDict):
     """Which seeds [first, end) to run, and for how many generations."""
 
-    #: The seeds [first, end).
+    #: The seeds [first, end); the last of all, 2³² − 1, cannot be among them.
     seeds: Sequence[float]
     #: How many generations.
     generations: float
@@ -517,7 +519,7 @@ class SeedRun(TypedDict):
 class Trials(TypedDict):
     """Which seeds [first, end) to run, and with how many drives each."""
 
-    #: The seeds [first, end).
+    #: The seeds [first, end); the last of all, 2³² − 1, cannot be among them.
     seeds: Sequence[float]
     #: How many drives; one from several start postures counts once.
     drives: float
@@ -570,7 +572,8 @@ class Stability(TypedDict):
     #: reference drives backwards.
     promisedTheta: List[float]
     #: dV/dt under the velocity that the robot has from the sample on, after limits and disturbance, m²/s, from the rate of
-    #: the error (4). Where these leave the command as it is, it is the sum of the promised parts.
+    #: the error (4). Where these leave the command as it is, and no divisor of the law is guarded, it is the sum of
+    #: the promised parts.
     rate: List[float]
     #: 1 where the limits changed the command, else 0.
     limited: List[bool]

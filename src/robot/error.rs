@@ -53,7 +53,7 @@ impl ErrorPosture {
         Self { x, y, theta, cos, sin }
     }
 
-    /// The posture that has this error: the inverse of equation (3). θ is in (θ_r − π, θ_r + π].
+    /// The posture that has this error: the inverse of equation (3). θ is in [θ_r − π, θ_r + π).
     pub fn posture(self, reference: Posture) -> Posture {
         Frame::new(reference).posture_at(&self)
     }

@@ -25,7 +25,7 @@ record! { input (Copy)
 ///
 /// Our choices, for the paper is silent or says another thing: q is the velocity that is driven, after the limits and
 /// without the disturbance, where (9) prints the commanded q_m; the integrals are sums over the samples, each with the values
-/// at its beginning; angles count in radians, θ − θ_r in (−π, π]; the robot begins at rest.
+/// at its beginning; angles count in radians, θ − θ_r in [−π, π); the robot begins at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
     /// t_f in seconds.
@@ -41,7 +41,8 @@ pub struct Cost {
 }
 
 told! {
-    /// The cost J of equation (9) and its parts. Lower is better; Infinity if the run left the finite numbers.
+    /// The cost J of equation (9) and its parts. Lower is better; Infinity if the run left the finite numbers, or a sum of
+    /// squares did, whatever its weight.
     Cost: Cost {
         /// J, the sum of the parts.
         "total" => |cost| cost.total(),

@@ -34,7 +34,7 @@ pub(crate) struct EpisodeState {
 pub struct Sample {
     /// t in seconds.
     pub time: f64,
-    /// The robot's posture; θ is not wrapped.
+    /// The robot's posture; θ is not wrapped, but that beyond 10⁶ rad full turns are left out.
     pub posture: Posture,
     /// The reference posture.
     pub reference: Posture,
@@ -57,7 +57,7 @@ told! {
     Sample: Sample {
         /// Seconds.
         "time" => |sample| sample.time,
-        /// Where the robot is; θ is not wrapped.
+        /// Where the robot is; θ is not wrapped, but that beyond 10⁶ rad full turns are left out.
         "posture" => |sample| &sample.posture,
         /// The reference posture, which moves when the reference velocity is not zero.
         "reference" => |sample| &sample.reference,

@@ -13,7 +13,7 @@ use crate::schema::{Column, Result, told};
 pub struct RunSample {
     /// t in seconds.
     pub time: f64,
-    /// The robot's posture; θ is not wrapped.
+    /// The robot's posture; θ is not wrapped, but that beyond 10⁶ rad full turns are left out.
     pub posture: Posture,
     /// The velocity applied until the next sample; at the end, what was last applied.
     pub velocity: Velocity,
@@ -53,7 +53,7 @@ told! {
         "x" => |run| run.column(|s| s.posture.x),
         /// Metres.
         "y" => |run| run.column(|s| s.posture.y),
-        /// Radians, not wrapped.
+        /// Radians, not wrapped, but that beyond 10⁶ rad full turns are left out.
         "theta" => |run| run.column(|s| s.posture.theta),
         /// The velocity applied from this sample to the next, after the limits, m/s; the last sample repeats the one before.
         "linear" => |run| run.column(|s| s.velocity.linear),

@@ -9,7 +9,7 @@ use super::symmetric::{UNIT, Vector, dot, plus};
 use crate::number::Real;
 
 /// Descent from a draw of the initial range: a probe beside it in each gain tells the slope, and steps down the slope are
-/// tried, each half as long as the one before, until J falls.
+/// tried, each half as long as the one before, until J falls, and then one twice as long.
 #[derive(Clone, Debug, Default)]
 pub struct FiniteDifferences {
     found: Found,

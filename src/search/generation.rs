@@ -12,7 +12,7 @@ use crate::schema::told;
 pub struct Making {
     /// The draws that made each offspring of evolutionary programming.
     pub mutations: Vec<Mutation>,
-    /// For each new solution the numbers of the other parents in it; empty where there are none.
+    /// For each new solution the numbers of the other parents it was made with; empty where there are none.
     pub donors: Vec<Vec<u32>>,
     /// What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution, before
     /// they are crossed; else empty.
@@ -58,7 +58,7 @@ told! {
         "offspring" => |record| &record.offspring,
         /// The draws behind each offspring of evolutionary programming.
         "mutations" => |record| &record.making.mutations,
-        /// For each offspring the numbers of the other parents in it: with whom its parent was crossed, or a, b and c of
+        /// For each offspring the numbers of the other parents it was made with: with whom its parent was crossed, or a, b and c of
         /// a + F (b − c) in differential evolution. Empty where a method crosses nothing.
         "donors" => |record| &record.making.donors,
         /// What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution, before

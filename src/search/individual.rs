@@ -3,7 +3,7 @@
 use rand::{Rng, RngExt};
 
 use super::settings::EvolutionSettings;
-use crate::number::{Purpose, Real, stream};
+use crate::number::{Purpose, stream};
 use crate::robot::Gains;
 use crate::schema::record;
 
@@ -12,9 +12,9 @@ record! { (Copy)
     pub struct Individual {
         /// The gains (kx, ky, kθ).
         pub gains: Gains => "gains",
-        /// The strategy parameters: the standard deviation of each gain's mutation. Of other methods than evolutionary
-        /// programming, how far the next step goes in each gain; 0, or of random search the initial σ, where a method has no
-        /// such number.
+        /// The strategy parameters: the standard deviation of each gain's mutation. Of CMA-ES the one it was drawn with; of a
+        /// method that goes from point to point, how far the step after it was to go when it was found (`plan` has the next one);
+        /// of random search the initial σ; else 0.
         pub sigmas: [f64; 3] => "sigmas",
         /// J, the mean over the start postures; infinite if it is not finite or not yet known.
         pub cost: f64 => "cost",
@@ -31,7 +31,7 @@ impl Individual {
     fn random(e: &EvolutionSettings, rng: &mut impl Rng) -> Self {
         let [low, high] = e.initial_range;
         let gains = [0; 3].map(|_| low + (high - low) * rng.random::<f64>());
-        Self::new(e.tried(gains), [e.initial_sigma.at_least(e.sigma_floor); 3])
+        Self::new(e.tried(gains), [e.first_sigma(); 3])
     }
 
     /// The same with other σ.

@@ -1,4 +1,4 @@
-//! The simplex method of Nelder and Mead (1965), begun anew where the simplex has shrunk to a point.
+//! The simplex method of Nelder and Mead (1965), with the decisions of Lagarias et al. (1998), begun anew where the simplex has shrunk to a point.
 
 use super::generation::{Brood, GenerationRecord};
 use super::individual::{Individual, best, first_drawn};
@@ -20,7 +20,7 @@ pub struct NelderMead {
     begun: u32,
 }
 
-/// A simplex whose edges are no longer than this in any gain begins anew.
+/// A simplex of which no corner is farther from the best than this in any gain begins anew.
 const SMALLEST: f64 = 1e-4;
 
 impl Default for NelderMead {

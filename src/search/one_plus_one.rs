@@ -8,13 +8,16 @@ use super::plan::Plan;
 use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use super::symmetric::plus;
-use crate::number::{Purpose, stream};
+use crate::number::{Purpose, Real, stream};
 
 /// σ after a success, as a factor.
 const GROWTH: f64 = 1.5;
 
 /// σ after a failure: GROWTH^(−1/4), so that it stays where one step of five succeeds.
 const DECAY: f64 = 0.903_602_003_609_844_8;
+
+/// Where J is level every step is a success: σ grows no further than it may begin.
+const LARGEST: f64 = 1e6;
 
 /// One parent, one offspring a generation; the offspring stays where it costs no more.
 #[derive(Clone, Debug, Default)]
@@ -28,7 +31,8 @@ impl Search for OnePlusOne {
         let mut rng = stream(e.seed, Purpose::Steps, generation);
         let step = [0; 3].map(|_| StandardNormal.sample(&mut rng));
         let gains = e.tried(plus(parent.gains.to_array(), parent.sigmas[0], step));
-        let offspring = Individual::new(gains, parent.sigmas.map(|sigma| GROWTH * sigma));
+        let offspring =
+            Individual::new(gains, parent.sigmas.map(|sigma| (GROWTH * sigma).at_most(LARGEST)));
         Brood::beside(&self.0.population, vec![offspring], generation)
     }
 

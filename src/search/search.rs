@@ -15,7 +15,7 @@ pub trait Search {
     /// What is to be driven in a generation; the first is 0.
     ///
     /// # Panics
-    /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION).
+    /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION), and the method draws in it.
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood;
 
     /// The generation once each new solution has cost so much. From here on the search stands behind it.

@@ -76,7 +76,7 @@ record! { input (Copy)
         pub seed: u32 => "seed" in Allowed::SEED,
         /// The interval from which the first gains are drawn.
         pub initial_range: [f64; 2] => "initialRange" in Allowed::within("", -1e6, 1e6),
-        /// The first σ of every gain; of other methods the first step.
+        /// The first σ of every gain, or the floor where that is larger; of other methods the first step.
         pub initial_sigma: f64 => "initialSigma" in Allowed::within("", 0.0, 1e6),
         /// How gains are looked for.
         pub method: Method => "method",
@@ -97,6 +97,14 @@ record! { input (Copy)
 }
 
 impl EvolutionSettings {
+    /// The first σ, which in evolutionary programming is not under its floor.
+    pub(super) fn first_sigma(&self) -> f64 {
+        match self.method {
+            Method::Ep => self.initial_sigma.at_least(self.sigma_floor),
+            _ => self.initial_sigma,
+        }
+    }
+
     /// Checks the rules between fields.
     pub(crate) fn check_rules(&self) -> Result<()> {
         let [low, high] = self.initial_range;

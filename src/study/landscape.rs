@@ -67,11 +67,12 @@ impl Axis {
     /// The value with this index; with a count of 1 it is `from`.
     pub fn value(&self, index: u32) -> f64 {
         let Self { from, to, count, .. } = *self;
-        if self.log {
-            libm::exp(Range { from: libm::log(from), to: libm::log(to), count }.value(index))
-        } else {
-            Range { from, to, count }.value(index)
+        let is_end = index == 0 || index + 1 >= count || from == to;
+        // An end is the number that was asked for, which the logarithm would round.
+        if !self.log || is_end {
+            return Range { from, to, count }.value(index);
         }
+        libm::exp(Range { from: libm::log(from), to: libm::log(to), count }.value(index))
     }
 
     fn validate(&self, name: &str) -> Result<()> {

@@ -11,7 +11,7 @@ use crate::search::{Brood, Draws, EvolutionSettings, Individual, LAST_GENERATION
 record! { required (Copy)
     /// Which seeds [first, end) to run, and for how many generations.
     pub struct SeedRuns {
-        /// The seeds [first, end).
+        /// The seeds [first, end); the last of all, 2³² − 1, cannot be among them.
         pub seeds: [u32; 2] => "seeds" in Allowed::SEED,
         /// How many generations.
         pub generations: u32 => "generations" in Allowed::whole(0, LAST_GENERATION),

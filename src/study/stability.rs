@@ -105,7 +105,8 @@ told! {
         /// reference drives backwards.
         "promisedTheta" => |run| run.promised(|rate| rate.theta),
         /// dV/dt under the velocity that the robot has from the sample on, after limits and disturbance, m²/s, from the rate of
-        /// the error (4). Where these leave the command as it is, it is the sum of the promised parts.
+        /// the error (4). Where these leave the command as it is, and no divisor of the law is guarded, it is the sum of
+        /// the promised parts.
         "rate" => |run| run.column(|s| s.rate),
         /// 1 where the limits changed the command, else 0.
         "limited" => |run| Flags::of(&run.samples, |s| s.limited),

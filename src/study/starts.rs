@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use rand::RngExt;
 
 use super::part::{read_part, validate_part};
-use crate::number::{Purpose, stream, wrap};
+use crate::number::{Purpose, Real, stream, wrap};
 use crate::robot::{Gains, METRES, Posture, Triples};
 use crate::run::MAX_STARTS;
 use crate::schema::{
@@ -67,8 +67,10 @@ record! { required (Copy)
 impl Range {
     /// The value with this index; with a count of 1 it is `from`.
     pub fn value(&self, index: u32) -> f64 {
-        let t = f64::from(index) / f64::from(self.count.saturating_sub(1).max(1));
-        self.from * (1.0 - t) + self.to * t
+        let Self { from, to, count } = *self;
+        let t = f64::from(index) / f64::from(count.saturating_sub(1).max(1));
+        // Rounding may leave it just outside, also where both ends are the same.
+        (from * (1.0 - t) + to * t).at_least(from.at_most(to)).at_most(from.at_least(to))
     }
 
     pub(crate) fn validate(&self, name: &str) -> Result<()> {

@@ -15,7 +15,7 @@ const DRIVES: Allowed = Allowed::whole(1, LAST_GENERATION);
 record! { required (Copy)
     /// Which seeds [first, end) to run, and with how many drives each.
     pub struct Trials {
-        /// The seeds [first, end).
+        /// The seeds [first, end); the last of all, 2³² − 1, cannot be among them.
         pub seeds: [u32; 2] => "seeds" in Allowed::SEED,
         /// How many drives; one from several start postures counts once.
         pub drives: u32 => "drives" in DRIVES,

@@ -7,7 +7,7 @@ use crate::robot::{ErrorPosture, Gains, Velocity};
 /// The gains that Theorem 2 asks for at an error posture when the disturbance is bounded by |δ1| ≤ ε1, |δ2| ≤ ε2:
 /// kx > ε1 / |x_e cos θ_e| (6), ky > ε1 |sin θ_e| / |y_e|³ (7), kθ > ε2 / |sin θ_e| (8).
 ///
-/// A bound is infinite where its divisor is 0: there no gain is large enough.
+/// A bound is infinite where only its divisor is 0: there no gain is large enough. Where its dividend is 0 any gain over 0 does.
 pub fn robust_gains(e: &ErrorPosture, bound: Velocity) -> Gains {
     let ratio = |dividend: f64, divisor: f64| {
         if dividend == 0.0 { 0.0 } else { dividend / divisor }
@@ -21,8 +21,9 @@ pub fn robust_gains(e: &ErrorPosture, bound: Velocity) -> Gains {
     )
 }
 
-/// The largest V̇, in m²/s, that a disturbance within ±(ε1, ε2) can cause under the law (5):
-/// V̇ + (|y_e sin θ_e| + |x_e cos θ_e|) ε1 + |sin θ_e| ε2, bounded term by term as in the proof of Theorem 2.
+/// A bound on V̇, in m²/s, that no disturbance within ±(ε1, ε2) exceeds under the law (5):
+/// V̇ + (|y_e sin θ_e| + |x_e cos θ_e|) ε1 + |sin θ_e| ε2, bounded term by term as in the proof of Theorem 2. It is reached only where
+/// the two parts of ε1 do not cancel.
 pub fn lyapunov_rate_bound(e: &ErrorPosture, k: &Gains, bound: Velocity) -> f64 {
     let Velocity { linear: e1, angular: e2 } = bound.map(f64::abs);
     theorem_1_rate(e, k).total()

@@ -110,7 +110,7 @@ export interface EvolutionSettings {
   seed: number;
   /** The interval from which the first gains are drawn. */
   initialRange: [number, number];
-  /** The first σ of every gain; of other methods the first step. */
+  /** The first σ of every gain, or the floor where that is larger; of other methods the first step. */
   initialSigma: number;
   /** How gains are looked for. */
   method: Method;
@@ -148,7 +148,7 @@ export interface Run {
   x: Float64Array;
   /** Metres. */
   y: Float64Array;
-  /** Radians, not wrapped. */
+  /** Radians, not wrapped, but that beyond 10⁶ rad full turns are left out. */
   theta: Float64Array;
   /** The velocity applied from this sample to the next, after the limits, m/s; the last sample repeats the one before. */
   linear: Float64Array;
@@ -181,7 +181,10 @@ export interface Run {
    */
   finalTime: number;
 }
-/** The cost J of equation (9) and its parts. Lower is better; Infinity if the run left the finite numbers. */
+/**
+ * The cost J of equation (9) and its parts. Lower is better; Infinity if the run left the finite numbers, or a sum of
+ * squares did, whatever its weight.
+ */
 export interface Cost {
   /** J, the sum of the parts. */
   total: number;
@@ -205,7 +208,7 @@ export type Outcome = 'arrived' | 'horizon' | 'diverged';
 export interface Sample {
   /** Seconds. */
   time: number;
-  /** Where the robot is; θ is not wrapped. */
+  /** Where the robot is; θ is not wrapped, but that beyond 10⁶ rad full turns are left out. */
   posture: Posture;
   /** The reference posture, which moves when the reference velocity is not zero. */
   reference: Posture;
@@ -238,9 +241,9 @@ export interface Individual {
   /** The gains (kx, ky, kθ). */
   gains: [number, number, number];
   /**
-   * The strategy parameters: the standard deviation of each gain's mutation. Of other methods than evolutionary
-   * programming, how far the next step goes in each gain; 0, or of random search the initial σ, where a method has no
-   * such number.
+   * The strategy parameters: the standard deviation of each gain's mutation. Of CMA-ES the one it was drawn with; of a
+   * method that goes from point to point, how far the step after it was to go when it was found (`plan` has the next one);
+   * of random search the initial σ; else 0.
    */
   sigmas: [number, number, number];
   /** J, the mean over the start postures; infinite if it is not finite or not yet known. */
@@ -278,7 +281,7 @@ export interface GenerationRecord {
   /** The draws behind each offspring of evolutionary programming. */
   mutations: Mutation[];
   /**
-   * For each offspring the numbers of the other parents in it: with whom its parent was crossed, or a, b and c of
+   * For each offspring the numbers of the other parents it was made with: with whom its parent was crossed, or a, b and c of
    * a + F (b − c) in differential evolution. Empty where a method crosses nothing.
    */
   donors: number[][];
@@ -450,7 +453,7 @@ export interface Robustness {
 }
 /** Which seeds [first, end) to run, and for how many generations. */
 export interface SeedRuns {
-  /** The seeds [first, end). */
+  /** The seeds [first, end); the last of all, 2³² − 1, cannot be among them. */
   seeds: [number, number];
   /** How many generations. */
   generations: number;
@@ -469,7 +472,7 @@ export interface SeedRun {
 }
 /** Which seeds [first, end) to run, and with how many drives each. */
 export interface Trials {
-  /** The seeds [first, end). */
+  /** The seeds [first, end); the last of all, 2³² − 1, cannot be among them. */
   seeds: [number, number];
   /** How many drives; one from several start postures counts once. */
   drives: number;
@@ -522,7 +525,8 @@ export interface Stability {
   promisedTheta: Float64Array;
   /**
    * dV/dt under the velocity that the robot has from the sample on, after limits and disturbance, m²/s, from the rate of
-   * the error (4). Where these leave the command as it is, it is the sum of the promised parts.
+   * the error (4). Where these leave the command as it is, and no divisor of the law is guarded, it is the sum of
+   * the promised parts.
    */
   rate: Float64Array;
   /** 1 where the limits changed the command, else 0. */

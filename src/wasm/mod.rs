@@ -213,7 +213,8 @@ impl Evolution {
         Ok(plain(&self.0.population(self.numbered(generation)?)?))
     }
 
-    /// 16 hexadecimal digits over every number of the history. The same everywhere for the same experiment and generation.
+    /// 16 hexadecimal digits over the numbers that decide the history: parents, offspring, opponents, wins and survivors of every
+    /// generation. The same everywhere for the same experiment and generation.
     pub fn hash(&self) -> String {
         self.0.hash()
     }

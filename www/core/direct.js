@@ -168,7 +168,7 @@ function createEvolution(ask, evolving) {
       return unpacked(ask(evolving().records.run, 'record', experiment, generation));
     },
 
-    /** Digits over every number of the history, the same wherever it ran. */
+    /** Digits over the numbers that decide the history, the same wherever it ran. */
     hash: () => current().hash(),
   };
 }

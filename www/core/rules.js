@@ -1,7 +1,14 @@
 // What single values follow from, as the core has it: for who has waited for the core, as every view has.
+/** @import { Experiment } from '../../pkg/ep_locomotion.js' */
 import { winsBout } from '../../pkg/ep_locomotion.js';
 
 export { lawTerms, startsOnGrid, winsBout } from '../../pkg/ep_locomotion.js';
+
+/** In what the gains of a law are, in the order of kx, ky, kθ, as tables write it. @type {Readonly<Record<Experiment['law'], readonly [string, string, string]>>} */
+export const gainUnits = {
+  'shim-kim': ['1/s', '1/(m^2 s)', 'rad/s'],
+  kanayama: ['1/s', 'rad/m^2', 'rad/m'],
+};
 
 /**
  * How many bouts each had to expect to win: its opponents are drawn evenly, with replacement and never itself, so that of each bout

@@ -47,7 +47,7 @@ import { idIn, isForFigure, messageIn, shortError } from './told.js';
  * @property {boolean} evolving
  * @property {Statistics} statistics Of the generation that is shown.
  * @property {{ gains: Triple, cost: Run['cost'], arrived: boolean, finalTime: number }} drive Of the robot in ink.
- * @property {string} hash Digits over every number of the history, the same wherever it ran.
+ * @property {string} hash Digits over the numbers that decide the history, the same wherever it ran.
  * @property {readonly string[]} problems What a link had wrong, in words.
  */
 

@@ -1,16 +1,20 @@
 // A run as tables for other programs. Headers carry the units; numbers have all their digits.
 /** @import { Experiment, Run, Stability, Statistics, Triple } from '../core/engine.js' */
+/** @import { State } from '../run/state.js' */
+import { gainUnits } from '../core/rules.js';
 
 /** Lines that say where the numbers come from, which readers of tables can skip. @typedef {readonly string[]} Origin */
 
 /** What stands in a column, from above. @typedef {readonly [head: string, values: ArrayLike<number>]} Column */
 
-/** @param {Statistics[]} history @param {Origin} origin */
-export function generationsCsv(history, origin) {
+/** @param {Pick<State, 'history' | 'experiment'>} evolved @param {Origin} origin */
+export function generationsCsv({ history, experiment: { law } }, origin) {
   /** @param {string} head @param {(statistics: Statistics) => number} of @returns {Column} */
   const column = (head, of) => [head, history.map(of)];
-  const gains = ['kx (1/s)', 'ky (1/(m^2 s))', 'ktheta (rad/s)'];
-  const sigmas = ['mean sigma_x (1/s)', 'mean sigma_y (1/(m^2 s))', 'mean sigma_theta (rad/s)'];
+  const named = (/** @type {readonly string[]} */ names) =>
+    names.map((name, i) => `${name} (${gainUnits[law][i]})`);
+  const gains = named(['kx', 'ky', 'ktheta']);
+  const sigmas = named(['mean sigma_x', 'mean sigma_y', 'mean sigma_theta']);
   return csv(origin, [
     column('generation', ({ generation }) => generation),
     column('drives', ({ evaluations }) => evaluations),
@@ -26,8 +30,9 @@ export function generationsCsv(history, origin) {
 export function driveOrigin({ law, goal, limits, disturbance }, [kx, ky, ktheta], run) {
   const limit = (/** @type {number | null} */ value, /** @type {string} */ unit) =>
     value === null ? 'none' : `${value} ${unit}`;
+  const [x, y, theta] = gainUnits[law];
   return [
-    `law ${law}; kx = ${kx} 1/s, ky = ${ky} 1/(m^2 s), ktheta = ${ktheta} rad/s`,
+    `law ${law}; kx = ${kx} ${x}, ky = ${ky} ${y}, ktheta = ${ktheta} ${theta}`,
     `goal x = ${goal.x} m, y = ${goal.y} m, theta = ${goal.theta} rad`,
     `limits: speed ${limit(limits.speed, 'm/s')}, turn rate ${limit(limits.turnRate, 'rad/s')}, acceleration ${limit(limits.acceleration, 'm/s^2')}, turn acceleration ${limit(limits.turnAcceleration, 'rad/s^2')}; disturbance ${disturbance.kind}`,
     `J = ${run.cost.total}; t_f = ${run.finalTime} s; ${run.outcome}`,

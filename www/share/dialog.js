@@ -145,7 +145,7 @@ function createSaving(tools, dialog, address, say) {
   };
   return {
     saveRun: () => download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
-    saveGenerations: () => saveCsv('generations', generationsCsv(store.get().history, origin())),
+    saveGenerations: () => saveCsv('generations', generationsCsv(store.get(), origin())),
     /** A long drive is read by a worker. */
     saveDrive: () => whenThere(saveDrive, () => dialog.open),
     /** @param {Picture} picture @param {typeof kinds[number]} kind */

@@ -28,7 +28,7 @@ test('the CSV of one seed is what it was', () => {
   };
   const run = { best: Float64Array.of(8, 7), champion, random: Float64Array.of(8, 7.75) };
   assert.equal(
-    csvOf({ first: 4, drives: 40, runs: [run] }),
+    csvOf({ experiment: experiment('velocity-limits'), first: 4, drives: 40, runs: [run] }),
     'seed,drives,J evolution,kx (1/s),ky (1/(m^2 s)),ktheta (rad/s),J random search,' +
       'J evolution generation 0,J evolution generation 1,J random search generation 0,J random search generation 1\r\n' +
       '4,40,7,3,-0.5,5,7.75,8,7,8,7.75\r\n',
@@ -71,7 +71,10 @@ test('where seeds have numbers of drives of their own, none is written in their 
   }
   const champion = /** @type {any} */ ({ gains: [3, 1, 5], cost: 7 });
   const run = { best: Float64Array.of(7), champion, random: Float64Array.of(8) };
-  assert.match(csvOf({ first: 4, drives: null, runs: [run] }), /\r\n4,,7,3,1,5,8,7,8\r\n$/);
+  assert.match(
+    csvOf({ experiment: experiment('velocity-limits'), first: 4, drives: null, runs: [run] }),
+    /\r\n4,,7,3,1,5,8,7,8\r\n$/,
+  );
 });
 
 test('a contest says that a drive from many starts counts as one', () => {

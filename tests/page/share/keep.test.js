@@ -2,9 +2,8 @@ import assert from 'node:assert/strict';
 import { openRunFile, runFile } from '../../../www/share/run-file.js';
 import { links } from '../../../www/lesson/links.js';
 import { lastGeneration } from '../../../www/run/pace.js';
-import { driveCsv, driveOrigin, generationsCsv } from '../../../www/share/csv.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
-import { Evolution, evolve, experiment, simulate, Simulation, stability } from '../harness/core.js';
+import { Evolution, evolve, experiment, Simulation } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { openGroup, openSettings } from '../harness/panel.js';
 import { readEvolution } from '../harness/reading.js';
@@ -85,54 +84,6 @@ test('a file that is damaged or foreign is refused with the reason', async () =>
   ]);
   for (const [text, reason] of rows)
     await assert.rejects(openRunFile(text, engine, links), { message: reason }, text.slice(0, 60));
-});
-
-test('the tables have units in their headers and every digit of the numbers', () => {
-  const { state } = evolved(velocityLimits, 4);
-  const origin = ['ep-locomotion 0.1.0', 'http://host/#lab'];
-  const [first, second, header, ...rows] = generationsCsv(state.history, origin).trim().split('\r\n');
-  assert.deepEqual([first, second], ['# ep-locomotion 0.1.0', '# http://host/#lab']);
-  assert.match(header, /^generation,drives,J best,.*kx \(1\/s\)/);
-  assert.equal(rows.length, 5);
-  const { generation, evaluations, best, median, worst, meanSigmas } = state.history[4];
-  assert.deepEqual(rows[4].split(',').map(Number), [
-    generation,
-    evaluations,
-    best.cost,
-    median,
-    worst,
-    ...best.gains,
-    ...meanSigmas,
-  ]);
-
-  const run = simulate(velocityLimits, [3, 0.1, 5]);
-  const v = stability(velocityLimits, [3, 0.1, 5]);
-  const drive = driveCsv(run, v, origin).trim().split('\r\n').slice(2);
-  const heads = drive[0].split(',');
-  assert.deepEqual([heads[1], heads[11], heads[15]], ['x (m)', 'V (m^2)', 'dV/dt (m^2/s)']);
-  assert.equal(drive.length, run.time.length + 1);
-  const last = run.time.length - 1;
-  assert.deepEqual(
-    drive[last + 1].split(',').map(Number),
-    [
-      ...[run.time, run.x, run.y, run.theta],
-      ...[run.linear, run.angular, run.commandLinear, run.commandAngular],
-      ...[v.errorX, v.errorY, v.errorTheta, v.lyapunov],
-      ...[v.promisedX, v.promisedY, v.promisedTheta, v.rate],
-    ].map((column) => column[last]),
-  );
-});
-
-test('the table of a drive says what it follows from, with every digit, in lines that readers of tables skip', () => {
-  const from = experiment({ goal: { x: 1 / 3, y: 2, theta: 0.1 }, limits: { speed: null } });
-  const gains = /** @type {[number, number, number]} */ ([Math.PI, 1e-7, 5]);
-  const run = simulate(from, gains);
-  const lines = driveCsv(run, stability(from, gains), driveOrigin(from, gains, run)).split('\r\n');
-  const head = lines.filter((line) => line.startsWith('# ')).join('\n');
-  for (const value of [...gains, from.goal.x, from.limits.turnRate, run.cost.total, run.finalTime])
-    assert.ok(head.includes(String(value)), `${value} is missing: ${head}`);
-  assert.match(head, /shim-kim.*\n.*\n.*speed none.*\n.*(arrived|horizon)/);
-  assert.equal(lines.length, 4 + 1 + run.time.length + 1);
 });
 
 /** Opens a file as if it had been chosen. @param {Page} page @param {string} name @param {string} text */

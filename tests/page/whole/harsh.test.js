@@ -122,7 +122,7 @@ function runIn(env) {
       offset: new Date(2026, 0).getTimezoneOffset(),
       run: [
         evolution.hash(),
-        generationsCsv(state.history, ['origin']),
+        generationsCsv(state, ['origin']),
         driveCsv(scene.driving, stability(scene.experiment, gains), ['origin']),
         links.linkOf(state, engine.experiment),
         lab.costText(12.5), lab.grouped(118098), lab.numberOf('1234,5'),

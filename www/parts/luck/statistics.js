@@ -1,5 +1,6 @@
 // What many seeds say together: quartiles of each generation, the ranking of the seeds, and a table of all as CSV.
 /** @import { SeedRun } from '../../core/engine.js' */
+import { gainUnits } from '../../core/rules.js';
 
 /** Half of the numbers lie from `low` to `high`. @typedef {{ least: number, low: number, median: number, high: number, most: number }} Quartiles */
 /** Quartiles of J at each generation, or after each of many drives. @typedef {{ low: number[], median: number[], high: number[] }} Band */
@@ -63,17 +64,15 @@ export function summaryOf(runs) {
 
 /**
  * A line for each seed. Headers carry the units; J has none, because it adds seconds to what is not seconds.
- * @param {{ first: number, drives: number | null, runs: readonly SeedRun[] }} survey
+ * @param {Pick<import('./request.js').SeedSurvey, 'experiment' | 'first' | 'drives' | 'runs'>} survey
  */
-export function csvOf({ first, drives, runs }) {
+export function csvOf({ experiment: { law }, first, drives, runs }) {
   const generations = [...runs[0].best.keys()];
   const header = [
     'seed',
     'drives',
     'J evolution',
-    'kx (1/s)',
-    'ky (1/(m^2 s))',
-    'ktheta (rad/s)',
+    ...['kx', 'ky', 'ktheta'].map((name, i) => `${name} (${gainUnits[law][i]})`),
     'J random search',
     ...generations.map((generation) => `J evolution generation ${generation}`),
     ...generations.map((generation) => `J random search generation ${generation}`),

@@ -59,7 +59,7 @@ function controlGroups({ gains, experiment }, words) {
   const { law, referenceVelocity, sampleTime, limits } = experiment;
   const { speed, turnRate, acceleration, turnAcceleration } = limits;
   return [
-    [['KX', 'KY', 'KTHETA'], gains, words.gains],
+    [['KX', 'KY', 'KTHETA'], gains, words.gains[law]],
     [['V_R', 'W_R'], [referenceVelocity.linear, referenceVelocity.angular], words.referenceVelocity],
     [['DT'], [sampleTime], words.sampleTime],
     [['SPEED', 'TURN_RATE'], [speed, turnRate], words.largestVelocity],

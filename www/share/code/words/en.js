@@ -40,7 +40,10 @@ export const comments = {
     'This drive hangs on the last digits of its numbers: a start moved by a millionth of a micrometre ends differently. So another language or processor may come to other numbers than the page.',
   run: (/** @type {string} */ command) => `To run it: ${command}`,
 
-  gains: 'kx (1/s), ky (1/(m² s)), kθ (rad/s)',
+  gains: {
+    'shim-kim': 'kx (1/s), ky (1/(m² s)), kθ (rad/s)',
+    kanayama: 'kx (1/s), ky (rad/m²), kθ (rad/m)',
+  },
   referenceVelocity: 'how the goal moves: m/s, rad/s',
   sampleTime: 's from one command to the next',
   largestVelocity: 'limits of velocity: m/s, rad/s',

@@ -41,7 +41,10 @@ export const comments = {
     '이 주행은 수의 마지막 자리에 좌우됩니다. 출발점을 백만분의 1 마이크로미터만 옮겨도 결과가 달라집니다. 따라서 언어나 프로세서가 다르면 페이지와 다른 수치가 나올 수 있습니다.',
   run: (/** @type {string} */ command) => `실행: ${command}`,
 
-  gains: 'kx (1/s), ky (1/(m² s)), kθ (rad/s)',
+  gains: {
+    'shim-kim': 'kx (1/s), ky (1/(m² s)), kθ (rad/s)',
+    kanayama: 'kx (1/s), ky (rad/m²), kθ (rad/m)',
+  },
   referenceVelocity: '목표의 속도: m/s, rad/s',
   sampleTime: '명령 사이의 시간(s)',
   largestVelocity: '속도 제한: m/s, rad/s',

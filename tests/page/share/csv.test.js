@@ -1,0 +1,67 @@
+// The tables of a run as files for other programs.
+import assert from 'node:assert/strict';
+import { driveCsv, driveOrigin, generationsCsv } from '../../../www/share/csv.js';
+import { Evolution, experiment, simulate, stability } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+const velocityLimits = experiment('velocity-limits');
+
+test('the tables have units in their headers and every digit of the numbers', () => {
+  const evolution = new Evolution(velocityLimits);
+  const history = [evolution.statistics()];
+  while (history.length < 5) history.push(evolution.step());
+  const origin = ['ep-locomotion 0.1.0', 'http://host/#lab'];
+  const [first, second, header, ...rows] = generationsCsv({ history, experiment: velocityLimits }, origin)
+    .trim()
+    .split('\r\n');
+  assert.deepEqual([first, second], ['# ep-locomotion 0.1.0', '# http://host/#lab']);
+  assert.match(header, /^generation,drives,J best,.*kx \(1\/s\),ky \(1\/\(m\^2 s\)\),ktheta \(rad\/s\)/);
+  const kanayama = experiment({ law: 'kanayama' });
+  assert.match(
+    generationsCsv({ history, experiment: kanayama }, origin),
+    /,kx \(1\/s\),ky \(rad\/m\^2\),ktheta \(rad\/m\),/,
+  );
+  assert.equal(rows.length, 5);
+  const { generation, evaluations, best, median, worst, meanSigmas } = history[4];
+  assert.deepEqual(rows[4].split(',').map(Number), [
+    generation,
+    evaluations,
+    best.cost,
+    median,
+    worst,
+    ...best.gains,
+    ...meanSigmas,
+  ]);
+
+  const run = simulate(velocityLimits, [3, 0.1, 5]);
+  const v = stability(velocityLimits, [3, 0.1, 5]);
+  const drive = driveCsv(run, v, origin).trim().split('\r\n').slice(2);
+  const heads = drive[0].split(',');
+  assert.deepEqual([heads[1], heads[11], heads[15]], ['x (m)', 'V (m^2)', 'dV/dt (m^2/s)']);
+  assert.equal(drive.length, run.time.length + 1);
+  const last = run.time.length - 1;
+  assert.deepEqual(
+    drive[last + 1].split(',').map(Number),
+    [
+      ...[run.time, run.x, run.y, run.theta],
+      ...[run.linear, run.angular, run.commandLinear, run.commandAngular],
+      ...[v.errorX, v.errorY, v.errorTheta, v.lyapunov],
+      ...[v.promisedX, v.promisedY, v.promisedTheta, v.rate],
+    ].map((column) => column[last]),
+  );
+});
+
+test('the table of a drive says what it follows from, with every digit, in lines that readers of tables skip', () => {
+  const from = experiment({ goal: { x: 1 / 3, y: 2, theta: 0.1 }, limits: { speed: null } });
+  const gains = /** @type {[number, number, number]} */ ([Math.PI, 1e-7, 5]);
+  const run = simulate(from, gains);
+  const lines = driveCsv(run, stability(from, gains), driveOrigin(from, gains, run)).split('\r\n');
+  const head = lines.filter((line) => line.startsWith('# ')).join('\n');
+  for (const value of [...gains, from.goal.x, from.limits.turnRate, run.cost.total, run.finalTime])
+    assert.ok(head.includes(String(value)), `${value} is missing: ${head}`);
+  assert.match(
+    head,
+    /shim-kim; kx = .* 1\/s, ky = .* 1\/\(m\^2 s\), ktheta = 5 rad\/s\n.*\n.*speed none.*\n.*(arrived|horizon)/,
+  );
+  assert.equal(lines.length, 4 + 1 + run.time.length + 1);
+});
