@@ -87,7 +87,7 @@ function evolutionBar(model, actions, { onKind, onValue }) {
       <button id="one-generation" type="button" @click=${() => actions.oneGeneration()}>${texts.oneGeneration}</button>
       <input id="timeline" type="range" min="0" step="1" aria-label=${texts.timeline}
         aria-valuetext=${strings.generationText(timeline, newest)}
-        .max=${String(end)} .value=${live(String(timeline))} ${filled(timeline / end)}
+        .max=${String(newest)} .value=${live(String(timeline))} ${filled(timeline / end)}
         @input=${(/** @type {Event} */ event) => actions.showGeneration(Number(valueIn(event)))}>
     </fieldset>
     <fieldset id="evolution-pace" class="bar" aria-label=${texts.evolutionSection}>

@@ -75,6 +75,7 @@ export function createKeep(tools, sheet) {
     try {
       const { opened, generations } = await openRunFile(await file.text(), engine, links, signal);
       if (signal.aborted) return;
+      tools.keepPlace(opened);
       tools.open(opened, [], generations);
       show(words.opened(file.name, generations));
     } catch (error) {

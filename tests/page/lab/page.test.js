@@ -147,18 +147,29 @@ pageTest('the page fits without scrolling into 1440 × 900 and 1024 × 768', asy
 
 engineTest('the page is never wider than a telephone', async (page) => {
   // In a frame, because not every engine's window can be so narrow.
-  for (const width of [390, 320]) {
-    await page.evaluate((pixels) => {
-      document.querySelector('iframe')?.remove();
-      const frame = document.createElement('iframe');
-      Object.assign(frame, { src: location.href, width: String(pixels), height: '844', frameBorder: '0' });
-      document.body.append(frame);
-    }, width);
+  for (const [width, hash] of /** @type {const} */ ([
+    [390, '#lab'],
+    [320, '#lab'],
+    // One long word, in what is wrong and in a task.
+    [320, `#lab&v=1&goal.x=${'m'.repeat(150)}`],
+    [320, `#lab&v=1&lang=ko&task=${'m'.repeat(96)}`],
+  ])) {
+    await page.evaluate(
+      (pixels, link) => {
+        document.querySelector('iframe')?.remove();
+        const frame = document.createElement('iframe');
+        const src = new URL(link, location.href);
+        Object.assign(frame, { src, width: String(pixels), height: '844', frameBorder: '0' });
+        document.body.append(frame);
+      },
+      width,
+      hash,
+    );
     const size = await page.until('the narrow page is ready', () => {
       const root = document.querySelector('iframe')?.contentDocument?.documentElement;
       return root?.dataset.ready === 'true' && { window: root.clientWidth, page: root.scrollWidth };
     });
-    assert.ok(size.window <= width && size.page <= size.window, JSON.stringify(size));
+    assert.ok(size.window <= width && size.page <= size.window, `${hash}: ${JSON.stringify(size)}`);
   }
 });
 

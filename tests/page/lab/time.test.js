@@ -49,6 +49,12 @@ async function typeUntil(page, ...keys) {
 pageTest(
   'generations go back and forward to what they were, and evolution goes on from there',
   async (page) => {
+    // Where there is one generation only, nothing is to be moved.
+    await page.focus('#timeline');
+    await page.press(Key.END, Key.ARROW_RIGHT);
+    assert.deepEqual(await readEvolution(page), expected(0));
+    const thumb = () => page.evaluate(() => Reflect.get(document.getElementById('timeline') ?? {}, 'value'));
+    assert.deepEqual([await thumb(), await page.problems(), await page.text('#message')], ['0', [], '']);
     await press(page, 'one-generation', 8);
     assert.deepEqual(await readEvolution(page), expected(8));
     await press(page, 'one-back', 3);

@@ -19,6 +19,18 @@ import {
   velocityLimits,
 } from './generation-page.js';
 
+pageTest('a table that is asked for while its record is still computed comes with it', async (page) => {
+  await page.open('#generation&v=1&horizon=800&population=300&generation=1');
+  await page.evaluate(() => {
+    location.hash = location.hash.replace('population=300', 'population=301');
+  });
+  await page.until('the table is there, however early it was asked for', () => {
+    document.getElementById('generation-table')?.click();
+    return document.querySelector('dialog[open] table tbody tr');
+  });
+  assert.deepEqual(await page.problems(), []);
+});
+
 pageTest('every number of every phase is the record of the core', async (page) => {
   await openAt(page, 4);
   const record = recordOf(4);

@@ -14,7 +14,8 @@ export function pageOf(link) {
   const means = { engine, store, paper: engine.paper(), finalTime: () => 1, isStill: () => true, places };
   const actions = createActions(means);
   const open = (/** @type {string} */ text) => {
-    actions.openLinked(links.openLink(text, engine).opened, []);
+    const { opened, problems } = links.openLink(text, engine);
+    actions.openLinked(opened, problems);
     // On a slow machine a link comes only a part of its way at once.
     actions.evolve(() => store.get().catchingUp !== null);
   };

@@ -29,7 +29,7 @@ engineTest('a run that is dropped on the page is opened, but where Share is lock
   await page.until('evolution went on', () => document.getElementById('generation')?.textContent === '1');
   assert.equal(await page.evaluate(() => document.querySelector('dialog[open]')), null);
 
-  await page.open();
+  await page.open('#lab&drives=hand&gains=7.25,1,5');
   assert.deepEqual(await drop(page, text), [true, true]);
   await page.until('it is dealt with', () =>
     document.getElementById('keep-status')?.textContent?.includes('“dropped.json”'),
@@ -37,5 +37,11 @@ engineTest('a run that is dropped on the page is opened, but where Share is lock
   assert.match(await page.text('#keep-status'), /“dropped.json” is open: all 3 generations/);
   await page.click('#keep-close');
   assert.deepEqual(await readEvolution(page), before);
+  // What was there is not lost.
+  await page.evaluate(() => history.back());
+  await page.until('the gains by hand are there again', () => {
+    const field = /** @type {HTMLInputElement | null} */ (document.getElementById('gain-kx'));
+    return location.hash.includes('gains=7.25') && field?.value.startsWith('7.25');
+  });
   assert.deepEqual(await page.problems(), []);
 });

@@ -6,6 +6,7 @@ import './style.css';
 import './chosen.css';
 import './places.css';
 import { html, render } from 'lit-html';
+import { whenThere } from '../../core/pending.js';
 import { byIdIn } from '../../kit/elements.js';
 import { segmentedOf } from '../fields.js';
 import { watch } from '../../kit/memo.js';
@@ -33,7 +34,11 @@ export function createPage({ engine, store, actions }) {
     generationSlice.update(store, { chosen });
     actions.driveAgain();
   };
-  const onTable = () => showTable(generationTable(anatomyOf(store.get())));
+  const onTable = () =>
+    whenThere(
+      () => showTable(generationTable(anatomyOf(store.get()))),
+      () => store.get().page === 'generation',
+    );
   const onBegin = () => {
     // The button goes away with generation 0.
     byIdIn(element, 'generation-next').focus();

@@ -43,18 +43,20 @@ function createGenerations({ engine, store, attempt, forget }) {
         const generation = store.get().generation + 1;
         if (generation === known.length) known.push(engine.step());
         const population = engine.population(generation);
-        store.update({ history: known, generation, population, message: '' });
+        // What is wrong with a link stays in sight while its generation is still to come.
+        const said = store.get().catchingUp ? null : { message: '' };
+        store.update({ history: known, generation, population, ...said });
         // Who plays phases pauses after the last of them.
         if (store.get().evolving && !playsPhases(store.get())) arrive();
       },
       { what: 'generation' },
     );
 
-  /** Another generation that is recorded. @param {number} generation */
-  const showGeneration = (generation) => {
+  /** Another generation that is recorded. @param {number} generation @param {{ message: string } | null} [said] */
+  const showGeneration = (generation, said = { message: '' }) => {
     forget();
     store.update({ evolving: false, catchingUp: null });
-    attempt(() => store.update({ generation, population: engine.population(generation), message: '' }), {
+    attempt(() => store.update({ generation, population: engine.population(generation), ...said }), {
       what: 'recorded',
       generation,
     });
@@ -63,7 +65,7 @@ function createGenerations({ engine, store, attempt, forget }) {
   /** Pauses where the run has to. */
   const arrive = () => {
     const { until, history, generation, catchingUp } = store.get();
-    if (generation === catchingUp?.newest) showGeneration(catchingUp.generation);
+    if (generation === catchingUp?.newest) showGeneration(catchingUp.generation, null);
     else if (!catchingUp && pausesAt(until, history[generation])) store.update({ evolving: false });
   };
 
