@@ -74,7 +74,7 @@ export function createEvolutionBar(root, actions) {
 
 /** @param {EvolutionBarModel & { kind: Until['kind'] }} model @param {Actions} actions @param {{ onKind: (event: Event) => void, onValue: () => void }} on */
 function evolutionBar(model, actions, { onKind, onValue }) {
-  const { open, evolving, timeline, newest, pace, kind, untilError, note } = model;
+  const { open, evolving, timeline, newest, pace, kind, until, untilError, note } = model;
   const isElsewhere = open !== 'lab';
   const end = Math.max(1, newest);
   return html`
@@ -104,7 +104,7 @@ function evolutionBar(model, actions, { onKind, onValue }) {
         <select id="until" aria-label=${texts.until} @change=${onKind}>${options(strings.untils, kind)}</select>
         <input id="until-value" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
           aria-label=${texts.untilValue} aria-describedby="until-error" aria-invalid=${String(untilError !== '')}
-          .hidden=${kind === 'every'} @change=${onValue}
+          .value=${until.kind === 'every' ? '' : String(until.value)} .hidden=${kind === 'every'} @change=${onValue}
           @focus=${selectAll}>
       </div>
     </fieldset>

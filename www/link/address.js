@@ -10,12 +10,23 @@ import { takeAlong, takeUp } from './crossing.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { withExercise } from './link.js';
 import { watch } from '../kit/memo.js';
-import { tidyTask } from '../run/exercise.js';
+import { isEmpty, tidyTask } from '../run/exercise.js';
 import { mostOfWho } from '../run/variant.js';
 import { language, languageOfAddress } from '../words/language.js';
 
 /** In milliseconds, after which a change is written: browsers refuse an address that changes more often. */
 const pauses = { atRest: 400, evolving: 2000 };
+
+/** As fast, and until when, as before the page was loaded again. @param {import('./crossing.js').Kept} kept @param {Actions} actions */
+function goOnAs({ pace, until, speed, draft }, actions) {
+  actions.setPace(pace);
+  actions.setUntil(until.kind, String(until.value));
+  actions.setSpeed(speed);
+  if (!isEmpty(draft)) actions.makeExercise({ draft });
+}
+
+/** What is still to be evolved is in the link that asked for it. @param {State} state @returns {State} */
+const atEnd = (state) => ({ ...state, generation: state.catchingUp?.generation ?? state.generation });
 
 /** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, slices: readonly Slice<any>[], firstPage: string }} parts `slices`: of all parts; `firstPage`: what is opened where an address asks for nothing. */
 export function createAddress({ engine, store, actions, links, slices, firstPage }) {
@@ -34,20 +45,20 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     const spoken = languageOfAddress();
     // The words are chosen when the page loads.
     if (spoken !== language) {
-      if (asked === other.pressed() || asked === linkOf(store.get(), engine.experiment, spoken))
-        takeAlong(store.get(), slices);
+      if (asked === other.pressed() || asked === linkFor(store.get(), spoken)) takeAlong(store.get(), slices);
       leaves = true;
       return location.reload();
     }
     written = asked;
     const { opened: run, problems } = links.openLink(written || firstPage, engine, whoAsked());
-    const { opened, newest, evolving } = takeUp(run);
+    const { opened, newest, evolving, kept } = takeUp(run);
     place = placeOf(opened);
+    if (kept) goOnAs(kept, actions);
     actions.openLinked(opened, problems, newest);
     if (evolving && !store.get().catchingUp) actions.toggleEvolution();
   };
 
-  const linkFor = (/** @type {State} */ state) => linkOf(state, engine.experiment);
+  const linkFor = (/** @type {State} */ state, to = language) => linkOf(atEnd(state), engine.experiment, to);
 
   const write = () => {
     const state = store.get();
@@ -66,7 +77,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
   const soon = createPause(write);
   const lead = createWays();
-  const other = createLanguageSwitch((name) => linkOf(store.get(), engine.experiment, name));
+  const other = createLanguageSwitch((read) => linkFor(store.get(), read));
 
   addEventListener(leaving, () => {
     history.replaceState(null, '', `#${linkFor(store.get())}`);

@@ -143,6 +143,45 @@ pageTest(
   { moves: true },
 );
 
+pageTest('a link that is still being evolved is evolved to its end in the other language', async (page) => {
+  await page.open('#lab&v=1&population=300&horizon=60&generation=150');
+  await toKorean(page);
+  await page.until(
+    'the generation of the link',
+    () => Number(document.getElementById('generation')?.textContent) === 150,
+  );
+});
+
+/** @param {Page} page */
+async function openMaker(page) {
+  await page.click('#keep-button');
+  await page.until('Share is there', () => document.getElementById('keep-exercise'));
+  await page.click('#keep-exercise');
+  await page.until('the maker is open', () => document.getElementById('maker-task')?.checkVisibility());
+}
+
+pageTest('how fast evolution goes, until when, and a task in the making go along', async (page) => {
+  await page.open('#lab');
+  await set(page, 'pace', '1');
+  await set(page, 'speed', '4');
+  await set(page, 'until', 'generation');
+  await set(page, 'until-value', '30');
+  await openMaker(page);
+  await set(page, 'maker-task', 'Park.');
+  await toKorean(page);
+  const values = await page.evaluate(() =>
+    ['pace', 'speed', 'until', 'until-value'].map((id) =>
+      Reflect.get(document.getElementById(id) ?? {}, 'value'),
+    ),
+  );
+  assert.deepEqual(values, ['1', '4', 'generation', '30']);
+  await openMaker(page);
+  assert.equal(
+    await page.evaluate(() => Reflect.get(document.getElementById('maker-task') ?? {}, 'value')),
+    'Park.',
+  );
+});
+
 pageTest('generations after the one that is shown are there in the other language too', async (page) => {
   await page.open('#lab&v=1&generation=12');
   await page.focus('#timeline');

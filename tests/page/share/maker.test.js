@@ -48,6 +48,26 @@ pageTest('what is pressed and typed within one frame is all kept', async (page) 
   );
 });
 
+pageTest(
+  'another exercise that is made of one that was opened is there again when it was closed',
+  async (page) => {
+    await openMaker(page, '#lab&v=1&task=Old&lock=run');
+    const typed = (/** @type {string | null} */ text) =>
+      page.evaluate((to) => {
+        const task = /** @type {HTMLTextAreaElement} */ (document.getElementById('maker-task'));
+        if (to !== null) task.value = to;
+        task.dispatchEvent(new Event('input', { bubbles: true }));
+        return task.value;
+      }, text);
+    assert.equal(await typed('New'), 'New');
+    await page.press(Key.ESCAPE);
+    await page.until('it is closed', () => !document.getElementById('maker-task')?.checkVisibility());
+    await page.click('#keep-button');
+    await page.click('#keep-exercise');
+    assert.equal(await typed(null), 'New');
+  },
+);
+
 /** By how much the panel's content is wider than its place, where a scrollbar would cover what is pressed. @param {Page} page */
 const sideways = (page) =>
   page.evaluate(() => {

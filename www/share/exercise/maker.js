@@ -19,6 +19,7 @@ import {
   asksSomething,
   groupNames,
   isEmpty,
+  noExercise,
   isHiddenWithPaper,
   mostOfTask,
   wayOf,
@@ -37,6 +38,16 @@ import { createPackaging } from '../scorm/button.js';
 import words from '../words/index.js';
 
 const { texts } = words;
+
+/** What is to be made: of the exercise that was opened, or the draft that was begun of it, which who looks away finds again. */
+function createDrafts() {
+  let begunOf = noExercise;
+  return (/** @type {Pick<State, 'exercise' | 'maker'>} */ { exercise, maker }) => {
+    const isBegun = isEmpty(exercise) || exercise === begunOf;
+    begunOf = exercise;
+    return isBegun ? maker.draft : exercise;
+  };
+}
 
 /** @param {SheetTools} tools */
 export function createMaker({ engine, store, actions, links, paper }) {
@@ -69,15 +80,15 @@ export function createMaker({ engine, store, actions, links, paper }) {
     if (key === 'Escape') close();
   });
 
+  const draftIn = createDrafts();
   const openChanged = watch();
   // Closed as it begins, it gives no focus back.
   openChanged(false);
   const changed = watch();
   return {
     open() {
-      const { exercise, maker } = store.get();
       status = '';
-      const draft = isEmpty(exercise) ? maker.draft : exercise;
+      const draft = draftIn(store.get());
       aim.read(draft);
       actions.makeExercise({ open: true, draft });
     },
