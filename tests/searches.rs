@@ -3,6 +3,7 @@
 mod common;
 
 use common::{Random, assert_refused, evolved, records, searched_by, valid, wild};
+use ep_locomotion::robot::Law;
 use ep_locomotion::run::Setting;
 use ep_locomotion::search::{BelowZero, EvolutionSettings, Individual, Method, Selection, Step};
 use ep_locomotion::study::{Evolution, trials};
@@ -225,4 +226,15 @@ fn every_method_and_ingredient_has_the_same_bits_everywhere() {
     ];
     let hashes = known.map(|(change, _)| evolved(searched_by(change), 100).hash());
     assert_eq!(hashes.each_ref().map(String::as_str), known.map(|(_, hash)| hash));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn where_j_is_level_the_sigma_of_the_one_plus_one_strategy_stays_finite() {
+    let mut experiment = searched_by(|e| e.method = Method::OnePlusOneEs);
+    (experiment.law, experiment.horizon) = (Law::Kanayama, 0.02);
+    // On the goal Kanayama's robot does not move.
+    experiment.starts = vec![experiment.goal];
+    experiment.evolution.below_zero = BelowZero::Clamp;
+    let sigmas = evolved(experiment, 2000).newest().mean_sigmas;
+    assert!(sigmas.iter().all(|sigma| sigma.is_finite()), "{sigmas:?}");
 }
