@@ -36,6 +36,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   const onward = isEmbedded ? 'replaceState' : 'pushState';
   /** The page is about to be loaded again, and what is laid beside its address stays there. */
   let leaves = false;
+  /** None where the address still tells of the run before. @type {string | null} */
   let written = location.hash.slice(1);
   /** @type {Place} */
   let place = { page: '', lesson: 0 };
@@ -50,7 +51,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
       return location.reload();
     }
     written = asked;
-    const { opened: run, problems } = links.openLink(written || firstPage, engine, whoAsked());
+    const { opened: run, problems } = links.openLink(asked || firstPage, engine, whoAsked());
     const { opened, newest, evolving, kept } = takeUp(run);
     place = placeOf(opened);
     if (kept) goOnAs(kept, actions);
@@ -65,7 +66,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     if (leaves || !isDue(state, place)) return;
     const link = linkFor(state);
     if (link === written) return;
-    if (!isElsewhere(state, place) || written === '') history.replaceState(null, '', `#${link}`);
+    if (!isElsewhere(state, place) || !written) history.replaceState(null, '', `#${link}`);
     else {
       // A step that "back" takes back: to all that the part before has come to.
       history.replaceState(null, '', `#${linkFor({ ...state, ...place })}`);
@@ -98,9 +99,9 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
     /** A run that is opened from elsewhere takes the place of this one: a step that "back" takes back. @param {Place} next */
     keepPlace(next) {
-      written = linkFor(store.get());
-      history.replaceState(null, '', `#${written}`);
-      history[onward](null, '', `#${written}`);
+      history.replaceState(null, '', `#${linkFor(store.get())}`);
+      history[onward](null, '', location.hash);
+      written = null;
       place = placeOf(next);
     },
 
@@ -112,8 +113,8 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
       for (const name of pages) lead(name, linkFor({ ...state, page: name, lesson: 0 }));
       lead('lesson', withExercise(linkOfStep(state.lastStep), state, engine.experiment));
       other.follow();
-      // Another part at once, so that "back" is there when it is wanted.
-      if (isElsewhere(state, place)) write();
+      // Another part, or a run from elsewhere, at once, so that "back" is there when it is wanted.
+      if (isElsewhere(state, place) || written === null) write();
       else soon.ask(state.evolving ? 'evolving' : 'atRest');
     },
   };

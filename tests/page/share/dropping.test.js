@@ -37,8 +37,14 @@ engineTest('a run that is dropped on the page is opened, but where Share is lock
   assert.match(await page.text('#keep-status'), /“dropped.json” is open: all 3 generations/);
   await page.click('#keep-close');
   assert.deepEqual(await readEvolution(page), before);
-  // What was there is not lost.
-  await page.evaluate(() => history.back());
+  // What was there is not lost, however soon one goes back.
+  await page.open('#lab&drives=hand&gains=7.25,1,5');
+  await drop(page, text);
+  await page.until('it is dealt with, and left at once', () => {
+    if (!document.getElementById('keep-status')?.textContent?.includes('“dropped.json”')) return false;
+    history.back();
+    return true;
+  });
   await page.until('the gains by hand are there again', () => {
     const field = /** @type {HTMLInputElement | null} */ (document.getElementById('gain-kx'));
     return location.hash.includes('gains=7.25') && field?.value.startsWith('7.25');
