@@ -73,7 +73,7 @@ pageTest('a link that is not written as the page writes it leaves nothing to go 
     await page.until('the address is the link of what is open', () =>
       /^#landscape$|&v=1/.test(location.hash),
     );
-    await page.evaluate(() => history.back());
+    await page.driver.navigate().back();
     await page.until(`back leads away from ${asked}`, (address) => location.href === address, blank);
   }
 });
