@@ -32,3 +32,16 @@ test('gains by hand that gains from elsewhere replace come back with one step of
   without.driveGains([4, 2, 6], 'map');
   assert.equal(other.get().versions.past.length, 0);
 });
+
+test('what a page opens with has nothing before it; the link that is opened next does', () => {
+  const { store, actions, open } = pageOf('lab&seed=5&goal.x=2');
+  const told = () => {
+    const { experiment, versions } = store.get();
+    return [experiment.evolution.seed, versions.past.length];
+  };
+  assert.deepEqual(told(), [5, 0]);
+  open('lab&seed=6');
+  assert.deepEqual(told(), [6, 1]);
+  actions.undo();
+  assert.deepEqual(told(), [5, 0]);
+});

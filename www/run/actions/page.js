@@ -30,6 +30,8 @@ export const createOpenPage =
 export function createOpening(basis, catchUp) {
   const { engine, store, places, attempt, forget, nextOf, tryToBegin, shown, newBox } = basis;
   const nearEnd = createNearEnd(basis);
+  /** Nobody has seen what was there before. */
+  let isFirst = true;
   /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
   const trialOf = ({ page, trial }, tried) => {
     if (places.triesDisturbance(page)) return { ...trial, disturbance: tried };
@@ -59,12 +61,13 @@ export function createOpening(basis, catchUp) {
           evolving: false,
           robot: shown(),
           // Nothing leads back out of an exercise, and what is locked is not open.
-          ...(run.exercise !== noExercise && { versions: noVersions }),
+          ...((isFirst || run.exercise !== noExercise) && { versions: noVersions }),
           settings: {
             open: before.settings.open && wayOf(run.exercise, 'settings') === 'free',
             error: null,
           },
         };
+        isFirst = false;
         tryToBegin(nextOf(experiment, patch), 'begin', patch);
         newBox(() => [...nearEnd(), ...cornerIn(store.get())]);
         catchUp(newest, generation);
