@@ -7,14 +7,18 @@ import { ko } from '../harness/words.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
-/** Presses the link to the other language, and waits for the page. @param {Page} page @param {'en' | 'ko'} language */
-async function toLanguage(page, language) {
-  await page.click('#language');
-  await page.until(
+/** @param {Page} page @param {'en' | 'ko'} language */
+const inLanguage = (page, language) =>
+  page.until(
     'the page is in the other language',
     (one) => document.documentElement.lang === one && document.documentElement.dataset.ready === 'true',
     language,
   );
+
+/** Presses the link to the other language, and waits for the page. @param {Page} page @param {'en' | 'ko'} language */
+async function toLanguage(page, language) {
+  await page.click('#language');
+  await inLanguage(page, language);
 }
 
 /** @param {Page} page */
@@ -91,13 +95,20 @@ pageTest('what was found is there in the other language too', async (page) => {
 });
 
 pageTest('what is being computed in a part is computed in the other language', async (page) => {
-  /** Leaves the page while it is under way, long before its end. @param {string} button @param {string} runs @param {'en' | 'ko'} [language] */
-  const cross = async (button, runs, language = 'ko') => {
-    const isRunning = () => page.until(`${button}: it runs`, (one) => document.querySelector(one), runs);
-    await page.click(button);
-    await isRunning();
-    await toLanguage(page, language);
-    await isRunning();
+  /** Leaves the page once it is under way, within it, for on a busy machine the next question comes late. @param {string} button @param {string} runs @param {'en' | 'ko'} [language] @param {string} [found] what comes of it where that comes soon */
+  const cross = async (button, runs, language = 'ko', found = runs) => {
+    await page.evaluate(
+      async (press, one) => {
+        const element = (/** @type {string} */ of) => /** @type {HTMLElement} */ (document.querySelector(of));
+        element(press).click();
+        while (!element(one)) await new Promise(requestAnimationFrame);
+        element('#language').click();
+      },
+      button,
+      runs,
+    );
+    await inLanguage(page, language);
+    await page.until(`${button}: it runs`, (...seen) => document.querySelector(seen.join()), runs, found);
   };
   await page.open('#luck&v=1');
   await set(page, 'luck-count', '500');
@@ -106,10 +117,11 @@ pageTest('what is being computed in a part is computed in the other language', a
   await cross('#contest-run', '#contest-only:disabled');
 
   const trains = '#training-progress:not(.visually-hidden)';
+  const isFound = '#training-circle.chosen';
   await page.open('#training&v=1');
-  await set(page, 'training-generations', '50');
-  await cross('#training-evolve', trains);
-  await page.until('it is found', () => document.querySelector('#training-circle.chosen'));
+  await set(page, 'training-generations', '100');
+  await cross('#training-evolve', trains, 'ko', isFound);
+  await page.until('it is found', (one) => document.querySelector(one), isFound);
   await cross('#training-seeds', trains, 'en');
 });
 
