@@ -17,7 +17,7 @@ import { language, languageNames, usualLanguage } from '../words/language.js';
 import { asGiven, exerciseKeys, givenKey, givenPairs, withVariant } from './exercise.js';
 import { changesOf, namesIn, pathOf, withField } from './experiment.js';
 import { driveKeys, lessonKey, pinKeys } from './keys.js';
-import { isSealed } from './seal.js';
+import { sealOf } from './seal.js';
 import { PartlyRead, readAll } from './together.js';
 import { decoded, encoded, oneOf, pairOf } from './values.js';
 
@@ -34,7 +34,7 @@ import { decoded, encoded, oneOf, pairOf } from './values.js';
 /** @typedef {ReturnType<typeof createLinks>} Links */
 
 const version = 1;
-/** Links are short; what is longer was not written here. */
+/** Links are short; only with thousands of starts one is longer than what is read of it. */
 export const mostCharacters = 20_000;
 
 /** Of what is wrong, so much is said. */
@@ -65,7 +65,7 @@ const signs = [
     },
   },
   {
-    // What was handed in: it stays as long as the run is that one.
+    // What was handed in: it stays as long as the run is that one, also where it came in part.
     key: 'handin',
     text: () => null,
     read: (opened, text) => ({ ...opened, student: { ...opened.student, handin: text } }),
@@ -102,8 +102,8 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
     if (read !== usualLanguage) pairs.unshift(['lang', read]);
     if (pairs.length > 0) pairs.unshift(['v', String(version)]);
     const link = [state.page, ...pairs.map(written)].join('&');
-    const { handin } = state.student;
-    return handin && isSealed(link, handin) ? `${link}&${written(['handin', handin])}` : link;
+    const { handin, of } = state.student;
+    return handin && sealOf(link, '') === of ? `${link}&${written(['handin', handin])}` : link;
   }
 
   /**
@@ -139,7 +139,7 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
       problems.push(words.ignored(key, why));
     };
     const varied = withVariant(withGains(opened, refuse), refuse, engine.experiment);
-    return { opened: mend(varied, refuse), problems };
+    return { opened: withReceipt(mend(varied, refuse), (run) => linkOf(run, engine.experiment)), problems };
   }
 
   return {
@@ -157,6 +157,14 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
       ...partKeys.map(({ slice, field }) => slice.of(state)[field]),
     ],
   };
+}
+
+/** What was handed in stays beside the run that it came with. @param {Opened} opened @param {(run: Linked) => string} linkOf @returns {Opened} */
+function withReceipt(opened, linkOf) {
+  const { parts, student } = opened;
+  if (!student.handin) return opened;
+  const of = sealOf(linkOf({ ...opened, slices: parts }), '');
+  return { ...opened, student: { ...student, of } };
 }
 
 /** What is said of the pairs that could not be read. @param {[key: string, error: unknown][]} refused */

@@ -5,12 +5,12 @@
 import { fnv1a, spread } from '../kit/hash.js';
 
 /** @typedef {typeof variedNames[number]} Varied */
-/** Who works on an exercise: the name or number; the exercise's own experiment, before anything is drawn for that name, null where nothing is asked; the receipt that was opened, if one was; and what the link says that was driven before. @typedef {{ who: string, base: Version | null, handin: string, spent: number }} Student */
+/** Who works on an exercise: the name or number; the exercise's own experiment, before anything is drawn for that name, null where nothing is asked; the receipt that was opened, if one was, and a digest of the link beside it; and what the link says that was driven before. @typedef {{ who: string, base: Version | null, handin: string, of: string, spent: number }} Student */
 
 export const variedNames = /** @type {const} */ (['goal', 'starts', 'seed']);
 
 /** @type {Student} */
-export const nobody = Object.freeze({ who: '', base: null, handin: '', spent: 0 });
+export const nobody = Object.freeze({ who: '', base: null, handin: '', of: '', spent: 0 });
 
 export const mostOfWho = 80;
 

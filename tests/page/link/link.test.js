@@ -131,6 +131,7 @@ test('every key of a link is read as it is written', () => {
         who: 's4711',
         base: { preset: 'acceleration-limits', experiment: experiment('acceleration-limits') },
         handin: '',
+        of: '',
         spent: 7,
       },
       slices: {
