@@ -266,7 +266,14 @@ export class Page {
     for (let attempt = 0; attempt < 5; attempt++) {
       /** @type {{ width: number, height: number }} */
       const inner = await this.driver.executeScript(() => ({ width: innerWidth, height: innerHeight }));
-      if (inner.width === width && inner.height === height) return;
+      if (inner.width === width && inner.height === height) {
+        // Pictures are told in the next frame, after which they ask for one of their own.
+        if (attempt > 0)
+          await this.driver.executeScript(
+            () => new Promise((done) => requestAnimationFrame(() => setTimeout(done))),
+          );
+        return;
+      }
       const outer = await window.getRect();
       await window.setRect({
         width: outer.width + width - inner.width,

@@ -219,6 +219,8 @@ pageTest('a decimal comma and a minus sign are understood', async (page) => {
 });
 
 pageTest('what is being typed is not overwritten by what evolution finds', async (page) => {
+  // It does not pause by itself, at generation 100, before two generations are seen.
+  await page.setPace(0.2);
   await page.click('#run');
   await page.focus('#gain-kx');
   await page.press('4');

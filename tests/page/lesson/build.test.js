@@ -176,6 +176,7 @@ pageTest(
     );
     assert.equal(await ends(), '');
     await page.evaluate(() => history.back());
+    await page.until('the end of the path again', () => document.querySelector('.lesson-end'));
     await page.click('.lesson-end a[href^="#park"]');
     await page.until(
       'Park',

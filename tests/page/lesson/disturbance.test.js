@@ -195,6 +195,7 @@ pageTest(
 
 pageTest('Drive again lets the robot drive from its start', async (page) => {
   await page.open('#lesson&step=12');
+  await page.setPace(0.1);
   await page.click('#near-goal button');
   await page.until('the robot is on its way', () => {
     const time = Number(

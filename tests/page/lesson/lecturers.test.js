@@ -232,7 +232,7 @@ pageTest(
       await driver.switchTo().window(own);
       await press('demonstration-landscape');
       assert.equal((await driver.getAllWindowHandles()).length, 2);
-      assert.ok(await page.evaluate(() => location.hash.includes('&lesson=lecturers')));
+      await page.until('the notes stay', () => location.hash.includes('&lesson=lecturers'));
       await driver.switchTo().window(shown);
       await isShown('#landscape&v=1&lang=ko&generation=30');
       assert.ok(await page.evaluate(() => document.body.classList.contains('followed')), 'not loaded again');

@@ -138,6 +138,10 @@ pageTest('a heavy link opens once a worker has begun it, and Escape stops what g
     /1000/.test(document.getElementById('evolution-note')?.textContent ?? ''),
   );
   assert.ok(population);
+  // No worker hears of it, so that it is under way until it is stopped.
+  await page.evaluate(() => {
+    Worker.prototype.postMessage = () => {};
+  });
   await page.click('#run');
   await page.until('it says what it computes', () => !document.getElementById('computing')?.hidden);
   await page.evaluate(() => {
