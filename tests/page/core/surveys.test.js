@@ -132,11 +132,13 @@ const evolveDespite = (page, generations) =>
       constructor(...parts) {
         super(...parts);
         workers.push(this);
+        // It begins with that.
+        if (workers.length === 1)
+          this.addEventListener('message', ({ data }) => data.life && this.terminate());
       }
     };
     const preset = engine.experiment('velocity-limits');
-    const onProgress = () => workers[0].terminate();
-    const { hash } = await engine.surveys.evolve(preset, count, { onProgress });
+    const { hash } = await engine.surveys.evolve(preset, count);
     window.Worker = Worker;
     return { hash, workers: workers.length };
   }, generations);

@@ -266,24 +266,17 @@ export class Page {
     for (let attempt = 0; attempt < 5; attempt++) {
       /** @type {{ width: number, height: number }} */
       const inner = await this.driver.executeScript(() => ({ width: innerWidth, height: innerHeight }));
-      if (inner.width === width && inner.height === height) {
-        // Pictures are told in the next frame, after which they ask for one of their own.
-        if (attempt > 0)
-          await this.driver.executeScript(
-            () => new Promise((done) => requestAnimationFrame(() => setTimeout(done))),
-          );
-        return;
-      }
+      if (inner.width === width && inner.height === height) return;
       const outer = await window.getRect();
       await window.setRect({
         width: outer.width + width - inner.width,
         height: outer.height + height - inner.height,
       });
-      // The page learns its new size later than the window.
+      // The page learns its new size later than the window, and its pictures in the frame after that.
       await this.driver.executeScript(async (/** @type {typeof inner} */ old) => {
-        for (let frame = 0; frame < 30 && innerWidth === old.width && innerHeight === old.height; frame++) {
-          await new Promise((resolve) => requestAnimationFrame(resolve));
-        }
+        const frame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+        for (let i = 0; i < 30 && innerWidth === old.width && innerHeight === old.height; i++) await frame();
+        await frame();
       }, inner);
     }
   }

@@ -95,8 +95,8 @@ pageTest('what was found is there in the other language too', async (page) => {
 });
 
 pageTest('what is being computed in a part is computed in the other language', async (page) => {
-  /** Leaves the page once it is under way, within it, for on a busy machine the next question comes late. @param {string} button @param {string} runs @param {'en' | 'ko'} [language] @param {string} [found] what comes of it where that comes soon */
-  const cross = async (button, runs, language = 'ko', found = runs) => {
+  /** Leaves the page once it is under way, within it, for on a busy machine the next question comes late. @param {string} button @param {string} runs @param {'en' | 'ko'} language @param {string} found what comes of it, perhaps before the next look */
+  const cross = async (button, runs, language, found) => {
     await page.evaluate(
       async (press, one) => {
         const element = (/** @type {string} */ of) => /** @type {HTMLElement} */ (document.querySelector(of));
@@ -112,9 +112,9 @@ pageTest('what is being computed in a part is computed in the other language', a
   };
   await page.open('#luck&v=1');
   await set(page, 'luck-count', '500');
-  await cross('#luck-run', '#luck-progress:not(.visually-hidden)');
+  await cross('#luck-run', '#luck-progress:not(.visually-hidden)', 'ko', '#luck-seed:not([hidden])');
   await page.open('#luck&v=1&luck=contest&seeds=101&budget=20000');
-  await cross('#contest-run', '#contest-only:disabled');
+  await cross('#contest-run', '#contest-only:disabled', 'ko', '#contest-table');
 
   const trains = '#training-progress:not(.visually-hidden)';
   const isFound = '#training-circle.chosen';
@@ -122,7 +122,7 @@ pageTest('what is being computed in a part is computed in the other language', a
   await set(page, 'training-generations', '100');
   await cross('#training-evolve', trains, 'ko', isFound);
   await page.until('it is found', (one) => document.querySelector(one), isFound);
-  await cross('#training-seeds', trains, 'en');
+  await cross('#training-seeds', trains, 'en', '.training-dot');
 });
 
 pageTest('evolution that runs goes on in the other language', async (page) => {
@@ -142,11 +142,15 @@ pageTest(
   async (page) => {
     await page.open('#park');
     await set(page, 'park-ky', '3');
-    await page.click('#park-evolve');
-    await page.until('generation 2 has come', () =>
-      document.querySelector('.park-climb figcaption')?.textContent?.includes('generation 2'),
-    );
-    await toKorean(page);
+    // Within the page, for it soon comes to its end.
+    await page.evaluate(async () => {
+      const press = (/** @type {string} */ id) => document.getElementById(id)?.click();
+      const climb = () => document.querySelector('.park-climb figcaption')?.textContent ?? '';
+      press('park-evolve');
+      while (!/generation ([2-9]|1\d)/.test(climb())) await new Promise(requestAnimationFrame);
+      press('language');
+    });
+    await inLanguage(page, 'ko');
     await page.until('it has come to its end', () => document.getElementById('park-between'));
     const { generation } = bred(1);
     const climb = await page.text('.park-climb figcaption');

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { saved } from '../harness/saved.js';
+import { holdWorkers } from '../harness/workers.js';
 import {
   expectedTable,
   link,
@@ -60,6 +61,7 @@ pageTest('what would take too long is refused before it starts, all of it or one
 
 pageTest('cancel keeps what was done and says how much', async (page) => {
   await openContest(page, '#luck&v=1&luck=contest&seeds=101&budget=20000&contestants=none');
+  await holdWorkers(page, 2);
   await page.click('#contest-run');
   await page.until(
     'some have run',

@@ -4,6 +4,7 @@ import { seedRuns } from '../../../pkg/ep_locomotion.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
 import { read } from '../harness/reading.js';
+import { holdWorkers, releaseWorkers } from '../harness/workers.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../pkg/ep_locomotion.js').Preset} Preset */
@@ -49,14 +50,13 @@ async function runSeeds(page) {
 async function cancelSeeds(page) {
   await page.click('#luck-count option[value="500"]');
   await page.click('#luck-generations option[value="200"]');
+  await holdWorkers(page);
   await page.doubleClick('#luck-run');
   await page.until('the seeds run', () => document.getElementById('luck-run')?.textContent === 'Cancel');
   assert.equal(await (await page.element('#luck-count')).isEnabled(), false);
   await page.click('#luck-run');
-  await page.until(
-    'no seeds run',
-    () => document.getElementById('luck-run')?.textContent === 'Run 500 seeds',
-  );
+  await page.until('no seeds run', () => document.getElementById('luck-run')?.textContent?.startsWith('Run'));
+  await releaseWorkers(page);
 }
 
 /** Costs and gains in a text. @param {string} text */

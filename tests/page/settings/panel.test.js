@@ -4,6 +4,7 @@ import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
 import { openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
 import { read } from '../harness/reading.js';
+import { holdWorkers } from '../harness/workers.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -66,10 +67,7 @@ pageTest(
   async (page) => {
     const starts = Array.from({ length: 150 }, (_, i) => `${i % 9},${i % 8},0`).join(';');
     await page.open(`#lab&v=1&population=2&start=${starts}`);
-    // No worker hears of it, so that it is under way until it is stopped.
-    await page.evaluate(() => {
-      Worker.prototype.postMessage = () => {};
-    });
+    await holdWorkers(page);
     await openSettings(page);
     await openGroup(page, 'evolution');
     const before = await summary(page);

@@ -20,6 +20,7 @@ import { frameOf, heardFrom, inHost, within } from '../harness/host.js';
 import { test } from '../harness/once.js';
 import { saved } from '../harness/saved.js';
 import { serve } from '../harness/server.js';
+import { holdWorkers, releaseWorkers } from '../harness/workers.js';
 
 const engine = createEngine();
 const tools = { engine, links, paper: paper() };
@@ -161,14 +162,14 @@ pageTest(
   async (page) => {
     const { link } = await receiptOf(
       tools,
-      await opened('lab&v=1&task=Evolve.&aim=J%3C8&generation=1500&who=s4711'),
+      await opened('lab&v=1&task=Evolve.&aim=J%3C8&generation=10000&who=s4711'),
     );
     const site = await serve(undefined, { before: pausesAtOnce });
     try {
       await page.visit(`${site.address}#${link}`);
       await page.until('what there is to do is there', () => document.getElementById('hand-in'));
       const generation = Number(await page.text('#generation'));
-      assert.ok(generation > 0 && generation < 1500, `paused at ${generation}`);
+      assert.ok(generation > 0 && generation < 10_000, `paused at ${generation}`);
       assert.equal(await page.evaluate(() => document.querySelectorAll('.work-said').length), 0);
     } finally {
       await page.leave();
@@ -188,14 +189,7 @@ pageTest('what is still computed when the sheet is closed is not handed in', asy
     const inFigure = (/** @type {() => Promise<void>} */ body) => within(page, 0, body);
     await inFigure(async () => {
       await page.until('its work is there', () => document.getElementById('hand-in'));
-      // No worker hears of it, so that it is under way until it is stopped.
-      await page.evaluate(() => {
-        const { postMessage } = Worker.prototype;
-        Worker.prototype.postMessage = () => {};
-        addEventListener('again', () => {
-          Worker.prototype.postMessage = postMessage;
-        });
-      });
+      await holdWorkers(page);
     });
     await page.evaluate(() =>
       document
@@ -212,7 +206,7 @@ pageTest('what is still computed when the sheet is closed is not handed in', asy
       await page.click('#handin-close');
       await page.click('#computing button');
       await page.until('it has stopped', () => document.getElementById('computing')?.hidden);
-      await page.evaluate(() => dispatchEvent(new Event('again')));
+      await releaseWorkers(page);
       await page.click('#hand-in');
       await page.until('the receipt is there', () => document.getElementById('handin-text'));
     });

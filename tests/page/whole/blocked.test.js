@@ -6,6 +6,7 @@ import { links } from '../../../www/lesson/links.js';
 import { pageTest } from '../harness/browsers.js';
 import { createEngine, Evolution, experiment, Simulation, simulateAll, stability } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { holdWorkers } from '../harness/workers.js';
 
 /** @typedef {import('../../../www/core/engine.js').Experiment} Experiment */
 /** @typedef {import('../../../www/core/engine.js').Triple} Triple */
@@ -138,10 +139,7 @@ pageTest('a heavy link opens once a worker has begun it, and Escape stops what g
     /1000/.test(document.getElementById('evolution-note')?.textContent ?? ''),
   );
   assert.ok(population);
-  // No worker hears of it, so that it is under way until it is stopped.
-  await page.evaluate(() => {
-    Worker.prototype.postMessage = () => {};
-  });
+  await holdWorkers(page);
   await page.click('#run');
   await page.until('it says what it computes', () => !document.getElementById('computing')?.hidden);
   await page.evaluate(() => {

@@ -1,0 +1,20 @@
+// What workers of the page hear, so that work is under way for as long as a test needs it.
+
+/** @typedef {import('./browsers.js').Page} Page */
+
+/** From now on no worker hears what it is to do: it is under way until it is stopped. @param {Page} page @param {number} [most] parts that are heard of before */
+export const holdWorkers = (page, most = 0) =>
+  page.evaluate((free) => {
+    const { prototype } = Worker;
+    const { postMessage } = prototype;
+    let heard = 0;
+    prototype.postMessage = function (/** @type {object} */ message) {
+      const isOutfit = 'core' in message;
+      if (!isOutfit) heard += 1;
+      if (heard <= free) postMessage.call(this, message);
+    };
+    addEventListener('workers-hear', () => Object.assign(prototype, { postMessage }), { once: true });
+  }, most);
+
+/** From now on they hear again what is asked then. @param {Page} page */
+export const releaseWorkers = (page) => page.evaluate(() => dispatchEvent(new Event('workers-hear')));
