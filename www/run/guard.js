@@ -37,6 +37,7 @@ export const groupOf = {
   openSettings: 'settings',
   tryDisturbance: 'settings',
   openPage: 'parts',
+  share: 'share',
   togglePin: 'free',
   renamePin: 'free',
   unpin: 'free',

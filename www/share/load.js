@@ -8,7 +8,6 @@ import { isEmbedded } from '../kit/host.js';
 import { once } from '../kit/memo.js';
 import { createSheet } from '../kit/sheet.js';
 import { createWaiting } from '../lab/waiting.js';
-import { isFree } from '../run/guard.js';
 import { opening as words } from '../words/index.js';
 import { afterWords } from '../words/pick.js';
 import { load as loadChecks } from './checks/words/load.js';
@@ -88,7 +87,7 @@ export function createShare(tools) {
 }
 
 /** The button, and files that are dropped on the page. @param {ShareTools} tools @param {ReturnType<typeof createOnDemand<ReturnType<typeof import('./dialog.js').createKeep>>>} keep */
-function offer({ store, actions }, keep) {
+function offer({ actions }, keep) {
   const button = byId('keep-button');
   button.hidden = false;
   button.addEventListener('click', () => {
@@ -102,6 +101,6 @@ function offer({ store, actions }, keep) {
     const [chosen] = event.dataTransfer?.files ?? [];
     if (!chosen) return;
     event.preventDefault();
-    if (isFree(store.get(), 'share')) keep.openFor(({ open }) => open(chosen));
+    actions.share(() => keep.openFor(({ open }) => open(chosen)));
   });
 }

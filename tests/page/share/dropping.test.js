@@ -24,7 +24,15 @@ engineTest('a run that is dropped on the page is opened, but where Share is lock
   const text = await saved(page, '#keep-save');
 
   await page.open('#lab&lock=share');
+  // It does not go out before the next look.
+  await page.evaluate(() => {
+    setInterval(() => document.getElementById('exercise-locks')?.getAnimations()[0]?.pause(), 50);
+  });
   assert.deepEqual(await drop(page, text), [true, true]);
+  await page.until(
+    'the line that says so lights up',
+    () => document.getElementById('exercise-locks')?.getAnimations().length,
+  );
   await page.click('#one-generation');
   await page.until('evolution went on', () => document.getElementById('generation')?.textContent === '1');
   assert.equal(await page.evaluate(() => document.querySelector('dialog[open]')), null);

@@ -135,6 +135,11 @@ export function createPage({ store }, openPage) {
       store.update({ message });
     },
 
+    /** Where the way to Share may be gone. @param {() => void} open */
+    share(open) {
+      open();
+    },
+
     /** @param {boolean} open */
     openSettings(open) {
       const { maker } = store.get();
