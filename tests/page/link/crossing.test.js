@@ -4,6 +4,7 @@ import { Key, pageTest } from '../harness/browsers.js';
 import { bred } from '../parts/parking.js';
 import { saidElsewhere } from '../../../www/lesson/words/ko.js';
 import { ko } from '../harness/words.js';
+import { holdWorkers } from '../harness/workers.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -95,26 +96,19 @@ pageTest('what was found is there in the other language too', async (page) => {
 });
 
 pageTest('what is being computed in a part is computed in the other language', async (page) => {
-  /** Leaves the page once it is under way, within it, for on a busy machine the next question comes late. @param {string} button @param {string} runs @param {'en' | 'ko'} language @param {string} found what comes of it, perhaps before the next look */
-  const cross = async (button, runs, language, found) => {
-    await page.evaluate(
-      async (press, one) => {
-        const element = (/** @type {string} */ of) => /** @type {HTMLElement} */ (document.querySelector(of));
-        element(press).click();
-        while (!element(one)) await new Promise(requestAnimationFrame);
-        element('#language').click();
-      },
-      button,
-      runs,
-    );
-    await inLanguage(page, language);
+  /** Leaves the page while it is under way. @param {string} button @param {string} runs @param {'en' | 'ko'} language @param {string} found what comes of it, perhaps before the next look @param {number} [heard] parts that the workers do before */
+  const cross = async (button, runs, language, found, heard = 0) => {
+    await holdWorkers(page, heard);
+    await page.click(button);
+    await page.until(`${button}: it begins`, (one) => document.querySelector(one), runs);
+    await toLanguage(page, language);
     await page.until(`${button}: it runs`, (...seen) => document.querySelector(seen.join()), runs, found);
   };
   await page.open('#luck&v=1');
   await set(page, 'luck-count', '500');
   await cross('#luck-run', '#luck-progress:not(.visually-hidden)', 'ko', '#luck-seed:not([hidden])');
   await page.open('#luck&v=1&luck=contest&seeds=101&budget=20000');
-  await cross('#contest-run', '#contest-only:disabled', 'ko', '#contest-table');
+  await cross('#contest-run', '#contest-only:disabled', 'ko', '#contest-table', 2);
 
   const trains = '#training-progress:not(.visually-hidden)';
   const isFound = '#training-circle.chosen';
