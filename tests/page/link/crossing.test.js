@@ -136,15 +136,13 @@ pageTest(
   async (page) => {
     await page.open('#park');
     await set(page, 'park-ky', '3');
-    // Within the page, for it soon comes to its end.
-    await page.evaluate(async () => {
-      const press = (/** @type {string} */ id) => document.getElementById(id)?.click();
-      const climb = () => document.querySelector('.park-climb figcaption')?.textContent ?? '';
-      press('park-evolve');
-      while (!/generation ([2-9]|1\d)/.test(climb())) await new Promise(requestAnimationFrame);
-      press('language');
-    });
-    await inLanguage(page, 'ko');
+    // So that it has not come to its end before it is left.
+    await page.setPace(0.4);
+    await page.click('#park-evolve');
+    await page.until('generation 2 has come', () =>
+      /generation ([2-9]|1\d)/.test(document.querySelector('.park-climb figcaption')?.textContent ?? ''),
+    );
+    await toKorean(page);
     await page.until('it has come to its end', () => document.getElementById('park-between'));
     const { generation } = bred(1);
     const climb = await page.text('.park-climb figcaption');
