@@ -11,6 +11,8 @@ const mostAnswers = 24;
 export function createAnswers() {
   /** The one asked for last is the last. @type {Map<string, Answer>} */
   const answers = new Map();
+  /** The arrival of what was asked last. @type {Map<Run, Promise<unknown>>} */
+  const newest = new Map();
 
   /** @param {string} key @param {Answer} answer */
   function keep(key, answer) {
@@ -36,11 +38,17 @@ export function createAnswers() {
       const arrival = run({ call, parts: [args] }, { onProgress: (part) => (done = part) }).then(
         ([value]) => keep(key, { value }),
         (error) => {
-          // What a newer question took the place of may be asked again.
-          if (error instanceof DOMException && error.name === 'AbortError') answers.delete(key);
-          else answers.set(key, { error });
+          if (!(error instanceof DOMException && error.name === 'AbortError')) {
+            answers.set(key, { error });
+            return;
+          }
+          // What a newer question took the place of may be asked again, once that has its answer: two that are asked in
+          // turn would never have one.
+          answers.delete(key);
+          return newest.get(run);
         },
       );
+      newest.set(run, arrival);
       answer = { arrival, share: () => done };
       answers.set(key, answer);
     }
