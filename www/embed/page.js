@@ -2,6 +2,7 @@
 /** @import { State } from '../run/state.js' */
 import { byId, create, svg } from '../kit/elements.js';
 import { noExercise } from '../run/exercise.js';
+import { caughtUp } from '../run/state.js';
 import { watch } from '../kit/memo.js';
 import { embed as words, texts } from '../words/index.js';
 import { addressOf } from '../kit/host.js';
@@ -36,7 +37,7 @@ export function createEmbed(parts) {
   const { engine, store, links, shapes } = parts;
   const messages = createMessages(parts, (message) => post({ ep: version, ...message }));
   // The whole page is one in which nothing is locked.
-  const wholeLink = () => links.linkOf({ ...store.get(), exercise: noExercise }, engine.experiment);
+  const wholeLink = () => links.linkOf({ ...caughtUp(store.get()), exercise: noExercise }, engine.experiment);
   const foot = createFoot(() => addressOf(location.href, wholeLink(), false));
   const linkChanged = watch();
   const shapeChanged = watch();

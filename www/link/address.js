@@ -8,9 +8,10 @@
 import { isEmbedded, leaving } from '../kit/host.js';
 import { takeAlong, takeUp } from './crossing.js';
 import { createLanguageSwitch } from './language-switch.js';
-import { withExercise } from './link.js';
+import { inLanguage, withExercise } from './link.js';
 import { watch } from '../kit/memo.js';
 import { isEmpty, tidyTask } from '../run/exercise.js';
+import { asked, caughtUp } from '../run/state.js';
 import { mostOfWho } from '../run/variant.js';
 import { language, languageOfAddress } from '../words/language.js';
 
@@ -25,12 +26,28 @@ function goOnAs({ pace, until, speed, draft }, actions) {
   if (!isEmpty(draft)) actions.makeExercise({ draft });
 }
 
-/** What is still to be evolved is in the link that asked for it. @param {State} state @returns {State} */
-const atEnd = (state) => ({ ...state, generation: state.catchingUp?.generation ?? state.generation });
+/** @param {{ engine: Engine, store: Store, links: Links, firstPage: string }} parts */
+function createLinkTo({ engine, store, links, firstPage }) {
+  const linkFor = (/** @type {State} */ state, to = language) =>
+    links.linkOf(caughtUp(state), engine.experiment, to);
+  return {
+    linkFor,
+    /** The link of what is asked for by now. @param {string | null} written The address, which is what is being opened, if something is. */
+    linkNow: (written, read = language) =>
+      isOpening(store.get()) && written !== null
+        ? inLanguage(written || firstPage, read)
+        : linkFor(begun(store.get()), read),
+    /** @param {State} state @param {string} name */
+    wayTo: (state, name) =>
+      name === 'lesson'
+        ? withExercise(links.linkOfStep(state.lastStep), state, engine.experiment)
+        : linkFor({ ...state, page: name, lesson: 0 }),
+  };
+}
 
 /** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, slices: readonly Slice<any>[], firstPage: string }} parts `slices`: of all parts; `firstPage`: what is opened where an address asks for nothing. */
 export function createAddress({ engine, store, actions, links, slices, firstPage }) {
-  const { pages, linkOf, linkOfStep } = links;
+  const { linkFor, linkNow, wayTo } = createLinkTo({ engine, store, links, firstPage });
   const changed = watch();
   /** The host's “back” is not for what happens within a frame. */
   const onward = isEmbedded ? 'replaceState' : 'pushState';
@@ -46,7 +63,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     const spoken = languageOfAddress();
     // The words are chosen when the page loads.
     if (spoken !== language) {
-      if (asked === other.pressed() || asked === linkFor(store.get(), spoken)) takeAlong(store.get(), slices);
+      if (asked === other.pressed() || asked === linkFor(store.get(), spoken)) crossOver(store.get(), slices);
       leaves = true;
       return location.reload();
     }
@@ -58,8 +75,6 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     actions.openLinked(opened, problems, newest);
     if (evolving && !store.get().catchingUp) actions.toggleEvolution();
   };
-
-  const linkFor = (/** @type {State} */ state, to = language) => linkOf(atEnd(state), engine.experiment, to);
 
   const write = () => {
     const state = store.get();
@@ -77,12 +92,12 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   };
 
   const soon = createPause(write);
-  const lead = createWays();
-  const other = createLanguageSwitch((read) => linkFor(store.get(), read));
+  const lead = createWays(wayTo);
+  const other = createLanguageSwitch((read) => linkNow(written, read));
 
   addEventListener(leaving, () => {
-    history.replaceState(null, '', `#${linkFor(store.get())}`);
-    takeAlong(store.get(), slices);
+    history.replaceState(null, '', `#${linkNow(written)}`);
+    crossOver(store.get(), slices);
     leaves = true;
   });
   addEventListener('popstate', () => {
@@ -110,14 +125,28 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
       if (leaves || !isDue(state, place) || (state.evolving && soon.waits && !isElsewhere(state, place)))
         return;
       if (!changed(...links.carried(state))) return;
-      for (const name of pages) lead(name, linkFor({ ...state, page: name, lesson: 0 }));
-      lead('lesson', withExercise(linkOfStep(state.lastStep), state, engine.experiment));
+      lead(state, [...links.pages, 'lesson']);
       other.follow();
       // Another part, or a run from elsewhere, at once, so that "back" is there when it is wanted.
       if (isElsewhere(state, place) || written === null) write();
       else soon.ask(state.evolving ? 'evolving' : 'atRest');
     },
   };
+}
+
+/** Whether something is being opened, or being set, which is in sight only once it has begun. @param {State} state */
+const isBeginning = ({ computing }) => computing?.what === 'begin';
+
+/** Nothing of it is in the state yet. @param {State} state */
+const isOpening = (state) => isBeginning(state) && !state.computing?.next;
+
+/** As it will begin, where that is known. @param {State} state */
+const begun = (state) => (state.computing?.next ? { ...asked(state), generation: 0 } : state);
+
+/** What has not begun has evolved nowhere, and no part has found anything in it. @param {State} state @param {readonly Slice<any>[]} slices */
+function crossOver(state, slices) {
+  if (!isBeginning(state)) return takeAlong(state, slices);
+  takeAlong({ ...state, history: state.history.slice(0, 1), catchingUp: null, evolving: false }, []);
 }
 
 /** Calls it once after the pause that was asked for last. @param {() => void} act */
@@ -143,14 +172,16 @@ function createPause(act) {
   };
 }
 
-/** To the parts and the lesson: an exercise may have taken them out of the document. */
-function createWays() {
+/** To the parts and the lesson: an exercise may have taken them out of the document. @param {(state: State, name: string) => string} linkTo */
+function createWays(linkTo) {
   /** @type {Map<string, HTMLElement | null>} */
   const ways = new Map();
-  return (/** @type {string} */ name, /** @type {string} */ link) => {
-    const way = ways.get(name) ?? document.getElementById(`page-${name}`);
-    ways.set(name, way);
-    way?.setAttribute('href', `#${link}`);
+  return (/** @type {State} */ state, /** @type {readonly string[]} */ names) => {
+    for (const name of names) {
+      const way = ways.get(name) ?? document.getElementById(`page-${name}`);
+      ways.set(name, way);
+      way?.setAttribute('href', `#${linkTo(state, name)}`);
+    }
   };
 }
 
@@ -167,4 +198,4 @@ const isElsewhere = (state, place) => state.page !== place.page || state.lesson 
 
 /** Another part does not wait until a drag has ended: one goes back from there too. @param {State} state @param {Place} place */
 const isDue = (state, place) =>
-  !state.computing && !state.catchingUp && (!state.dragging || isElsewhere(state, place));
+  !isBeginning(state) && !state.catchingUp && (!state.dragging || isElsewhere(state, place));

@@ -210,9 +210,18 @@ function pairsOf(keys, state, usual) {
 /** As it was written: from HTML `&` comes as `&amp;`, and learning platforms add `?name=value` to the end of an address. @param {string} link */
 const asWritten = (link) => link.replaceAll('&amp;', '&').replace(/\?(?=\w+=)/g, '&');
 
+/** The same link for who reads another language. @param {string} link @param {Language} read */
+export function inLanguage(link, read) {
+  const pairs = asWritten(link)
+    .split('&')
+    .filter((pair) => !pair.startsWith('lang='));
+  return [...pairs, ...(read === usualLanguage ? [] : [written(['lang', read])])].join('&');
+}
+
 /** A link with an exercise, for who goes on within it: the exercise has its own experiment, and the link another. @param {string} link @param {Pick<Linked, 'exercise' | 'student'>} within @param {ExperimentOf} experimentOf */
 export function withExercise(link, within, experimentOf) {
-  const state = /** @type {Linked} */ (within);
+  // Another run does not drive again what was driven for the generation that is shown.
+  const state = { .../** @type {Linked} */ (within), generation: 0 };
   const pairs = pairsOf(exerciseKeys, state, /** @type {Experiment} */ ({}));
   return [link, ...[...pairs, ...givenPairs(within, experimentOf)].map(written)].join('&');
 }

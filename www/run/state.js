@@ -105,6 +105,10 @@ export const spentOf = ({ history, generation, ...state }) =>
 /** The state as it has been asked for, of which an experiment may still be on its way: what controls show, and change further. @param {State} state @returns {State} */
 export const asked = (state) => ({ ...state, ...state.computing?.next });
 
+/** A run that still catches up with what opened it, as that has it: all that was evolved of it will be evolved again. @param {State} state @returns {State} */
+export const caughtUp = (state) =>
+  state.catchingUp ? { ...state, generation: state.catchingUp.generation, history: [] } : state;
+
 /** Start and goal of what drives. @param {State} state */
 export const endsOf = ({ experiment, trial }) => ({
   start: trial.start ?? experiment.starts[0],

@@ -11,7 +11,8 @@ import { download } from '../kit/download.js';
 import { addressOf } from '../kit/host.js';
 import { choicesOf } from '../kit/segmented.js';
 import { selectAll } from '../kit/templates.js';
-import { messageOf } from '../words/errors.js';
+import { caughtUp } from '../run/state.js';
+import { messageOf, orSay } from '../words/errors.js';
 import { opening } from '../words/index.js';
 import { createTask, inLab, linkInLab } from '../parts/park/task.js';
 import { driveCsv, driveOrigin, generationsCsv } from './csv.js';
@@ -41,7 +42,7 @@ export function createKeep(tools, sheet) {
   /** @type {Picture[]} */
   let pictures = [];
 
-  const linkNow = () => links.linkOf(store.get(), engine.experiment);
+  const linkNow = () => links.linkOf(caughtUp(store.get()), engine.experiment);
   const address = () => addressOf(location.href, linkNow(), false);
   const say = (/** @type {string} */ text) => {
     status = text;
@@ -56,10 +57,10 @@ export function createKeep(tools, sheet) {
     sheet.open();
   };
 
-  /** As it is, and once more when what was set has begun. */
-  const start = () => {
-    show();
-    const again = () => sheet.dialog.open && show();
+  /** As it is, and once more when what was set has begun. @param {string} [text] */
+  const start = (text) => {
+    show(text);
+    const again = () => sheet.dialog.open && show(text);
     if (store.get().computing) actions.whenIdle().then(again);
   };
 
@@ -77,7 +78,7 @@ export function createKeep(tools, sheet) {
       if (signal.aborted) return;
       tools.keepPlace(opened);
       tools.open(opened, [], generations);
-      show(words.opened(file.name, generations));
+      start(words.opened(file.name, generations));
     } catch (error) {
       if (!signal.aborted) show(words.notOpened(file.name, messageOf(error)));
     }
@@ -148,7 +149,7 @@ function createSaving(tools, dialog, address, say) {
     saveRun: () => download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
     saveGenerations: () => saveCsv('generations', generationsCsv(store.get(), origin())),
     /** A long drive is read by a worker. */
-    saveDrive: () => whenThere(saveDrive, () => dialog.open),
+    saveDrive: () => whenThere(orSay(saveDrive, say), () => dialog.open),
     /** @param {Picture} picture @param {typeof kinds[number]} kind */
     async savePicture(picture, [ending, type, write]) {
       try {

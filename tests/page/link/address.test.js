@@ -1,6 +1,7 @@
 // What the address bar says, and what it opens.
 import assert from 'node:assert/strict';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { holdWorkers } from '../harness/workers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
 import { read, readEvolution } from '../harness/reading.js';
 
@@ -61,6 +62,20 @@ pageTest(
         /generation=[1-9]/.test(location.hash) && document.getElementById('run')?.textContent?.trim() !== run,
       atRest,
     );
+  },
+);
+
+pageTest(
+  'while a generation is computed in a worker, the address goes on telling what is set',
+  async (page) => {
+    await page.open('#lab&v=1&population=1200');
+    await holdWorkers(page);
+    await page.click('#one-generation');
+    await page.until('it is computed', () => document.querySelector('#computing:not([hidden])'));
+    await page.focus('#gain-ky');
+    await page.press('4', Key.ENTER);
+    await page.until('the gains are in the address', () => /drives=hand&gains=/.test(location.hash));
+    assert.ok(await page.evaluate(() => document.querySelector('#computing:not([hidden])')));
   },
 );
 

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { bred } from '../parts/parking.js';
 import { saidElsewhere } from '../../../www/lesson/words/ko.js';
+import { openGroup, openSettings } from '../harness/panel.js';
 import { ko } from '../harness/words.js';
 import { holdWorkers } from '../harness/workers.js';
 
@@ -159,6 +160,37 @@ pageTest('a link that is still being evolved is evolved to its end in the other 
     () => Number(document.getElementById('generation')?.textContent) === 150,
   );
 });
+
+pageTest(
+  'a link that still begins, and a setting that does, are those that the other language opens',
+  async (page) => {
+    /** @param {string} population */
+    const has = (population) =>
+      page.until(
+        `a population of ${population}`,
+        (one) =>
+          location.hash.includes(`population=${one}`) && !document.querySelector('#computing:not([hidden])'),
+        population,
+      );
+    await page.open('#lab&v=1&generation=3');
+    await holdWorkers(page);
+    await page.evaluate(() => {
+      location.hash = 'lab&v=1&population=1500&seed=7';
+    });
+    await page.until('it begins', () => document.querySelector('#computing:not([hidden])'));
+    await toKorean(page);
+    await has('1500');
+    assert.match(await page.evaluate(() => location.hash), /(?=.*seed=7).*lang=ko/);
+    assert.equal(await page.text('#generation'), '0');
+    await openSettings(page);
+    await openGroup(page, 'evolution');
+    await holdWorkers(page);
+    await set(page, 'setting-evolution-population', '1400');
+    await page.until('it begins', () => document.querySelector('#computing:not([hidden])'));
+    await toLanguage(page, 'en');
+    await has('1400');
+  },
+);
 
 /** @param {Page} page */
 async function openMaker(page) {

@@ -1,11 +1,13 @@
 // An aim within so many drives: what was driven counts on, whatever becomes of the page.
 import assert from 'node:assert/strict';
 import { links } from '../../../www/lesson/links.js';
-import { newWork } from '../../../www/run/state.js';
+import { withExercise } from '../../../www/link/link.js';
+import { caughtUp, drivesOf, newWork } from '../../../www/run/state.js';
 import { exerciseLink, receiptOf } from '../../../www/share/handin/receipt.js';
 import { experiment, paper } from '../harness/core.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
+import { pageOf } from '../run/page-of.js';
 import { engine, opened } from './hand-ins.js';
 
 const tools = { engine, links, paper: paper() };
@@ -33,6 +35,27 @@ test('a link says what was driven where so many drives are allowed, and nowhere 
   const state = await opened(budget);
   assert.match(links.linkOf({ ...state, generation: 9 }, experiment), /&generation=9&/);
   assert.match(links.openLink(`${budget}&spent=-1`, engine).problems[0], /spent.*whole number/);
+});
+
+/** All that was driven on a page so far. @param {ReturnType<typeof pageOf>['store']} store */
+const drivenOn = (store) => drivesOf({ ...store.get(), driver: 'hand' });
+
+test('what was driven for generations counts on where a step of the lesson, or another run, is opened', () => {
+  const { store, actions, open } = pageOf('lab&v=1&task=Few.&aim=J%3C8;drives%3C%3D400');
+  for (let i = 0; i < 10; i += 1) actions.forward();
+  const before = drivenOn(store);
+  assert.ok(before > 100, `${before} drives`);
+  for (const link of [links.linkOfStep(1), 'lab&v=1&seed=9']) {
+    open(withExercise(link, store.get(), experiment));
+    assert.equal(drivenOn(store), before, link);
+  }
+});
+
+test('the link of a run that is still made again counts none of that: who opens it makes it all', () => {
+  const link = 'lab&v=1&generation=40&task=Few.&aim=J%3C8;drives%3C%3D4000&spent=5';
+  const { store } = pageOf(link.replace('=40', '=4'));
+  const state = { ...store.get(), catchingUp: { newest: 40, generation: 40 } };
+  assert.equal(links.linkOf(caughtUp(state), experiment), link);
 });
 
 test('a receipt that is opened counts on from what it says', async () => {

@@ -145,6 +145,10 @@ pageTest('a long run is opened at the generation that was shown when it was save
   const text = runFile({ ...state, generation: 60 }, engine, links);
   await page.click('#keep-button');
   assert.match(await choose(page, 'long.json', text), /“long.json” is open: all 150 generations/);
+  const link = await page.evaluate(
+    () => /** @type {HTMLInputElement} */ (document.getElementById('keep-link')).value,
+  );
+  assert.match(link, /generation=60(&|$)/, 'on the way there too');
   await page.click('#keep-close');
   await page.until('evolution rests', () => document.getElementById('run')?.textContent === 'Run');
   await page.until('the link', () => /generation=60(&|$)/.test(location.hash));

@@ -22,6 +22,7 @@ import {
   tidyTask,
   wayOf,
 } from '../../run/exercise.js';
+import { caughtUp } from '../../run/state.js';
 import { createAway } from './away.js';
 import { keepFromLinks, lock, lockAgain } from './locks.js';
 
@@ -117,7 +118,7 @@ export function createExercise({ places, ...tools }) {
   if (isEmbedded) section.tabIndex = 0;
   // What moves is written into no address: only who is about to press takes it along as it is now.
   const follow = () => {
-    const link = links.linkOf({ ...store.get(), exercise: noExercise }, engine.experiment);
+    const link = links.linkOf({ ...caughtUp(store.get()), exercise: noExercise }, engine.experiment);
     leave.setAttribute('href', `#${link}`);
   };
   for (const type of ['pointerdown', 'focus', 'click']) leave.addEventListener(type, follow);
