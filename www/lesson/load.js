@@ -8,6 +8,8 @@ import { createWaiting } from '../lab/waiting.js';
 import { load as loadDisturbance } from '../parts/disturbance/words/load.js';
 import { load as loadGeneration } from '../parts/generation/words/load.js';
 import { afterWords } from '../words/pick.js';
+import { createKeepsake } from './keepsake.js';
+import { progressSlice } from './state.js';
 import { load as loadWords } from './words/load.js';
 
 /** @type {Promise<typeof import('./page.js')> | null} */
@@ -26,6 +28,8 @@ export function askForLesson(hash) {
 /** @param {Omit<Tools, 'look'> & { paper: PaperResult[] }} tools */
 export function createLesson(tools) {
   const article = byId('lesson');
+  // Answers belong to what is handed in, also where no step is open.
+  const keepsake = createKeepsake(tools.store);
   /** @type {{ draw: (state: State, scene: Scene) => void } | null} */
   let lesson = null;
   /** @type {Promise<void> | null} */
@@ -54,7 +58,11 @@ export function createLesson(tools) {
 
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
-      if (lesson) return lesson.draw(state, scene);
+      if (lesson) {
+        lesson.draw(state, scene);
+        keepsake.follow(progressSlice.of(tools.store.get()));
+        return;
+      }
       const isOpen = state.lesson > 0;
       document.body.toggleAttribute('data-lesson', isOpen);
       article.hidden = !isOpen;

@@ -5,11 +5,10 @@ import { gainsOf } from '../run/drivers.js';
 import { createStep, nameOf } from './blocks.js';
 import { createErrorPosture } from './views/error-posture.js';
 import { createLit } from './lit.js';
-import { createKeepsake, createPlace } from './keepsake.js';
+import { createPlace } from './keepsake.js';
 import { settle } from './questions/settle.js';
 import { createSights, figureOf } from './sights.js';
 import { steps } from './steps.js';
-import { progressSlice } from './state.js';
 import { texts } from '../words/index.js';
 import { createStage, stageOf } from './stage.js';
 import { createTally } from './duel/tally.js';
@@ -45,7 +44,6 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
   const article = byId('lesson');
   const sights = createSights(byId('sights'));
   const tools = { engine, store, actions, go, look: sights.look };
-  const keepsake = createKeepsake(store);
   const goToPlace = createPlace(article, () => store.get().lesson);
   const tally = createTally(store);
   const stage = createStage(tools);
@@ -98,7 +96,6 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       // What it holds gives it its height.
       if (isNew && !state.dragging) goToPlace(lesson);
       settle(live, step, tools);
-      keepsake.follow(progressSlice.of(store.get()));
     },
   };
 }
