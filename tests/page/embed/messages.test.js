@@ -22,6 +22,7 @@ test('a host’s set stays asked for, whatever its user presses meanwhile, and w
   const { engine, open } = slowEngine();
   const { messages, actions, asked, store } = figureOf({ engine });
   await messages.ready();
+  await asked({ type: 'set', link: 'lab' });
   actions.changeSetting('evolution.population', 1999, false);
   const answer = asked({ type: 'set', link: 'lab&v=1&population=2000' });
   while (store.get().computing?.next) await breathe();

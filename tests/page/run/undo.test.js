@@ -45,3 +45,11 @@ test('what a page opens with has nothing before it; the link that is opened next
   actions.undo();
   assert.deepEqual(told(), [5, 0]);
 });
+
+test('nor has a link that takes long to begin', async () => {
+  const { store, actions } = pageOf('lab&population=1200&seed=5');
+  assert.equal(store.get().computing?.what, 'begin');
+  await actions.whenIdle();
+  const { experiment, versions } = store.get();
+  assert.deepEqual([experiment.evolution.seed, versions.past.length], [5, 0]);
+});

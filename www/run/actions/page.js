@@ -44,6 +44,8 @@ export function createOpening(basis, catchUp) {
      * @param {Opened} opened @param {readonly string[]} problems @param {number} [newest]
      */
     openLinked({ parts, experiment, generation, ...run }, problems, newest = generation) {
+      const hasNoPast = isFirst;
+      isFirst = false;
       forget();
       attempt(() => {
         const before = store.get();
@@ -61,13 +63,12 @@ export function createOpening(basis, catchUp) {
           evolving: false,
           robot: shown(),
           // Nothing leads back out of an exercise, and what is locked is not open.
-          ...((isFirst || run.exercise !== noExercise) && { versions: noVersions }),
+          ...((hasNoPast || run.exercise !== noExercise) && { versions: noVersions }),
           settings: {
             open: before.settings.open && wayOf(run.exercise, 'settings') === 'free',
             error: null,
           },
         };
-        isFirst = false;
         tryToBegin(nextOf(experiment, patch), 'begin', patch);
         newBox(() => [...nearEnd(), ...cornerIn(store.get())]);
         catchUp(newest, generation);
