@@ -157,6 +157,20 @@ pageTest('hand-ins come as files, are shown page by page, and a cancel ends the 
   const [one, large] = await cells(page);
   assert.deepEqual([one[2], one[5]], ['Kim Lee', 'met']);
   assert.match(String(large[8]), /too long/);
+  // What cannot be read is told, and what is there stays.
+  await page.evaluate(() => {
+    const reader = {
+      readEntries: (/** @type {any} */ _, /** @type {(e: Error) => void} */ no) => no(new Error('no')),
+    };
+    const folder = { isDirectory: true, isFile: false, createReader: () => reader };
+    const dataTransfer = { getData: () => '', items: [{ webkitGetAsEntry: () => folder }], files: [] };
+    const drop = Object.assign(new Event('drop', { bubbles: true, cancelable: true }), { dataTransfer });
+    document.getElementById('collect')?.dispatchEvent(drop);
+  });
+  await page.until('that it cannot be read', () =>
+    /could not be checked: no/.test(document.getElementById('collect')?.innerText ?? ''),
+  );
+  assert.equal((await cells(page)).length, 2);
   // A file that is chosen joins those that were dropped.
   await page.evaluate((text) => {
     const input = /** @type {HTMLInputElement} */ (document.getElementById('collect-file'));

@@ -8,6 +8,7 @@ import { tryNow } from '../../core/pending.js';
 import { copy } from '../../kit/copy.js';
 import { download } from '../../kit/download.js';
 import { choicesOf } from '../../kit/segmented.js';
+import { orSay } from '../../words/errors.js';
 import { controllerOf } from './controller.js';
 import { languages } from './languages.js';
 import { handedAddress } from '../frame-text.js';
@@ -68,7 +69,8 @@ export function createCode({ engine, store, links, sceneOf }, sheet) {
       ).map(([kind, part]) => (kind ? html`<span class=${kind}>${part}</span>` : part))}</pre>
       <p id="code-status" role="status">${status}</p>`);
   };
-  const draw = () => tryNow(show, draw);
+  const fail = (/** @type {string} */ reason) => sheet.draw(html`<p role="status">${reason}</p>`);
+  const draw = () => tryNow(orSay(show, fail), draw);
 
   return {
     start() {

@@ -9,6 +9,7 @@ import { byId, create } from '../../kit/elements.js';
 import { fillTable } from '../../kit/table.js';
 import { unless } from '../../kit/templates.js';
 import { isEmpty } from '../../run/exercise.js';
+import { messageOf } from '../../words/errors.js';
 import { createCharts, labelsOf, legendOf } from './chart.js';
 import { createChecking } from './checking.js';
 import { filesIn, joined } from './files.js';
@@ -46,6 +47,7 @@ export function createCollect(tools, sheet) {
     draw();
   };
   const { check, stop } = createChecking(tools, () => view, update);
+  const adding = createAdding(() => view, update, check);
   const rowEvents = createRowEvents(tools, sheet, () => view, update);
   const on = {
     ...rowEvents,
@@ -54,21 +56,17 @@ export function createCollect(tools, sheet) {
       stop();
       update({ share: null, status: words.cancelled });
     },
-    /** @param {readonly File[]} more */
-    async add(more) {
-      update({ files: await joined(view.files, more) });
-      check();
-    },
     /** @param {Event} event */
     choose({ target }) {
       const input = /** @type {HTMLInputElement} */ (target);
       const chosen = [...(input.files ?? [])];
       input.value = '';
-      on.add(chosen);
+      adding.add(chosen);
     },
     /** Another class. */
     empty() {
       stop();
+      adding.forget();
       /** @type {NodeListOf<HTMLInputElement>} */
       const fields = document.querySelectorAll('#collect-text, #collect-exercise');
       for (const field of fields) field.value = '';
@@ -80,7 +78,7 @@ export function createCollect(tools, sheet) {
     typed: () => draw(),
   };
   const strip = createStrip({ open: on.open, back: tools.openCollect });
-  followDrops(sheet.dialog, on.add);
+  followDrops(sheet.dialog, adding.add);
   // The event comes late: the sheet may be open again.
   sheet.dialog.addEventListener('close', () => {
     if (!sheet.dialog.open && view.share !== null) on.cancel();
@@ -114,20 +112,49 @@ export function createCollect(tools, sheet) {
   };
 }
 
-/** @param {HTMLDialogElement} dialog @param {(files: readonly File[]) => void} add */
+/** More files, each time to those that are there then, and only if they still are of the same class. @param {() => View} viewNow @param {(patch: Partial<View>) => void} update @param {() => void} check */
+function createAdding(viewNow, update, check) {
+  let forgotten = 0;
+  /** @type {Promise<void>} */
+  let last = Promise.resolve();
+  return {
+    /** @param {readonly File[] | Promise<readonly File[]>} more */
+    add(more) {
+      const before = forgotten;
+      const read = Promise.all([more, last]).then(([some]) => joined(viewNow().files, some));
+      last = read.then(
+        (files) => {
+          if (before !== forgotten) return;
+          update({ files });
+          check();
+        },
+        (error) => {
+          if (before === forgotten) update({ status: words.failed(messageOf(error)), isBad: true });
+        },
+      );
+    },
+
+    /** Nothing that is still being read belongs to it. */
+    forget() {
+      forgotten += 1;
+    },
+  };
+}
+
+/** @param {HTMLDialogElement} dialog @param {(files: Promise<readonly File[]>) => void} add */
 function followDrops(dialog, add) {
   dialog.addEventListener('dragover', (event) => {
     event.preventDefault();
     event.stopPropagation();
   });
-  dialog.addEventListener('drop', async (event) => {
+  dialog.addEventListener('drop', (event) => {
     event.preventDefault();
     event.stopPropagation();
     const { dataTransfer } = event;
     if (!dataTransfer) return;
     const text = dataTransfer.getData('text/plain');
     if (text) /** @type {HTMLTextAreaElement} */ (byId('collect-text')).value += `\n${text}`;
-    add(await filesIn(dataTransfer));
+    add(filesIn(dataTransfer));
   });
 }
 

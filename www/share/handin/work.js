@@ -34,7 +34,7 @@ export function createWork(tools, root) {
   const channel = engine.surveys.channel();
   const sheet = createHandInSheet(tools);
   const verdict = createVerdict(tools);
-  /** @type {{ measured: Measured | null, isNew: boolean }} */
+  /** null: it could not be measured. @type {{ measured: Measured | null, isNew: boolean } | null} */
   let known = { measured: null, isNew: false };
   const asked = watch();
   const drawn = watch();
@@ -64,18 +64,20 @@ export function createWork(tools, root) {
       };
       return;
     }
-    known = { ...known, isNew: false };
+    known = { measured: known?.measured ?? null, isNew: false };
     measure(engine, aim, own, gains, { channel }).then((measured) => {
       // What is on the plane by now is known.
       if (question !== questions) return;
       known = { measured, isNew: true };
       store.redraw();
-    }, say);
+    }, fail);
   };
 
   /** What a newer question took the place of is none. @param {unknown} error */
-  const say = (error) => {
-    if (!(error instanceof DOMException && error.name === 'AbortError')) actions.say(messageOf(error));
+  const fail = (error) => {
+    if (error instanceof DOMException && error.name === 'AbortError') return;
+    known = null;
+    actions.say(messageOf(error));
   };
 
   const begin = () => {
