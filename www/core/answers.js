@@ -18,9 +18,10 @@ export function createAnswers() {
   function keep(key, answer) {
     answers.delete(key);
     answers.set(key, answer);
-    for (const [old, { value }] of /** @type {Map<string, { value?: unknown }>} */ (answers)) {
+    for (const [old, one] of answers) {
       if (answers.size <= mostAnswers) break;
-      if (value !== undefined) answers.delete(old);
+      // What nobody has come back for, too.
+      if (old !== key && !('arrival' in one)) answers.delete(old);
     }
   }
 

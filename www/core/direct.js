@@ -78,12 +78,12 @@ export function engineOf({ pool, lone }) {
     /** One run for each triple of gains, in one call. @param {Experiment} from @param {readonly Triple[]} gains */
     drive: (from, gains) =>
       isLongDrive(from, gains.length)
-        ? ask(shared().run, 'simulateAll', from, gains.flat())
+        ? ask(shared().soon, 'simulateAll', from, gains.flat())
         : simulateAll(from, gains.flat()),
 
     /** All that a robot sees, is told and does, sample by sample. @param {Experiment} from @param {Triple} gains @returns {Samples} */
     samples(from, gains) {
-      if (isLongDrive(from)) return samplesOf(ask(shared().run, 'samples', from, gains));
+      if (isLongDrive(from)) return samplesOf(ask(shared().soon, 'samples', from, gains));
       /** @type {Sample[]} */
       const samples = [];
       driveOn(new Simulation(from, gains), (sample) => samples.push(sample));
@@ -92,7 +92,7 @@ export function engineOf({ pool, lone }) {
 
     /** The Lyapunov function of a run. @param {Experiment} from @param {Triple} gains */
     stability: (from, gains) =>
-      isLongDrive(from) ? ask(shared().run, 'stability', from, gains) : stability(from, gains),
+      isLongDrive(from) ? ask(shared().soon, 'stability', from, gains) : stability(from, gains),
 
     /** Long jobs, which workers do; they are started at the first one. */
     get surveys() {
@@ -160,12 +160,13 @@ function createEvolution(ask, evolving) {
       return ask(evolving().replays.run, 'population', experiment, generation);
     },
 
-    /** All that happened in a generation. @param {number} generation @returns {GenerationRecord} */
-    record(generation) {
+    /** All that happened in a generation. @param {number} generation @param {Experiment} [of] Of the run if nobody says: what is still seen may be of the one before. @returns {GenerationRecord} */
+    record(generation, of = current().experiment) {
       const { experiment, here } = current();
-      if (here && !isLongRecord(experiment, againFor(here, Math.max(0, generation - 1))))
+      const isHere = here !== null && of === experiment && generation <= here.generation;
+      if (isHere && !isLongRecord(experiment, againFor(here, Math.max(0, generation - 1))))
         return here.record(generation);
-      return unpacked(ask(evolving().records.run, 'record', experiment, generation));
+      return unpacked(ask(evolving().records.run, 'record', of, generation));
     },
 
     /** Digits over the numbers that decide the history, the same wherever it ran. */

@@ -23,7 +23,7 @@ const jobs = createJobs(() => {});
 
 /** The page's engine, with an evolution of its own. */
 export function createEngine() {
-  const pool = { size: 1, run, channel: () => ({ run }) };
+  const pool = { size: 1, run, soon: run, channel: () => ({ run }) };
   return engineOf({ pool: () => pool, lone: () => pool });
 }
 

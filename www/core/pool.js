@@ -22,7 +22,7 @@ import { createHands } from './hands.js';
  */
 
 /** @typedef {{ run: Run }} Channel */
-/** @typedef {{ size: number, run: Run, channel: () => Channel }} Pool */
+/** `soon`: before all that is not as urgent, such as what is to be seen. @typedef {{ size: number, run: Run, soon: Run, channel: () => Channel }} Pool */
 
 /**
  * A job under way.
@@ -88,6 +88,8 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
     size,
 
     run: (job, options = {}) => begin(job, options, false).results,
+
+    soon: (job, options = {}) => begin(job, options, true).results,
 
     /** Runs only the newest of its jobs, before all others of the pool. */
     channel() {

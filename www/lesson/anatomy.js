@@ -3,18 +3,19 @@ import { generationSlice } from '../parts/generation/state.js';
 import { chosenOf, dissect, isInitial } from '../parts/generation/record.js';
 import { remember } from '../kit/memo.js';
 
-/** @import { Engine, Statistics } from '../core/engine.js' */
-/** @import { Anatomy, Settings } from '../parts/generation/record.js' */
+/** @import { Engine, Experiment, Statistics } from '../core/engine.js' */
+/** @import { Anatomy } from '../parts/generation/record.js' */
 /** @import { Live } from './page.js' */
 
 const dissected = remember(
-  /** @param {Engine} engine @param {Statistics} shown @param {Settings} settings */
-  (engine, { generation }, settings) => dissect(engine.record(generation), settings),
+  /** @param {Engine} engine @param {Statistics} shown @param {Experiment} experiment */
+  (engine, { generation }, experiment) =>
+    dissect(engine.record(generation, experiment), experiment.evolution),
 );
 
 /** @param {Pick<Live, 'engine' | 'state'>} live */
 export const anatomyOf = ({ engine, state: { history, generation, experiment } }) =>
-  dissected(engine, history[generation], experiment.evolution);
+  dissected(engine, history[generation], experiment);
 
 /** The number of the individual that is chosen in the figure, whatever the phase. @param {Live} live */
 export const chosenIn = (live) =>

@@ -77,6 +77,20 @@ test('an error of the core is thrown once, and then the question is asked again'
   assert.deepEqual(asked(), [1, 1]);
 });
 
+test('errors that nobody has come back for keep no answer from being kept', async () => {
+  const ask = answers();
+  const { run, answer, refuse } = channel();
+  for (let number = 1; number <= 40; number += 1) {
+    assert.throws(() => ask(run, 'evolve', number), Pending);
+    refuse('no worker can be started');
+    await settled();
+  }
+  const { answers: given } = asker(ask, run, 100);
+  answer();
+  await settled();
+  assert.deepEqual(given, [100]);
+});
+
 test('of several who ask in turn where only the newest question is answered, each has its answer in the end', async () => {
   const ask = answers();
   const { run, asked, answer } = channel();

@@ -130,9 +130,11 @@ test('channels do not disturb each other, and go before other jobs', async () =>
   const { workers, pool, given } = puppets(1);
   const long = pool.run(job(1, 2, 3));
   const quick = [pool.channel(), pool.channel()].map((channel, i) => channel.run(job(10 + i)));
-  for (let i = 0; i < 5; i++) workers[0].finish();
-  assert.deepEqual(await Promise.all([long, ...quick]), [[1, 2, 3], [10], [11]]);
-  assert.deepEqual(given(), [[1, 10, 11, 2, 3]]);
+  // What takes no newer one's place goes before them too.
+  quick.push(pool.soon(job(12)), pool.soon(job(13)));
+  for (let i = 0; i < 7; i++) workers[0].finish();
+  assert.deepEqual(await Promise.all([long, ...quick]), [[1, 2, 3], [10], [11], [12], [13]]);
+  assert.deepEqual(given(), [[1, 10, 11, 12, 13, 2, 3]]);
 });
 
 test('an abort rejects at once, and ends only a worker that does not answer', async (t) => {

@@ -16,6 +16,6 @@ export function slowEngine() {
     await gate;
     return parts.map((part) => /** @type {(...args: any[]) => any} */ (jobs[call])(...part));
   };
-  const pool = { size: 1, run, channel: () => ({ run }) };
+  const pool = { size: 1, run, soon: run, channel: () => ({ run }) };
   return { engine: engineOf({ pool: () => pool, lone: () => pool }), open };
 }

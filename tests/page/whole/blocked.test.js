@@ -36,6 +36,21 @@ async function asked(ask) {
   }
 }
 
+/** Workers give its opponents otherwise. @param {import('../../../www/core/engine.js').GenerationRecord} record */
+const listed = (record) => ({ ...record, opponents: record.opponents.map((met) => [...met]) });
+
+test('a record is that of the run which is asked for, also once another has begun, or the same over again', async () => {
+  const engine = createEngine();
+  const [first, other] = [evolving({ seed: 1 }), evolving({ seed: 5 })];
+  engine.begin(first);
+  for (let i = 0; i < 3; i += 1) engine.step();
+  const record = engine.record(3);
+  for (const next of [other, first]) {
+    engine.begin(next);
+    assert.deepEqual(listed((await asked(() => engine.record(3, first))).value), record);
+  }
+});
+
 test('what is usual is done at once, what is heavy is not', () => {
   for (const preset of /** @type {const} */ (['velocity-limits', 'acceleration-limits'])) {
     const own = experiment(preset);
@@ -77,7 +92,7 @@ test('an evolution in a worker comes to the same bits, generation by generation,
   const { value: population } = await asked(() => engine.population(1));
   assert.deepEqual(population, own.population(1));
   const { value: record } = await asked(() => engine.record(2));
-  assert.deepEqual({ ...record, opponents: record.opponents.map((met) => [...met]) }, own.record(2));
+  assert.deepEqual(listed(record), own.record(2));
   assert.deepEqual((await asked(() => engine.step())).value, own.step());
   assert.equal(engine.hash(), own.hash());
   // Begun again, it is at its beginning.

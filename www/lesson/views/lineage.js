@@ -58,7 +58,11 @@ export function lineageOf(recordOf, generation) {
 function createRecords({ engine, store }) {
   /** @type {WeakMap<Statistics, GenerationRecord>} */
   const known = new WeakMap();
-  return (/** @type {readonly Statistics[]} */ history, /** @type {number} */ generation) => {
+  return (
+    /** @type {readonly Statistics[]} */ history,
+    /** @type {number} */ generation,
+    /** @type {Experiment} */ experiment,
+  ) => {
     const end = performance.now() + mostMilliseconds;
     const first = Math.max(0, generation - mostGenerations);
     for (let g = generation; g >= first; g -= 1) {
@@ -67,7 +71,7 @@ function createRecords({ engine, store }) {
         store.redraw();
         return null;
       }
-      known.set(history[g], engine.record(g));
+      known.set(history[g], engine.record(g, experiment));
     }
     return (/** @type {number} */ g) => /** @type {GenerationRecord} */ (known.get(history[g]));
   };
@@ -84,7 +88,7 @@ export function createLineage(tools, { lineage: words }) {
   return {
     element,
     draw(/** @type {Live} */ { state: { experiment, history, generation } }) {
-      const recordOf = recordsOf(history, generation);
+      const recordOf = recordsOf(history, generation, experiment);
       const wide = (sizeOf().width - aside) / 3;
       if (!recordOf || !changed(history[generation], wide)) return;
       const newest = recordOf(generation);

@@ -13,6 +13,7 @@ import { watch } from '../../kit/memo.js';
 import { unless } from '../../kit/templates.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { playsPhases } from '../../run/pace.js';
+import { orSay } from '../../words/errors.js';
 import words from './words/index.js';
 import { createSection } from '../section.js';
 import { ratesOf } from './birth.js';
@@ -36,7 +37,7 @@ export function createPage({ engine, store, actions }) {
   };
   const onTable = () =>
     whenThere(
-      () => showTable(generationTable(anatomyOf(store.get()))),
+      orSay(() => showTable(generationTable(anatomyOf(store.get()))), actions.say),
       () => store.get().page === 'generation',
     );
   const onBegin = () => {

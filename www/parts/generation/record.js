@@ -1,5 +1,5 @@
 // A recorded generation taken apart: who stands where in the ranking, who is shown, and who drives meanwhile.
-/** @import { Experiment, Individual, Statistics } from '../../core/engine.js' */
+/** @import { Engine, Experiment, Individual, Statistics } from '../../core/engine.js' */
 /** @import { ChosenDrives } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 import { expectedWins } from '../../core/rules.js';
@@ -84,17 +84,16 @@ function upsetOf({ survivors }, all) {
 }
 
 /**
- * The shown generation, taken apart once. While the drives of another run are on their way, both are asked for in turn, and the
- * engine has no record any more of the one that is still seen.
- * @param {(generation: number) => GenerationRecord} recordOf @returns {(state: State) => Anatomy}
+ * The shown generation, taken apart once. While the drives of another run are on their way, both are asked for in turn.
+ * @param {Engine['record']} recordOf @returns {(state: State) => Anatomy}
  */
 export function createAnatomy(recordOf) {
   const of = remember(
-    (/** @type {Statistics} */ { generation }, /** @type {Settings} */ settings) =>
-      dissect(recordOf(generation), settings),
+    (/** @type {Statistics} */ { generation }, /** @type {State['experiment']} */ experiment) =>
+      dissect(recordOf(generation, experiment), experiment.evolution),
     3,
   );
-  return ({ history, generation, experiment }) => of(history[generation], experiment.evolution);
+  return ({ history, generation, experiment }) => of(history[generation], experiment);
 }
 
 /** The next phase that the generation has. @param {Anatomy} anatomy @param {Phase} phase @returns {Phase} */

@@ -5,6 +5,7 @@ import { generationSlice } from './state.js';
 import { whenThere } from '../../core/pending.js';
 import { watch } from '../../kit/memo.js';
 import { pausesAt, playsPhases } from '../../run/pace.js';
+import { orSay } from '../../words/errors.js';
 import { forgets } from './phases.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
 import words from './words/index.js';
@@ -15,6 +16,8 @@ const secondsOfPhase = 2;
 /** @param {{ store: import('../../run/store.js').Store, actions: import('../../run/actions/actions.js').Actions, anatomyOf: (state: State) => Anatomy }} parts */
 export function createSteps({ store, actions, anatomyOf }) {
   const pause = () => actions.pauseEvolution();
+  /** Of what no record can be had is said. @param {() => void} act @param {() => boolean} isWanted */
+  const whenRecorded = (act, isWanted) => whenThere(orSay(act, actions.say), isWanted);
   const shown = () => {
     const state = store.get();
     const anatomy = anatomyOf(state);
@@ -75,11 +78,11 @@ export function createSteps({ store, actions, anatomyOf }) {
     };
     actions.oneBack();
     afterwards(() => {
-      if (isBack()) whenThere(atLastPhase, isBack);
+      if (isBack()) whenRecorded(atLastPhase, isBack);
     });
   };
 
-  const play = createPlaying({ store, shown, afterwards, goOn, pause });
+  const play = createPlaying({ store, shown, afterwards, whenRecorded, goOn, pause });
 
   return {
     show,
@@ -87,16 +90,16 @@ export function createSteps({ store, actions, anatomyOf }) {
     next() {
       pause();
       // In what was set before, once that has begun.
-      afterwards(() => whenThere(goOn, () => true));
+      afterwards(() => whenRecorded(goOn, () => true));
     },
 
-    back: () => whenThere(goBack, () => true),
+    back: () => whenRecorded(goBack, () => true),
 
     /** From generation 0, which goes through nothing, into the phases of the next. */
     begin() {
       pause();
       afterwards(() =>
-        whenThere(
+        whenRecorded(
           () => onward('mutation'),
           () => true,
         ),
@@ -112,9 +115,9 @@ export function createSteps({ store, actions, anatomyOf }) {
 
 /**
  * Goes on by itself, and where evolution is to pause, it does so after the last phase.
- * @param {{ store: import('../../run/store.js').Store, shown: () => { state: State, anatomy: Anatomy, phase: Phase }, afterwards: (act: () => void) => void, goOn: () => void, pause: () => void }} parts
+ * @param {{ store: import('../../run/store.js').Store, shown: () => { state: State, anatomy: Anatomy, phase: Phase }, afterwards: (act: () => void) => void, whenRecorded: typeof whenThere, goOn: () => void, pause: () => void }} parts
  */
-function createPlaying({ store, shown, afterwards, goOn, pause }) {
+function createPlaying({ store, shown, afterwards, whenRecorded, goOn, pause }) {
   /** The generation that was played from its first phase on. @type {State['history'][number] | null} */
   let played = null;
   /** @param {State['history'][number]} statistics */
@@ -130,7 +133,7 @@ function createPlaying({ store, shown, afterwards, goOn, pause }) {
       const { history, generation } = store.get();
       const isPlayed = () =>
         playsPhases(store.get()) && store.get().history[generation] === history[generation];
-      whenThere(() => follow(history[generation]), isPlayed);
+      whenRecorded(() => follow(history[generation]), isPlayed);
     });
   };
 }

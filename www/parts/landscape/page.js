@@ -81,12 +81,18 @@ export function createPage({ engine, store, actions, paper }) {
 
 /** What the method of the lab sees in the generation that is shown; nothing while that is under way. @param {Engine} engine @param {() => void} redraw */
 function createSketches(engine, redraw) {
-  const recorded = remember((/** @type {Statistics} */ { generation }) => engine.record(generation));
+  const recorded = remember(
+    (/** @type {Statistics} */ { generation }, /** @type {State['experiment']} */ experiment) =>
+      engine.record(generation, experiment),
+  );
   const sketch = remember(
     /** @param {Statistics} shown @param {State['experiment']} experiment @param {Spec['x']} x @param {Spec['y']} y */
-    (shown, { evolution }, x, y) => {
+    (shown, experiment, x, y) => {
       const [across, up] = [x, y].map(({ gain }) => gainNames.indexOf(gain));
-      return sketchOf(evolution.method, recorded(shown), (gains) => [gains[across], gains[up]]);
+      return sketchOf(experiment.evolution.method, recorded(shown, experiment), (gains) => [
+        gains[across],
+        gains[up],
+      ]);
     },
   );
   return (/** @type {State} */ { history, generation, experiment }, /** @type {Spec} */ { x, y }) => {
