@@ -113,6 +113,13 @@ const standings = (page) =>
 const totals = (from) =>
   [...Object.values(entrants), [3, 1, 5]].map((gains) => costText(simulate(from, gains).cost.total));
 
+pageTest('drives that take long stand in the table once they are there', async (page) => {
+  await page.open('#lab&v=1&lesson=6&horizon=200&tolerance.position=0&drives=hand&gains=3,1,5');
+  const long = { ...usual, horizon: 200, tolerance: { ...usual.tolerance, position: 0 } };
+  await page.until('all of them', () => document.querySelectorAll('#standings .standing-total').length === 4);
+  assert.deepEqual((await standings(page)).totals, totals(long));
+});
+
 pageTest('weights in the lesson change J and the winner, and are those of the settings', async (page) => {
   await page.open('#lesson&step=6');
   assert.deepEqual(await standings(page), { totals: totals(usual), winner: 0, drives: 3 });

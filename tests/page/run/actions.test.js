@@ -280,3 +280,11 @@ test('past the generation that it was to stop at, evolution pauses as usual, and
   assert.equal(run(), 100);
   assert.deepEqual(store.get().until, { kind: 'every', value: 100 });
 });
+
+test('Run that is pressed while a link still begins is not taken back', async () => {
+  const { store, actions } = pageOf('lab&population=1200');
+  assert.equal(store.get().computing?.what, 'begin');
+  actions.toggleEvolution();
+  await actions.whenIdle();
+  assert.deepEqual([store.get().experiment.evolution.population, store.get().evolving], [1200, true]);
+});

@@ -6,6 +6,7 @@ import { withExercise } from '../../../www/link/link.js';
 import { nobody } from '../../../www/run/variant.js';
 import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { pageOf } from './page-of.js';
 
 test('a task is one line of text, whatever was written', () => {
   const rows = [
@@ -77,4 +78,14 @@ test('what is locked or hidden does nothing but say so, whichever control asks f
         assert.deepEqual([done, refusals], [isRefused ? 0 : 1, isSaid ? 1 : 0], `${way} ${group}: ${name}`);
       }
     }
+});
+
+test('what a lecturer locks while it runs is paused, for nobody could pause it then', () => {
+  const { store, actions } = pageOf('lab');
+  actions.makeExercise({ open: true });
+  actions.toggleEvolution();
+  actions.makeExercise({ draft: withWay(noExercise, 'gains', 'locked') });
+  assert.equal(store.get().evolving, true);
+  actions.makeExercise({ draft: withWay(noExercise, 'run', 'locked') });
+  assert.equal(store.get().evolving, false);
 });

@@ -8,7 +8,7 @@ import { lab } from '../../words/index.js';
 import { threeDigits } from '../../words/numbers.js';
 import { createSmallDrive } from './small-drives.js';
 
-/** @import { Run, Triple } from '../../core/engine.js' */
+/** @import { Experiment, Run, Triple } from '../../core/engine.js' */
 /** @import { Driver } from '../../words/common/kinds.js' */
 /** @import { Block, Live, Tools } from '../page.js' */
 /** @typedef {'ep' | 'arbitrary' | 'gentle' | 'hand'} Entrant */
@@ -65,6 +65,17 @@ export function createStandings({ engine, actions, store }, { standings: words }
     actions.driveAgain();
   }
 
+  /** @param {Experiment} experiment @param {ReturnType<typeof entrantsOf>} gains */
+  function drivesOf(experiment, gains) {
+    try {
+      return entrants.map((name) => gains[name] && engine.drive(experiment, [gains[name]])[0]);
+    } catch (error) {
+      // What is not there yet is asked for again.
+      changed();
+      throw error;
+    }
+  }
+
   return {
     element,
     draw(live) {
@@ -79,7 +90,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
       /** @param {Entrant} name */
       const driverOf = (name) =>
         name === 'hand' && isEvolved ? 'evolved' : name === 'gentle' ? 'hand' : drivers[name];
-      const runs = entrants.map((name) => gains[name] && engine.drive(experiment, [gains[name]])[0]);
+      const runs = drivesOf(experiment, gains);
       driven = runs;
       beat = beatOf(runs);
       const winner = winnerOf(runs);

@@ -5,7 +5,7 @@
 import { Pending, whenThere } from '../../core/pending.js';
 import { isTracking, stationsOf } from '../../core/reference.js';
 import { boxAround, refit } from '../../kit/transform.js';
-import { isLost, messageOf } from '../../words/errors.js';
+import { isLost, messageOf, orSay } from '../../words/errors.js';
 import { atEnd, fromStart } from '../clock.js';
 import { gainsOf } from '../drivers.js';
 import { asked, endsOf } from '../state.js';
@@ -171,8 +171,12 @@ function createSight({ engine, store, paper, isStill }) {
   /** The box becomes another, once it is known what must be seen. @param {() => State['box']} boxOf */
   const setBox = (boxOf) => {
     const { experiment } = store.get();
+    // What cannot be driven is told where it should be seen.
     whenThere(
-      () => store.update({ box: boxOf() }),
+      orSay(
+        () => store.update({ box: boxOf() }),
+        () => {},
+      ),
       () => store.get().experiment === experiment,
     );
   };

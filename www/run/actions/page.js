@@ -4,6 +4,7 @@
 /** @import { Basis } from './basis.js' */
 import { isHiddenWithPaper, noExercise, shownExercise, wayOf } from '../exercise.js';
 import { noErrors } from '../first.js';
+import { isFree } from '../guard.js';
 import { playsPhases } from '../pace.js';
 import { endsOf, newWork, noTrial } from '../state.js';
 import { noVersions } from '../undo.js';
@@ -47,6 +48,7 @@ export function createOpening(basis, catchUp) {
       const hasNoPast = isFirst;
       isFirst = false;
       forget();
+      store.update({ evolving: false });
       attempt(() => {
         const before = store.get();
         const tried = run.trial.disturbance ?? before.tried;
@@ -60,7 +62,6 @@ export function createOpening(basis, catchUp) {
           trial: trialOf(run, tried),
           tried,
           slices: { ...before.slices, ...Object.fromEntries(slices) },
-          evolving: false,
           robot: shown(),
           // Nothing leads back out of an exercise, and what is locked is not open.
           ...((hasNoPast || run.exercise !== noExercise) && { versions: noVersions }),
@@ -72,6 +73,8 @@ export function createOpening(basis, catchUp) {
         tryToBegin(nextOf(experiment, patch), 'begin', patch);
         newBox(() => [...nearEnd(), ...cornerIn(store.get())]);
         catchUp(newest, generation);
+        // Who pressed Run while it was still to begin.
+        if (before.evolving && !store.get().catchingUp) store.update({ evolving: true });
         if (problems.length > 0) store.update({ message: problems.join(' ') });
       });
     },
@@ -153,6 +156,8 @@ export function createPage({ store }, openPage) {
       const { settings, maker } = store.get();
       const made = { ...maker, ...patch };
       store.update({ maker: made, settings: { ...settings, open: false } });
+      // Nobody could pause it.
+      if (!isFree(store.get(), 'run') && !store.get().catchingUp) store.update({ evolving: false });
       if (isHiddenWithPaper(shownExercise(store.get()), 'lesson')) store.update({ lesson: 0 });
     },
 

@@ -37,6 +37,7 @@ export function createWork(tools, root) {
   /** null: it could not be measured. @type {{ measured: Measured | null, isNew: boolean } | null} */
   let known = { measured: null, isNew: false };
   const asked = watch();
+  const isOtherAim = watch();
   const drawn = watch();
   const ownIn = remember(ownOf);
   let questions = 0;
@@ -51,6 +52,8 @@ export function createWork(tools, root) {
     const gains = gainsOf(state, state.driver, paper);
     const { own, apart } = ownNow(state);
     if (!aim || !asked(aim, own, String(gains))) return;
+    // What is measured for one aim says nothing of another.
+    const isOther = isOtherAim(aim.wanted.kind);
     questions += 1;
     const question = questions;
     // What is on the plane is known already.
@@ -64,7 +67,7 @@ export function createWork(tools, root) {
       };
       return;
     }
-    known = { measured: known?.measured ?? null, isNew: false };
+    known = { measured: (isOther ? null : known?.measured) ?? null, isNew: false };
     measure(engine, aim, own, gains, { channel }).then((measured) => {
       // What is on the plane by now is known.
       if (question !== questions) return;
