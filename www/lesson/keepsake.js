@@ -70,22 +70,31 @@ export function createPlace(article, lesson) {
   };
 }
 
+/** What is kept; nothing where somebody else has written it. */
+function keptByNow() {
+  const text = withStorage((storage) => storage.getItem(key));
+  try {
+    return text && text.length <= mostCharacters ? progressOf(text) : noProgress;
+  } catch {
+    return noProgress;
+  }
+}
+
 /** Brings back what there was, and keeps what comes. @param {Store} store */
 export function createKeepsake(store) {
   let kept = progressSlice.of(store.get());
-  const before = withStorage((storage) => storage.getItem(key));
-  if (before && before.length <= mostCharacters && kept === noProgress)
-    try {
-      progressSlice.update(store, progressOf(before));
-    } catch {
-      // It was written by somebody else.
-    }
+  const before = keptByNow();
+  if (before !== noProgress && kept === noProgress) progressSlice.update(store, before);
   return {
     /** @param {Progress} progress */
     follow(progress) {
       if (progress === kept) return;
+      // Other figures of the same tab keep their answers there too.
+      const answers = { ...keptByNow().answers };
+      for (const name of Object.keys(kept.answers)) delete answers[name];
+      Object.assign(answers, progress.answers);
       kept = progress;
-      withStorage((storage) => storage.setItem(key, textOf(progress)));
+      withStorage((storage) => storage.setItem(key, textOf({ ...progress, answers })));
     },
   };
 }
