@@ -4,6 +4,7 @@ import { links } from '../../../www/lesson/links.js';
 import { withExercise } from '../../../www/link/link.js';
 import { caughtUp, drivesOf, newWork } from '../../../www/run/state.js';
 import { exerciseLink, receiptOf } from '../../../www/share/handin/receipt.js';
+import { createTask, driveInLab, linkInLab } from '../../../www/parts/park/task.js';
 import { experiment, paper } from '../harness/core.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
@@ -58,6 +59,46 @@ test('the link of a run that is still made again counts none of that: who opens 
   assert.equal(links.linkOf(caughtUp(state), experiment), link);
 });
 
+test('a try is from as many starts as there were then, whatever is set later', () => {
+  const eight = Array.from({ length: 8 }, (_, i) => `${i},1,0`).join(';');
+  const { store, actions } = pageOf(`lab&v=1&start=${eight}&task=Few.&aim=J%3C8;drives%3C%3D400`);
+  for (let i = 0; i < 3; i += 1) {
+    actions.driveGains([3 + i, 1, 5], 'hand');
+    actions.driveAgain();
+  }
+  assert.equal(drivenOn(store), 24);
+  actions.backToPreset();
+  assert.equal(store.get().experiment.starts.length, 1);
+  assert.equal(drivenOn(store), 24);
+  actions.driveGains([4, 4, 4], 'hand');
+  actions.driveAgain();
+  assert.equal(drivenOn(store), 25);
+  actions.undo();
+  assert.equal(drivenOn(store), 25);
+  assert.match(links.linkOf(store.get(), experiment), /&spent=25/);
+});
+
+test('what was evolved before one says who one is counts too', () => {
+  const { store, actions } = pageOf('lab&v=1&vary=goal&task=Few.&aim=J%3C8;drives%3C%3D400');
+  for (let i = 0; i < 10; i += 1) actions.forward();
+  const before = drivenOn(store);
+  actions.setWho('s1');
+  assert.equal(store.get().history.length, 1);
+  assert.equal(drivenOn(store), before);
+});
+
+test('what was driven in the lab counts on where Park leads there', () => {
+  const { store, actions, open } = pageOf('lab&v=1&task=Few.&aim=J%3C8;drives%3C%3D4000');
+  for (let i = 0; i < 10; i += 1) actions.forward();
+  const before = drivenOn(store);
+  const state = store.get();
+  const run = driveInLab({ ...state, page: 'park' }, createTask(engine).experiment(1), [3, 1, 5]);
+  open(linkInLab(state, { ...run, generation: 4 }, { engine, links }) ?? '');
+  actions.showGeneration(0);
+  assert.ok(store.get().history.length > 4);
+  assert.equal(drivenOn(store), before + (store.get().history.at(-1)?.evaluations ?? 0));
+});
+
 test('a receipt that is opened counts on from what it says', async () => {
   const state = await opened(budget);
   const receipt = await receiptOf(tools, { ...state, work: { ...newWork(''), tries: 3 } });
@@ -93,6 +134,9 @@ pageTest(
     await page.until('it is checked', () => document.querySelector('.work-said'));
     await drives('4 of 3 drives');
     assert.match(await page.text('#aim'), /not yet met/);
+    // What is driven after it counts on.
+    await page.click('#one-generation');
+    await drives(`${4 + 40} of 3 drives`);
     // Of what was cut nobody knows what it was.
     await page.open(`#${four.link.replace('gains=3.3', 'gains=3.2')}`);
     await page.until('it is checked', () => document.querySelector('.work-said.bad'));

@@ -4,6 +4,7 @@
 /** @import { Group } from '../../run/exercise.js' */
 /** @import { State } from '../../run/state.js' */
 import { isFree } from '../../run/guard.js';
+import { drivesOf } from '../../run/state.js';
 import { parkSlice } from './state.js';
 
 /** A robot's drive, and how far its wheels have rolled at each sample, in metres. @typedef {{ run: Run, left: Float64Array, right: Float64Array }} Drive */
@@ -72,7 +73,10 @@ export function linkInLab(state, run, { engine, links }) {
     'drives',
     run.driver === 'hand' ? 'gains' : 'run',
   ];
-  return changed.every((group) => isFree(state, group)) ? links.linkOf(run, engine.experiment) : null;
+  if (!changed.every((group) => isFree(state, group))) return null;
+  // What was driven in the lab counts on, in a run that is another.
+  const work = { ...state.work, tries: 0, spent: drivesOf({ ...state, driver: 'hand' }) };
+  return links.linkOf({ ...run, history: [], work }, engine.experiment);
 }
 
 /** With these the sliders begin where the paper's are hidden. @type {Triple} */

@@ -100,6 +100,7 @@ function createEvents({ store, actions }, training, rowsOf) {
     else {
       trainingSlice.update(store, { byHand: handOf(state) });
       actions.driveGains(row.result.gains, isSet(name) ? 'training' : 'hand');
+      actions.driveAgain();
     }
     actions.tryStart(store.get().trial.start);
   };

@@ -115,7 +115,7 @@ function createBeginning({ engine, store }, { attempt, forget, whenIdle }) {
       catchingUp: null,
       message: '',
       settings: { ...before.settings, error: null },
-      work: afterWork(before),
+      work: afterWork(before, next.experiment),
       ...patch,
       ...next,
     });
@@ -194,6 +194,9 @@ function createSight({ engine, store, paper, isStill }) {
   return { shown, driveAgain, drivenRun, refitBox, newBox, settle };
 }
 
-/** The drives of an evolution that is given up were made all the same. @param {State} state */
-const afterWork = ({ work, history }) =>
-  history.length > 1 ? { ...work, spent: work.spent + history[history.length - 1].evaluations } : work;
+/** The drives of an evolution that is given up were made all the same, and a try was from as many starts as there were then. @param {State} state @param {Experiment} next @returns {State['work']} */
+function afterWork({ work, history, experiment }, next) {
+  const evolved = history.length > 1 ? history[history.length - 1].evaluations : 0;
+  const fewer = experiment.starts.length - next.starts.length;
+  return { ...work, spent: work.spent + evolved + work.tries * fewer };
+}

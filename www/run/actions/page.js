@@ -81,7 +81,7 @@ export function createOpening(basis, catchUp) {
 
     /** Who works on the exercise says so: then what is drawn for each student is. @param {string} who */
     setWho(who) {
-      const { exercise, experiment, preset, student, work } = store.get();
+      const { exercise, experiment, preset, student, work, history } = store.get();
       if (exercise.vary.length === 0 || student.who) {
         store.update({ student: { ...student, who } });
         return;
@@ -91,9 +91,12 @@ export function createOpening(basis, catchUp) {
         const base = student.base ?? { preset, experiment };
         const drawn = engine.experiment(drawnFor(base.experiment, exercise.vary, who));
         // What is drawn for a student is not taken back.
+        // What is evolved again is counted then.
+        const [newest, again] = [history.length - 1, work.opened].map((at) => history[at]?.evaluations ?? 0);
+        const evolved = history.length > 1 ? newest - (work.opened > 0 ? again : 0) : 0;
         tryToBegin(nextOf(drawn, { preset: base.preset, versions: noVersions }), 'begin', {
           student: { ...student, who, base },
-          work,
+          work: { ...work, spent: work.spent + Math.max(0, evolved) },
           robot: shown(),
         });
         newBox();

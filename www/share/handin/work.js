@@ -94,7 +94,7 @@ export function createWork(tools, root) {
       const exercise = shownExercise(state);
       follow(state, scene);
       const said = verdict.of(state);
-      const drives = drivesOf(state);
+      const drives = drivesSince(said, drivesOf(state));
       const isOpen = asksSomething(exercise) && state.page !== withoutAnswer;
       // A run that is made again is handed in once it is all there.
       const isOnItsWay = state.catchingUp !== null;
@@ -104,7 +104,7 @@ export function createWork(tools, root) {
       const hasBegun = document.activeElement?.closest('.work-who') && !needsWho;
       render(
         html`${said ? html`<p class="work-said ${said.isGood ? '' : 'bad'}" role="status">${said.text}</p>` : nothing}
-          ${exercise.aim && isOpen ? aimLine(exercise, needsWho || said?.isGood === false ? null : known, said?.drives ?? drives) : nothing}
+          ${exercise.aim && isOpen ? aimLine(exercise, needsWho || said?.isGood === false ? null : known, drives) : nothing}
           ${needsWho && isOpen ? whoForm(begin, state.maker.open) : nothing}
           ${
             isOpen && !needsWho
@@ -152,7 +152,11 @@ const apartLine = (apart, back) => html`
   <p id="aim-apart" class="aim-apart"><span>${words.apartText(apart)}</span> <span class="aim-why">${texts.counts}</span>
     <button id="back-to-exercise" type="button" class="link" @click=${back}>${texts.backToExercise}</button></p>`;
 
-/** `drives` null: evolution is asked. @typedef {{ text: string, isGood: boolean, drives: number | null }} Said */
+/** `drives` null: evolution is asked. `made`: what the page had counted then. @typedef {{ text: string, isGood: boolean, drives: number | null, made: number }} Said */
+/** As many as the receipt says, and those made since. @param {Said | null} said @param {number} made */
+const drivesSince = (said, made) =>
+  said === null || said.drives === null ? made : said.drives + made - said.made;
+
 /** What is said of a receipt that was opened, as long as its run is on screen. @param {WorkTools} tools */
 function createVerdict({ engine, store, actions, paper, links }) {
   /** @type {{ handin: string, since: number, experiment: object, gains: string, said: Said | null } | null} */
@@ -167,9 +171,10 @@ function createVerdict({ engine, store, actions, paper, links }) {
       said: /** @type {Said | null} */ (null),
     };
     of = own;
+    const made = drivesOf(state);
     const told = toldIn(handin);
     if (!told || !isWhole(state, engine, links))
-      own.said = { text: words.broken, isGood: false, drives: null };
+      own.said = { text: words.broken, isGood: false, drives: null, made };
     else {
       const measured = await measure(engine, null, state.experiment, gainsOf(state, state.driver, paper));
       const isGood = holds(told, measured);
@@ -181,6 +186,7 @@ function createVerdict({ engine, store, actions, paper, links }) {
         text: told.program === version ? text : `${text} ${words.otherProgram(told.program, version)}`,
         isGood,
         drives: state.driver === 'evolved' ? null : told.drives,
+        made,
       };
     }
     store.redraw();
