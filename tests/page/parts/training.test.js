@@ -218,8 +218,8 @@ pageTest('fifteen seeds are a dot each, where the core says that their robots ar
   assert.deepEqual(await page.problems(), []);
 });
 
-pageTest('a row drives its gains, and a start of its picture is driven from', async (page) => {
-  await page.open('#training');
+pageTest('a row drives its gains, which counts, and a start of its picture is driven from', async (page) => {
+  await page.open('#training&v=1&task=Few.&aim=J%3C9;drives%3C%3D9');
   await evolveAll(page);
   const sets = setsOf(velocityLimits);
   await page.click('#training-one .training-name');
@@ -232,6 +232,8 @@ pageTest('a row drives its gains, and a start of its picture is driven from', as
   assert.equal(one.cost, evaluate(velocityLimits, gains)[0].toFixed(3));
   assert.equal(one.driver, 'hand');
   assert.equal(await page.text('#legend .solid'), 'gains from Training');
+  // After those of the circle, which drove when evolution had ended.
+  assert.equal(await page.text('.aim-drives'), '2 of 9 drives');
 
   await page.click('#training-paper-ep .training-cost');
   assert.equal((await read(page)).driver, 'paper-ep');

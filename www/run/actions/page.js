@@ -6,7 +6,7 @@ import { isHiddenWithPaper, noExercise, shownExercise, wayOf } from '../exercise
 import { noErrors } from '../first.js';
 import { isFree } from '../guard.js';
 import { playsPhases } from '../pace.js';
-import { endsOf, newWork, noTrial } from '../state.js';
+import { endsOf, newWork, noTrial, spentOf } from '../state.js';
 import { noVersions } from '../undo.js';
 import { drawnFor } from '../variant.js';
 
@@ -81,7 +81,8 @@ export function createOpening(basis, catchUp) {
 
     /** Who works on the exercise says so: then what is drawn for each student is. @param {string} who */
     setWho(who) {
-      const { exercise, experiment, preset, student, work, history } = store.get();
+      const state = store.get();
+      const { exercise, experiment, preset, student, work } = state;
       if (exercise.vary.length === 0 || student.who) {
         store.update({ student: { ...student, who } });
         return;
@@ -91,12 +92,13 @@ export function createOpening(basis, catchUp) {
         const base = student.base ?? { preset, experiment };
         const drawn = engine.experiment(drawnFor(base.experiment, exercise.vary, who));
         // What is drawn for a student is not taken back.
-        // What is evolved again is counted then.
-        const [newest, again] = [history.length - 1, work.opened].map((at) => history[at]?.evaluations ?? 0);
-        const evolved = history.length > 1 ? newest - (work.opened > 0 ? again : 0) : 0;
         tryToBegin(nextOf(drawn, { preset: base.preset, versions: noVersions }), 'begin', {
           student: { ...student, who, base },
-          work: { ...work, spent: work.spent + Math.max(0, evolved) },
+          // The generations of the exercise are evolved again, and counted then.
+          work: {
+            ...work,
+            spent: spentOf({ ...state, generation: work.opened, work: { ...work, tries: 0 } }),
+          },
           robot: shown(),
         });
         newBox();
