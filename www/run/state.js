@@ -14,7 +14,7 @@
 /** @typedef {{ start: Posture | null, disturbance: Disturbance | null }} Trial What a drive meets that evolution did not. */
 /** What an experiment that begins makes of the state, to which what is changed meanwhile is added. @typedef {Pick<State, 'experiment' | 'preset' | 'versions' | 'dragging'>} Next */
 /** What a worker computes: an experiment that begins, the next generation, or a recorded one. Since when, in milliseconds, and how much of it is done, if that is known. `next`: where a setting was changed; what a link opens is not changed before it is there, and a change takes its place. `generation`: the recorded one. @typedef {{ what: 'begin' | 'generation' | 'recorded', since: number, share: () => number | null, next?: Next, generation?: number }} Computing */
-/** What was done since a link was opened: gains that were tried by hand, one after the other, and drives of evolutions that were given up, or made before. `since` in milliseconds; `opened`: the generation that the link shows. @typedef {{ tries: number, tried: string, spent: number, since: number, opened: number }} Work */
+/** What was done since a link was opened: gains that were tried by hand, one after the other, and drives of evolutions that were given up, or made before. `since` in milliseconds; `opened`: the generation that the link shows; `counted`: up to where evolution counts although it may not have come so far again. @typedef {{ tries: number, tried: string, spent: number, since: number, opened: number, counted: number }} Work */
 /** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */
 
 /**
@@ -88,26 +88,36 @@ export const newWork = (tried, opened = 0, spent = 0) => ({
   spent,
   since: performance.now(),
   opened,
+  counted: opened,
 });
+
+/** How many times evolution has driven by a generation. Those that are not yet made again count as many as the others did, which most methods do. The first is driven for whoever looks, and counts when there are more. @param {State['history']} history @param {number} generation */
+function drivenBy(history, generation) {
+  if (generation === 0 || history.length === 0) return 0;
+  const known = history[Math.min(generation, history.length - 1)].evaluations;
+  const missing = Math.max(0, generation + 1 - history.length);
+  return known + Math.round((missing * known) / history.length);
+}
+
+/** How many times evolution has driven for this run. @param {Pick<State, 'history' | 'work'>} state */
+export const evolvedOf = ({ history, work }) => drivenBy(history, Math.max(history.length - 1, work.counted));
 
 /** How many times a robot was driven for this answer, once from each start: what evolution drove up to the generation that is shown, or all that was driven here. @param {Pick<State, 'driver' | 'history' | 'generation' | 'work' | 'experiment'>} state */
 export function drivesOf({ driver, history, generation, work, experiment }) {
   if (driver === 'evolved') return history[generation].evaluations;
-  const evolved = history.length > 1 ? history[history.length - 1].evaluations : 0;
-  return work.tries * experiment.starts.length + work.spent + evolved;
+  return work.tries * experiment.starts.length + work.spent + evolvedOf({ history, work });
 }
 
 /** Of all that was driven here, what is not driven again when the generation that is shown, which another run may have, is made again. @param {Pick<State, 'history' | 'generation' | 'work' | 'experiment'>} state */
 export const spentOf = ({ history, generation, ...state }) =>
-  drivesOf({ ...state, history, generation, driver: 'hand' }) -
-  (generation > 0 ? (history[generation]?.evaluations ?? 0) : 0);
+  drivesOf({ ...state, history, generation, driver: 'hand' }) - drivenBy(history, generation);
 
 /** The state as it has been asked for, of which an experiment may still be on its way: what controls show, and change further. @param {State} state @returns {State} */
 export const asked = (state) => ({ ...state, ...state.computing?.next });
 
-/** A run that still catches up with what opened it, as that has it: all that was evolved of it will be evolved again. @param {State} state @returns {State} */
+/** A run that still catches up with what opened it, as that has it. @param {State} state @returns {State} */
 export const caughtUp = (state) =>
-  state.catchingUp ? { ...state, generation: state.catchingUp.generation, history: [] } : state;
+  state.catchingUp ? { ...state, generation: state.catchingUp.generation } : state;
 
 /** Start and goal of what drives. @param {State} state */
 export const endsOf = ({ experiment, trial }) => ({

@@ -41,6 +41,12 @@ test('a link says what was driven where so many drives are allowed, and nowhere 
 /** All that was driven on a page so far. @param {ReturnType<typeof pageOf>['store']} store */
 const drivenOn = (store) => drivesOf({ ...store.get(), driver: 'hand' });
 
+/** What is driven again for the link. @param {ReturnType<typeof pageOf>['store']} store */
+function madeAgain(store) {
+  const { history, generation } = store.get();
+  return generation > 0 ? history[generation].evaluations : 0;
+}
+
 test('what was driven for generations counts on where a step of the lesson, or another run, is opened', () => {
   const { store, actions, open } = pageOf('lab&v=1&task=Few.&aim=J%3C8;drives%3C%3D400');
   for (let i = 0; i < 10; i += 1) actions.forward();
@@ -52,11 +58,43 @@ test('what was driven for generations counts on where a step of the lesson, or a
   }
 });
 
+/** Catching up with generation 40, as after a reload, it has come to generation 4. @param {ReturnType<typeof pageOf>['store']} store */
+function atGenerationFour(store) {
+  const history = store.get().history.slice(0, 5);
+  store.update({ history, generation: 4, evolving: true, catchingUp: { newest: 40, generation: 40 } });
+}
+
 test('the link of a run that is still made again counts none of that: who opens it makes it all', () => {
   const link = 'lab&v=1&generation=40&task=Few.&aim=J%3C8;drives%3C%3D4000&spent=5';
-  const { store } = pageOf(link.replace('=40', '=4'));
-  const state = { ...store.get(), catchingUp: { newest: 40, generation: 40 } };
-  assert.equal(links.linkOf(caughtUp(state), experiment), link);
+  const { store } = pageOf(link);
+  atGenerationFour(store);
+  assert.equal(links.linkOf(caughtUp(store.get()), experiment), link);
+});
+
+test('what is given up while it is made again, as after a reload, was driven all the same', () => {
+  for (const giveUp of /** @type {((page: ReturnType<typeof pageOf>) => void)[]} */ ([
+    ({ actions }) => actions.newSeed(),
+    ({ actions }) => actions.reset(),
+    ({ actions }) => actions.pauseEvolution(),
+    ({ actions }) => actions.setPace(4),
+    ({ actions }) => actions.showGeneration(0),
+    ({ actions }) => actions.showGeneration(2),
+    ({ actions }) => actions.choosePreset('acceleration-limits'),
+    ({ open, store }) => open(withExercise(links.linkOfStep(1), store.get(), experiment)),
+  ])) {
+    for (const isPausedBefore of [false, true]) {
+      const page = pageOf('lab&v=1&task=Few.&aim=J%3C8;drives%3C%3D4000&spent=5&generation=40');
+      const { store, actions } = page;
+      const before = drivenOn(store);
+      assert.equal(before, 5 + 41 * 20);
+      atGenerationFour(store);
+      assert.equal(drivenOn(store), before);
+      if (isPausedBefore) actions.pauseEvolution();
+      giveUp(page);
+      assert.equal(drivenOn(store), before, `${giveUp}`);
+      assert.match(links.linkOf(store.get(), experiment), RegExp(`&spent=${before - madeAgain(store)}(&|$)`));
+    }
+  }
 });
 
 test('a try is from as many starts as there were then, whatever is set later', () => {

@@ -8,7 +8,7 @@ import { boxAround, refit } from '../../kit/transform.js';
 import { isLost, messageOf, orSay } from '../../words/errors.js';
 import { atEnd, fromStart } from '../clock.js';
 import { gainsOf } from '../drivers.js';
-import { asked, endsOf } from '../state.js';
+import { asked, endsOf, evolvedOf } from '../state.js';
 import { afterChange } from '../undo.js';
 
 /**
@@ -196,7 +196,6 @@ function createSight({ engine, store, paper, isStill }) {
 
 /** The drives of an evolution that is given up were made all the same, and a try was from as many starts as there were then. @param {State} state @param {Experiment} next @returns {State['work']} */
 function afterWork({ work, history, experiment }, next) {
-  const evolved = history.length > 1 ? history[history.length - 1].evaluations : 0;
   const fewer = experiment.starts.length - next.starts.length;
-  return { ...work, spent: work.spent + evolved + work.tries * fewer };
+  return { ...work, spent: work.spent + evolvedOf({ history, work }) + work.tries * fewer, counted: 0 };
 }

@@ -97,7 +97,8 @@ export function createOpening(basis, catchUp) {
           // The generations of the exercise are evolved again, and counted then.
           work: {
             ...work,
-            spent: spentOf({ ...state, generation: work.opened, work: { ...work, tries: 0 } }),
+            spent: spentOf({ ...state, generation: work.counted, work: { ...work, tries: 0 } }),
+            counted: work.opened,
           },
           robot: shown(),
         });
