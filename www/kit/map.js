@@ -104,7 +104,7 @@ export function followKeys(element, { onStep, onEnter, onEscape }) {
     if (isChord(event)) return;
     const step = arrowOf(event.key);
     if (step) onStep(step, event.shiftKey);
-    else if (event.key === 'Escape') onEscape();
+    else if (event.key === 'Escape') return onEscape();
     else if (onEnter && (event.key === 'Enter' || event.key === ' ')) onEnter();
     else return;
     event.preventDefault();

@@ -17,6 +17,9 @@ export const valueIn = ({ target }) => /** @type {HTMLSelectElement | HTMLInputE
 export const styled = (name, value) =>
   ref((element) => /** @type {HTMLElement | undefined} */ (element)?.style.setProperty(name, value));
 
+/** What a number is typed with: the decimal keys of an iPhone have no minus. @param {boolean} isSigned */
+export const keysFor = (isSigned) => (isSigned ? 'text' : 'decimal');
+
 /** @param {Event} event Of a field. */
 export const selectAll = ({ target }) => /** @type {HTMLInputElement} */ (target).select();
 

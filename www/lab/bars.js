@@ -39,7 +39,7 @@ function robotBar({ time, finalTime, playing, speed }, actions) {
     </select>
     <span id="clock" class="clock">${text}</span>
     <input id="scrub" type="range" min="0" step="0.01" aria-label=${texts.scrub} aria-valuetext=${text}
-      .max=${String(finalTime)} .value=${live(String(time))} ${filled(time / finalTime)}
+      .max=${String(finalTime)} .value=${live(String(time))} ${filled(finalTime > 0 ? time / finalTime : 1)}
       @input=${(/** @type {Event} */ event) => actions.scrub(Number(valueIn(event)))}>`;
 }
 

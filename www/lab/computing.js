@@ -14,8 +14,9 @@ export function createComputing({ stopComputing }) {
   place.hidden = true;
   byId('message').after(place);
   addEventListener('keydown', (event) => {
-    // A dialog is closed by it.
-    if (event.key === 'Escape' && !place.hidden && !document.querySelector('dialog[open]')) stopComputing();
+    // Or it was for something else, as the closing of a dialog is.
+    const isUsed = event.defaultPrevented || event.isComposing || document.querySelector('dialog[open]');
+    if (event.key === 'Escape' && !place.hidden && !isUsed) stopComputing();
   });
   return {
     /** @param {State} state */

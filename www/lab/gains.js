@@ -3,7 +3,7 @@
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { create } from '../kit/elements.js';
-import { selectAll, styled } from '../kit/templates.js';
+import { keysFor, selectAll, styled } from '../kit/templates.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
@@ -89,7 +89,7 @@ export function createRow(gain, index, events, unit = '') {
             aria-valuetext=${unit ? `${text} ${unit}` : nothing}
             .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${from} ${to}
             @pointerdown=${on.hold} @keydown=${on.key} @input=${on.slide} @change=${events.onSlid}>
-          <input id="gain-${id}" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
+          <input id="gain-${id}" type="text" inputmode=${keysFor(true)} autocomplete="off" spellcheck="false"
             aria-label=${strings.gainInputLabel(gain.name)} aria-describedby="gain-${id}-error"
             aria-invalid=${String(message !== '')} .value=${isStale ? live(text) : noChange}
             @input=${on.input} @blur=${on.blur} @change=${on.change} @focus=${selectAll}>
@@ -97,7 +97,7 @@ export function createRow(gain, index, events, unit = '') {
           <p id="gain-${id}-error" class="field-error" role="alert" .hidden=${message === ''}>${message}</p>`,
         row,
       );
-      if (before && (message || isStale) && document.activeElement === before) before.select();
+      if (before && ((message && !typing) || isStale) && document.activeElement === before) before.select();
     },
   };
 }

@@ -62,7 +62,7 @@ function createHandle(end, part, current, events) {
     if (!moved) return;
     event.preventDefault();
     isKeyHeld = true;
-    events.onMove(end, tidy(moved), true);
+    events.onMove(end, tidy(moved, posture), true);
   });
   button.addEventListener('keyup', (event) => {
     if (event.key.startsWith('Arrow')) letGo();
@@ -120,7 +120,8 @@ function drag(button, end, part, current, events) {
     const py = event.clientY - held.offsetY - top - plane.clientTop;
     const posture = events.postureOf(end);
     if (!pending) requestAnimationFrame(apply);
-    pending = tidy(part === 'heading' ? turnedTo(view, posture, px, py) : movedTo(view, posture, px, py));
+    const moved = part === 'heading' ? turnedTo : movedTo;
+    pending = tidy(moved(view, posture, px, py), posture);
   });
 
   const letGo = () => {
@@ -139,10 +140,13 @@ function drag(button, end, part, current, events) {
   button.addEventListener('pointercancel', ({ pointerId }) => {
     if (pointerId === held?.pointerId) takeBack();
   });
-  // Not every browser gives a button the focus that is pressed.
-  addEventListener('keydown', ({ key }) => {
-    if (key === 'Escape') takeBack();
-  });
+  const onKey = (/** @type {KeyboardEvent} */ event) => {
+    if (event.key !== 'Escape' || !held) return;
+    event.preventDefault();
+    takeBack();
+  };
+  // Not every browser gives a button the focus that is pressed; and before others ask what Escape is for.
+  addEventListener('keydown', onKey, { capture: true });
 }
 
 /** @param {View} view @param {Posture} posture @param {number} px @param {number} py @returns {Posture} */
@@ -175,9 +179,13 @@ function turnedByKey(posture, event) {
   return { ...posture, theta: posture.theta + left * (event.altKey ? fineTurn : turn) };
 }
 
-/** Whole centimetres and degrees, so that the numbers in the text are the numbers that drive. @param {Posture} posture @returns {Posture} */
-function tidy({ x, y, theta }) {
+/** Whole centimetres and degrees in what was moved, so that the numbers in the text are the numbers that drive. @param {Posture} posture @param {Posture} before @returns {Posture} */
+function tidy({ x, y, theta }, before) {
   const turns = Math.round((theta * 180) / Math.PI);
   const wrapped = turns - 360 * Math.ceil((turns - 180) / 360);
-  return { x: Math.round(x * 100) / 100, y: Math.round(y * 100) / 100, theta: (wrapped * Math.PI) / 180 };
+  return {
+    x: x === before.x ? x : Math.round(x * 100) / 100,
+    y: y === before.y ? y : Math.round(y * 100) / 100,
+    theta: theta === before.theta ? theta : (wrapped * Math.PI) / 180,
+  };
 }

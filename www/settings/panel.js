@@ -159,9 +159,11 @@ function followHelp(panel, viewsOf) {
 /** Escape closes; Ctrl+Z and Ctrl+Y undo and redo, wherever nobody types. @param {HTMLElement} panel @param {HTMLElement} button @param {Store} store @param {Actions} actions @param {(state: State) => boolean} hasLab */
 function followKeys(panel, button, store, actions, hasLab) {
   document.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || document.querySelector('dialog[open]')) return;
     const target = /** @type {Node} */ (event.target);
     const isOurs = panel.contains(target) || target === button || target === document.body;
     if (event.key === 'Escape' && isOurs && store.get().settings.open) {
+      event.preventDefault();
       actions.openSettings(false);
       button.focus();
       return;

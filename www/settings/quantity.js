@@ -15,14 +15,19 @@ export function createQuantity({ unit, min, max, integer }) {
   const isAngle = unit in onScreen;
   const shown = (/** @type {number} */ value) =>
     rounded(isAngle ? (value * 180) / Math.PI : value, integer ? 10 : 6);
+  const range = /** @type {const} */ ([shown(min), shown(max)]);
   return {
     unit: isAngle ? onScreen[unit] : unit,
     integer,
     /** The smallest and largest on screen. */
-    range: /** @type {const} */ ([shown(min), shown(max)]),
+    range,
     shown,
     /** What the core gets for a number on screen. @param {number} number */
-    value: (number) => (isAngle ? (number * Math.PI) / 180 : number),
+    value(number) {
+      // As it is shown it may lie a little beyond.
+      if (range.includes(number)) return number === range[0] ? min : max;
+      return isAngle ? (number * Math.PI) / 180 : number;
+    },
     /** @param {number} value */
     allows: (value) => value >= min && value <= max && (!integer || Number.isInteger(value)),
   };

@@ -6,7 +6,7 @@
 import { html, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { create } from '../kit/elements.js';
-import { options, selectAll, styled, valueIn } from '../kit/templates.js';
+import { keysFor, options, selectAll, styled, valueIn } from '../kit/templates.js';
 import { numberOf } from '../words/numbers.js';
 import { settings as words } from '../words/index.js';
 import { createQuantity, createSliderScale } from './quantity.js';
@@ -103,7 +103,7 @@ export function createNumber(row, field, actions, fallback, place) {
   const frame = createFrame(row, id, text, change);
   frame.element.classList.toggle('wide', field.max > 1e8);
 
-  const typing = createTyping(id, quantity.unit, (typed) => {
+  const typing = createTyping(id, quantity.unit, field.min < 0, (typed) => {
     const value = meant(numberOf(typed));
     if (typeof value === 'number' && quantity.allows(value)) change(value);
     else actions.refuseSetting(path, words.refused(name, range, typed));
@@ -131,14 +131,19 @@ export function createNumber(row, field, actions, fallback, place) {
   };
 }
 
-/** The number as text: what somebody is typing is not overwritten by what happens meanwhile, and its undo is the field's own. @param {string} id @param {string} unit @param {(typed: string) => void} onTyped */
-function createTyping(id, unit, onTyped) {
+/** The number as text: what somebody is typing is not overwritten by what happens meanwhile, and its undo is the field's own. @param {string} id @param {string} unit @param {boolean} isSigned @param {(typed: string) => void} onTyped */
+function createTyping(id, unit, isSigned, onTyped) {
   let written = '';
   /** @param {Event} event @param {boolean} now */
   const setTyping = (event, now) => targetOf(event).toggleAttribute(typingMark, now);
   const on = {
     input: (/** @type {Event} */ event) => setTyping(event, valueIn(event) !== written),
     blur: (/** @type {Event} */ event) => setTyping(event, false),
+    key(/** @type {KeyboardEvent} */ event) {
+      if (event.key !== 'Escape') return;
+      targetOf(event).value = written;
+      setTyping(event, false);
+    },
     change(/** @type {Event} */ event) {
       setTyping(event, false);
       onTyped(valueIn(event));
@@ -148,14 +153,15 @@ function createTyping(id, unit, onTyped) {
     /** @param {string} text Empty when there is no limit. @param {string} error @param {boolean} isOff */
     field(text, error, isOff) {
       written = text;
-      return html`<input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
+      return html`<input id=${id} type="text" inputmode=${keysFor(isSigned)} autocomplete="off" spellcheck="false"
             aria-describedby="${id}-error ${id}-help" aria-invalid=${String(error !== '')}
             .disabled=${isOff} placeholder=${text ? '' : words.noLimit}
-            @input=${on.input} @blur=${on.blur} @focus=${selectAll} @change=${on.change}><span class="unit muted">${unit}</span>`;
+            @input=${on.input} @blur=${on.blur} @keydown=${on.key} @focus=${selectAll} @change=${on.change}><span class="unit muted">${unit}</span>`;
     },
     /** Writes it into the field, once that is there. @param {HTMLInputElement} input @param {string} error */
     write(input, error) {
-      const isStale = !error && !input.hasAttribute(typingMark) && input.value !== written;
+      if (input.hasAttribute(typingMark)) return;
+      const isStale = !error && input.value !== written;
       if (isStale) input.value = written;
       if ((error || isStale) && document.activeElement === input) input.select();
     },

@@ -68,9 +68,18 @@ export const degrees = (radians) => `${fixed((radians * 180) / Math.PI, 0)}°`;
 /** @param {Posture} posture */
 export const postureText = ({ x, y, theta }) => `${fixed(x, 2)} m, ${fixed(y, 2)} m, ${degrees(theta)}`;
 
-/** What somebody has typed; NaN if it is no number. @param {string} text */
-export const numberOf = (text) =>
-  text.trim() === '' ? Number.NaN : Number(text.trim().replaceAll('−', '-').replace(',', '.'));
+/** A comma before three digits may be a decimal point or not. */
+const inGroups = /^[+-]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?$/;
+
+/** What somebody has typed; NaN if it is no number, or not sure which. @param {string} text */
+export function numberOf(text) {
+  const plain = text.trim().replaceAll('−', '-');
+  return plain === '' || inGroups.test(plain) ? Number.NaN : Number(plain.replace(',', '.'));
+}
+
+/** A number that is below another, with as few digits as show it. @param {number} value @param {number} limit @param {(value: number) => string} usual */
+export const textBelow = (value, limit, usual) =>
+  [usual, sixDigits].map((write) => write(value)).find((text) => !(Number(text) >= limit)) ?? String(value);
 
 /** With a minus sign where it is below zero, within a formula. @param {number} value @param {number} digits */
 export function signed(value, digits) {

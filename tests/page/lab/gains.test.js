@@ -234,3 +234,20 @@ pageTest('what is being typed is not overwritten by what evolution finds', async
   const { driver, gains } = await read(page);
   assert.deepEqual([driver, gains[0]], ['hand', '42.000']);
 });
+
+pageTest(
+  'what corrects a gain that was refused is typed to its end while evolution goes on',
+  async (page) => {
+    await page.focus('#gain-kx');
+    await page.press('a', 'b', 'c', Key.ENTER);
+    await page.until('it is refused', () => document.getElementById('gain-kx-error')?.checkVisibility());
+    await page.press('3');
+    // Its button would take the focus.
+    await page.evaluate(() => {
+      for (let i = 0; i < 5; i += 1) document.getElementById('one-generation')?.click();
+    });
+    await page.press('.', '5', Key.ENTER);
+    await page.until('they drive', () => !document.getElementById('gain-kx-error')?.checkVisibility());
+    assert.equal((await read(page)).gains[0], '3.500');
+  },
+);

@@ -69,6 +69,10 @@ pageTest(
   'while a generation is computed in a worker, the address goes on telling what is set',
   async (page) => {
     await page.open('#lab&v=1&population=1200');
+    // Its first generation, and the drives of that, come from workers too.
+    await page.until('the experiment has begun', () =>
+      /1200/.test(document.getElementById('evolution-note')?.textContent ?? ''),
+    );
     await holdWorkers(page);
     await page.click('#one-generation');
     await page.until('it is computed', () => document.querySelector('#computing:not([hidden])'));

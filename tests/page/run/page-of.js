@@ -7,11 +7,13 @@ import { firstState } from '../../../www/run/first.js';
 import { createStore } from '../../../www/run/store.js';
 import { createEngine } from '../harness/core.js';
 
-/** A page on which a link was opened. @param {string} link */
-export function pageOf(link) {
+const atRest = { finalTime: () => 1, isStill: () => true };
+
+/** A page on which a link was opened. @param {string} link @param {typeof atRest} [clock] */
+export function pageOf(link, clock = atRest) {
   const engine = createEngine();
   const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});
-  const means = { engine, store, paper: engine.paper(), finalTime: () => 1, isStill: () => true, places };
+  const means = { engine, store, paper: engine.paper(), ...clock, places };
   const actions = createActions(means);
   const open = (/** @type {string} */ text) => {
     const { opened, problems } = links.openLink(text, engine);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
-import { openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
+import { chord, openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
 import { read } from '../harness/reading.js';
 import { holdWorkers } from '../harness/workers.js';
 
@@ -110,3 +110,25 @@ pageTest(
     await page.until('it is there again', () => document.getElementById('settings')?.checkVisibility());
   },
 );
+
+pageTest('Escape closes the panel, and takes nothing that was only typed', async (page) => {
+  await page.click('#one-generation');
+  await openSettings(page);
+  await page.focus('#setting-weights-penalty');
+  await page.press('7', Key.ESCAPE);
+  await page.until('it is closed', () => !document.getElementById('settings')?.checkVisibility());
+  assert.equal(await page.text('#generation'), '1');
+  await openSettings(page);
+  const { value } = await setting(page, 'weights-penalty');
+  assert.equal(value, String(velocityLimits.weights.penalty));
+});
+
+pageTest('nothing is undone behind a sheet that is open', async (page) => {
+  await page.click('#new-seed');
+  const seed = await page.text('#seed');
+  await page.click('#keys-button');
+  await chord(page, Key.CONTROL, 'z');
+  await page.press(Key.ESCAPE);
+  await page.until('it is closed', () => document.querySelector('dialog[open]') === null);
+  assert.equal(await page.text('#seed'), seed);
+});

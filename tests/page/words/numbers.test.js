@@ -55,3 +55,27 @@ test('with more starts than one the landscape says from which the J of a drive i
   assert.equal(english('', 'kx 1', run, 'arrives', false), 'kx 1: J 7.500, arrives');
   assert.equal(korean('', 'kx 1', run, '도착', true), 'kx 1: 첫 출발점에서 J 7.500, 도착');
 });
+
+test('a number that may be a thousand or one is none, and a comma is a point', () => {
+  for (const [text, value] of /** @type {const} */ ([
+    ['0,5', 0.5],
+    ['0,125', 0.125],
+    ['−3,25', -3.25],
+    [' 1e3 ', 1000],
+    ['1,000', Number.NaN],
+    ['-10,000', Number.NaN],
+    ['1,000,000.5', Number.NaN],
+    ['', Number.NaN],
+  ]))
+    assert.equal(numbers.numberOf(text), value, text);
+});
+
+test('a J that is told to be below another reads so', () => {
+  const told = (/** @type {number} */ limit, /** @type {number} */ cost) =>
+    [en, ko].map(
+      ({ lab }) => /\d\.\d+/.exec(lab.reachedText(limit, { generation: 65, best: { cost } }))?.[0],
+    );
+  assert.deepEqual(told(7.73, 7.6), ['7.600', '7.600']);
+  assert.deepEqual(told(7.73, 7.72966), ['7.72966', '7.72966']);
+  assert.deepEqual(told(7.73, 7.72999987), ['7.72999987', '7.72999987']);
+});

@@ -10,7 +10,7 @@ import { live } from 'lit-html/directives/live.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { watch } from '../../kit/memo.js';
 import { checkOf, selectOf } from '../fields.js';
-import { selectAll, valueIn } from '../../kit/templates.js';
+import { keysFor, selectAll, valueIn } from '../../kit/templates.js';
 import { lab, tables } from '../../words/index.js';
 import { outlines } from './points.js';
 import { thirdOf } from './request.js';
@@ -137,7 +137,7 @@ function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
   const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
   return html`
     <label><span id="landscape-third-name" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
-      <input id="landscape-third" type="text" size="5" inputmode="decimal" autocomplete="off" spellcheck="false"
+      <input id="landscape-third" type="text" size="5" inputmode=${keysFor(true)} autocomplete="off" spellcheck="false"
         aria-label=${words.thirdLabel(name)} aria-describedby="landscape-third-error"
         aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}
         @focus=${selectAll}

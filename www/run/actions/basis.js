@@ -113,6 +113,8 @@ function createBeginning({ engine, store }, { attempt, forget, whenIdle }) {
       population,
       restart,
       catchingUp: null,
+      // Nobody has pressed Run for it.
+      ...(before.catchingUp && { evolving: false }),
       message: '',
       settings: { ...before.settings, error: null },
       work: afterWork(before, next.experiment),

@@ -81,6 +81,9 @@ export function createDrive({ engine, store, paper, attempt, shown, driveAgain }
   };
 }
 
+/** In seconds. */
+export const scrubStep = 0.01;
+
 /** @param {Basis} basis */
 export function createClock({ store, finalTime }) {
   /** @param {number} time */
@@ -106,7 +109,8 @@ export function createClock({ store, finalTime }) {
       store.update({ speed });
     },
 
-    scrub: standAt,
+    /** The last step of a slider may come short of the end. @param {number} time */
+    scrub: (time) => standAt(time > 0 && finalTime() - time < scrubStep - 1e-9 ? finalTime() : time),
 
     /** As the page itself asks for it, where scrubbing may be locked. */
     standAt,

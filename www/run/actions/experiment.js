@@ -1,7 +1,7 @@
 // What is asked of the robot: start and goal, limits, and every other setting, with the way back.
 /** @import { Posture, Preset } from '../../core/engine.js' */
 /** @import { Value } from '../paths.js' */
-/** @import { Next, Restart, State } from '../state.js' */
+/** @import { Next, Restart, State, Trial } from '../state.js' */
 /** @import { Basis } from './basis.js' */
 import { Pending } from '../../core/pending.js';
 import { isLost, messageOf } from '../../words/errors.js';
@@ -16,6 +16,9 @@ import { drawnFor } from '../variant.js';
 
 /** @param {Posture} a @param {Posture} b */
 const isSame = (a, b) => a.x === b.x && a.y === b.y && a.theta === b.theta;
+
+/** @param {Posture | null} start @param {Trial} trial @returns {Trial} */
+const trialFrom = (start, trial) => (start || trial.disturbance ? { ...trial, start } : noTrial);
 
 /** @param {Basis} basis */
 const createSettled =
@@ -139,7 +142,7 @@ function createPostures({ engine, store, places, begin, onceBegun, shown, refitB
   const tryStart = (wanted) => {
     const { trial } = store.get();
     const start = wanted && allowed('starts[]', wanted);
-    store.update({ trial: start || trial.disturbance ? { ...trial, start } : noTrial, robot: shown() });
+    store.update({ trial: trialFrom(start, trial), robot: shown() });
     refitBox();
   };
 
@@ -155,9 +158,10 @@ function createPostures({ engine, store, places, begin, onceBegun, shown, refitB
       const { experiment, trial, page } = now;
       const posture = allowed(end === 'start' ? 'starts[]' : 'goal', wanted);
       if (isSame(endsOf(now)[end], posture)) return;
-      if (end === 'start' && places.triesStarts(page))
-        store.update({ trial: { ...trial, start: posture }, dragging });
-      else {
+      if (end === 'start' && places.triesStarts(page)) {
+        const start = isSame(experiment.starts[0], posture) ? null : posture;
+        store.update({ trial: trialFrom(start, trial), dragging });
+      } else {
         const moved =
           end === 'goal' ? { goal: posture } : { starts: [posture, ...experiment.starts.slice(1)] };
         begin({ ...experiment, ...moved }, 'moved', { dragging });

@@ -2,7 +2,7 @@
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
-import { costText, degrees, fixed, grouped, postureText, sixDigits } from './numbers.js';
+import { costText, degrees, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './computing.js';
@@ -245,7 +245,7 @@ export const restText = (generation) => `Paused at generation ${generation}. Pre
 
 /** @param {number} value Below which J was to come. @param {Statistics} statistics */
 export const reachedText = (value, { generation, best }) =>
-  `The best J of generation ${generation}, ${costText(best.cost)}, is below ${sixDigits(value)}. Press Run to go on.`;
+  `The best J of generation ${generation}, ${textBelow(best.cost, value, costText)}, is below ${sixDigits(value)}. Press Run to go on.`;
 
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>

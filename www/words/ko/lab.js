@@ -2,7 +2,7 @@
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
-import { costText, degrees, fixed, grouped, postureText, sixDigits } from './numbers.js';
+import { costText, degrees, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './computing.js';
@@ -241,7 +241,7 @@ export const restText = (generation) =>
 
 /** @param {number} value Below which J was to come. @param {Statistics} statistics */
 export const reachedText = (value, { generation, best }) =>
-  `${generation}세대의 최소 J(${costText(best.cost)})가 ${sixDigits(value)}보다 낮습니다. “진화 시작”을 누르면 이어집니다.`;
+  `${generation}세대의 최소 J(${textBelow(best.cost, value, costText)})가 ${sixDigits(value)}보다 낮습니다. “진화 시작”을 누르면 이어집니다.`;
 
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>

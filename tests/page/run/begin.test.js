@@ -1,0 +1,24 @@
+// What begins anew, and what only seems to.
+import assert from 'node:assert/strict';
+import { noTrial } from '../../../www/run/state.js';
+import { test } from '../harness/once.js';
+import { pageOf } from './page-of.js';
+
+test('what is set while a link catches up begins another evolution, which nobody has let go on', () => {
+  const { actions, store } = pageOf('lab');
+  store.update({ evolving: true, catchingUp: { newest: 40, generation: 40 } });
+  actions.changeSetting('goal.x', 1.5, false);
+  assert.equal(store.get().evolving, false);
+  actions.toggleEvolution();
+  actions.changeSetting('goal.x', 1.75, false);
+  assert.equal(store.get().evolving, true);
+});
+
+test('a start that is tried where evolution starts is none', () => {
+  const { actions, store } = pageOf('robustness');
+  const own = actions.postureOf('start');
+  actions.movePosture('start', { ...own, x: 1 }, true);
+  assert.equal(store.get().trial.start?.x, 1);
+  actions.movePosture('start', own, true);
+  assert.equal(store.get().trial, noTrial);
+});
