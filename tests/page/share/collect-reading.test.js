@@ -56,6 +56,47 @@ test('the columns of the platform are passed on in any language, but for what wa
     }
 });
 
+test('what a teacher wrote is nobody’s hand-in, in any language, wherever it stands', async () => {
+  const mine = await handedIn('s1', [3.3, 0, 4.5]);
+  const solution = await handedIn('teacher', [3.2, 0, 4.4]);
+  const heads = [
+    ['Full name', 'Online text', 'Feedback comments'],
+    ['성명', '온라인 텍스트', '피드백 댓글'],
+    ['Nom complet', 'Texte en ligne', 'Commentaires de feedback'],
+    ['Vollständiger Name', 'Texteingabe online', 'Feedback als Kommentar'],
+    ['Name', 'オンラインテキスト', 'フィードバックコメント'],
+    // A word that nobody knows, beside what students wrote.
+    ['Full name', 'Online text', 'Remarks of mine'],
+  ];
+  for (const head of heads)
+    for (const order of [
+      [0, 1, 2],
+      [2, 1, 0],
+    ])
+      for (const said of [solution.text, `${site}#${solution.link}`]) {
+        const rows = [head, ['Kim', mine.text, said], ['Lee', '', said], ['Bo', 'No.', '']];
+        const entries = await reader.read(Papa.unparse(rows.map((row) => order.map((i) => row[i]))));
+        assert.deepEqual(
+          entries.map(({ name, ident, link }) => [name, Object.keys(ident), link]),
+          [
+            ['Kim', [], mine.link],
+            ['Lee', [], null],
+            ['Bo', [], null],
+          ],
+          head.join(),
+        );
+        assert.match(entries[2].text, /^No\./);
+      }
+  // Where no column is known for it, it is wherever links are.
+  const [other] = await reader.read(
+    Papa.unparse([
+      ['Name', 'Text', 'Link'],
+      ['Kim', 'See there.', mine.link],
+    ]),
+  );
+  assert.equal(other.link, mine.link);
+});
+
 test('a column of the platform is no formula, and there are not too many', async () => {
   const { text } = await handedIn('s1', [3.3, 0, 4.5]);
   const many = Array.from({ length: 60 }, (_, i) => `Field ${i}`);

@@ -195,15 +195,16 @@ const names = {
   ident:
     /^(identifier|id|id number|student id|email|email address|e-mail|username|login id|sis user id|sis login id|integration id|section|학번|이메일|아이디|사용자 이름)$/i,
 };
-/** What the platform says of a submission, and not of who made it. */
+/** What the platform or a teacher says of a submission: not of who made it, and nothing that was handed in. */
 const aboutIt =
-  /^(status|grade|maximum grade|grade can be changed|last modified\b.*|feedback\b.*|상태|성적)$/i;
+  /^(?:status|grade|maximum grade|grade can be changed|last modified\b.*|상태|성적)$|\bfeedback\b|피드백|rétroaction|retroaliment|retroacci|återkoppling|zwrotn|отзыв|phản hồi|フィードバック|反馈|回饋/i;
 /** By longer ones nobody is known. In characters. */
 const mostOfIdent = 100;
 const mostIdents = 20;
 
 /** The column of what a student wrote: a row without a hand-in says how that begins. */
-const written = /^(online text|submission text|text|온라인 텍스트|texte en ligne|texteingabe online)$/i;
+const written =
+  /^(online text|submission text|text|온라인 ?텍스트|texte en ligne|texteingabe online|texto en línea|texto online|testo online|オンラインテキスト|在线文本|線上文字)$/i;
 
 /** A table with a head, if it is one. @param {string} text @param {(cell: string) => boolean} hasLink */
 function tableIn(text, hasLink) {
@@ -221,20 +222,25 @@ function tableIn(text, hasLink) {
 function partsOf(columns, rows, hasLink) {
   const of = (/** @type {RegExp} */ name) => columns.findIndex((column) => name.test(column));
   const named = [of(names.whole), of(names.first), of(names.last)];
-  const all = columns.map((_, i) => i);
-  const isText = (/** @type {number} */ i) =>
-    written.test(columns[i]) ||
-    rows.some((row) => row[i]?.length > mostOfIdent || (row[i]?.includes('&') && hasLink(row[i])));
-  const texts = all.filter((i) => !names.ident.test(columns[i]) && !named.includes(i) && isText(i));
-  const idents = all.filter((i) => !named.includes(i) && !texts.includes(i) && columns[i] !== '');
+  const known = columns.map((_, i) => i).filter((i) => !named.includes(i) && !aboutIt.test(columns[i]));
+  const isIdent = (/** @type {number} */ i) => names.ident.test(columns[i]);
+  const longs = known.filter((i) => !isIdent(i) && rows.some((row) => isLong(row[i] ?? '', hasLink)));
+  const own = known.filter((i) => written.test(columns[i]));
+  // Where students wrote, what stands elsewhere may be another's.
+  const isThere = rows.some((row) => own.some((i) => hasLink(row[i] ?? '')));
+  const texts = isThere ? own : [...new Set([...own, ...longs])];
+  const idents = known.filter((i) => !own.includes(i) && !longs.includes(i) && columns[i] !== '');
   return {
     columns,
     named,
-    // A link may stand anywhere else too.
-    texts: [...texts, ...idents.filter((i) => !names.ident.test(columns[i]))],
-    idents: idents.filter((i) => !aboutIt.test(columns[i])).slice(0, mostIdents),
+    // A row without a hand-in says what else stands in it.
+    texts: [...texts, ...idents.filter((i) => !isIdent(i))],
+    idents: idents.slice(0, mostIdents),
   };
 }
+
+/** By this nobody is known. @param {string} cell @param {(cell: string) => boolean} hasLink */
+const isLong = (cell, hasLink) => cell.length > mostOfIdent || (cell.includes('&') && hasLink(cell));
 
 /** @param {ReturnType<typeof partsOf>} parts @param {readonly string[]} row @param {(text: string, name: string, ident: Entry['ident']) => Entry} entryOf */
 function fromRow({ columns, named, texts, idents }, row, entryOf) {
