@@ -7,6 +7,7 @@ import { createChecker } from '../../../www/share/collect/check.js';
 import { createReader, mostEntries } from '../../../www/share/collect/entries.js';
 import { joined, readAll } from '../../../www/share/collect/files.js';
 import { csvOf } from '../../../www/share/collect/table.js';
+import { mark } from '../../../www/share/handin/mark.js';
 import { test } from '../harness/once.js';
 import { engine, exercise, handedIn, site } from './hand-ins.js';
 
@@ -95,6 +96,22 @@ test('what a teacher wrote is nobody’s hand-in, in any language, wherever it s
     ]),
   );
   assert.equal(other.link, mine.link);
+});
+
+test('what was made to hold the page is a row as others are', async () => {
+  const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+  // Whatever looks twice at such a text looks for minutes.
+  const full = (/** @type {string} */ one) => one.repeat(190_000 / one.length);
+  for (const [text, links] of /** @type {[string, (string | null)[]][]} */ ([
+    [`lab&a=${full('handin=')}`, [null]],
+    [`${mark}\n${full('handin=~')}\n${link}`, [link]],
+    [`${mark}<p>${link} lab&v=1 <a ${full("href='x' ")}`, [link]],
+    [`${full(', ')}x ${site}#${link}`, [link]],
+  ]))
+    assert.deepEqual(
+      (await reader.read(text)).map((entry) => entry.link),
+      links,
+    );
 });
 
 test('a column of the platform is no formula, and there are not too many', async () => {

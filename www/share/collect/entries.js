@@ -10,6 +10,7 @@ import { mark } from '../handin/mark.js';
 /** In characters. */
 export const mostOfAll = 12_000_000;
 const mostOfOne = 200_000;
+const mostOfName = 80;
 /** So many are checked at once; the others are only counted. */
 export const mostEntries = 5000;
 /** So many milliseconds in a row. */
@@ -51,11 +52,21 @@ const saidIn = (html) =>
     html.replace(/<(?:br|\/p|\/div|\/li|\/tr|\/h\d)\b[^<>]*>/gi, '\n').replace(/<\/?[a-z!][^<>]*>/gi, ' '),
   );
 
+/** @param {string} tag */
+const hrefIn = (tag) => /\bhref=["']([^"'<>]*)["']/i.exec(tag)?.[1] ?? '';
+
 /** @param {string} text */
 const beginning = (text) => text.replace(/\s+/g, ' ').trim().slice(0, 80);
 
 /** A receipt to its last digits, without what a text has behind them; null if they are not there. @param {string} link */
-const wholeIn = (link) => /^.*?handin=.*?(?:~|%7E)[\da-f]{8}(?!~|%7E)/i.exec(link)?.[0] ?? null;
+function wholeIn(link) {
+  const at = link.indexOf('handin=');
+  const end = at < 0 ? null : /(?:~|%7E)[\da-f]{8}(?!~|%7E)/i.exec(link.slice(at));
+  return end && link.slice(0, at + end.index + end[0].length);
+}
+
+/** A line that ends with the digits of a receipt. @param {string} line */
+const endsReceipt = (line) => /^handin=\S*~[\da-f]{8}$/.test(line.slice(line.lastIndexOf('handin=')));
 
 /** Links of these pages. @param {readonly string[]} pages */
 function createFinder(pages) {
@@ -85,7 +96,7 @@ export function createReader(pages) {
   /** @param {string} text @param {string} name @param {Entry['ident']} [ident] @returns {Entry} */
   function entryOf(text, name, ident = {}) {
     const said = beginning(saidIn(text.slice(0, 2000)));
-    const about = { name: name.slice(0, 80), ident, text: said, isReceipt: text.includes(mark) };
+    const about = { name: name.slice(0, mostOfName), ident, text: said, isReceipt: text.includes(mark) };
     if (text.length > mostOfOne) return { ...about, link: null, why: 'long' };
     const link = linkIn(text);
     if (link === null) return { ...about, link, why: 'none' };
@@ -98,7 +109,7 @@ export function createReader(pages) {
   async function fromLines(text, name) {
     const isHtml = /<\/?(?:p|div|br|a|span|li|td|html|body|img|script)\b/i.test(text);
     if (isHtml && new Set(linksIn(text)).size < 2) return [entryOf(text, name)];
-    const withLinks = text.replace(/<a\b[^<>]*\bhref=["']([^"'<>]*)["'][^<>]*>/gi, ' $1 ');
+    const withLinks = text.replace(/<a\b[^<>]*>/gi, (tag) => ` ${hrefIn(tag)} `);
     const lines = (isHtml ? saidIn(withLinks) : text).split(/\r?\n/).map((line) => line.trim());
     /** @type {Entry[]} */
     const entries = [];
@@ -117,7 +128,7 @@ export function createReader(pages) {
       if (receipt.length > 0 || line.includes(mark)) {
         receipt.push(line);
         // What may still be of it: a link that was broken into lines.
-        if (/handin=[^\s]*~[\da-f]{8}$/.test(line) || (line === '' && receipt.length > 3)) end();
+        if (endsReceipt(line) || (line === '' && receipt.length > 3)) end();
       } else if (line !== '') add(line, name || nameBefore(line));
     }
     end();
@@ -157,7 +168,12 @@ export function createReader(pages) {
 /** The name in a line such as “Kim, https://…”. @param {string} line */
 function nameBefore(line) {
   const [before] = line.split(/https?:|file:|#|(?:^|\s)[\w-]+\.html/, 1);
-  return before.length < line.length ? before.replace(/[\s,;:|\t]+$/, '').replace(/^["']/, '') : '';
+  return before.length < line.length
+    ? before
+        .slice(0, mostOfName)
+        .replace(/[\s,;:|\t]+$/, '')
+        .replace(/^["']/, '')
+    : '';
 }
 
 /** Whose it is in anonymous submissions of Moodle: nobody's name. */
