@@ -1,9 +1,9 @@
 // What was handed in, found in whatever a learning platform gives: tables, online texts with their HTML, files, links. Nothing is
 // believed here, and nothing of it becomes markup.
-import Papa from 'papaparse';
 import { createTurns } from '../../kit/loop.js';
 import { mostCharacters } from '../../link/link.js';
 import { mark } from '../handin/mark.js';
+import { fromRow, partsOf, tableIn } from './columns.js';
 
 /** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | null, isReceipt: boolean }} Entry `isReceipt`: it says that it is one. */
 
@@ -55,6 +55,9 @@ const saidIn = (html) =>
 /** @param {string} tag */
 const hrefIn = (tag) => /\bhref=["']([^"'<>]*)["']/i.exec(tag)?.[1] ?? '';
 
+/** @param {string} text @param {string} what */
+const countOf = (text, what) => text.split(what).length - 1;
+
 /** @param {string} text */
 const beginning = (text) => text.replace(/\s+/g, ' ').trim().slice(0, 80);
 
@@ -68,12 +71,24 @@ function wholeIn(link) {
 /** A line that ends with the digits of a receipt. @param {string} line */
 const endsReceipt = (line) => /^handin=\S*~[\da-f]{8}$/.test(line.slice(line.lastIndexOf('handin=')));
 
+/** @param {string} link */
+const whoIn = (link) => /&who=([^&]*)/.exec(link)?.[1];
+
+/** A platform keeps behind a receipt what the same student did after it: that is not handed in. @param {string} line @param {string} before */
+const isLater = (line, before) =>
+  before.includes('handin=') &&
+  !line.includes('handin=') &&
+  [line, before].every((one) => /^#\S+$/.test(one)) &&
+  whoIn(line) === whoIn(before);
+
 /** Links of these pages. @param {readonly string[]} pages */
 function createFinder(pages) {
   const pattern = new RegExp(`(?<![\\w%])(?:${pages.join('|')})&(?:amp;)*[\\w.]+=[^\\s"<>\\\\^\`{}|]*`, 'g');
 
   /** @param {string} text */
   const linksIn = (text) => withoutEntities(withoutEntities(text)).match(pattern) ?? [];
+
+  const hasLink = (/** @type {string} */ text) => linksIn(text).length > 0;
 
   /** The one that counts: a receipt before others, and of several the last. @param {string} text */
   function linkIn(text) {
@@ -86,12 +101,25 @@ function createFinder(pages) {
     return joined.map(wholeIn).find(Boolean) ?? receipts.at(-1) ?? found.at(-1) ?? null;
   }
 
-  return { linksIn, linkIn };
+  /** Receipts, lines with links, or a table. @param {string} text */
+  function holdsSeveral(text) {
+    const lines = text.split('\n').map((line) => line.trim());
+    const receipts = linksIn(text).map(wholeIn).filter(Boolean);
+    const isMore = (/** @type {readonly unknown[]} */ all) => new Set(all).size > 1;
+    return (
+      countOf(text, mark) > 1 ||
+      isMore(receipts) ||
+      isMore(lines.filter(hasLink)) ||
+      tableIn(text, hasLink) !== null
+    );
+  }
+
+  return { linksIn, linkIn, hasLink, holdsSeveral };
 }
 
 /** @param {readonly string[]} pages */
 export function createReader(pages) {
-  const { linksIn, linkIn } = createFinder(pages);
+  const { linksIn, linkIn, hasLink, holdsSeveral } = createFinder(pages);
 
   /** @param {string} text @param {string} name @param {Entry['ident']} [ident] @returns {Entry} */
   function entryOf(text, name, ident = {}) {
@@ -122,8 +150,9 @@ export function createReader(pages) {
       receipt = [];
     };
     const turn = createTurns(slice);
-    for (const line of lines) {
+    for (const [i, line] of lines.entries()) {
       await turn();
+      if (i > 0 && isLater(line, lines[i - 1])) continue;
       if (line.includes(mark)) end();
       if (receipt.length > 0 || line.includes(mark)) {
         receipt.push(line);
@@ -138,7 +167,6 @@ export function createReader(pages) {
   return {
     /** @param {string} text @returns {Promise<Entry[]>} */
     async read(text) {
-      const hasLink = (/** @type {string} */ cell) => linksIn(cell).length > 0;
       const table = tableIn(text, hasLink);
       if (!table) return fromLines(text, '');
       const turn = createTurns(slice);
@@ -151,13 +179,16 @@ export function createReader(pages) {
       return entries;
     },
 
-    /** A file is one hand-in, unless it is a table or holds several. @param {string} path @param {string} text @param {string} [name] @returns {Promise<Entry[]>} */
+    /** A file is one hand-in, unless it is a table or holds several; who those are from, its name says only where a platform gave it. @param {string} path @param {string} text @param {string} [name] @returns {Promise<Entry[]>} */
     async readFile(path, text, name = nameOfFile(path)) {
-      if (/\.(?:csv|tsv)$/i.test(path))
-        return (await this.read(text)).map((entry) => ({ ...entry, name: entry.name || name }));
-      if (text.length > mostOfOne) return [entryOf(text, name)];
-      const marks = text.split(mark).length - 1;
-      return marks > 1 ? fromLines(text, name) : [entryOf(text, name)];
+      const isStudents = ownerOf(path).number !== '';
+      const isTable = /\.(?:csv|tsv)$/i.test(path);
+      if (isStudents && !isTable)
+        return countOf(text, mark) > 1 ? fromLines(text, name) : [entryOf(text, name)];
+      if (!isTable && !holdsSeveral(text)) return [entryOf(text, name)];
+      const entries = await this.read(text);
+      const other = isStudents || entries.length === 1 ? name : '';
+      return entries.map((entry) => ({ ...entry, name: entry.name || other }));
     },
 
     /** @param {string} name @returns {Entry} */
@@ -202,66 +233,3 @@ export function namesOfFiles(paths) {
 
 /** @param {string} path */
 export const nameOfFile = (path) => namesOfFiles([path])[0];
-
-const names = {
-  whole:
-    /^(full name|name|student|student name|display name|성명|이름|학생|nom complet|vollständiger name)$/i,
-  first: /^(first name|given name|vorname|prénom)$/i,
-  last: /^(surname|last name|family name|nachname|nom)$/i,
-  ident:
-    /^(identifier|id|id number|student id|email|email address|e-mail|username|login id|sis user id|sis login id|integration id|section|학번|이메일|아이디|사용자 이름)$/i,
-};
-/** What the platform or a teacher says of a submission: not of who made it, and nothing that was handed in. */
-const aboutIt =
-  /^(?:status|grade|maximum grade|grade can be changed|last modified\b.*|상태|성적)$|\bfeedback\b|피드백|rétroaction|retroaliment|retroacci|återkoppling|zwrotn|отзыв|phản hồi|フィードバック|反馈|回饋/i;
-/** By longer ones nobody is known. In characters. */
-const mostOfIdent = 100;
-const mostIdents = 20;
-
-/** The column of what a student wrote: a row without a hand-in says how that begins. */
-const written =
-  /^(online text|submission text|text|온라인 ?텍스트|texte en ligne|texteingabe online|texto en línea|texto online|testo online|オンラインテキスト|在线文本|線上文字)$/i;
-
-/** A table with a head, if it is one. @param {string} text @param {(cell: string) => boolean} hasLink */
-function tableIn(text, hasLink) {
-  // A mark that some programs put before a text.
-  const whole = text.replace(/^\ufeff/, '');
-  const first = Papa.parse(whole.slice(0, 100_000), { preview: 2, skipEmptyLines: 'greedy' });
-  const [head, next] = /** @type {string[][]} */ (first.data);
-  if (!head || !next || head.length < 2 || next.length < head.length - 1 || head.some(hasLink)) return null;
-  if (!head.some((cell) => Object.values(names).some((name) => name.test(cell.trim())))) return null;
-  const [columns, ...rows] = /** @type {string[][]} */ (Papa.parse(whole, { skipEmptyLines: 'greedy' }).data);
-  return { columns: columns.map((column) => column.trim()), rows };
-}
-
-/** Which columns say what. Whatever is not what a student wrote may be that by which the platform knows its students. @param {readonly string[]} columns @param {readonly (readonly string[])[]} rows @param {(cell: string) => boolean} hasLink */
-function partsOf(columns, rows, hasLink) {
-  const of = (/** @type {RegExp} */ name) => columns.findIndex((column) => name.test(column));
-  const named = [of(names.whole), of(names.first), of(names.last)];
-  const known = columns.map((_, i) => i).filter((i) => !named.includes(i) && !aboutIt.test(columns[i]));
-  const isIdent = (/** @type {number} */ i) => names.ident.test(columns[i]);
-  const longs = known.filter((i) => !isIdent(i) && rows.some((row) => isLong(row[i] ?? '', hasLink)));
-  const own = known.filter((i) => written.test(columns[i]));
-  // Where students wrote, what stands elsewhere may be another's.
-  const isThere = rows.some((row) => own.some((i) => hasLink(row[i] ?? '')));
-  const texts = isThere ? own : [...new Set([...own, ...longs])];
-  const idents = known.filter((i) => !own.includes(i) && !longs.includes(i) && columns[i] !== '');
-  return {
-    columns,
-    named,
-    // A row without a hand-in says what else stands in it.
-    texts: [...texts, ...idents.filter((i) => !isIdent(i))],
-    idents: idents.slice(0, mostIdents),
-  };
-}
-
-/** By this nobody is known. @param {string} cell @param {(cell: string) => boolean} hasLink */
-const isLong = (cell, hasLink) => cell.length > mostOfIdent || (cell.includes('&') && hasLink(cell));
-
-/** @param {ReturnType<typeof partsOf>} parts @param {readonly string[]} row @param {(text: string, name: string, ident: Entry['ident']) => Entry} entryOf */
-function fromRow({ columns, named, texts, idents }, row, entryOf) {
-  const [whole, first, last] = named.map((i) => row[i]?.trim() ?? '');
-  const ident = Object.fromEntries(idents.map((i) => [columns[i], row[i] ?? '']));
-  const text = texts.map((i) => row[i] ?? '').join('\n');
-  return entryOf(text, whole || [first, last].filter(Boolean).join(' '), ident);
-}
