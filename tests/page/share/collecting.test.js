@@ -8,7 +8,7 @@ import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { saved } from '../harness/saved.js';
 import { cells, checked, openSheet, paste, stripSays } from './hand-in-sheet.js';
-import { handedIn, site } from './hand-ins.js';
+import { handedIn } from './hand-ins.js';
 
 test('an anonymous submission keeps its number, and so do those who share a name', async () => {
   const { text } = await handedIn('s1', [3.3, 0, 4.5]);
@@ -45,84 +45,6 @@ test('an anonymous submission keeps its number, and so do those who share a name
   );
   // Also where there is one alone.
   assert.equal(nameOfFile('all/Participant_12345_assignsubmission_file/mine.txt'), 'Participant 12345');
-});
-
-test('a file that holds several is read as what is pasted, and each of them has its own name', async () => {
-  const [a, b] = await Promise.all([handedIn('s1', [3.3, 0, 4.5]), handedIn('s2', [3, 0.1, 6])]);
-  const bare = a.link.split('&handin=')[0];
-  const reader = createReader(links.pages);
-  const read = async (/** @type {string} */ text, path = 'links.txt') =>
-    (await reader.readFile(path, text)).map(({ name, link }) => [name, link]);
-  const both = [a.link, b.link];
-  const named = [
-    ['Kim', a.link],
-    ['Lee', b.link],
-  ];
-  const table = [
-    ['Name', 'Text'],
-    ['Kim', a.text],
-    ['Lee', b.text],
-  ];
-  for (const [text, rows] of /** @type {[string, unknown][]} */ ([
-    [`Kim, ${site}#${a.link}\nLee, ${site}#${b.link}\n`, named],
-    [`Kim, ${site}#${a.link}\r\nLee, ${site}#${bare}`, [named[0], ['Lee', bare]]],
-    [
-      `Kim, ${site}#${bare}\nLee, ${site}#${bare}`,
-      [
-        ['Kim', bare],
-        ['Lee', bare],
-      ],
-    ],
-    [`<p>Kim <a href="${site}#${a.link}">mine</a></p><p>Lee ${site}#${b.link}</p>`, named],
-    [Papa.unparse(table, { delimiter: '\t' }), named],
-    [Papa.unparse(table), named],
-    [`${a.text}\n\n${b.text}`, both.map((link) => ['', link])],
-    [`#${a.link}\n#${bare}`, [['links', a.link]]],
-  ])) {
-    assert.deepEqual(await read(text), rows);
-    // What a platform names is one student's.
-    for (const [name] of await read(text, 'Ann Bo_1_assignsubmission_file/mine.txt'))
-      assert.equal(name, 'Ann Bo');
-  }
-  for (const text of [a.text, a.link, `${a.text}\n${site}#${a.link}`, `<p>${a.link}</p>\n<p>${a.link}</p>`])
-    assert.deepEqual(await read(text), [['links', a.link]]);
-  assert.deepEqual(
-    await read(
-      Papa.unparse([
-        ['Email', 'Text'],
-        ['k@x.org', a.text],
-        ['l@x.org', b.text],
-      ]),
-      'all.csv',
-    ),
-    both.map((link) => ['', link]),
-  );
-  // Each may be so long, not all together.
-  assert.equal((await read(Array.from({ length: 600 }, () => a.text).join('\n\n'))).length, 600);
-});
-
-test('what a platform keeps behind a receipt is not handed in, if it is of the same student', async () => {
-  const [a, b] = await Promise.all([handedIn('s1', [3.3, 0, 4.5]), handedIn('s2', [3, 0.1, 6])]);
-  const [later, other] = [a, b].map(({ link }) => link.split('&handin=')[0].replace('4.5', '4.6'));
-  const reader = createReader(links.pages);
-  for (const [given, left] of [
-    [
-      [a.link, later, b.link],
-      [a.link, b.link],
-    ],
-    [
-      [a.link, other],
-      [a.link, other],
-    ],
-    [
-      [later, a.link],
-      [later, a.link],
-    ],
-  ])
-    assert.deepEqual(
-      (await reader.read(given.map((link) => `#${link}`).join('\n'))).map(({ link }) => link),
-      left,
-    );
 });
 
 pageTest('a class is checked, sorted, opened, pinned and saved for the gradebook', async (page) => {

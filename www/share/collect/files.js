@@ -54,6 +54,21 @@ export async function joined(files, more) {
   return all;
 }
 
+/** Spreadsheets save tables in UTF-16 with its mark, or in what their system is in, Korean or western. @param {File} file */
+async function textOf(file) {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const [first, second] = bytes;
+  if (first === 0xff && second === 0xfe) return new TextDecoder('utf-16le').decode(bytes);
+  if (first === 0xfe && second === 0xff) return new TextDecoder('utf-16be').decode(bytes);
+  for (const one of ['utf-8', 'euc-kr'])
+    try {
+      return new TextDecoder(one, { fatal: true }).decode(bytes);
+    } catch {
+      // Bytes that it does not have: the next one.
+    }
+  return new TextDecoder('windows-1252').decode(bytes);
+}
+
 /** @param {readonly File[]} files @param {ReturnType<typeof import('./entries.js').createReader>} reader @returns {Promise<Entry[]>} */
 export async function readAll(files, reader) {
   /** @type {Entry[]} */
@@ -68,7 +83,7 @@ export async function readAll(files, reader) {
     const most = /\.(?:csv|tsv)$/i.test(paths[i]) ? mostOfTable : mostOfFile;
     if (files[i].size > most) entries.push(reader.tooLong(name));
     else
-      for (const entry of await reader.readFile(paths[i], await files[i].text(), name)) entries.push(entry);
+      for (const entry of await reader.readFile(paths[i], await textOf(files[i]), name)) entries.push(entry);
   }
   return entries;
 }
