@@ -1,8 +1,8 @@
 // What a lecturer sees of the sheet on which hand-ins are checked: room, focus, pins, and what is no longer true.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
-import { checked, openSheet, paste } from './hand-in-sheet.js';
-import { handedIn, site } from './hand-ins.js';
+import { cells, checked, openSheet, paste } from './hand-in-sheet.js';
+import { exercise, handedIn, site } from './hand-ins.js';
 
 pageTest(
   'the focus stays where a table is sorted or a run is pinned, of which there are four at most',
@@ -137,6 +137,43 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest('the exercise that is open is asked for, unless another was typed', async (page) => {
+  const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+  const other = exercise.replace('7.9', '7.7');
+  const field = () =>
+    page.evaluate(() => /** @type {HTMLInputElement} */ (document.getElementById('collect-exercise')).value);
+  /** Within the same page. @param {string} hash @param {string} task */
+  const goTo = async (hash, task) => {
+    await page.click('#collect-close');
+    await page.evaluate((to) => {
+      location.hash = to;
+    }, hash);
+    await page.until(
+      'it is open',
+      (said) => document.getElementById('exercise')?.innerText.includes(said),
+      task,
+    );
+    await page.click('#keep-button');
+    await page.click('#keep-collect');
+  };
+  await openSheet(page);
+  assert.match(await field(), /aim=J%3C7\.9/);
+  await goTo(other.replace('Park', 'Drive'), 'Drive for less.');
+  assert.match(await field(), /aim=J%3C7\.7&/);
+  await paste(page, link);
+  await page.click('#collect-check');
+  await checked(page, 1);
+  assert.equal((await cells(page))[0][5], 'not met');
+  await page.click('#collect-empty');
+  assert.match(await field(), /aim=J%3C7\.7&/);
+  await page.evaluate((text) => {
+    /** @type {HTMLInputElement} */ (document.getElementById('collect-exercise')).value = text;
+  }, link);
+  await goTo(exercise, 'Park for less.');
+  assert.equal(await field(), link);
+  assert.deepEqual(await page.problems(), []);
+});
 
 pageTest(
   'of more than can be checked at once the number is said, and a file that comes twice counts once',

@@ -37,7 +37,7 @@ const noView = {
 
 /** @param {SheetTools} tools @param {Sheet} sheet */
 export function createCollect(tools, sheet) {
-  const { engine, store, links } = tools;
+  const { store } = tools;
   const rowsElement = /** @type {HTMLTableElement} */ (create('table', 'collect-table'));
   const charts = createCharts();
   /** @type {View} */
@@ -47,6 +47,7 @@ export function createCollect(tools, sheet) {
     draw();
   };
   const { check, stop } = createChecking(tools, () => view, update);
+  const fillExercise = createFilling(tools);
   const adding = createAdding(() => view, update, check);
   const rowEvents = createRowEvents(tools, sheet, () => view, update);
   const on = {
@@ -70,6 +71,7 @@ export function createCollect(tools, sheet) {
       /** @type {NodeListOf<HTMLInputElement>} */
       const fields = document.querySelectorAll('#collect-text, #collect-exercise');
       for (const field of fields) field.value = '';
+      fillExercise();
       update({ ...noView, order: view.order });
       byId('collect-text').focus();
     },
@@ -99,16 +101,25 @@ export function createCollect(tools, sheet) {
   return {
     start() {
       draw();
-      const { exercise } = store.get();
-      const asked = /** @type {HTMLInputElement} */ (byId('collect-exercise'));
-      if (asked.value === '' && !isEmpty(exercise))
-        asked.value = links.linkOf(store.get(), engine.experiment);
+      fillExercise();
       /** @type {HTMLElement | null} */
       const lastOpened = rowsElement.querySelector(`[data-open="${view.opened?.index}"]`);
       (lastOpened ?? byId('collect-text')).focus();
     },
     /** @param {State} state */
     drawOpened: ({ work }) => strip.draw(view, work.since),
+  };
+}
+
+/** The exercise that is open is the one that is asked for, as long as nobody typed another. @param {SheetTools} tools */
+function createFilling({ engine, store, links }) {
+  let filled = '';
+  return () => {
+    const asked = /** @type {HTMLInputElement} */ (byId('collect-exercise'));
+    const { exercise } = store.get();
+    if (isEmpty(exercise) || !['', filled].includes(asked.value)) return;
+    filled = links.linkOf(store.get(), engine.experiment);
+    asked.value = filled;
   };
 }
 
