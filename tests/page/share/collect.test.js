@@ -193,10 +193,21 @@ test('a class is checked at once: twins are named, variants drawn, evolved gains
   assert.equal(given?.id, texts[0].exercise);
   assert.deepEqual(
     rows.map(({ same }) => same),
-    [[2], [], [0]],
+    [[0, 2], [1], [0, 2]],
   );
+  assert.doesNotMatch(remarksOf(rows[1], rows).join(), /same/);
   assert.match(remarksOf(rows[0], rows).join(), /same answer as 3 s3/);
   assert.deepEqual(ordered(rows, { column: 'cost', isDown: true }), [1, 0, 2]);
+
+  // Of many three are named, and what one answer has is made once.
+  const { rows: equal } = await checkAll(Array.from({ length: 5 }, () => texts[0].text).join('\n\n'));
+  assert.equal(new Set(equal.map(({ same }) => same)).size, 1);
+  for (const [row, twins] of [
+    [0, '2 s1, 3 s1, 4 s1'],
+    [3, '1 s1, 2 s1, 3 s1'],
+    [4, '1 s1, 2 s1, 3 s1'],
+  ])
+    assert.deepEqual(remarksOf(equal[Number(row)], equal), [`same answer as ${twins} and 1 more`]);
 
   const vary = `${exercise}&vary=goal,seed`;
   const mine = await handedIn('s1', good, vary);

@@ -13,7 +13,7 @@ import words from './words/index.js';
 /** An exercise: the run with which it was given, its link and its digits. @typedef {{ run: Linked, base: Experiment, link: string, id: string }} Given */
 /** What a receipt is: whole and true; its result is another; it was cut or changed; made by another program; or there is none. @typedef {'holds' | 'otherResult' | 'broken' | 'otherProgram' | 'none'} Worth */
 /** What came of one hand-in: `cost` in the exercise as it was given, `own` in what was handed in; `drives` null: nobody has told; `lacksDrives`: so the budget of drives cannot be judged. @typedef {{ who: string, run: Linked, gains: Triple, how: string, cost: number, own: number, drives: number | null, minutes: number | null, isTold: boolean, lacksDrives: boolean, judged: Judged | null, worth: Worth, told: number | null, differs: readonly string[], answers: string }} Checked */
-/** `problem`: why it could not be read, in words or one of these. @typedef {{ entry: Entry, checked: Checked | null, problem: '' | 'none' | 'long' | 'heavy' | { said: string }, same: readonly number[] }} Row */
+/** `problem`: why it could not be read, in words or one of these; `same`: the rows of this very answer, itself among them. @typedef {{ entry: Entry, checked: Checked | null, problem: '' | 'none' | 'long' | 'heavy' | { said: string }, same: readonly number[] }} Row */
 
 /** Links are read on the page's own thread, so many milliseconds in a row. */
 const slice = 12;
@@ -123,17 +123,16 @@ async function commonOf(engine, links, runs) {
   return [...found.values()].sort((a, b) => b.count - a.count)[0]?.given ?? null;
 }
 
-/** Who has the very same answer as whom. @param {Row[]} rows @returns {Row[]} */
+/** Who has the very same answer as whom: one list for all of an answer. @param {Row[]} rows @returns {Row[]} */
 function withTwins(rows) {
   /** @type {Map<string, number[]>} */
   const byAnswer = new Map();
-  const keyOf = (/** @type {Row} */ { checked }) => checked && `${checked.gains} ${checked.how}`;
-  for (const [i, row] of rows.entries()) {
-    const key = keyOf(row);
-    if (key) byAnswer.set(key, [...(byAnswer.get(key) ?? []), i]);
-  }
-  return rows.map((row, i) => ({
-    ...row,
-    same: (byAnswer.get(keyOf(row) ?? '') ?? []).filter((one) => one !== i),
-  }));
+  return rows.map((row, i) => {
+    if (!row.checked) return row;
+    const key = `${row.checked.gains} ${row.checked.how}`;
+    const same = byAnswer.get(key) ?? [];
+    byAnswer.set(key, same);
+    same.push(i);
+    return { ...row, same };
+  });
 }

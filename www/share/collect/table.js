@@ -25,6 +25,9 @@ const columns = /** @type {const} */ ([
 /** Rows at once: more would take long to lay out. */
 export const mostRows = 100;
 
+/** So many of one answer are named. */
+const mostTwins = 3;
+
 /** By these nothing is sorted. @type {readonly Column[]} */
 const unsorted = ['pin', 'who', 'open'];
 
@@ -32,10 +35,12 @@ const unsorted = ['pin', 'who', 'open'];
 export const nameOf = ({ entry, checked }) => entry.name || checked?.who || '';
 
 /** What a lecturer has to look at. @param {Row} row @param {readonly Row[]} rows In the order in which they came. */
-export function remarksOf({ entry, checked, problem, same }, rows) {
+export function remarksOf(row, rows) {
+  const { entry, checked, problem, same } = row;
   if (!checked) return [words.problemText(entry.text, problem)];
   const { worth, told, lacksDrives, differs, cost, own } = checked;
-  const [numbers, names] = [same.map((i) => i + 1), same.map((i) => nameOf(rows[i]))];
+  const others = same.slice(0, mostTwins + 1).filter((i) => rows[i] !== row);
+  const twins = others.slice(0, mostTwins).map((i) => ({ number: i + 1, name: nameOf(rows[i]) }));
   return [
     ...(worth === 'holds'
       ? []
@@ -43,7 +48,7 @@ export function remarksOf({ entry, checked, problem, same }, rows) {
     ...(lacksDrives ? [words.lacksDrives] : []),
     ...(differs.length > 0 ? [words.differs(differs)] : []),
     ...(own === cost || Number.isNaN(own) ? [] : [words.ownCost(words.numberText(own))]),
-    ...(same.length > 0 ? [words.same(numbers, names)] : []),
+    ...(twins.length > 0 ? [words.same(twins, same.length - 1 - twins.length)] : []),
   ];
 }
 

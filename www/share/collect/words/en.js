@@ -85,12 +85,9 @@ export const differs = (names) => `differs from the exercise in ${names.join(', 
 /** @param {string} cost */
 export const ownCost = (cost) => `J = ${cost} in what was handed in`;
 
-/** @param {readonly number[]} numbers @param {readonly string[]} names */
-export const same = (numbers, names) =>
-  `same answer as ${numbers
-    .slice(0, 3)
-    .map((number, i) => `${number} ${names[i]}`.trim())
-    .join(', ')}${numbers.length > 3 ? ` and ${numbers.length - 3} more` : ''}`;
+/** @param {readonly { number: number, name: string }[]} twins @param {number} more */
+export const same = (twins, more) =>
+  `same answer as ${twins.map(({ number, name }) => `${number} ${name}`.trim()).join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
 
 /** @param {string} text @param {Row['problem']} problem */
 export function problemText(text, problem) {

@@ -85,12 +85,9 @@ export const differs = (names) => `과제와 다른 것: ${names.join(', ')}`;
 /** @param {string} cost */
 export const ownCost = (cost) => `제출한 설정에서는 J = ${cost}`;
 
-/** @param {readonly number[]} numbers @param {readonly string[]} names */
-export const same = (numbers, names) =>
-  `같은 답: ${numbers
-    .slice(0, 3)
-    .map((number, i) => `${number}번 ${names[i]}`.trim())
-    .join(', ')}${numbers.length > 3 ? ` 외 ${numbers.length - 3}명` : ''}`;
+/** @param {readonly { number: number, name: string }[]} twins @param {number} more */
+export const same = (twins, more) =>
+  `같은 답: ${twins.map(({ number, name }) => `${number}번 ${name}`.trim()).join(', ')}${more > 0 ? ` 외 ${more}명` : ''}`;
 
 /** @param {string} text @param {Row['problem']} problem */
 export function problemText(text, problem) {
