@@ -136,6 +136,13 @@ for (const language of names)
     }
   });
 
+test('a program in JavaScript prints its numbers under whatever name it is saved', async () => {
+  const { write } = languages.javascript;
+  const text = write(take(usual, epGains), en.comments);
+  for (const file of ['controller (1).mjs', '제어기.mjs', '100%.mjs'])
+    assert.match(await printedText('javascript', file, text), / page /, file);
+});
+
 const unlimited = { speed: null, turnRate: null, acceleration: null, turnAcceleration: null };
 
 test('what leaves the finite numbers ends there, in every language', async () => {

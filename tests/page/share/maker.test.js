@@ -130,6 +130,11 @@ pageTest('every field of the maker has a name and room, and what is wrong is sai
   await type('#maker-budget', '40');
   await page.until('it is right', () => !document.getElementById('maker-aim-error')?.checkVisibility());
   assert.match(decodeURIComponent(await linkMade(page)), /&aim=unseen:0\.9;drives<=40&/);
+  // A decimal comma is one everywhere.
+  for (const [i, text] of ['0,95', '0', '0,8', '7,5'].entries())
+    await type(['#maker-at-0', '#maker-points-0', '#maker-at-1', '#maker-points-1'][i], text);
+  await page.until('it is right', () => !document.getElementById('maker-aim-error')?.checkVisibility());
+  assert.match(decodeURIComponent(await linkMade(page)), /&points=0\.95:0,0\.8:7\.5/);
   await page.click('#maker-aim option[value="none"]');
   await page.until('it asks for nothing', () => !document.getElementById('maker-budget'));
   assert.doesNotMatch(await linkMade(page), /aim=/);

@@ -141,6 +141,6 @@ function main() {
 
 // ${words.mainOfModule}
 const file = import.meta.url.split('/').pop();
-if (globalThis.process?.argv[1]?.endsWith(file)) main();
+if (globalThis.process?.argv[1]?.endsWith(decodeURIComponent(file))) main();
 `;
 }

@@ -5,6 +5,7 @@ import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { options, valueIn } from '../../kit/templates.js';
 import { aimOf, aimText, scaleOf, scaleText } from '../../link/exercise.js';
+import { number, numberText } from '../../link/values.js';
 import { most } from '../../run/aim.js';
 import { variedNames } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
@@ -47,14 +48,19 @@ const shareOf = (text) => (text.endsWith('%') ? String(Number(text.slice(0, -1) 
 function asked({ kind, ...fields }) {
   if (kind === 'none') return { aim: null, scale: null };
   const [value, drives] = [fields.value.trim(), fields.drives.trim()];
-  const [a, p, b, q] = fields.points.map((text) => text.trim());
+  const points = fields.points.map((text) => text.trim());
   const wanted = `${heads[kind]}${kind === 'unseen' ? shareOf(value) : value}`;
   orSay(words.wrongValue(kind, most), () => aimOf(wanted));
   const aim = orSay(words.wrongDrives(most), () => aimOf(drives ? `${wanted};drives<=${drives}` : wanted));
-  const hasNone = [a, p, b, q].every((text) => text === '');
+  const hasNone = points.every((text) => text === '');
   return {
     aim,
-    scale: hasNone ? null : orSay(words.wrongPoints(most), () => scaleOf(`${a}:${p},${b}:${q}`)),
+    scale: hasNone
+      ? null
+      : orSay(words.wrongPoints(most), () => {
+          const [a, p, b, q] = points.map((text) => numberText(number(text)));
+          return scaleOf(`${a}:${p},${b}:${q}`);
+        }),
   };
 }
 
