@@ -7,7 +7,7 @@ import { readAll } from '../../../www/share/collect/files.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { cells, checked, openSheet } from './hand-in-sheet.js';
-import { handedIn, site } from './hand-ins.js';
+import { exercise, handedIn, site } from './hand-ins.js';
 
 /** What Korean spreadsheets write. @type {Readonly<Record<string, string>>} */
 const cp949 = { 김: 'b1e8', 성명: 'bcbab8ed', 학번: 'c7d0b9f8' };
@@ -62,6 +62,17 @@ test('a file that holds several is read as what is pasted, and each of them has 
     ),
     both.map((link) => ['', link]),
   );
+  // Of one student, whose name the file has.
+  const again = await handedIn('s1', [3.2, 0, 4.4]);
+  for (const [text, rows] of /** @type {[string, string[]][]} */ ([
+    [`${a.text}\n\n${again.text}`, [a.link, again.link]],
+    [`${site}#${exercise}\n${site}#${a.link}`, [exercise, a.link]],
+    [`Name, Kim\n${site}#${a.link}`, [a.link]],
+  ]))
+    assert.deepEqual(
+      await read(text, 'kim.txt'),
+      rows.map((link) => ['kim', link]),
+    );
   // Each may be so long, not all together.
   assert.equal((await read(Array.from({ length: 600 }, () => a.text).join('\n\n'))).length, 600);
 });

@@ -28,7 +28,9 @@ export function tableIn(text, hasLink) {
   const first = Papa.parse(whole.slice(0, 100_000), { preview: 2, skipEmptyLines: 'greedy' });
   const [head, next] = /** @type {string[][]} */ (first.data);
   if (!head || !next || head.length < 2 || next.length < head.length - 1 || head.some(hasLink)) return null;
-  if (!head.some((cell) => Object.values(names).some((name) => name.test(cell.trim())))) return null;
+  const isName = (/** @type {string} */ cell) => Object.values(names).some((name) => name.test(cell.trim()));
+  // “Name, Kim” before a link is no head.
+  if (!head.some((cell, i) => isName(cell) && !hasLink(next[i] ?? ''))) return null;
   const [columns, ...rows] = /** @type {string[][]} */ (Papa.parse(whole, { skipEmptyLines: 'greedy' }).data);
   return { columns: columns.map((column) => column.trim()), rows };
 }

@@ -179,7 +179,7 @@ export function createReader(pages) {
       return entries;
     },
 
-    /** A file is one hand-in, unless it is a table or holds several; who those are from, its name says only where a platform gave it. @param {string} path @param {string} text @param {string} [name] @returns {Promise<Entry[]>} */
+    /** A file is one hand-in, unless it is a table or holds several; who those are from, its name says only where they are one student's. @param {string} path @param {string} text @param {string} [name] @returns {Promise<Entry[]>} */
     async readFile(path, text, name = nameOfFile(path)) {
       const isStudents = ownerOf(path).number !== '';
       const isTable = /\.(?:csv|tsv)$/i.test(path);
@@ -187,7 +187,8 @@ export function createReader(pages) {
         return countOf(text, mark) > 1 ? fromLines(text, name) : [entryOf(text, name)];
       if (!isTable && !holdsSeveral(text)) return [entryOf(text, name)];
       const entries = await this.read(text);
-      const other = isStudents || entries.length === 1 ? name : '';
+      const whos = new Set(entries.map(({ link }) => link && whoIn(link)).filter(Boolean));
+      const other = isStudents || entries.length === 1 || whos.size === 1 ? name : '';
       return entries.map((entry) => ({ ...entry, name: entry.name || other }));
     },
 
