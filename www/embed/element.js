@@ -22,7 +22,7 @@ import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
 import { frameName } from '../kit/host.js';
 import { sheet } from './element-style.js';
-import { isHeight, leastHeight, mostHeight, version } from './frame.js';
+import { allowed, isHeight, leastHeight, mostHeight, version } from './frame.js';
 import { createQuestions } from './questions.js';
 
 /** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting */
@@ -71,7 +71,7 @@ class EpLocomotion extends HTMLElement {
     this.#root.adoptedStyleSheets = [sheet];
     this.#problem.setAttribute('role', 'alert');
     this.#frame.name = frameName;
-    this.#frame.allow = 'fullscreen';
+    this.#frame.allow = allowed;
     this.#frame.addEventListener('load', () => this.#listen(this.#patience));
     this.#root.append(this.#problem);
   }

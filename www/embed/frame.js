@@ -31,6 +31,9 @@ export function wantedHeight(parts, page, lesson, width) {
   return Math.round(Math.min(most, Math.max(leastHeight, share * width)));
 }
 
+/** What a frame lets a figure do that a page of another origin may not: fill the screen, and, as Chromium wants it said, copy. */
+export const allowed = 'fullscreen; clipboard-write';
+
 /** The iframe, to be pasted into a page. @param {{ address: string, title: string, width: number, height: number }} frame */
 export const frameText = ({ address, title, width, height }) =>
-  `<iframe src="${escaped(address)}" title="${escaped(title)}" width="${width}" height="${height}" style="border: 0; max-width: 100%" loading="lazy" allow="fullscreen"></iframe>`;
+  `<iframe src="${escaped(address)}" title="${escaped(title)}" width="${width}" height="${height}" style="border: 0; max-width: 100%" loading="lazy" allow="${allowed}"></iframe>`;

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { createServer } from 'node:net';
 import { parts } from '../../../www/parts/parts.js';
-import { wantedHeight } from '../../../www/embed/frame.js';
+import { allowed, wantedHeight } from '../../../www/embed/frame.js';
 import * as en from '../../../www/words/en/element.js';
 import * as ko from '../../../www/words/ko/element.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
@@ -65,6 +65,7 @@ engineTest('an element shows a figure, does what its page asks, and tells what c
     assert.equal(height, wantedHeight(parts, 'lab', 0, width));
     assert.equal(await use(page, 'other', 'it.offsetHeight'), 400);
     assert.equal((await use(page, 'own', 'it.state')).link, 'lab&v=1&seed=7');
+    assert.equal(await use(page, 'other', `it.shadowRoot.querySelector('iframe').allow`), allowed);
 
     const goal = { x: 1.5, y: 1, theta: 0.5 };
     const moved = experiment({ goal, evolution: { seed: 3 } });

@@ -24,7 +24,7 @@ test('the text of a frame says where, how large and what, and nothing in it ends
   const text = frameText({ address, title: 'a "title" & <more>', width: 640, height: 420 });
   assert.equal(
     text,
-    '<iframe src="https://host/ep/?embed&amp;lang=ko#lab&amp;v=1&amp;pin1=a%22b%3Cc" title="a &quot;title&quot; &amp; &lt;more&gt;" width="640" height="420" style="border: 0; max-width: 100%" loading="lazy" allow="fullscreen"></iframe>',
+    '<iframe src="https://host/ep/?embed&amp;lang=ko#lab&amp;v=1&amp;pin1=a%22b%3Cc" title="a &quot;title&quot; &amp; &lt;more&gt;" width="640" height="420" style="border: 0; max-width: 100%" loading="lazy" allow="fullscreen; clipboard-write"></iframe>',
   );
 });
 
@@ -206,6 +206,9 @@ engineTest(
   },
 );
 
+/** In a figure. Firefox and Safari need no leave for it, and tell of none. */
+const mayCopy = () => Reflect.get(document, 'featurePolicy')?.allowsFeature('clipboard-write') !== false;
+
 pageTest('the dialog writes a frame that shows the present state', async (page) => {
   await page.open('#landscape&v=1&seed=7&generation=5&x=ky');
   const wanted = await read(page);
@@ -226,6 +229,7 @@ pageTest('the dialog writes a frame that shows the present state', async (page) 
     assert.equal(link, 'landscape&v=1&seed=7&generation=5&x=ky');
     assert.equal(shown.evolution.seed, Number(wanted.seed));
     assert.equal(generation, 5);
+    assert.ok(await within(page, 0, () => page.evaluate(mayCopy)));
   });
 });
 
