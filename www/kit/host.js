@@ -27,10 +27,10 @@ export const isStill = () => !used || matchMedia('(prefers-reduced-motion: reduc
 /** Said when the page loads itself again: who keeps something of it lays it aside. */
 export const leaving = 'page-leaves';
 
-/** The address of the whole page, or with `embed` of its figure for a frame. @param {string} page @param {string} link the text after # @param {boolean} embed */
+/** The address of the whole page, or with `embed` of its figure for a frame; who works on it only the link says. @param {string} page @param {string} link the text after # @param {boolean} embed */
 export function addressOf(page, link, embed) {
   const address = new URL(page);
-  address.searchParams.delete('embed');
+  for (const own of ['embed', 'who']) address.searchParams.delete(own);
   // URL would write ?embed=, which is longer to no end.
   const others = address.searchParams.toString();
   address.search = [embed ? 'embed' : '', others].filter(Boolean).join('&');

@@ -20,6 +20,10 @@ test('the text of a frame says where, how large and what, and nothing in it ends
   const address = addressOf('https://host/ep/?lang=ko&embed#lab', 'lab&v=1&pin1=a"b<c', true);
   assert.equal(address, 'https://host/ep/?embed&lang=ko#lab&v=1&pin1=a%22b%3Cc');
   assert.equal(addressOf(address, 'curves', false), 'https://host/ep/?lang=ko#curves');
+  assert.equal(
+    addressOf('https://host/ep/?who=me&lang=ko#lab', 'lab&task=Park&who=s1', false),
+    'https://host/ep/?lang=ko#lab&task=Park&who=s1',
+  );
   assert.equal(addressOf('file:///home/me/ep.html', 'lab', true), 'file:///home/me/ep.html?embed#lab');
   const text = frameText({ address, title: 'a "title" & <more>', width: 640, height: 420 });
   assert.equal(

@@ -49,6 +49,35 @@ pageTest('what is pressed and typed within one frame is all kept', async (page) 
 });
 
 pageTest(
+  'an exercise is made for whoever opens it, and a student’s own link says who works on it',
+  async (page) => {
+    const values = (/** @type {string[]} */ ...ids) =>
+      page.evaluate(
+        (names) =>
+          names.map(
+            (id) => /** @type {HTMLInputElement | null} */ (document.getElementById(id))?.value ?? '',
+          ),
+        ids,
+      );
+    await openMaker(page, '?who=s4711#lab&v=1&aim=J%3C8');
+    for (const value of await values('maker-link', 'maker-frame')) {
+      assert.match(value, /aim=J%3C8/);
+      assert.doesNotMatch(value, /who=/);
+    }
+    await page.click('#maker-preview-size-400x300');
+    const shown = await page.until(
+      'the figure is there',
+      () => /** @type {HTMLIFrameElement | null} */ (document.getElementById('maker-figure'))?.src,
+    );
+    assert.match(shown, /\?embed#[^?]*aim=J%3C8$/);
+    await page.press(Key.ESCAPE);
+    await page.click('#keep-button');
+    await page.until('Share is there', () => document.getElementById('keep-link')?.checkVisibility());
+    assert.match((await values('keep-link'))[0], /\/#lab&v=1&aim=J%3C8&who=s4711$/);
+  },
+);
+
+pageTest(
   'another exercise that is made of one that was opened is there again when it was closed',
   async (page) => {
     await openMaker(page, '#lab&v=1&task=Old&lock=run');
