@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import vm from 'node:vm';
+import { createReader } from '../../../www/share/collect/entries.js';
 import { scorm as words } from '../../../www/share/words/en.js';
 import { test } from '../harness/once.js';
 
@@ -36,8 +37,8 @@ function createClock() {
   };
 }
 
-/** A package that is opened by a platform with these values. @param {Record<string, string>} values By their names without cmi. @param {(api: object) => object} [windows] Where the platform stands. */
-function launch(values, windows = (api) => ({ API: api })) {
+/** A package that is opened by a platform with these values. @param {Record<string, string>} values By their names without cmi. @param {(api: object) => object} [windows] Where the platform stands. @param {string} [exercise] Its link. */
+function launch(values, windows = (api) => ({ API: api }), exercise = link) {
   const held = {
     suspend_data: '',
     'core.student_id': 's4711',
@@ -70,7 +71,7 @@ function launch(values, windows = (api) => ({ API: api })) {
   own.top ??= own;
   vm.runInNewContext(script, {
     ...clock,
-    exercise: { link: link.slice(1), texts: { ...words.sentences, title: 'Park', language: 'en' } },
+    exercise: { link: exercise.slice(1), texts: { ...words.sentences, title: 'Park', language: 'en' } },
     window: own,
     document: { getElementById: (/** @type {string} */ id) => ({ figure, told })[id], documentElement: {} },
     addEventListener: (/** @type {string} */ type, /** @type {() => void} */ listener) => {
@@ -90,7 +91,9 @@ function launch(values, windows = (api) => ({ API: api })) {
     answer: (now, id = asked.at(-1)) => say('state', { id, link: now.slice(1) }),
     handIn: (/** @type {string} */ address, /** @type {object} */ result = done) =>
       say('handin', { link: `http://x/${address}`, ...result }),
-    kept: () => cmi['cmi.suspend_data'],
+    suspended: () => cmi['cmi.suspend_data'],
+    /** As packages kept it that knew of no other exercise. */
+    kept: () => cmi['cmi.suspend_data'].replace(/ [\da-f]{8}$/gm, ''),
     status: () => cmi['cmi.core.lesson_status'],
     score: () => cmi['cmi.core.score.raw'],
   };
@@ -128,30 +131,73 @@ test('what the figure was asked before a hand-in is no work after it', () => {
   assert.equal(kept(), `${receipt}\n${link}&gains=2,2,2`);
 });
 
-test('an attempt that is resumed again and again keeps one receipt, its result, and what was done after it', () => {
-  const first = launch({});
-  assert.deepEqual([first.opened(), first.status()], [`${link}&who=s4711`, 'incomplete']);
-  first.handIn(receipt);
-  assert.deepEqual([first.status(), first.score()], ['passed', '80']);
-  let kept = first.kept();
-  for (const attempt of [1, 2]) {
-    const again = launch({ suspend_data: kept, 'core.lesson_status': 'passed' });
-    assert.equal(again.opened(), receipt, `attempt ${attempt}`);
-    again.say('generation');
-    again.pass(1000);
-    again.answer(receipt);
-    assert.deepEqual([again.kept(), again.status()], [receipt, 'passed'], `attempt ${attempt}`);
-    kept = again.kept();
+for (const how of /** @type {const} */ (['suspended', 'kept']))
+  test(`an attempt that is resumed again and again keeps one receipt, its result, and what was done after it: ${how}`, () => {
+    const first = launch({});
+    assert.deepEqual([first.opened(), first.status()], [`${link}&who=s4711`, 'incomplete']);
+    first.handIn(receipt);
+    assert.deepEqual([first.status(), first.score()], ['passed', '80']);
+    let data = first[how]();
+    for (const attempt of [1, 2]) {
+      const again = launch({ suspend_data: data, 'core.lesson_status': 'passed' });
+      assert.equal(again.opened(), receipt, `attempt ${attempt}`);
+      again.say('generation');
+      again.pass(1000);
+      again.answer(receipt);
+      assert.deepEqual([again.kept(), again.status()], [receipt, 'passed'], `attempt ${attempt}`);
+      data = again[how]();
+    }
+    const on = launch({ suspend_data: data, 'core.lesson_status': 'passed' });
+    on.say('drive');
+    on.answer(`${link}&gains=2,2,2`);
+    const later = launch({ suspend_data: on[how](), 'core.lesson_status': 'passed' });
+    assert.deepEqual([later.opened(), later.told()], [`${link}&gains=2,2,2`, '']);
+    later.handIn(`${receipt}2`, { met: false, points: 3, most: 10 });
+    assert.deepEqual([later.kept(), later.status(), later.score()], [`${receipt}2`, 'failed', '30']);
+    // A new attempt begins anew.
+    assert.equal(launch({}).opened(), `${link}&who=s4711`);
+  });
+
+test('who has begun before the exercise was corrected begins in the corrected one, and the receipt stays', async () => {
+  const corrected = `${link}%20there`;
+  const resume = (/** @type {string} */ data) =>
+    launch({ suspend_data: data, 'core.lesson_status': 'passed' }, undefined, corrected);
+  const before = launch({});
+  before.say('drive');
+  before.answer(`${link}&gains=1,1,1`);
+  assert.equal(resume(before.suspended()).opened(), `${corrected}&who=s4711`);
+  before.handIn(receipt);
+  const first = resume(before.suspended());
+  assert.deepEqual([first.opened(), first.told()], [`${corrected}&who=s4711`, words.sentences.changed]);
+  assert.deepEqual([first.status(), first.suspended()], ['passed', before.suspended()]);
+  // Nothing done, nothing other.
+  assert.equal(resume(first.suspended()).opened(), `${corrected}&who=s4711`);
+  first.say('drive');
+  first.answer(`${corrected}&gains=2,2,2`);
+  assert.equal(first.kept(), `${receipt}\n${corrected}&gains=2,2,2`);
+  // What platforms make of the end of a line.
+  for (const end of ['\n', ' ', '\r\n']) {
+    const second = resume(first.suspended().replace('\n', end));
+    assert.deepEqual([second.opened(), second.told()], [`${corrected}&gains=2,2,2`, '']);
   }
-  const on = launch({ suspend_data: kept, 'core.lesson_status': 'passed' });
-  on.say('drive');
-  on.answer(`${link}&gains=2,2,2`);
-  const later = launch({ suspend_data: on.kept(), 'core.lesson_status': 'passed' });
-  assert.equal(later.opened(), `${link}&gains=2,2,2`);
-  later.handIn(`${receipt}2`, { met: false, points: 3, most: 10 });
-  assert.deepEqual([later.kept(), later.status(), later.score()], [`${receipt}2`, 'failed', '30']);
-  // A new attempt begins anew.
-  assert.equal(launch({}).opened(), `${link}&who=s4711`);
+  first.handIn(`${receipt}2`);
+  assert.deepEqual([first.kept(), first.told()], [`${receipt}2`, words.sentences.kept]);
+  assert.equal(resume(first.suspended()).opened(), `${receipt}2`);
+});
+
+test('whoever checks finds the receipt in what is kept', async () => {
+  const whole = '#lab&v=1&drives=hand&gains=3,0,4&task=Park&handin=1~8~1/1~2~0~0.1.0~00000000~~0123abcd';
+  const { handIn, say, answer, suspended } = launch({});
+  handIn(whole);
+  const entries = await createReader(['lab']).read(suspended());
+  assert.deepEqual(
+    entries.map((entry) => entry.link),
+    [whole.slice(1)],
+  );
+  say('drive');
+  answer(`${link}&gains=2,2,2`);
+  const [first] = await createReader(['lab']).read(suspended());
+  assert.equal(first.link, whole.slice(1));
 });
 
 test('the student is told that the platform has the result', () => {

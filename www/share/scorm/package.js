@@ -5,7 +5,7 @@ import { digitsOf } from '../../kit/hash.js';
 import { createTurns } from '../../kit/loop.js';
 import { escaped } from '../../kit/markup.js';
 
-/** @typedef {{ language: string, title: string, refused: string, tooLong: string, kept: string, nobody: string }} Sentences What the package says by itself. */
+/** @typedef {{ language: string, title: string, refused: string, tooLong: string, changed: string, kept: string, nobody: string }} Sentences What the package says by itself. */
 
 /** The same exercise gives the same bytes. */
 const time = new Date(1995, 0, 1);

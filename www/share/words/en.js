@@ -85,6 +85,8 @@ export const scorm = {
       'The learning platform did not keep this (…). Press Hand in, copy the receipt, and hand it in by hand.',
     tooLong:
       'The receipt is too long for this platform. Press Hand in, copy the receipt, and hand it in by hand.',
+    changed:
+      'The exercise was changed since you worked on it, so it begins anew. A result that the platform has stays until you hand in again.',
     kept: 'The learning platform has this result. Handing in again replaces it.',
     nobody: 'No learning platform answers here, so nothing is kept. Press Hand in, and copy the receipt.',
   },

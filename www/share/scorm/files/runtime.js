@@ -29,10 +29,23 @@
     return null;
   }
 
+  /** What went wrong stays in sight. */
+  let hasFailed = false;
+
   /** @param {string} text */
-  function tell(text) {
+  function say(text) {
+    // The same once more would be read out once more.
+    if (told.textContent === text) return;
     told.textContent = text;
     told.hidden = false;
+  }
+
+  const note = (/** @type {string} */ text) => hasFailed || say(text);
+
+  /** @param {string} text */
+  function tell(text) {
+    hasFailed = true;
+    say(text);
   }
 
   /** Whether the platform did it; if not, the student is told, once for all. @param {string} name @param {string[]} given */
@@ -53,6 +66,13 @@
 
   const set = (/** @type {string} */ field, /** @type {string | number} */ value) =>
     ask('LMSSetValue', `cmi.core.${field}`, String(value));
+
+  /** Digits of the exercise, behind whatever is kept of it: a package may be replaced by a corrected one. */
+  const stamp = [...link]
+    .reduce((hash, letter) => Math.imul(hash ^ letter.charCodeAt(0), 0x01000193) >>> 0, 0x811c9dc5)
+    .toString(16)
+    .padStart(8, '0');
+  const stamped = (/** @type {string} */ one) => `#${one.slice(one.indexOf('#') + 1)} ${stamp}`;
 
   let receipt = '';
   let latest = '';
@@ -100,7 +120,7 @@
     state({ id, link: now }) {
       if (!(Number(id) > outdated)) return;
       // Nothing is done after what is handed in as long as that is on screen.
-      latest = now.includes('&handin=') ? '' : `#${now}`;
+      latest = now.includes('&handin=') ? '' : stamped(now);
       keep();
     },
     handin(result) {
@@ -108,12 +128,11 @@
       clearTimeout(soon);
       soon = undefined;
       outdated = question;
-      receipt = `#${result.link.slice(result.link.indexOf('#') + 1)}`;
+      receipt = stamped(result.link);
       latest = '';
       keep();
       score(result);
-      // What went wrong stays in sight.
-      if (ask('LMSCommit', '') && told.hidden) tell(texts.kept);
+      if (ask('LMSCommit', '')) note(texts.kept);
     },
   };
 
@@ -141,7 +160,8 @@
   if (!lms) tell(texts.nobody);
   ask('LMSInitialize', '');
   const lines = ask('LMSGetValue', 'cmi.suspend_data')
-    .split(/\s+/)
+    .trim()
+    .split(/\s+(?=#)/)
     .filter((line) => /^#\w+&/.test(line));
   [receipt = '', latest = ''] = lines[0]?.includes('handin=') ? lines : ['', lines[0]];
   const who = [...ask('LMSGetValue', 'cmi.core.student_id')].slice(0, mostOfWho).join('');
@@ -149,5 +169,8 @@
   const isJudged = /^(?:passed|failed|completed)$/.test(ask('LMSGetValue', 'cmi.core.lesson_status'));
   if (lms && !receipt && !isJudged) set('lesson_status', 'incomplete');
   const own = `${link}${who ? `&who=${encodeURIComponent(who)}` : ''}`;
-  figure.src = `ep-locomotion.html?embed${latest || receipt || `#${own}`}`;
+  // Older packages kept no stamp: what is theirs goes on.
+  const [resumed, of = stamp] = (latest || receipt).split(/\s+/);
+  if (of !== stamp) note(texts.changed);
+  figure.src = `ep-locomotion.html?embed${of === stamp && resumed ? resumed : `#${own}`}`;
 })();
