@@ -1,103 +1,9 @@
-// What the package for learning platforms keeps, without a browser: its own script between a platform and a figure that are not there.
+// What the package for learning platforms keeps, commits and opens again.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import vm from 'node:vm';
 import { createReader } from '../../../www/share/collect/entries.js';
 import { scorm as words } from '../../../www/share/words/en.js';
 import { test } from '../harness/once.js';
-
-const script = readFileSync(new URL('../../../www/share/scorm/files/runtime.js', import.meta.url), 'utf8');
-const link = '#lab&v=1&task=Park';
-const receipt = `${link}&who=s4711&handin=1~8`;
-const done = { met: true, points: 8, most: 10 };
-
-/** A clock of its own. */
-function createClock() {
-  /** @type {{ id: number, at: number, act: () => void }[]} */
-  let waiting = [];
-  let [now, last] = [0, 0];
-  return {
-    /** @param {() => void} act @param {number} after */
-    setTimeout(act, after) {
-      last += 1;
-      waiting.push({ id: last, at: now + after, act });
-      return last;
-    },
-    /** @param {number} id */
-    clearTimeout(id) {
-      waiting = waiting.filter((one) => one.id !== id);
-    },
-    /** @param {number} milliseconds */
-    pass(milliseconds) {
-      now += milliseconds;
-      const due = waiting.filter(({ at }) => at <= now);
-      waiting = waiting.filter(({ at }) => at > now);
-      for (const { act } of due) act();
-    },
-  };
-}
-
-/** A package that is opened by a platform with these values. @param {Record<string, string>} values By their names without cmi. @param {(api: object) => object} [windows] Where the platform stands. @param {string} [exercise] Its link. */
-function launch(values, windows = (api) => ({ API: api }), exercise = link) {
-  const held = {
-    suspend_data: '',
-    'core.student_id': 's4711',
-    'core.lesson_status': 'not attempted',
-    ...values,
-  };
-  /** @type {Record<string, string>} */
-  const cmi = Object.fromEntries(Object.entries(held).map(([name, value]) => [`cmi.${name}`, value]));
-  const api = {
-    LMSInitialize: () => 'true',
-    LMSGetValue: (/** @type {string} */ name) => cmi[name] ?? '',
-    LMSSetValue(/** @type {string} */ name, /** @type {string} */ value) {
-      cmi[name] = value;
-      return 'true';
-    },
-    LMSCommit: () => 'true',
-    LMSFinish: () => 'true',
-    LMSGetLastError: () => '0',
-    LMSGetErrorString: () => '',
-  };
-  const clock = createClock();
-  /** @type {string[]} */
-  const asked = [];
-  const figure = { src: '', contentWindow: { postMessage: ({ id = '' }) => asked.push(id) } };
-  const told = { textContent: '', hidden: true };
-  /** @type {Record<string, (event: object) => void>} */
-  const listeners = {};
-  const own = /** @type {Record<string, unknown>} */ (windows(api));
-  own.parent ??= own;
-  own.top ??= own;
-  vm.runInNewContext(script, {
-    ...clock,
-    exercise: { link: exercise.slice(1), texts: { ...words.sentences, title: 'Park', language: 'en' } },
-    window: own,
-    document: { getElementById: (/** @type {string} */ id) => ({ figure, told })[id], documentElement: {} },
-    addEventListener: (/** @type {string} */ type, /** @type {() => void} */ listener) => {
-      listeners[type] = listener;
-    },
-  });
-  const say = (/** @type {string} */ type, /** @type {object} */ more = {}) =>
-    listeners.message({ source: figure.contentWindow, data: { ep: 1, type, ...more } });
-  return {
-    pass: clock.pass,
-    say,
-    asked,
-    told: () => (told.hidden ? '' : told.textContent),
-    /** What the figure opens. */
-    opened: () => figure.src.replace('ep-locomotion.html?embed', ''),
-    /** The figure answers a question, the latest if no other is named. @param {string} now @param {string} [id] */
-    answer: (now, id = asked.at(-1)) => say('state', { id, link: now.slice(1) }),
-    handIn: (/** @type {string} */ address, /** @type {object} */ result = done) =>
-      say('handin', { link: `http://x/${address}`, ...result }),
-    suspended: () => cmi['cmi.suspend_data'],
-    /** As packages kept it that knew of no other exercise. */
-    kept: () => cmi['cmi.suspend_data'].replace(/ [\da-f]{8}$/gm, ''),
-    status: () => cmi['cmi.core.lesson_status'],
-    score: () => cmi['cmi.core.score.raw'],
-  };
-}
+import { launch, link, receipt } from './scorm-launch.js';
 
 test('while generations rush by, how far they have come is kept every second, however late the figure answers', () => {
   const { say, pass, asked, answer, kept } = launch({});
@@ -198,6 +104,48 @@ test('whoever checks finds the receipt in what is kept', async () => {
   answer(`${link}&gains=2,2,2`);
   const [first] = await createReader(['lab']).read(suspended());
   assert.equal(first.link, whole.slice(1));
+});
+
+test('what is kept is committed when nobody sees the page, and else once a minute', () => {
+  const { say, answer, pass, hide, calls, committed, suspended } = launch({});
+  const commits = () => calls.filter((name) => name === 'LMSCommit').length;
+  const drive = (/** @type {number} */ kx) => {
+    say('drive');
+    answer(`${link}&gains=${kx},2,2`);
+  };
+  hide();
+  assert.equal(commits(), 0, 'nothing to commit');
+  drive(1);
+  hide();
+  hide();
+  assert.deepEqual([commits(), committed()], [1, suspended()]);
+  for (let second = 0; second < 150; second += 1) {
+    drive(second);
+    pass(1000);
+  }
+  assert.equal(commits(), 3);
+  pass(60_000);
+  assert.deepEqual([commits(), committed()], [4, suspended()]);
+  pass(600_000);
+  assert.equal(commits(), 4);
+});
+
+test('who comes back to a page that the browser has kept goes on in another session', () => {
+  const { say, answer, hide, leave, comeBack, calls, committed, kept, told } = launch({});
+  comeBack(false);
+  const session = ['LMSInitialize', 'LMSCommit', 'LMSFinish'];
+  leave();
+  hide();
+  leave();
+  assert.deepEqual(calls, session);
+  say('generation');
+  comeBack();
+  say('drive');
+  answer(`${link}&gains=2,2,2`);
+  assert.equal(kept(), `${link}&gains=2,2,2`);
+  leave();
+  assert.deepEqual([calls, told()], [[...session, ...session], '']);
+  assert.match(committed(), /gains=2,2,2/);
 });
 
 test('the student is told that the platform has the result', () => {

@@ -7,7 +7,11 @@
   const { link, texts } = /** @type {any} */ (globalThis).exercise;
   const figure = /** @type {HTMLIFrameElement} */ (document.getElementById('figure'));
   const told = /** @type {HTMLElement} */ (document.getElementById('told'));
-  const begun = Date.now();
+  /** Of the session with the platform. */
+  let begun = 0;
+  let isOver = true;
+  /** Longest that something is kept and not yet committed, in milliseconds. */
+  const pause = 60_000;
   /** Of cmi.suspend_data, in characters. */
   const most = 4096;
   /** Of who works on it, as links take it. */
@@ -74,6 +78,16 @@
     .padStart(8, '0');
   const stamped = (/** @type {string} */ one) => `#${one.slice(one.indexOf('#') + 1)} ${stamp}`;
 
+  /** Set while something is kept that is not committed yet. @type {ReturnType<typeof setTimeout> | undefined} */
+  let due;
+
+  /** Many platforms lose what was not committed, where the window's end does not reach them. */
+  function commit() {
+    clearTimeout(due);
+    due = undefined;
+    return ask('LMSCommit', '');
+  }
+
   let receipt = '';
   let latest = '';
 
@@ -82,7 +96,9 @@
     const lines = [receipt, latest].filter((line) => line && line.length <= most);
     if (lines.join('\n').length > most) lines.pop();
     if (receipt.length > most) tell(texts.tooLong);
-    if (lines.length > 0) ask('LMSSetValue', 'cmi.suspend_data', lines.join('\n'));
+    if (lines.length === 0) return;
+    ask('LMSSetValue', 'cmi.suspend_data', lines.join('\n'));
+    due ??= setTimeout(commit, pause);
   }
 
   /** @param {{ met: boolean | null, points: number | null, most: number | null }} result */
@@ -132,16 +148,25 @@
       latest = '';
       keep();
       score(result);
-      if (ask('LMSCommit', '')) note(texts.kept);
+      if (commit()) note(texts.kept);
     },
   };
 
   addEventListener('message', ({ source, data }) => {
-    if (source !== figure.contentWindow || data?.ep !== 1) return;
+    if (isOver || source !== figure.contentWindow || data?.ep !== 1) return;
     if (Object.hasOwn(heard, data.type)) heard[data.type](data);
   });
 
-  let isOver = false;
+  function begin() {
+    isOver = false;
+    begun = Date.now();
+    ask('LMSInitialize', '');
+  }
+
+  // As it was, out of the memory of the browser: another session.
+  addEventListener('pageshow', ({ persisted }) => {
+    if (persisted && isOver) begin();
+  });
   addEventListener('pagehide', () => {
     if (isOver) return;
     isOver = true;
@@ -150,15 +175,20 @@
     const hours = String(Math.min(9999, Math.floor(seconds / 3600))).padStart(4, '0');
     set('session_time', `${hours}:${two((seconds / 60) % 60)}:${two(seconds % 60)}`);
     set('exit', 'suspend');
-    ask('LMSCommit', '');
+    commit();
     ask('LMSFinish', '');
+  });
+
+  // A phone may end what is hidden without a word.
+  document.addEventListener('visibilitychange', () => {
+    if (document.visibilityState === 'hidden' && due !== undefined) commit();
   });
 
   document.documentElement.lang = texts.language;
   document.title = texts.title;
   figure.title = texts.title;
   if (!lms) tell(texts.nobody);
-  ask('LMSInitialize', '');
+  begin();
   const lines = ask('LMSGetValue', 'cmi.suspend_data')
     .trim()
     .split(/\s+(?=#)/)
