@@ -242,6 +242,30 @@ engineTest('from the one file on a disk the figure is shown, and the package wri
   }
 });
 
+pageTest('of an exercise whose link is too long to be kept twice the maker warns', async (page) => {
+  await openMaker(page, `#lab&v=1&task=${'%EA%B0%80'.repeat(250)}`);
+  const saved = async (/** @type {boolean} */ isLong) => {
+    await page.click('#maker-scorm');
+    await page.until(
+      isLong ? 'it is saved, and warned' : 'it is saved',
+      (warned) => {
+        const text = document.getElementById('maker-status')?.textContent ?? '';
+        return (
+          text.startsWith('The package is saved') && /link is long \(2\d{3} characters/.test(text) === warned
+        );
+      },
+      isLong,
+    );
+  };
+  await saved(true);
+  await page.focus('#maker-task');
+  await page.evaluate(() =>
+    /** @type {HTMLTextAreaElement} */ (document.getElementById('maker-task')).select(),
+  );
+  await page.press(...'Park.');
+  await saved(false);
+});
+
 pageTest('on a projector the figure that students get stands whole beside the panel', async (page) => {
   await page.resize(1024, 768);
   await openMaker(page);

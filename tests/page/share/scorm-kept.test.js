@@ -165,12 +165,19 @@ test('where a receipt has no room the student is told, the result stays, and the
   assert.equal(kept(), `${link}&gains=2,2,2`);
   const resumed = launch({ suspend_data: kept(), 'core.lesson_status': 'passed' });
   assert.deepEqual([resumed.opened(), resumed.status()], [kept(), 'passed']);
-  // Work for which there is no room beside a receipt leaves that as it was.
+  // Work for which there is no room beside a receipt leaves that as it was, and the student knows until the next hand-in.
   const short = launch({});
   short.handIn(receipt);
-  short.say('drive');
-  short.answer(`${link}&task=${'x'.repeat(4050)}`);
-  assert.equal(short.kept(), receipt);
+  for (const kx of [1, 2]) {
+    short.say('drive');
+    short.answer(`${link}&gains=${kx},2,2&task=${'x'.repeat(4050)}`);
+    assert.deepEqual([short.kept(), short.told()], [receipt, words.sentences.noRoom]);
+    short.handIn(receipt);
+    assert.equal(short.told(), words.sentences.kept);
+  }
+  // What went wrong stays in sight.
+  handIn(receipt);
+  assert.equal(told(), words.sentences.tooLong);
 });
 
 test('whoever the platform says it is works on it, and nobody where it says nothing', () => {

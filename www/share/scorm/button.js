@@ -39,11 +39,12 @@ export function createPackaging(say) {
   async function write(link, draft, oneFile) {
     const task = tidyTask(draft.task);
     const title = task.length > mostOfTitle ? `${task.slice(0, mostOfTitle)}…` : task || texts.scormTitle;
-    const { packageOf } = await import('./package.js');
+    const { mostOfLink, packageOf } = await import('./package.js');
     const zip = await packageOf(link, oneFile, { language, title, ...scorm.sentences });
     download(`exercise-${digitsOf(link)}.zip`, 'application/zip', zip);
     asks = false;
-    say(scorm.written(zip.size));
+    const written = scorm.written(zip.size);
+    say(link.length > mostOfLink ? `${written} ${scorm.long(link.length)}` : written);
   }
 
   return {

@@ -5,7 +5,10 @@ import { digitsOf } from '../../kit/hash.js';
 import { createTurns } from '../../kit/loop.js';
 import { escaped } from '../../kit/markup.js';
 
-/** @typedef {{ language: string, title: string, refused: string, tooLong: string, changed: string, kept: string, nobody: string }} Sentences What the package says by itself. */
+/** @typedef {{ language: string, title: string, refused: string, tooLong: string, noRoom: string, changed: string, kept: string, nobody: string }} Sentences What the package says by itself. */
+
+/** Of a link, in characters: with a longer one a receipt and what is done after it do not both fit into what a platform keeps. */
+export const mostOfLink = 1900;
 
 /** The same exercise gives the same bytes. */
 const time = new Date(1995, 0, 1);

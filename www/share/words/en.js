@@ -85,6 +85,8 @@ export const scorm = {
       'The learning platform did not keep this (…). Press Hand in, copy the receipt, and hand it in by hand.',
     tooLong:
       'The receipt is too long for this platform. Press Hand in, copy the receipt, and hand it in by hand.',
+    noRoom:
+      'This platform has no room for what you do now. Hand in before you leave, or it will not be there when you come back.',
     changed:
       'The exercise was changed since you worked on it, so it begins anew. A result that the platform has stays until you hand in again.',
     kept: 'The learning platform has this result. Handing in again replaces it.',
@@ -94,6 +96,9 @@ export const scorm = {
   /** @param {number} bytes */
   written: (bytes) =>
     `The package is saved (${(bytes / 1e6).toFixed(1)} MB). Upload it as a SCORM package; in Moodle: Add an activity, SCORM package.`,
+  /** @param {number} characters */
+  long: (characters) =>
+    `Its link is long (${characters} characters): platforms may have no room for what students do after a hand-in. A shorter task, or fewer pins, make it shorter.`,
   /** @param {string} file */
   choose: (file) => `This page cannot read its own file here. Choose ${file}, the page as one file.`,
   /** @param {string} reason */

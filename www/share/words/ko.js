@@ -85,6 +85,8 @@ export const scorm = {
   sentences: {
     refused: '학습 플랫폼이 저장하지 못했습니다(…). ‘제출하기’를 누르고 제출물을 복사하여 직접 제출하십시오.',
     tooLong: '제출물이 이 플랫폼에는 너무 깁니다. ‘제출하기’를 누르고 제출물을 복사하여 직접 제출하십시오.',
+    noRoom:
+      '이 플랫폼에는 지금 하는 작업을 저장할 자리가 없습니다. 나가기 전에 제출하지 않으면 다음에는 없습니다.',
     changed:
       '작업한 뒤에 과제가 바뀌어 처음부터 다시 시작합니다. 플랫폼이 이미 받은 결과는 다시 제출할 때까지 남습니다.',
     kept: '학습 플랫폼이 이 결과를 받았습니다. 다시 제출하면 새 결과로 바뀝니다.',
@@ -95,6 +97,9 @@ export const scorm = {
   /** @param {number} bytes */
   written: (bytes) =>
     `패키지를 저장했습니다(${(bytes / 1e6).toFixed(1)} MB). SCORM 패키지로 올리십시오. Moodle에서는 활동 추가, SCORM 패키지입니다.`,
+  /** @param {number} characters */
+  long: (characters) =>
+    `과제 링크가 깁니다(${characters}자). 학생이 제출한 뒤에 하는 작업은 플랫폼에 저장할 자리가 없을 수 있습니다. 과제 내용이나 고정한 주행을 줄이면 짧아집니다.`,
   /** @param {string} file */
   choose: (file) =>
     `여기서는 페이지가 자신의 파일을 읽지 못합니다. 파일 하나로 된 페이지 ${file}을 고르십시오.`,

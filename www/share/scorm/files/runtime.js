@@ -96,6 +96,7 @@
     const lines = [receipt, latest].filter((line) => line && line.length <= most);
     if (lines.join('\n').length > most) lines.pop();
     if (receipt.length > most) tell(texts.tooLong);
+    if (latest && !lines.includes(latest)) note(texts.noRoom);
     if (lines.length === 0) return;
     ask('LMSSetValue', 'cmi.suspend_data', lines.join('\n'));
     due ??= setTimeout(commit, pause);
