@@ -155,6 +155,15 @@ test('the student is told that the platform has the result', () => {
   assert.equal(told(), words.sentences.kept);
 });
 
+test('a platform need not take the bounds of the score, but the score', () => {
+  const bounds = launch({}, undefined, link, /score\.(?:min|max)$/);
+  bounds.handIn(receipt);
+  assert.deepEqual([bounds.score(), bounds.status(), bounds.told()], ['80', 'passed', words.sentences.kept]);
+  const score = launch({}, undefined, link, /score\.raw$/);
+  score.handIn(receipt);
+  assert.equal(score.told(), words.sentences.refused.replace('…', '401'));
+});
+
 test('where a receipt has no room the student is told, the result stays, and the work goes on being kept', () => {
   const long = `${receipt}${'x'.repeat(4096)}`;
   const { handIn, say, answer, kept, status, told } = launch({});

@@ -34,8 +34,8 @@ function createClock() {
   };
 }
 
-/** A package that is opened by a platform with these values. @param {Record<string, string>} values By their names without cmi. @param {(api: object) => object} [windows] Where the platform stands. @param {string} [exercise] Its link. */
-export function launch(values, windows = (api) => ({ API: api }), exercise = link) {
+/** A package that is opened by a platform with these values. @param {Record<string, string>} values By their names without cmi. @param {(api: object) => object} [windows] Where the platform stands. @param {string} [exercise] Its link. @param {RegExp} [unknown] Names that the platform does not take. */
+export function launch(values, windows = (api) => ({ API: api }), exercise = link, unknown = /^$/) {
   const held = {
     suspend_data: '',
     'core.student_id': 's4711',
@@ -48,8 +48,10 @@ export function launch(values, windows = (api) => ({ API: api }), exercise = lin
   const calls = [];
   let committed = '';
   let isOn = false;
+  let code = '0';
   const turn = (/** @type {string} */ name, /** @type {boolean} */ on) => () => {
     calls.push(name);
+    code = '0';
     if (name === 'LMSCommit') committed = cmi['cmi.suspend_data'];
     const answer = String(isOn !== (name === 'LMSInitialize'));
     isOn = on;
@@ -59,12 +61,14 @@ export function launch(values, windows = (api) => ({ API: api }), exercise = lin
     LMSInitialize: turn('LMSInitialize', true),
     LMSGetValue: (/** @type {string} */ name) => cmi[name] ?? '',
     LMSSetValue(/** @type {string} */ name, /** @type {string} */ value) {
+      code = isOn && unknown.test(name) ? '401' : '0';
+      if (code !== '0') return 'false';
       if (isOn) cmi[name] = value;
       return String(isOn);
     },
     LMSCommit: turn('LMSCommit', true),
     LMSFinish: turn('LMSFinish', false),
-    LMSGetLastError: () => '0',
+    LMSGetLastError: () => code,
     LMSGetErrorString: () => '',
   };
   const clock = createClock();

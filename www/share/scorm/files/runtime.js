@@ -52,20 +52,26 @@
     say(text);
   }
 
-  /** Whether the platform did it; if not, the student is told, once for all. @param {string} name @param {string[]} given */
-  function ask(name, ...given) {
-    if (!lms) return '';
+  /** What the platform answers, and what it says if it did not do it. @param {string} name @param {string[]} given @returns {[answer: string, why?: string]} */
+  function call(name, ...given) {
+    if (!lms) return [''];
     try {
       const answer = String(lms[name](...given));
       const code = String(lms.LMSGetLastError());
-      if (code === '0' && (name === 'LMSGetValue' || answer === 'true')) return answer;
+      if (code === '0' && (name === 'LMSGetValue' || answer === 'true')) return [answer];
       // A value that nobody has set is no failure.
-      if (name === 'LMSGetValue') return '';
-      tell(texts.refused.replace('…', `${code} ${lms.LMSGetErrorString(code)}`.trim()));
+      if (name === 'LMSGetValue') return [''];
+      return ['', `${code} ${lms.LMSGetErrorString(code)}`.trim()];
     } catch (error) {
-      tell(texts.refused.replace('…', String(error)));
+      return ['', String(error)];
     }
-    return '';
+  }
+
+  /** Whether the platform did it; if not, the student is told. @param {string} name @param {string[]} given */
+  function ask(name, ...given) {
+    const [answer, why] = call(name, ...given);
+    if (why !== undefined) tell(texts.refused.replace('…', why));
+    return answer;
   }
 
   const set = (/** @type {string} */ field, /** @type {string | number} */ value) =>
@@ -106,8 +112,9 @@
   function score({ met, points, most: all }) {
     if (met === null) return set('lesson_status', 'completed');
     const share = points === null || !all ? (met ? 1 : 0) : points / all;
-    set('score.min', 0);
-    set('score.max', 100);
+    // SCORM 1.2 leaves it to the platform whether it takes these two.
+    call('LMSSetValue', 'cmi.core.score.min', '0');
+    call('LMSSetValue', 'cmi.core.score.max', '100');
     set('score.raw', Math.round(10_000 * Math.min(1, Math.max(0, share))) / 100);
     return set('lesson_status', met ? 'passed' : 'failed');
   }
