@@ -1,5 +1,8 @@
 // The first screen: what an address without a part opens, by hand and by evolution, each number from the core.
 import assert from 'node:assert/strict';
+import * as en from '../../../www/parts/park/after/words/en.js';
+import * as ko from '../../../www/parts/park/after/words/ko.js';
+import { isDone } from '../../../www/parts/park/breeding.js';
 import { filmOf, isOver, later, parkedBy } from '../../../www/parts/park/film.js';
 import { sight } from '../../../www/parts/park/sight.js';
 import { pageTest } from '../harness/browsers.js';
@@ -87,6 +90,31 @@ pageTest(
   },
 );
 
+test('only evolution that has come to its end is measured against the own numbers', () => {
+  const found = (/** @type {number} */ parked, /** @type {number} */ generation) =>
+    /** @type {any} */ ({ gains: [1, 2, 3], parked, generation, drives: 20 });
+  const grown = (/** @type {number} */ length, /** @type {number} */ parked) =>
+    Array.from({ length }, (_, generation) => found(parked, generation));
+  for (const [words, stopped, luck] of /** @type {const} */ ([
+    [en, /^You stopped evolution at generation 2: 5 of 32\.$/, /you had 22.*luck/],
+    [ko, /^2세대에서 진화를 멈추었습니다\./, /22대.*운/],
+  ])) {
+    const said = (/** @type {any[]} */ bred, /** @type {number | null} */ mine) =>
+      words.ending(
+        { best: mine === null ? null : { gains: [1, 1, 1], parked: mine }, count: 32 },
+        bred.at(-1),
+        isDone(bred, 32),
+      );
+    assert.match(said(grown(3, 5), 22), stopped);
+    assert.match(said(grown(3, 5), 1), stopped);
+    assert.match(said(grown(101, 5), 22), luck);
+    assert.match(said(grown(3, 32), 32), new RegExp(luck.source.replaceAll('22', '32')));
+    // Who could try nothing is not compared.
+    for (const bred of [grown(3, 0), grown(101, 0), grown(3, 32)])
+      assert.doesNotMatch(said(bred, null), /you had|직접 찾은/);
+  }
+});
+
 pageTest('evolution is stopped by a press, and by a hand on a slider', async (page) => {
   await page.open('#park');
   await slide(page, 'ky', 3);
@@ -107,6 +135,9 @@ pageTest('evolution is stopped by a press, and by a hand on a slider', async (pa
     const climb = await page.text('.park-climb figcaption');
     const generation = Number(/generation (\d+)/.exec(climb)?.[1]);
     assert.ok(generation < bred(1).generation, climb);
+    assert.ok(
+      (await page.text('.park-say')).startsWith(`You stopped evolution at generation ${generation}:`),
+    );
   }
 });
 

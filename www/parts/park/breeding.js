@@ -6,6 +6,9 @@ import { parkedOf } from './task.js';
 /** It goes on until all park, at most for so many generations. */
 const mostGenerations = 100;
 
+/** Whether it has come to its end by itself. @param {readonly Bred[]} bred @param {number} count */
+export const isDone = (bred, count) => bred.length > mostGenerations || bred.at(-1)?.parked === count;
+
 /** @param {Engine} engine @param {ReturnType<typeof import('./task.js').createTask>} task */
 export function createBreeding(engine, task) {
   /** @type {ReturnType<Engine['apart']> | null} */
@@ -38,8 +41,5 @@ export function createBreeding(engine, task) {
       const robot = { gains, parked: parkedOf(drives), generation, drives: evaluations };
       return { drives, others: others.flat(), robot };
     },
-
-    /** @param {readonly Bred[]} bred */
-    isDone: (bred) => bred.length > mostGenerations || bred.at(-1)?.parked === task.starts.length,
   };
 }

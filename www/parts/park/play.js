@@ -7,7 +7,7 @@ import { isStill } from '../../kit/host.js';
 import { createFrameLoop } from '../../kit/loop.js';
 import { remember } from '../../kit/memo.js';
 import { hidesPaper } from '../../run/exercise.js';
-import { createBreeding } from './breeding.js';
+import { createBreeding, isDone } from './breeding.js';
 import { filmOf, isOver, later } from './film.js';
 import { parkSlice } from './state.js';
 import { anyGains, firstGains, parkedOf } from './task.js';
@@ -46,7 +46,7 @@ export function createPlay(engine, store, paper, task) {
   function ended() {
     const { evolving, bred } = slice();
     if (!evolving) return update(tried());
-    if (!breeding.isDone(bred)) return breed();
+    if (!isDone(bred, task.starts.length)) return breed();
     update({ evolving: false });
     show(filmOf(film().drives, [], 'hand'));
   }

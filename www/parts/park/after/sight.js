@@ -7,12 +7,13 @@ import { html, nothing, svg } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { styled, valueIn } from '../../../kit/templates.js';
 import { lab } from '../../../words/index.js';
+import { isDone } from '../breeding.js';
 import { mineOf } from './walk.js';
 import words from './words/index.js';
 
 /** @param {Model} model @param {Bred} found */
 export const ending = (model, found) =>
-  html`${words.ending(model, found)}${found.gains[1] > 1.5 * model.most && found.parked > (model.best?.parked ?? 0) ? html`<span class="park-beyond"> ${words.beyond(model.most, found.gains[1])}</span>` : nothing}`;
+  html`${words.ending(model, found, isDone(model.bred, model.count))}${found.gains[1] > 1.5 * model.most && found.parked > (model.best?.parked ?? 0) ? html`<span class="park-beyond"> ${words.beyond(model.most, found.gains[1])}</span>` : nothing}`;
 
 /** @param {number} share */
 const percentOf = (share) => Math.round(100 * share);

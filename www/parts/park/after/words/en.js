@@ -4,11 +4,11 @@
 /** @import { Missed } from '../told.js' */
 import { fixed, grouped } from '../../../../words/en/numbers.js';
 
-/** @param {Model} model @param {Bred} found */
-export function ending({ best, count }, { parked, generation }) {
-  const mine = best?.parked ?? 0;
-  if (parked <= mine)
-    return `Evolution stopped at ${parked} of ${count}; you had ${mine}. That was luck, good or bad: try another seed.`;
+/** @param {Pick<Model, 'best' | 'count'>} model @param {Pick<Bred, 'parked' | 'generation'>} found @param {boolean} isDone Else somebody has stopped it. */
+export function ending({ best, count }, { parked, generation }, isDone) {
+  if (!isDone) return `You stopped evolution at generation ${generation}: ${parked} of ${count}.`;
+  if (best && parked <= best.parked)
+    return `Evolution ended at ${parked} of ${count}; you had ${best.parked}. That was luck, good or bad: try another seed.`;
   const after = `After ${generation} ${generation === 1 ? 'generation' : 'generations'}`;
   return parked === count
     ? `${after} one robot parks from all ${count} starts. Nobody told evolution how: it was given one number for each robot, and kept what drove well.`

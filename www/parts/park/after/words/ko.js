@@ -4,11 +4,12 @@
 /** @import { Missed } from '../told.js' */
 import { fixed, grouped } from '../../../../words/ko/numbers.js';
 
-/** @param {Model} model @param {Bred} found */
-export function ending({ best, count }, { parked, generation }) {
-  const mine = best?.parked ?? 0;
-  if (parked <= mine)
-    return `진화는 로봇 ${count}대 가운데 ${parked}대에서 멈추었고, 직접 찾은 세 수로는 ${mine}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
+/** @param {Pick<Model, 'best' | 'count'>} model @param {Pick<Bred, 'parked' | 'generation'>} found @param {boolean} isDone Else somebody has stopped it. */
+export function ending({ best, count }, { parked, generation }, isDone) {
+  if (!isDone)
+    return `${generation}세대에서 진화를 멈추었습니다. 로봇 ${count}대 가운데 ${parked}대가 주차합니다.`;
+  if (best && parked <= best.parked)
+    return `진화는 로봇 ${count}대 가운데 ${parked}대에서 끝났고, 직접 찾은 세 수로는 ${best.parked}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
   return parked === count
     ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화는 로봇마다 수 하나를 받고, 잘 주행한 로봇을 남겼을 뿐입니다.`
     : `${generation}세대 뒤에 진화는 로봇 ${count}대 가운데 ${parked}대를 주차시킵니다.`;
