@@ -7,7 +7,7 @@
 import { byId, write } from '../kit/elements.js';
 import { remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
-import { gainsOf } from '../run/drivers.js';
+import { gainsOf, sliderRange } from '../run/drivers.js';
 import { isReached, pausesAt } from '../run/pace.js';
 import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
@@ -16,11 +16,6 @@ import { placeOfName, isLeftForPostures } from './plane-corners.js';
 import { isSmall } from './plane-names.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
-
-const sliderRange = {
-  'velocity-limits': /** @type {const} */ ([-2, 12]),
-  'acceleration-limits': /** @type {const} */ ([-2, 32]),
-};
 
 /** Of the lab as a whole there are else only its head and its message; of the sliders, nothing; of what is paid of J, nothing at the path. @typedef {Record<'lab' | 'gains' | 'pays', (state: State) => boolean>} InSight */
 

@@ -3,6 +3,12 @@
 /** @import { Driver, State } from './state.js' */
 import { hidesPaper } from './exercise.js';
 
+/** From where to where a hand's sliders go. */
+export const sliderRange = {
+  'velocity-limits': /** @type {const} */ ([-2, 12]),
+  'acceleration-limits': /** @type {const} */ ([-2, 32]),
+};
+
 /**
  * The gains that someone drives with.
  * @param {Pick<State, 'population' | 'handGains' | 'preset'>} state @param {Driver} driver @param {PaperResult[]} paper

@@ -184,6 +184,7 @@ pageTest('drive, lock in, predict; every number is the core’s', async (page) =
     'also how many random search parks',
   );
 
+  assert.match(await page.text('.duel-result'), /beyond the slider/);
   await page.click('#duel-watch');
   await page.until(
     'evolution’s robots',

@@ -6,7 +6,17 @@ import { createSwatch } from '../../kit/swatch.js';
 import { gainsOf } from '../../run/drivers.js';
 import { messageOf } from '../../words/errors.js';
 import { lab } from '../../words/index.js';
-import { isDuelOf, judge, lockedIn, longestOf, lowestOf, nextSeed, roundOf, scoreOf } from './duel.js';
+import {
+  isBeyond,
+  isDuelOf,
+  judge,
+  lockedIn,
+  longestOf,
+  lowestOf,
+  nextSeed,
+  roundOf,
+  scoreOf,
+} from './duel.js';
 import { createDuelPlot, looks } from './duel-plot.js';
 import { marksOf } from './marks.js';
 import { paragraphs } from '../prose.js';
@@ -116,7 +126,9 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
   picture.setAttribute('role', 'img');
   const plot = createDuelPlot(picture, words);
   // What follows from it would give the answer away.
-  const after = create('div', 'prose', ...paragraphs(texts.after, (link) => `#${link}`));
+  const [beyond, within, after] = [texts.beyond, texts.within, texts.after].map((text) =>
+    create('div', 'prose', ...paragraphs(text, (link) => `#${link}`)),
+  );
   const element = create('div', 'duel-result');
   element.hidden = true;
   const changed = watch();
@@ -124,7 +136,7 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
   return {
     element,
     draw(live) {
-      const { theme, evolving } = live.state;
+      const { theme, evolving, preset } = live.state;
       const progress = progressSlice.of(live.state);
       const { sees } = progress;
       const predicted = progress.answers[prediction] !== undefined;
@@ -132,7 +144,7 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
       else if (!evolving) rounds.begin(duelIn(live));
       const { duel } = progress;
       const round = duel?.rounds.at(-1);
-      if (!changed(duel, predicted, theme, sees)) return;
+      if (!changed(duel, predicted, theme, sees, preset)) return;
       element.hidden = !predicted || !duel || !round;
       if (!predicted || !duel || !round) return;
       const verdict = judge(duel, round);
@@ -156,7 +168,7 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
             </div>
             <p id="duel-score" class="muted">${words.score(duel.rounds.length, scoreOf(duel))}</p>
           </section>
-          ${after}`,
+          ${isBeyond(duel, round, preset) ? beyond : within}${after}`,
         element,
       );
       picture.setAttribute('aria-label', words.plotLabel(`${sentence} ${later}`));

@@ -1,7 +1,8 @@
 // You against evolution and random search: who finds the gains with the lowest J in the yard?
+import { sliderRange } from '../../run/drivers.js';
 import { taskText } from './tally.js';
 
-/** @import { Engine, Experiment, Triple } from '../../core/engine.js' */
+/** @import { Engine, Experiment, Preset, Triple } from '../../core/engine.js' */
 /** @import { Verdict } from '../words/common.js' */
 /** @import { Tally } from '../state.js' */
 
@@ -83,6 +84,10 @@ export async function roundOf(engine, duel, seed) {
 /** The seed of the next round: the experiment's own, then those that follow it. @param {Duel} duel */
 export const nextSeed = ({ experiment, rounds }) =>
   (rounds.at(-1)?.seed ?? experiment.evolution.seed - 1) + 1;
+
+/** Whether evolution's ky is where neither a slider nor random search goes. @param {Pick<Duel, 'experiment'>} duel @param {Pick<Round, 'champion'>} round @param {Preset} preset */
+export const isBeyond = ({ experiment }, { champion: [, ky] }, preset) =>
+  ky > sliderRange[preset][1] && ky > experiment.evolution.initialRange[1];
 
 /** @param {Duel} duel @param {Pick<Round, 'seed' | 'evolution' | 'random'>} round @returns {Verdict} */
 export function judge(duel, { seed, evolution, random }) {

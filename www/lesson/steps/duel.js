@@ -52,6 +52,7 @@ export const duel = {
       count: String(population),
       generations: String(generations),
       given: String(drivesUntil(generations, population)),
+      turning: String(experiment.weights.velocity[1]),
       low: String(initialRange[0]),
       high: String(initialRange[1]),
     };

@@ -8,12 +8,14 @@ const trialsText = (count) => (count === 1 ? '1 trial' : `${grouped(count)} tria
 
 export const duel = {
   texts: {
-    begin: `One robot from one start was easy. Now the same three gains must park it *from 32 starts*, all around the goal and pointing anywhere. {J} is the mean over all 32 drives, and turning counts only a tenth as much as before ({Rw} = 0.1).
+    begin: `One robot from one start was easy. Now the same three gains must park it *from 32 starts*, all around the goal and pointing anywhere. {J} is the mean over all 32 drives, and turning counts in it with {Rw} = {=turning}; in the steps before it was 1.
 
 You go first. Move the sliders under the picture, or type numbers. Each time you let go of a slider, 32 robots drive: that is *one trial*, however far you dragged. When you are content, *lock in your best*.
 
 Then evolution has its turn: {=count} robots for {=generations} generations, {=given} trials, or as many as you had if you were more patient. A third player, *random search*, has as many: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing.`,
-    after: `Look at the gains that evolution found, and watch its robots. Its {ky} lies far beyond the slider, where no hand would look and where random search cannot go. Nobody told it to look there. *Selection goes on from what was good*: each generation starts where the last one ended, and in this task the way down is long. How much it finds in {=generations} generations still depends on luck: try other seeds, and let both go on, before you say who won.`,
+    beyond: `Look at the gains that evolution found, and watch its robots. Its {ky} lies beyond the slider, where no hand would look and where random search cannot go. Nobody told it to look there. In this task the way down is long.`,
+    within: `Look at the gains that evolution found, and watch its robots. This time its {ky} lies where a hand or random search can go, too.`,
+    after: `*Selection goes on from what was good*: each generation starts where the last one ended. How much it finds in {=generations} generations still depends on luck: try other seeds, and let both go on, before you say who won.`,
     next: `Why is one search easy and another hard? That depends on the ground it walks on: on J as a landscape over the gains.`,
   },
   duel: {
