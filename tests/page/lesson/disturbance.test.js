@@ -142,6 +142,7 @@ const shown = (page) =>
         ),
       ),
       rows: rows.map((row) => row.textContent ?? ''),
+      said: document.querySelector('#theorem-now p')?.textContent ?? '',
       held: rows.map((row) => row.classList.contains('held')),
     };
   });
@@ -156,7 +157,11 @@ pageTest(
       document.querySelector('#theorem-now li')?.textContent?.includes('set'),
     );
     const [parts] = errorParts(from, gains);
-    for (const time of [0.4, 2, 10]) {
+    const isCut = (/** @type {number} */ at) =>
+      run.commandLinear[at] !== run.linear[at] || run.commandAngular[at] !== run.angular[at];
+    /** @type {Set<string>} */
+    const sayings = new Set();
+    for (const time of [0.4, 2, 5, 7.5, 10]) {
       const at = Math.round(time / from.sampleTime);
       await page.evaluate((now) => {
         const scrub = /** @type {HTMLInputElement} */ (document.getElementById('scrub'));
@@ -168,7 +173,7 @@ pageTest(
         (text) => document.querySelector('#near-goal p')?.textContent?.includes(text),
         `${time.toFixed(2)} s`,
       );
-      const { caption, robot, rows, held, strips } = await shown(page);
+      const { caption, robot, rows, held, strips, said } = await shown(page);
       const [dx, dy] = [run.x[at] - from.goal.x, run.y[at] - from.goal.y];
       assert.ok(caption.includes(`${Math.hypot(dx, dy).toFixed(3)} m`), caption);
       const across = Number(/([\d.]+) m wide/.exec(caption)?.[1]);
@@ -187,9 +192,18 @@ pageTest(
         held,
         inequalities.map(([size, set]) => Number(size.toFixed(3)) > Number(set.toFixed(3))),
       );
+      const promise = held.includes(false) ? 'promises nothing' : isCut(at) ? 'limits cut' : 'V falls';
+      assert.ok(said.includes(promise), `${time} s: ${said}`);
+      sayings.add(promise);
       for (const [i, sizes] of inequalities.entries())
         for (const size of sizes) assert.ok(rows[i].includes(size.toFixed(3)), rows[i]);
     }
+    assert.equal(sayings.size, 3, [...sayings].join());
+    await page.open(`#${link.replace('disturbance&', 'disturbance&v=1&law=kanayama&')}&lesson=12`);
+    await page.until('the other law is measured', () =>
+      /law \(5\), not/.test(document.getElementById('remains-text')?.textContent ?? ''),
+    );
+    assert.equal(await page.text('#theorem-now'), '', 'nothing of the theorem for another law');
   },
 );
 

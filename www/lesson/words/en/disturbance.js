@@ -27,11 +27,13 @@ export const disturbance = {
         : holds
           ? `holds: ${formula} is ${size}, outside its set of ${set}`
           : `does not hold: ${formula} is ${size}, in its set of ${set}`,
-    /** @param {number} time @param {number} count */
-    all: (time, count) =>
-      count === 3
-        ? `After ${fixed(time, 2)} s all three hold: by the theorem, {V} falls.`
-        : `After ${fixed(time, 2)} s not all three hold: the theorem promises nothing here.`,
+    /** @param {number} time @param {number} count @param {boolean} isCut Whether the limits leave less of the command. */
+    all: (time, count, isCut) =>
+      count < 3
+        ? `After ${fixed(time, 2)} s not all three hold: the theorem promises nothing here.`
+        : isCut
+          ? `After ${fixed(time, 2)} s all three hold, but the limits cut the command, and of limits the theorem knows nothing: {V} may rise.`
+          : `After ${fixed(time, 2)} s all three hold: by the theorem, {V} falls.`,
   },
   quizzes: {
     double: {

@@ -27,11 +27,13 @@ export const disturbance = {
         : holds
           ? `성립: ${formula} = ${size}, 경계 ${set}의 바깥쪽`
           : `불성립: ${formula} = ${size}, 경계 ${set}의 안쪽`,
-    /** @param {number} time @param {number} count */
-    all: (time, count) =>
-      count === 3
-        ? `${fixed(time, 2)}초: 셋 모두 성립합니다. 정리에 따라 {V}가 줄어듭니다.`
-        : `${fixed(time, 2)}초: 셋 모두 성립하지는 않습니다. 여기서 정리는 아무것도 보장하지 않습니다.`,
+    /** @param {number} time @param {number} count @param {boolean} isCut Whether the limits leave less of the command. */
+    all: (time, count, isCut) =>
+      count < 3
+        ? `${fixed(time, 2)}초: 셋 모두 성립하지는 않습니다. 여기서 정리는 아무것도 보장하지 않습니다.`
+        : isCut
+          ? `${fixed(time, 2)}초: 셋 모두 성립합니다. 그러나 제한이 명령을 잘라 냈고 정리는 제한을 다루지 않으므로, {V}가 늘어날 수도 있습니다.`
+          : `${fixed(time, 2)}초: 셋 모두 성립합니다. 정리에 따라 {V}가 줄어듭니다.`,
   },
   quizzes: {
     double: {
