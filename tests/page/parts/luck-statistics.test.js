@@ -1,7 +1,7 @@
 // What is counted of many seeds.
 import assert from 'node:assert/strict';
 import { seedRuns } from '../../../pkg/ep_locomotion.js';
-import { placeWhereAlone } from '../../../www/parts/luck/curve-names.js';
+import { namesOf, placeWhereAlone } from '../../../www/parts/luck/curve-names.js';
 import { csvOf, quartilesOf } from '../../../www/parts/luck/statistics.js';
 import { drivesOf, surveyOf } from '../../../www/parts/luck/request.js';
 import { luckSlice } from '../../../www/parts/luck/state.js';
@@ -18,6 +18,17 @@ test('quartiles lie between the numbers in proportion, also when some are infini
   assert.deepEqual(quartilesOf([10, 0]), { least: 0, low: 2.5, median: 5, high: 7.5, most: 10 });
   const { median, high, most } = quartilesOf([1, 2, Infinity, Infinity, Infinity]);
   assert.deepEqual([median, high, most], [Infinity, Infinity, Infinity]);
+});
+
+test('a line above the plot has an arrow at its name', () => {
+  const ends = { low: [1], median: [1], high: [1], least: [1], most: [1] };
+  const survey = { generations: 0, summary: { evolution: ends, random: { ...ends, high: [2] } } };
+  const frame = { top: 20 };
+  const y = (/** @type {number} */ cost) => Math.max(frame.top, 100 - 10 * cost);
+  const named = (/** @type {number} */ cost) =>
+    namesOf({ ...survey, paper: { gains: [1, 1, 1], cost } }, y, frame).map(({ text }) => text);
+  assert.deepEqual(named(3), [en.randomLine, en.evolutionLine, en.paperLine]);
+  assert.deepEqual(named(40), [en.randomLine, en.evolutionLine, `${en.paperLine} ↑`]);
 });
 
 test('the CSV of one seed is what it was', () => {

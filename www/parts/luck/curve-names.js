@@ -4,6 +4,7 @@
 /** @import { SeedSurvey } from './request.js' */
 import { textFont } from '../../kit/fonts.js';
 import { drawAxisNames, drawName, labelHeight, spreadBeside } from '../../kit/names.js';
+import { lab } from '../../words/index.js';
 import words from './words/index.js';
 
 /** @typedef {{ left: number, right: number, y: number }} Box Of a name, and the height of its middle. */
@@ -21,7 +22,7 @@ export function drawLineNames(context, axes, model, y) {
   const { x, frame } = axes;
   const token = '--ink';
   if (survey) {
-    const places = namesOf(survey, y);
+    const places = namesOf(survey, y, frame);
     spreadBeside(places, frame);
     for (const place of places) drawName(context, { ...place, x: frame.right - 4, align: 'right' });
     const taken = places.map(({ text, y: middle }) => ({
@@ -48,14 +49,16 @@ export function drawLineNames(context, axes, model, y) {
   drawName(context, { text, x: frame.left - 50, y: 8 });
 }
 
-/** Names at the ends of the lines. @param {SeedSurvey} survey @param {(cost: number) => number} y */
-function namesOf({ summary: { evolution, random }, generations: last, paper: { cost } }, y) {
+/** Names at the ends of the lines, also of one that lies above the plot. @param {Pick<SeedSurvey, 'generations' | 'paper'> & { summary: Pick<SeedSurvey['summary'], 'evolution' | 'random'> }} survey @param {(cost: number) => number} y @param {Pick<Axes['frame'], 'top'>} frame */
+export function namesOf({ summary: { evolution, random }, generations: last, paper: { cost } }, y, { top }) {
+  const nameAt = (/** @type {string} */ name, /** @type {number} */ at, /** @type {number} */ aside) => ({
+    text: y(at) > top ? name : lab.above(name),
+    y: y(at) + aside,
+  });
   return [
-    { text: words.randomLine, y: y(random.high[last]) - 11 },
-    { text: words.evolutionLine, y: y(evolution.high[last]) - 11, token: '--ink', isStrong: true },
-    ...(Number.isFinite(cost)
-      ? [{ text: words.paperLine, y: y(cost) + (cost > random.high[last] ? -11 : 10) }]
-      : []),
+    nameAt(words.randomLine, random.high[last], -11),
+    { ...nameAt(words.evolutionLine, evolution.high[last], -11), token: '--ink', isStrong: true },
+    ...(Number.isFinite(cost) ? [nameAt(words.paperLine, cost, cost > random.high[last] ? -11 : 10)] : []),
   ];
 }
 
