@@ -95,6 +95,7 @@ const contest = {
   reading: 'ends',
   until: 500,
   only: 5,
+  draw: 2,
 };
 
 test('every key of a link is read as it is written', () => {

@@ -16,6 +16,9 @@ const othersOf = (text) =>
 /** @param {readonly number[]} choices @param {string} text */
 const oneNumberOf = (choices, text) => Number(oneOf(choices.map(String), text));
 
+/** So many times nobody asks for other seeds. */
+const mostDraws = 1e6;
+
 /** One at least. @param {string} text @param {number} most */
 const countOf = (text, most) => Math.max(1, wholeNumber(text, most));
 
@@ -32,6 +35,7 @@ export const luck = {
     partKey('reading', slice, 'reading', (text) => oneOf(readings, text)),
     partKey('until', slice, 'until', (text) => countOf(text, Math.max(...budgets)), String),
     partKey('only', slice, 'only', (text) => countOf(text, Math.max(...contestSeeds)), String),
+    partKey('draw', slice, 'draw', (text) => wholeNumber(text, mostDraws)),
   ],
   places: {
     gains: { lock: '#luck-rank' },
