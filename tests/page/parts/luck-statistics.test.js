@@ -1,8 +1,10 @@
 // What is counted of many seeds.
 import assert from 'node:assert/strict';
 import { seedRuns } from '../../../pkg/ep_locomotion.js';
+import { gainUnits } from '../../../www/core/rules.js';
 import { namesOf, placeWhereAlone } from '../../../www/parts/luck/curve-names.js';
 import { csvOf, quartilesOf } from '../../../www/parts/luck/statistics.js';
+import { seedTable } from '../../../www/parts/luck/table.js';
 import { drivesOf, surveyOf } from '../../../www/parts/luck/request.js';
 import { luckSlice } from '../../../www/parts/luck/state.js';
 import * as en from '../../../www/parts/luck/words/en.js';
@@ -86,6 +88,24 @@ test('where seeds have numbers of drives of their own, none is written in their 
     csvOf({ experiment: experiment('velocity-limits'), first: 4, drives: null, runs: [run] }),
     /\r\n4,,7,3,1,5,8,7,8\r\n$/,
   );
+});
+
+test('the table has the units of the law that drove', () => {
+  const quartiles = quartilesOf([1]);
+  const run = { best: [7], champion: { gains: [3, 1, 5] }, random: [8] };
+  const columnsOf = (/** @type {'shim-kim' | 'kanayama'} */ law) =>
+    seedTable(
+      /** @type {any} */ ({
+        experiment: { ...experiment('velocity-limits'), law },
+        ...{ first: 1, generations: 0, runs: [run] },
+        summary: { gains: [quartiles, quartiles, quartiles], finalRandom: quartiles },
+      }),
+    )
+      .columns.join()
+      .replaceAll('\u00a0', ' ');
+  for (const law of /** @type {const} */ (['shim-kim', 'kanayama']))
+    for (const unit of gainUnits[law])
+      assert.ok(columnsOf(law).includes(`(${unit.replace('^2', '²')})`), `${law}: ${columnsOf(law)}`);
 });
 
 test('a contest says that a drive from many starts counts as one', () => {

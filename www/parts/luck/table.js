@@ -14,13 +14,18 @@ const shownGenerations = (generations) => [
 
 /** @param {SeedSurvey} survey @returns {import('../../kit/table.js').Table} */
 export function seedTable(survey) {
-  const { first, generations, runs, summary } = survey;
+  const { experiment, first, generations, runs, summary } = survey;
   const shown = shownGenerations(generations);
   const gainText = (/** @type {number} */ gain) => fixed(gain, 3);
   const costs = shown.map((generation) => quartilesOf(runs.map(({ best }) => best[generation])));
   return {
     caption: words.tableCaption(runs.length, generations),
-    columns: [words.seedColumn, ...shown.map(words.costColumn), ...words.gainColumns, words.randomColumn],
+    columns: [
+      words.seedColumn,
+      ...shown.map(words.costColumn),
+      ...words.gainColumns[experiment.law],
+      words.randomColumn,
+    ],
     summary: quartileNames.map((name) => [
       words.quartiles[name],
       ...costs.map((one) => costText(one[name])),

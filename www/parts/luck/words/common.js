@@ -14,7 +14,11 @@ export const gainNames = ['x', 'y', 'θ'].map((index) => `k${index}`);
 /** @param {number} value */
 export const tick = (value) => String(value).replace('-', '−');
 
-export const gainColumns = ['kx (1/s)', 'ky (1/(m² s))', 'kθ (rad/s)'];
+/** @type {Readonly<Record<SeedSurvey['experiment']['law'], readonly string[]>>} */
+export const gainColumns = {
+  'shim-kim': ['kx (1/s)', 'ky (1/(m² s))', 'kθ (rad/s)'],
+  kanayama: ['kx (1/s)', 'ky (rad/m²)', 'kθ (rad/m)'],
+};
 
 /** @param {SeedSurvey} survey */
 export const fileName = ({ first, runs, generations }) =>
