@@ -4,7 +4,8 @@ import { trials } from '../../../pkg/ep_locomotion.js';
 import { mostRobotsOfCall } from '../../../www/core/bounds.js';
 import { partsOf } from '../../../www/parts/luck/contest-asked.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
-import { shortName } from '../../../www/parts/luck/words/contest-en.js';
+import * as en from '../../../www/parts/luck/words/contest-en.js';
+import * as ko from '../../../www/parts/luck/words/contest-ko.js';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
 import { test } from '../harness/once.js';
 import { contestOf, others, small, velocityLimits } from './contests.js';
@@ -163,7 +164,9 @@ test('what is behind in most pairs and yet cheaper in the mean is said to be sur
   const fast = seeds.map((seed) => run(seed, seed % 10 < 3 ? 1000 : 10 + seed));
   const sure = seeds.map((seed) => run(seed, 200 + seed));
   /** @param {typeof fast} a @param {typeof fast} b */
-  const verdictOf = (a, b) =>
+  const verdictOf = (a, b) => toldOf(a, b)?.kind;
+  /** @param {typeof fast} a @param {typeof fast} b */
+  const toldOf = (a, b) =>
     standingsOf(
       {
         ...small,
@@ -175,9 +178,24 @@ test('what is behind in most pairs and yet cheaper in the mean is said to be sur
         ],
       },
       { target: 2 },
-    ).lines[1].verdict?.kind;
+    ).lines[1].verdict;
   assert.equal(verdictOf(fast, sure), 'surer');
   assert.equal(verdictOf(sure, fast), 'riskier');
+  // Most pairs may be decided by J alone, and then no time is told.
+  const worse = seeds.map((seed) => ({ ...run(seed, 1000), costs: Float64Array.of(9, 8.5) }));
+  const rare = [...worse.slice(0, 48), run(49, 20), run(50, 30)];
+  const never = seeds.map((seed) => run(seed, seed === 50 ? 500 : 1000));
+  for (const [a, b, kind] of /** @type {const} */ ([
+    [never, rare, 'surer'],
+    [rare, never, 'riskier'],
+  ])) {
+    const verdict = toldOf(a, b);
+    assert.ok(verdict?.kind === kind && verdict.times === null, JSON.stringify(verdict));
+    for (const words of [en, ko]) {
+      const said = words.verdictText(verdict, 'de');
+      assert.doesNotMatch(said, /later|sooner|times|배|늦|빠르|null/, said);
+    }
+  }
   // Nobody fails where the slow ones are only late.
   const late = seeds.map((seed) => run(seed, seed % 10 < 3 ? 900 : 10 + seed));
   assert.equal(verdictOf(late, sure), 'worse');
@@ -200,5 +218,5 @@ test('the CSV has a row for each improvement', () => {
 });
 
 test('no contestant’s name reads as a list where a sentence begins with it', () => {
-  for (const name of contestants) assert.doesNotMatch(shortName(name), /,/);
+  for (const name of contestants) assert.doesNotMatch(en.shortName(name), /,/);
 });

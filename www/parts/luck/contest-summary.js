@@ -10,7 +10,7 @@ import { quartilesOf } from './statistics.js';
 /** Against the first: `a12` is how probable it is that a run of this one is the better one. @typedef {{ a12: number, p: number }} Comparison */
 /**
  * What one can say of a contestant and the first.
- * @typedef {{ kind: 'same' | 'undecided', runs: number } | { kind: 'sooner' | 'later', times: number } | { kind: 'only-this' | 'only-first', reached: number, runs: number } | { kind: 'mostly' | 'hardly', reached: number, runs: number, first: number } | { kind: 'better' | 'worse', a12: number } | { kind: 'surer' | 'riskier', a12: number, times: number }} Verdict
+ * @typedef {{ kind: 'same' | 'undecided', runs: number } | { kind: 'sooner' | 'later', times: number } | { kind: 'only-this' | 'only-first', reached: number, runs: number } | { kind: 'mostly' | 'hardly', reached: number, runs: number, first: number } | { kind: 'better' | 'worse', a12: number } | { kind: 'surer' | 'riskier', a12: number, times: number | null }} Verdict
  */
 /**
  * @typedef {object} Standing
@@ -150,15 +150,16 @@ function verdictOf(first, own, { a12, p }, isSame) {
     return { kind: 'only-first', reached: first.reached, runs: first.count };
   const times = first.ert / own.ert;
   const shares = { reached: own.reached, runs: own.count, first: first.reached };
-  // Of so few that get there no factor can be told.
+  // Of so few that get there no factor can be told, here or below.
   if (a12 > 0.5 && times > 1)
     return first.interval[1] === Infinity ? { kind: 'mostly', ...shares } : { kind: 'sooner', times };
   if (a12 < 0.5 && times < 1)
     return own.interval[1] === Infinity ? { kind: 'hardly', ...shares } : { kind: 'later', times: 1 / times };
   // Who is behind in most pairs, but fails less often, may need fewer drives in the mean; and the other way round.
   const surer = own.reached / own.count - first.reached / first.count;
-  if (a12 < 0.5 && times > 1 && surer > 0) return { kind: 'surer', a12, times };
-  if (a12 > 0.5 && times < 1 && surer < 0) return { kind: 'riskier', a12, times: 1 / times };
+  const factor = Math.max(first.interval[1], own.interval[1]) < Infinity ? Math.max(times, 1 / times) : null;
+  if (a12 < 0.5 && times > 1 && surer > 0) return { kind: 'surer', a12, times: factor };
+  if (a12 > 0.5 && times < 1 && surer < 0) return { kind: 'riskier', a12, times: factor };
   return { kind: a12 > 0.5 ? 'better' : 'worse', a12 };
 }
 

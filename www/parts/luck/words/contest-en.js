@@ -182,9 +182,9 @@ export function verdictText(verdict, name) {
     case 'only-first':
       return `${shortName(name)} never gets there; the first does in ${verdict.reached} of ${verdict.runs} runs.`;
     case 'surer':
-      return `${shortName(name)} is later in ${percent(1 - verdict.a12)} of all pairs, but fails less often: in the mean it gets there ${timesText(verdict.times)} times sooner.`;
+      return `${shortName(name)} is behind in ${percent(1 - verdict.a12)} of all pairs, but fails less often${verdict.times ? `: in the mean it gets there ${timesText(verdict.times)} times sooner` : ''}.`;
     case 'riskier':
-      return `${shortName(name)} is sooner in ${percent(verdict.a12)} of all pairs, but fails more often: in the mean it takes ${timesText(verdict.times)} times as many drives.`;
+      return `${shortName(name)} is ahead in ${percent(verdict.a12)} of all pairs, but fails more often${verdict.times ? `: in the mean it takes ${timesText(verdict.times)} times as many drives` : ''}.`;
     default:
       return `Of two runs the ${verdict.kind === 'better' ? 'better' : 'worse'} one is that of ${shortName(name)} in ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)} of all pairs.`;
   }

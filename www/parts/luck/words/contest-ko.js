@@ -172,9 +172,9 @@ export function verdictText(verdict, name) {
     case 'only-first':
       return `${who}: 목푯값에 한 번도 이르지 못합니다. 첫 참가자는 실행 ${verdict.runs}번 중 ${verdict.reached}번 이릅니다.`;
     case 'surer':
-      return `${who}: 두 실행을 짝지으면 ${percent(1 - verdict.a12)}에서 더 늦지만 실패가 적어서, 평균으로는 목푯값에 ${timesText(verdict.times)}배 빨리 이릅니다.`;
+      return `${who}: 두 실행을 짝지으면 ${percent(1 - verdict.a12)}에서 뒤지지만 ${verdict.times ? `실패가 적어서, 평균으로는 목푯값에 ${timesText(verdict.times)}배 빨리 이릅니다` : '실패가 적습니다'}.`;
     case 'riskier':
-      return `${who}: 두 실행을 짝지으면 ${percent(verdict.a12)}에서 더 빠르지만 실패가 많아서, 평균으로는 주행이 ${timesText(verdict.times)}배 필요합니다.`;
+      return `${who}: 두 실행을 짝지으면 ${percent(verdict.a12)}에서 앞서지만 ${verdict.times ? `실패가 많아서, 평균으로는 주행이 ${timesText(verdict.times)}배 필요합니다` : '실패가 많습니다'}.`;
     default:
       return `${who}: 두 실행을 짝지으면 ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)}에서 ${verdict.kind === 'better' ? '더 낫습니다' : '더 못합니다'}.`;
   }
