@@ -43,7 +43,8 @@ def request(name, given):
 
 
 def encoded(value, depth=_DEEPEST):
-    """A value in bytes. Arrays of numpy, series of pandas and the like count as the lists that they are."""
+    """A value in bytes. Arrays of numpy, series of pandas and the like count as the lists that they are; rows of three numbers
+    go side by side, as start postures may."""
     if depth == 0:
         raise ValueError("what is given must be nested less deeply")
     if value is None:
@@ -59,10 +60,14 @@ def encoded(value, depth=_DEEPEST):
     if isinstance(value, Mapping):
         fields = ((_text(b"", str(name)), encoded(field, depth - 1)) for name, field in value.items())
         return _counted(_OBJECT, len(value), *itertools.chain.from_iterable(fields))
-    if getattr(value, "ndim", 1) == 2:
-        return _column(value)
-    if not isinstance(value, (str, bytes, bytearray)) and hasattr(value, "tolist"):
+    if hasattr(value, "to_numpy"):
+        value = value.to_numpy()
+    if hasattr(value, "tolist"):
+        is_table = getattr(value, "ndim", 1) == 2 and value.shape[1] == 3
         value = value.tolist()
+        numbers = list(itertools.chain.from_iterable(value)) if is_table else []
+        if is_table and _are_numbers(numbers):
+            return _column(numbers)
     if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
         return _counted(_LIST, len(value), *(encoded(one, depth - 1) for one in value))
     return _text(_OTHER, type(value).__name__)
@@ -75,9 +80,16 @@ def _number(value):
         return math.inf if value > 0 else -math.inf
 
 
-def _column(table):
-    """The rows of an array one after the other."""
-    flat = array("d", itertools.chain.from_iterable(table.tolist()))
+def _are_numbers(values):
+    return all(issubclass(kind, Real) and kind is not bool for kind in set(map(type, values)))
+
+
+def _column(numbers):
+    """Numbers side by side."""
+    try:
+        flat = array("d", numbers)
+    except OverflowError:
+        flat = array("d", map(_number, numbers))
     return _counted(_COLUMN, len(flat), _floats(flat))
 
 
@@ -133,13 +145,7 @@ def _single(numbers):
 
 def _encoded_numbers(numbers):
     """Side by side where they are numbers; else as they are, so that the core says which is none."""
-    if all(issubclass(kind, Real) and kind is not bool for kind in set(map(type, numbers))):
-        try:
-            flat = array("d", numbers)
-        except OverflowError:
-            flat = array("d", map(_number, numbers))
-        return _counted(_COLUMN, len(flat), _floats(flat))
-    return encoded(numbers)
+    return _column(numbers) if _are_numbers(numbers) else encoded(numbers)
 
 
 def decoded(data):

@@ -75,6 +75,39 @@ test('gains of every wrong shape are refused by name', options, () => {
   });
 });
 
+test('a table of starts has rows of three numbers, or is refused by name', options, () => {
+  const table = (/** @type {string} */ rows, width = 3) =>
+    `__import__('types').SimpleNamespace(ndim=2, shape=(len(${rows}), ${width}), tolist=lambda: ${rows})`;
+  const ofPandas = (/** @type {string} */ rows) =>
+    `__import__('types').SimpleNamespace(ndim=2, to_numpy=lambda: ${table(rows)})`;
+  const startsOf = (/** @type {string} */ starts) => ({
+    expression: `ep.Task({'starts': ${starts}}).experiment['starts']`,
+  });
+  const postures = [
+    { x: 0, y: 1, theta: 2 },
+    { x: 3, y: 4, theta: 5 },
+  ];
+  const rows = '[[0, 1, 2.0], [3, 4, 5]]';
+  const [one, other] = askPython([startsOf(table(rows)), startsOf(ofPandas(rows))]);
+  assert.deepEqual([one.value, other.value], [postures, postures]);
+  /** @type {readonly (readonly [string, RegExp])[]} */
+  const wrong = [
+    [table('[[0, 0], [1, 0], [0, 1]]', 2), /^starts\[0\] must be an object, but was an array of 2$/],
+    [table('[[0, 1, 2, 3]] * 3', 4), /^starts\[0\] must be an object, but was an array of 4$/],
+    [table("[['0', '1', '2']]"), /^starts\[0\] must be an object, but was an array of 3$/],
+    [table('[[True, False, True]]'), /^starts\[0\] must be an object, but was an array of 3$/],
+    [table('[[1, 2, 3j]]'), /^starts\[0\] must be an object, but was an array of 3$/],
+    [ofPandas("[['a', 1, None]]"), /^starts\[0\] must be an object, but was an array of 3$/],
+    [table('[[0, 1, 10**400]]'), /^starts\[0\]\.theta must be a number from .*, but was Infinity$/],
+    ["__import__('types').SimpleNamespace(ndim=2, shape=(1, 3))", /^starts must be .* SimpleNamespace$/],
+  ];
+  const answers = askPython(wrong.map(([starts]) => startsOf(starts)));
+  wrong.forEach(([starts, message], i) => {
+    assert.equal(answers[i].error, 'ValueError', starts);
+    assert.match(String(answers[i].message), message, starts);
+  });
+});
+
 test('whatever else is wrong is refused, and nothing is lost by it', options, () => {
   const before = core.evaluate({}, [10, 10, 10])[0];
   /** @type {readonly (readonly [string, string, RegExp])[]} */
