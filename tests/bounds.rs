@@ -88,6 +88,8 @@ fn seeds_are_counted_by_what_each_keeps() {
         seed_runs(&setting, [0, 1], LAST_GENERATION),
         "the number of drives must be at most 1000000 with 1 start and 1 samples a run, but was 1073741824",
     );
+    // Without a seed there is nothing to go through, not even generations.
+    assert_eq!(seed_runs(&setting, [7, 7], LAST_GENERATION).map(|runs| runs.len()), Ok(0));
     assert_eq!(seed_runs(&setting, [7, 9], 3).map(|runs| runs.len()), Ok(2));
     assert_eq!(trials(&setting, [3_000_000, 3_000_002], 1).map(|trials| trials.len()), Ok(2));
 }
@@ -101,6 +103,17 @@ fn what_fills_the_memory_to_the_last_byte_is_allowed() {
         trials(&setting, [0, 1025], 32),
         "the number of seeds must be at most 1024, for each takes 262144 bytes, but was 1025",
     );
+}
+
+/// 20 solutions of 512 bytes and an object of 2048 leave room for 2²⁴ - 768 drives of 16.
+#[wasm_bindgen_test(unsupported = test)]
+fn where_one_seed_alone_has_too_many_drives_it_is_these_that_are_refused() {
+    let setting = lasting(0.01, |e| e.starts = vec![e.goal]);
+    for drives in [16_776_449, 18_000_000] {
+        let message = "the number of drives must be at most 16776448 for each seed, but was ";
+        assert_refused(trials(&setting, [0, 1], drives), &format!("{message}{drives}"));
+    }
+    assert_eq!(trials(&setting, [0, 0], 18_000_000).map(|trials| trials.len()), Ok(0));
 }
 
 /// To begin a run takes as long as some samples, and so do the bouts of a tournament.

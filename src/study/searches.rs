@@ -1,12 +1,13 @@
 //! What searches with many seeds have in common: what they may cost, and that all take a step together.
 
 use crate::robot::Gains;
-use crate::run::{BYTES_OF_AN_OBJECT, Setting, check_bytes};
-use crate::schema::Result;
+use crate::run::{BYTES_OF_AN_OBJECT, MAX_BYTES, Setting, check_bytes};
+use crate::schema::{InvalidInput, Result, Text};
 use crate::search::Brood;
 
 /// Parents, offspring, draws, costs, tournament: what a solution takes while its generation is under way.
 const BYTES_OF_A_SOLUTION: f64 = 512.0;
+const BYTES_OF_A_ROW: f64 = size_of::<[f64; 2]>() as f64;
 
 /// Refuses so many searches, each with so many drives, if they take too long, or if what they keep takes too much memory:
 /// their solutions, and in the end columns of two numbers for each of so many rows.
@@ -14,8 +15,14 @@ pub(super) fn check_searches(setting: &Setting, count: f64, drives: f64, rows: f
     setting.experiment().check_solutions("the number of drives", drives * count)?;
     let e = &setting.experiment().evolution;
     let solutions = f64::from(e.population.max(e.most_solutions())) * BYTES_OF_A_SOLUTION;
-    let columns = rows * size_of::<[f64; 2]>() as f64;
-    check_bytes("the number of seeds", count, solutions + columns + BYTES_OF_AN_OBJECT)
+    let beside = solutions + BYTES_OF_AN_OBJECT;
+    let most = ((MAX_BYTES - beside) / BYTES_OF_A_ROW).floor();
+    // Fewer seeds would not help.
+    if count > 0.0 && rows > most {
+        let expected = Text::from("at most ") + most + " for each seed";
+        return Err(InvalidInput::new("the number of drives", expected, rows));
+    }
+    check_bytes("the number of seeds", count, beside + rows * BYTES_OF_A_ROW)
 }
 
 /// Asks each search for what it tries next, and tells it what that has cost. All are driven together, so that there are many

@@ -51,6 +51,9 @@ pub fn seed_runs(setting: &Setting, seeds: [u32; 2], generations: u32) -> Result
 
     let race = |seed| Race::new(EvolutionSettings { seed, ..settings }, generations);
     let mut races: Vec<_> = (first..end).map(race).collect();
+    if races.is_empty() {
+        return Ok(Vec::new());
+    }
     for generation in 0..=generations {
         step_together(setting, &mut races, |race| race.asked(generation), Race::driven);
     }
