@@ -29,11 +29,13 @@ fn preset<S: Source>(given: &S, other: &S) -> Result<Preset> {
     }
 }
 
-fn usual<S: Source>(given: &S) -> Preset {
+/// The preset that the fields were made from, or else `velocity-limits`.
+pub fn usual<S: Source>(given: &S) -> Preset {
     given.origin().and_then(Preset::named).unwrap_or(Preset::VelocityLimits)
 }
 
-fn completed<S: Source>(preset: Preset, given: &S) -> Result<Setting> {
+/// The given fields of an experiment, with every other field filled in from this preset.
+pub fn completed<S: Source>(preset: Preset, given: &S) -> Result<Setting> {
     let mut experiment: Experiment = preset.experiment();
     experiment.read(given)?;
     Setting::new(experiment)

@@ -55,9 +55,7 @@ pub fn experiment(
 ) -> Result<JsValue> {
     let (given, other) = (Given::of(given), Given::of(other));
     let (setting, preset) = outside::experiment(&given, &other)?;
-    let experiment = plain(setting.experiment());
-    origin::remember(&experiment, preset);
-    Ok(experiment)
+    Ok(origin::remembered(setting.experiment(), preset))
 }
 
 /// Start postures evenly on a circle, each with a random heading.

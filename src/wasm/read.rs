@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use js_sys::{Array, ArrayBuffer, Float64Array, Reflect};
+use js_sys::{Array, ArrayBuffer, Float64Array, Reflect, Symbol};
 use wasm_bindgen::prelude::*;
 
 use super::origin;
@@ -83,8 +83,9 @@ impl Source for Given {
     }
 
     fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>> {
-        let is_column = |value: &&JsValue| value.is_instance_of::<Float64Array>();
-        let Some(value) = self.value.as_ref().filter(is_column) else { return Ok(None) };
+        let Some(value) = self.value.as_ref().filter(|value| is_column(value)) else {
+            return Ok(None);
+        };
         let refused = |_| refused(self, place, "a Float64Array or an array of numbers");
         let copy = caught::Copy::of(value).map_err(refused)?;
         let copy: &Float64Array = copy.unchecked_ref();
@@ -145,6 +146,13 @@ impl Source for Given {
 fn unknown(keys: &Array, known: &[&'static str]) -> Option<String> {
     let names = keys.iter().map(|key| key.as_string().unwrap_or_else(|| "a symbol".into()));
     names.into_iter().find(|name| !known.contains(&name.as_str()))
+}
+
+/// Whether it is a Float64Array, also one of another frame, whose class is not the one here.
+fn is_column(value: &JsValue) -> bool {
+    let tag = || Reflect::get(value, &Symbol::to_string_tag());
+    value.is_instance_of::<Float64Array>()
+        || (ArrayBuffer::is_view(value) && tag().is_ok_and(|tag| tag == "Float64Array"))
 }
 
 /// Whether it is an array, or numbers side by side, if those may be; one of which this cannot be said is none.

@@ -3,14 +3,19 @@
 use wasm_bindgen::prelude::*;
 
 use super::Result;
+use super::origin;
 use super::read::Given;
 use super::write::plain;
 use crate::outside;
-use crate::run::Setting;
+use crate::run::{Preset, Setting};
 
 /// An experiment that is read once. Its methods are the functions of the same names without their first argument.
 #[wasm_bindgen]
-pub struct Task(Setting);
+pub struct Task {
+    setting: Setting,
+    /// What filled it in.
+    preset: Preset,
+}
 
 #[wasm_bindgen]
 impl Task {
@@ -19,13 +24,15 @@ impl Task {
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
     ) -> Result<Task> {
-        Ok(Task(outside::setting(&Given::of(experiment))?))
+        let given = Given::of(experiment);
+        let preset = outside::usual(&given);
+        Ok(Self { setting: outside::completed(preset, &given)?, preset })
     }
 
     /// The experiment with every field filled in.
     #[wasm_bindgen(getter, unchecked_return_type = "Experiment")]
     pub fn experiment(&self) -> JsValue {
-        plain(self.0.experiment())
+        origin::remembered(self.setting.experiment(), self.preset)
     }
 }
 
@@ -45,7 +52,7 @@ macro_rules! tasks {
                 $(#[wasm_bindgen(unchecked_param_type = $type)] $given: JsValue,)+
                 $(#[wasm_bindgen(unchecked_optional_param_type = "number")] $last: JsValue,)?
             ) -> Result<JsValue> {
-                let told = outside::$name(&self.0, $(&Given::of($given),)+ $(&Given::of($last))?);
+                let told = outside::$name(&self.setting, $(&Given::of($given),)+ $(&Given::of($last))?);
                 Ok(plain(&told?))
             }
         )+}
