@@ -110,8 +110,8 @@ fn what_fills_the_memory_to_the_last_byte_is_allowed() {
 fn where_one_seed_alone_has_too_many_drives_it_is_these_that_are_refused() {
     let setting = lasting(0.01, |e| e.starts = vec![e.goal]);
     for drives in [16_776_449, 18_000_000] {
-        let message = "the number of drives must be at most 16776448 for each seed, but was ";
-        assert_refused(trials(&setting, [0, 1], drives), &format!("{message}{drives}"));
+        let message = "the number of drives must be at most 16776448, for each takes 16 bytes";
+        assert_refused(trials(&setting, [0, 1], drives), &format!("{message}, but was {drives}"));
     }
     assert_eq!(trials(&setting, [0, 0], 18_000_000).map(|trials| trials.len()), Ok(0));
 }

@@ -40,4 +40,4 @@ pub use work::{LEAST_GENERATION, LEAST_SAMPLES, MAX_BYTES, MAX_WORK};
 // elsewhere an episode keeps its setting
 pub(crate) use episode::EpisodeState;
 pub(crate) use runs::Departure;
-pub(crate) use work::{BYTES_OF_AN_OBJECT, check_bytes};
+pub(crate) use work::{BYTES_OF_AN_OBJECT, check_bytes, check_bytes_beside};

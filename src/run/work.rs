@@ -21,10 +21,15 @@ pub(crate) const BYTES_OF_AN_OBJECT: f64 = 2048.0;
 
 /// Refuses so many of something if what remains of them until the end of the call takes more than [`MAX_BYTES`].
 pub(crate) fn check_bytes(what: &str, count: f64, bytes_of_each: f64) -> Result<()> {
-    if count * bytes_of_each > MAX_BYTES {
-        let most = (MAX_BYTES / bytes_of_each).floor();
-        let expected =
-            Text::from("at most ") + most + ", for each takes " + bytes_of_each + " bytes";
+    check_bytes_beside(0.0, what, count, bytes_of_each)
+}
+
+/// The same where so many bytes are taken by something else.
+pub(crate) fn check_bytes_beside(taken: f64, what: &str, count: f64, each: f64) -> Result<()> {
+    let room = MAX_BYTES - taken;
+    if count * each > room {
+        let most = (room / each).floor();
+        let expected = Text::from("at most ") + most + ", for each takes " + each + " bytes";
         return Err(InvalidInput::new(what, expected, count));
     }
     Ok(())

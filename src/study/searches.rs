@@ -1,8 +1,8 @@
 //! What searches with many seeds have in common: what they may cost, and that all take a step together.
 
 use crate::robot::Gains;
-use crate::run::{BYTES_OF_AN_OBJECT, MAX_BYTES, Setting, check_bytes};
-use crate::schema::{InvalidInput, Result, Text};
+use crate::run::{BYTES_OF_AN_OBJECT, Setting, check_bytes, check_bytes_beside};
+use crate::schema::Result;
 use crate::search::Brood;
 
 /// Parents, offspring, draws, costs, tournament: what a solution takes while its generation is under way.
@@ -16,11 +16,9 @@ pub(super) fn check_searches(setting: &Setting, count: f64, drives: f64, rows: f
     let e = &setting.experiment().evolution;
     let solutions = f64::from(e.population.max(e.most_solutions())) * BYTES_OF_A_SOLUTION;
     let beside = solutions + BYTES_OF_AN_OBJECT;
-    let most = ((MAX_BYTES - beside) / BYTES_OF_A_ROW).floor();
-    // Fewer seeds would not help.
-    if count > 0.0 && rows > most {
-        let expected = Text::from("at most ") + most + " for each seed";
-        return Err(InvalidInput::new("the number of drives", expected, rows));
+    if count > 0.0 {
+        // Where one alone takes too much, fewer seeds would not help.
+        check_bytes_beside(beside, "the number of drives", rows, BYTES_OF_A_ROW)?;
     }
     check_bytes("the number of seeds", count, beside + rows * BYTES_OF_A_ROW)
 }

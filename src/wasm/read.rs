@@ -151,8 +151,7 @@ fn unknown(keys: &Array, known: &[&'static str]) -> Option<String> {
 /// Whether it is a Float64Array, also one of another frame, whose class is not the one here.
 fn is_column(value: &JsValue) -> bool {
     let tag = || Reflect::get(value, &Symbol::to_string_tag());
-    value.is_instance_of::<Float64Array>()
-        || (ArrayBuffer::is_view(value) && tag().is_ok_and(|tag| tag == "Float64Array"))
+    ArrayBuffer::is_view(value) && tag().is_ok_and(|tag| tag == "Float64Array")
 }
 
 /// Whether it is an array, or numbers side by side, if those may be; one of which this cannot be said is none.
