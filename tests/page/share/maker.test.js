@@ -7,17 +7,9 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { groupNames } from '../../../www/run/exercise.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { within } from '../harness/host.js';
+import { openMaker } from './making.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-
-/** @param {Page} page @param {string} [fragment] */
-async function openMaker(page, fragment = '#lab&v=1') {
-  await page.open(fragment);
-  await page.click('#keep-button');
-  await page.until('Share is there', () => document.getElementById('keep-exercise'));
-  await page.click('#keep-exercise');
-  await page.until('the maker is open', () => document.getElementById('maker-task')?.checkVisibility());
-}
 
 /** @param {Page} page */
 const linkMade = (page) =>
@@ -47,35 +39,6 @@ pageTest('what is pressed and typed within one frame is all kept', async (page) 
     /&lock=gains,seed&hide=run&task=Park\.&vary=goal%2Cseed$|&lock=gains,seed&hide=run&task=Park\.&vary=goal,seed$/,
   );
 });
-
-pageTest(
-  'an exercise is made for whoever opens it, and a student’s own link says who works on it',
-  async (page) => {
-    const values = (/** @type {string[]} */ ...ids) =>
-      page.evaluate(
-        (names) =>
-          names.map(
-            (id) => /** @type {HTMLInputElement | null} */ (document.getElementById(id))?.value ?? '',
-          ),
-        ids,
-      );
-    await openMaker(page, '?who=s4711#lab&v=1&aim=J%3C8');
-    for (const value of await values('maker-link', 'maker-frame')) {
-      assert.match(value, /aim=J%3C8/);
-      assert.doesNotMatch(value, /who=/);
-    }
-    await page.click('#maker-preview-size-400x300');
-    const shown = await page.until(
-      'the figure is there',
-      () => /** @type {HTMLIFrameElement | null} */ (document.getElementById('maker-figure'))?.src,
-    );
-    assert.match(shown, /\?embed#[^?]*aim=J%3C8$/);
-    await page.press(Key.ESCAPE);
-    await page.click('#keep-button');
-    await page.until('Share is there', () => document.getElementById('keep-link')?.checkVisibility());
-    assert.match((await values('keep-link'))[0], /\/#lab&v=1&aim=J%3C8&who=s4711$/);
-  },
-);
 
 pageTest(
   'another exercise that is made of one that was opened is there again when it was closed',

@@ -72,13 +72,13 @@ function wholeIn(link) {
 const endsReceipt = (line) => /^handin=\S*~[\da-f]{8}$/.test(line.slice(line.lastIndexOf('handin=')));
 
 /** @param {string} link */
-const whoIn = (link) => /&who=([^&]*)/.exec(link)?.[1];
+const whoIn = (link) => /&who=([^&\s]*)/.exec(link)?.[1];
 
-/** A platform keeps behind a receipt what the same student did after it: that is not handed in. @param {string} line @param {string} before */
+/** A platform keeps behind a receipt what the same student did after it, each with the package's stamp: that is not handed in. @param {string} line @param {string} before */
 const isLater = (line, before) =>
   before.includes('handin=') &&
   !line.includes('handin=') &&
-  [line, before].every((one) => /^#\S+$/.test(one)) &&
+  [line, before].every((one) => /^#\S+(?: [\da-f]{8})?$/.test(one)) &&
   whoIn(line) === whoIn(before);
 
 /** Links of these pages. @param {readonly string[]} pages */
