@@ -19,7 +19,7 @@ import { tidyGlue } from './glue.mjs';
 import { Failure, lastChange, run, runPackage, step, task, top } from './run.mjs';
 import { installTools } from './tools.mjs';
 
-/** Of the core. What stands in src/ in JavaScript goes with it as it is. */
+/** Of the core, and of what stands beside it in pkg/. What stands in src/ in JavaScript goes with it as it is. */
 const sources = [
   ...readdirSync(join(top, 'src'))
     .filter((name) => !/\.(js|d\.ts)$/.test(name))
@@ -27,6 +27,7 @@ const sources = [
   'Cargo.toml',
   'Cargo.lock',
   '.cargo',
+  '.tasks/glue.mjs',
 ];
 const wasm = 'pkg/ep_locomotion_bg.wasm';
 /** The core for hosts without JavaScript, which the wheel of python/ holds. */

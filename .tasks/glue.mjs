@@ -26,6 +26,11 @@ let wasmModule, wasmInstance, wasm = absent;`,
     'async function __wbg_init(module_or_path) {\n    if (wasm !== undefined) return wasm;',
     'async function __wbg_init(module_or_path) {\n    if (wasm !== absent) return wasm;',
   ],
+  // What was made meanwhile lives in the memory of the first.
+  [
+    'function __wbg_finalize_init(instance, module) {',
+    'function __wbg_finalize_init(instance, module) {\n    if (wasm !== absent) return wasm;',
+  ],
   [
     '({module_or_path} = module_or_path)',
     'module_or_path = module_or_path.module ?? module_or_path.module_or_path',
