@@ -22,7 +22,8 @@ import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
 import { frameName } from '../kit/host.js';
 import { sheet } from './element-style.js';
-import { allowed, isHeight, leastHeight, mostHeight, version } from './frame.js';
+import { isHeight, leastHeight, mostHeight, version } from './frame.js';
+import { allowed } from './frame-line.js';
 import { createQuestions } from './questions.js';
 
 /** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting */

@@ -1,5 +1,4 @@
-// The text that puts a figure into another page, and the height that a figure asks for.
-import { escaped } from '../kit/markup.js';
+// The sizes of a figure, and the height that it asks for.
 
 /** Of the messages between a figure and its host, which messages.js describes. */
 export const version = 1;
@@ -30,10 +29,3 @@ export function wantedHeight(parts, page, lesson, width) {
   const [share, most] = lesson > 0 ? ofLesson : (parts.find(({ name }) => name === page)?.figure ?? ofLab);
   return Math.round(Math.min(most, Math.max(leastHeight, share * width)));
 }
-
-/** What a frame lets a figure do that a page of another origin may not: fill the screen, and, as Chromium wants it said, copy. */
-export const allowed = 'fullscreen; clipboard-write';
-
-/** The iframe, to be pasted into a page. @param {{ address: string, title: string, width: number, height: number }} frame */
-export const frameText = ({ address, title, width, height }) =>
-  `<iframe src="${escaped(address)}" title="${escaped(title)}" width="${width}" height="${height}" style="border: 0; max-width: 100%" loading="lazy" allow="${allowed}"></iframe>`;

@@ -1,7 +1,8 @@
 // What is on screen, as a frame for another page.
 /** @import { State } from '../run/state.js' */
 import { addressOf } from '../kit/host.js';
-import { frameText, sizes } from '../embed/frame.js';
+import { sizes } from '../embed/frame.js';
+import { frameText } from '../embed/frame-line.js';
 import { stepNames } from '../lesson/path.js';
 import { lab, lesson as lessonWords } from '../words/index.js';
 import words from './words/index.js';

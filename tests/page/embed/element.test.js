@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { createServer } from 'node:net';
 import { parts } from '../../../www/parts/parts.js';
-import { allowed, wantedHeight } from '../../../www/embed/frame.js';
+import { wantedHeight } from '../../../www/embed/frame.js';
+import { allowed } from '../../../www/embed/frame-line.js';
 import * as en from '../../../www/words/en/element.js';
 import * as ko from '../../../www/words/ko/element.js';
 import { engineTest, pageTest } from '../harness/browsers.js';

@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { relative } from 'node:path';
 import { areBuilt, book } from '../../../.tasks/examples.mjs';
 import { top } from '../../../.tasks/run.mjs';
-import { frameText } from '../../../www/embed/frame.js';
+import { frameText } from '../../../www/embed/frame-line.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, historyOf, shown, shownGains } from '../harness/core.js';
 import { serveHost, within } from '../harness/host.js';
