@@ -1,4 +1,5 @@
-// The drives from one place in all headings, which the map shows where one points.
+// The drives from one place in all headings, which the map shows where one points. Each is the only one of its experiment: its draw of a
+// random disturbance is not the one that the map has there.
 /** @import { Engine, Experiment, Run } from '../../core/engine.js' */
 /** @import { Grid } from './grid.js' */
 /** @import { Spec } from './request.js' */

@@ -26,7 +26,7 @@ export function headingNear(angle) {
   return ((steps % headings) + headings) % headings;
 }
 
-/** The start that the core drives from: the run from there is the map's own. @param {Grid} grid @param {number} cell @param {number} heading @returns {Posture} */
+/** The start that the core drives from: but for the draw of a random disturbance, the run from there is the map's own. @param {Grid} grid @param {number} cell @param {number} heading @returns {Posture} */
 export function startOf(grid, cell, heading) {
   const index = cell * grid.headings + heading;
   return startsOnGrid({ ...grid, part: [index, index + 1] })[0];

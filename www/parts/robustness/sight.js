@@ -8,6 +8,7 @@ import { html, render } from 'lit-html';
 import { listed } from '../../kit/segmented.js';
 import { halves, robustnessSlice } from './state.js';
 import { segmentedOf, selectOf } from '../fields.js';
+import { isTracking } from '../tracking.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { areShown } from './drives.js';
 import { robustnessTable } from './table.js';
@@ -29,7 +30,7 @@ import {
 
 const { texts } = words;
 
-/** @typedef {{ note: string, share: string, summary: string, sides: string, rival: string, readout: string, withLines: boolean }} Texts */
+/** @typedef {{ note: string, share: string, summary: string, sides: string, rival: string, readout: string, ring: string }} Texts */
 
 /** What stands around the map, drawn when it is another. @param {HTMLElement} element @param {Store} store */
 export function createSight(element, store) {
@@ -60,7 +61,9 @@ export function createSight(element, store) {
     )
       return;
     const nameOf = (/** @type {State['driver']} */ driver) => lab.driverName(driver, generation, state.found);
-    if (survey?.spec === spec)
+    const follows = isTracking(spec.experiment);
+    if (follows) ofSurvey = { share: words.none, summary: words.tracking, sides: '' };
+    else if (survey?.spec === spec)
       ofSurvey = {
         share: words.percent(survey.tally.share),
         summary: words.summary(nameOf(state.driver)),
@@ -69,9 +72,14 @@ export function createSight(element, store) {
     const shown = {
       ...ofSurvey,
       note: noteText(own, spec),
-      rival: words.rivalText(nameOf(comparisonDriver), rival?.spec === rivalSpec ? rival.tally.share : null),
+      rival: follows
+        ? ''
+        : words.rivalText(nameOf(comparisonDriver), rival?.spec === rivalSpec ? rival.tally.share : null),
       readout: readoutText(state, scene),
-      withLines: areShown(spec.experiment),
+      ring: [
+        words.ring(headings, areShown(spec.experiment)),
+        spec.experiment.disturbance.kind === 'random' ? words.ownDraws : '',
+      ].join(' '),
     };
     render(sight(own, shown, on), element);
   };
@@ -108,17 +116,15 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
         <div id="robustness-legend" class="survey-legend" data-picture="robustness"></div>
       </div>
     </div>
-    <p class="survey-ring">${words.ring(headings, shown.withLines)}</p>
+    <p class="survey-ring">${shown.ring}</p>
     <p id="robustness-sides" class="visually-hidden">${shown.sides}</p>
     <p id="robustness-readout" class="readout" aria-live="polite">${shown.readout}</p>`;
 }
 
 /** @param {RobustnessState} robustness @param {Spec} spec */
 function noteText({ survey, message }, spec) {
-  const { linear, angular } = spec.experiment.referenceVelocity;
   if (message) return words.failed(message);
   if (survey?.spec !== spec) return words.computing;
-  if (linear !== 0 || angular !== 0) return words.tracking;
   return words.startsText(survey.runs.arrived.length, survey.milliseconds);
 }
 
@@ -126,12 +132,14 @@ function noteText({ survey, message }, spec) {
 function readoutText(state, scene) {
   const { survey, heading, cursor } = robustnessSlice.of(state);
   const { start } = endsOf(state);
-  const { arrived, finalTime, cost } = scene.driving;
-  const run = { heading: start.theta, arrived, finalTime, cost: cost.total };
+  const { driving } = scene;
+  const run = { heading: start.theta, outcome: lab.outcomeText(driving), cost: driving.cost.total };
   if (!survey) return '';
-  const { grid, tally, runs } = survey;
+  const { grid, tally, runs, spec } = survey;
+  const follows = isTracking(spec.experiment);
   if (!cursor) {
-    const counts = holds(grid, start) ? [words.there(tally.count[cellNear(grid, start)], headings)] : [];
+    const counts =
+      holds(grid, start) && !follows ? [words.there(tally.count[cellNear(grid, start)], headings)] : [];
     return [words.watched(start, run), ...counts].join(' ');
   }
 
@@ -142,22 +150,28 @@ function readoutText(state, scene) {
     const at = cell * headings + index;
     return {
       heading: angleOf(index),
-      arrived: runs.arrived[at] === 1,
-      finalTime: runs.finalTime[at],
+      outcome: lab.outcomeText({
+        ...driving,
+        outcome: runs.arrived[at] === 1 ? 'arrived' : 'horizon',
+        finalTime: runs.finalTime[at],
+      }),
       cost: runs.cost[at],
     };
   };
   const current = headingOf(grid, cell, start);
   if (heading !== null)
     return `${words.driveText(place, driveOf(heading))} ${words.clickToWatch(current === heading)}`;
-  const counts = words.cellText(place, {
-    arrived: tally.count[cell],
-    headings,
-    time: tally.time[cell],
-    cost: tally.cost[cell],
-  });
+  const counts = follows
+    ? `${words.placeText(place)}.`
+    : words.cellText(place, {
+        arrived: tally.count[cell],
+        headings,
+        time: tally.time[cell],
+        cost: tally.cost[cell],
+      });
   const next = nextHeading(survey, cell, start);
+  const arrives = follows || runs.arrived[cell * headings + next] === 1;
   return `${counts} ${
-    current >= 0 ? words.watching(run, angleOf(next)) : words.invitation(angleOf(next), driveOf(next).arrived)
+    current >= 0 ? words.watching(run, angleOf(next)) : words.invitation(angleOf(next), arrives)
   }`;
 }

@@ -6,7 +6,7 @@
 /** @import { Row } from './table.js' */
 import './style.css';
 import './places.css';
-import { html, render } from 'lit-html';
+import { html, nothing, render } from 'lit-html';
 import { trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
 import { selectOf } from '../fields.js';
@@ -18,6 +18,7 @@ import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { isFree } from '../../run/guard.js';
 import { changesOf } from '../changes.js';
+import { isTracking } from '../tracking.js';
 import { createPicture, signs } from './picture.js';
 import { createTraining, evolvedFor, handOf, lengths } from './request.js';
 import { circleCount, gridCount, isSet, setNames, unseenCount, unseenRadius } from './sets.js';
@@ -66,13 +67,18 @@ export function createPage({ engine, store, actions, paper }) {
       workIfWanted(state);
 
       const own = isSet(chosen) ? sets[chosen] : sets.one;
-      const seen = result?.training ?? { starts: own, arrived: null };
-      const unseen = result?.unseen ?? { starts: sets.unseen, arrived: null };
+      const follows = isTracking(state.experiment);
+      const fares = follows ? null : result;
+      const seen = fares?.training ?? { starts: result?.training.starts ?? own, arrived: null };
+      const unseen = fares?.unseen ?? { starts: sets.unseen, arrived: null };
       const { start } = state.trial;
       show(
         state,
         rows,
-        [words.trainingTitle(chosen, result, own.length), words.unseenTitle(result, unseen.starts.length)],
+        [
+          words.trainingTitle(chosen, fares, seen.starts.length),
+          words.unseenTitle(fares, unseen.starts.length),
+        ],
         start ? words.readout(start, lab.outcomeText(driving)) : '',
       );
       // What was evolved for another goal is shown around that goal.
@@ -186,6 +192,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
     cancelled ? words.cancelled(evolved !== null) : '',
     changes.length > 0 ? words.outOfDate(changes) : '',
   ].filter((text) => text !== '');
+  const follows = isTracking(experiment);
   const ep = rows.find(({ name }) => name === 'paper-ep');
   return html`
     <div class="heading">
@@ -205,16 +212,20 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
     </div>
     <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'} aria-live=${evolved || runs ? 'polite' : 'off'}>${
       evolved
-        ? spread
-          ? words.spreadText(spread, unseenCount, evolved.results.one.training.starts.length)
-          : words.lesson(evolved)
-        : !ep
-          ? words.invitation(experiment.starts.length)
-          : ep.result
-            ? words.question(ep.result)
-            : words.driving
+        ? isTracking(evolved.experiment)
+          ? words.followed(evolved)
+          : spread
+            ? words.spreadText(spread, unseenCount, evolved.results.one.training.starts.length)
+            : words.lesson(evolved)
+        : follows
+          ? words.tracking
+          : !ep
+            ? words.invitation(experiment.starts.length)
+            : ep.result
+              ? words.question(ep.result)
+              : words.driving
     }</p>
-    ${tableOf(rows, spread, chosenOf(state), { unseen: unseenCount, own: experiment.starts.length }, choose)}
+    ${tableOf(rows, spread, chosenOf(state), { unseen: unseenCount, own: experiment.starts.length, follows }, choose)}
     <div class="training-pictures picture" data-picture="training" data-name=${words.texts.trainingPicture}>
       <p id="training-seen-title">${titles[0]}</p>
       <p id="training-unseen-title">${titles[1]}</p>
@@ -222,7 +233,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <canvas id="training-unseen" role="application" tabindex="0" aria-describedby="training-readout" aria-label=${words.pictureLabel(titles[1])}></canvas>
     </div>
     <p id="training-readout" class="visually-hidden" aria-live="polite">${readout}</p>
-    <p id="training-key" class="muted training-key" data-picture="training">${sign('arrives')} ${words.signs.arrives} ${sign('misses')} ${words.signs.misses} ${words.key(
+    <p id="training-key" class="muted training-key" data-picture="training">${follows ? nothing : html`${sign('arrives')} ${words.signs.arrives} ${sign('misses')} ${words.signs.misses} `}${words.key(
       unseenCount,
       unseenRadius,
       experiment.horizon,

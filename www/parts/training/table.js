@@ -9,22 +9,23 @@ import { isSet } from './sets.js';
 
 /** What a row shows; `result` is null before there is one. @typedef {{ name: RowName, text: string, result: Result | null, old: boolean }} Row */
 
-/** @param {readonly Row[]} rows @param {Spread | null} spread @param {RowName} chosen @param {{ unseen: number, own: number }} counts How many starts are never seen, and how many are the experiment's own. @param {(name: RowName) => void} onChoose */
-export function tableOf(rows, spread, chosen, { unseen, own }, onChoose) {
-  const heads = words.columnsOf(unseen, own);
+/** @param {readonly Row[]} rows @param {Spread | null} spread @param {RowName} chosen @param {{ unseen: number, own: number, follows: boolean }} counts How many starts are never seen, and how many are the experiment's own; whether nobody arrives, because the reference moves. @param {(name: RowName) => void} onChoose */
+export function tableOf(rows, spread, chosen, counts, onChoose) {
+  const heads = words.columnsOf(counts.unseen, counts.own);
   return html`
     <table id="training-table" class="training-table" aria-label=${words.texts.trainingTable}>
       <thead><tr>${heads.map((text) => html`<th scope="col">${text}</th>`)}</tr></thead>
-      <tbody>${rows.map((row) => rowOf(row, spread, unseen, row.name === chosen, onChoose))}</tbody>
+      <tbody>${rows.map((row) => rowOf(row, spread, counts, row.name === chosen, onChoose))}</tbody>
     </table>`;
 }
 
-/** @param {Row} row @param {Spread | null} spread @param {number} unseen @param {boolean} chosen @param {(name: RowName) => void} onChoose */
-function rowOf({ name, text, result, old }, spread, unseen, chosen, onChoose) {
+/** @param {Row} row @param {Spread | null} spread @param {{ unseen: number, follows: boolean }} counts @param {boolean} chosen @param {(name: RowName) => void} onChoose */
+function rowOf({ name, text, result, old }, spread, { unseen: all, follows }, chosen, onChoose) {
   /** @param {(result: Result) => string} write */
   const shown = (write) => (result ? write(result) : words.none);
-  const share = (/** @type {Result['unseen']} */ { count, starts }) => words.percent(count, starts.length);
-  const filled = result ? (100 * result.unseen.count) / result.unseen.starts.length : 0;
+  const share = (/** @type {Result['unseen']} */ { count, starts }) =>
+    follows ? words.none : words.percent(count, starts.length);
+  const filled = result && !follows ? (100 * result.unseen.count) / result.unseen.starts.length : 0;
   // The button is for the keyboard; the whole row is as good for the pointer.
   return html`
     <tr id="training-${name}" class="${chosen ? 'chosen' : ''} ${old ? 'old' : ''}" @click=${() => onChoose(name)}>
@@ -36,7 +37,7 @@ function rowOf({ name, text, result, old }, spread, unseen, chosen, onChoose) {
           )}</span>
       </th>
       <td class="training-seen">${isSet(name) ? shown(({ training }) => share(training)) : words.none}</td>
-      <td class="training-unseen"><span class="training-bar"><span ${styled('width', `${filled}%`)}></span>${isSet(name) && spread ? dotsOf(spread[name], unseen) : nothing}</span><strong>${shown(
+      <td class="training-unseen"><span class="training-bar"><span ${styled('width', `${filled}%`)}></span>${isSet(name) && spread && !follows ? dotsOf(spread[name], all) : nothing}</span><strong>${shown(
         ({ unseen }) => share(unseen),
       )}</strong></td>
       <td class="training-cost">${shown(({ unseen }) => words.cost(unseen.cost))}</td>

@@ -3,7 +3,9 @@
 import { fixed } from '../../../words/numbers.js';
 
 /** @typedef {{ x: number, y: number }} Place */
-/** @typedef {{ heading: number, arrived: boolean, finalTime: number, cost: number }} Drive */
+/** @typedef {{ heading: number, outcome: string, cost: number }} Drive */
+
+export const none = '–';
 
 /** @param {number} half */
 export const extent = (half) => `±${half} m`;

@@ -2,7 +2,7 @@
 /** @import { Quantity } from '../request.js' */
 /** @import { Drive, Place } from './common.js' */
 import { placeText } from './common.js';
-import { costText, degrees, fixed, grouped, sixDigits } from '../../../words/en/numbers.js';
+import { costText, degrees, fixed, grouped } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 
@@ -69,6 +69,9 @@ export const ring = (headings, withLines) =>
   withLines
     ? `Ring and lines: the ${headings} headings of one place. Empty or dashed: it does not arrive.`
     : `The ring: ${headings} headings at one place. Empty: it does not arrive.`;
+/** Where the disturbance is random. */
+export const ownDraws =
+  'The random disturbance of each start of the map is a draw of its own; what you watch, and the ring’s lines, have another.';
 /** @param {'x' | 'y'} axis */
 export const axisName = (axis) => `${axis} of the start (m)`;
 
@@ -89,9 +92,6 @@ export const never = (all) => (all ? 'none arrives' : 'does not arrive');
 
 export const goal = 'goal';
 export const ownStart = 'start of J';
-/** @param {Drive} drive */
-const outcome = ({ arrived, finalTime }) =>
-  arrived ? `arrives after ${fixed(finalTime, 2)} s` : `has not arrived after ${sixDigits(finalTime)} s`;
 
 /** @param {number} arrived @param {number} headings */
 const arrivals = (arrived, headings) =>
@@ -111,11 +111,11 @@ export const cellText = (place, { arrived, headings, time, cost }) =>
 
 /** @param {Place} place @param {Drive} drive */
 export const driveText = (place, drive) =>
-  `${placeText(place)}, heading ${degrees(drive.heading)}: ${outcome(drive)}, J\u00a0${costText(drive.cost)}.`;
+  `${placeText(place)}, heading ${degrees(drive.heading)}: ${drive.outcome}, J\u00a0${costText(drive.cost)}.`;
 
 /** @param {Drive} drive @param {number} next */
 export const watching = (drive, next) =>
-  `You watch ${degrees(drive.heading)}: ${outcome(drive)}. Press again: ${degrees(next)}.`;
+  `You watch ${degrees(drive.heading)}: ${drive.outcome}. Press again: ${degrees(next)}.`;
 
 /** @param {number} worst @param {boolean} arrives */
 export const invitation = (worst, arrives) =>

@@ -2,7 +2,7 @@
 /** @import { Quantity } from '../request.js' */
 /** @import { Drive, Place } from './common.js' */
 import { placeText } from './common.js';
-import { costText, degrees, fixed, grouped, sixDigits } from '../../../words/ko/numbers.js';
+import { costText, degrees, fixed, grouped } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 
@@ -65,6 +65,9 @@ export const ring = (headings, withLines) =>
   withLines
     ? `고리와 선: 한 곳의 방향각 ${headings}개. 빈칸과 점선은 도착하지 못함.`
     : `고리: 한 곳의 방향각 ${headings}개. 빈칸은 도착하지 못함.`;
+/** Where the disturbance is random. */
+export const ownDraws =
+  '무작위 외란은 지도의 출발점마다 따로 뽑습니다. 지금 보는 주행과 둘레의 선은 또 다르게 뽑은 것입니다.';
 /** @param {'x' | 'y'} axis */
 export const axisName = (axis) => `출발점 ${axis} (m)`;
 
@@ -86,10 +89,6 @@ export const never = (all) => (all ? '모두 미도착' : '미도착');
 export const goal = '목표';
 export const ownStart = '원래 출발점';
 
-/** @param {Drive} drive */
-const outcome = ({ arrived, finalTime }) =>
-  arrived ? `${fixed(finalTime, 2)}초 뒤 도착` : `${sixDigits(finalTime)}초 안에 도착하지 못함`;
-
 /** @param {number} arrived @param {number} headings */
 const arrivals = (arrived, headings) =>
   arrived === headings
@@ -106,11 +105,11 @@ export const cellText = (place, { arrived, headings, time, cost }) =>
 
 /** @param {Place} place @param {Drive} drive */
 export const driveText = (place, drive) =>
-  `${placeText(place)}, 방향각 ${degrees(drive.heading)}: ${outcome(drive)}, J\u00a0${costText(drive.cost)}.`;
+  `${placeText(place)}, 방향각 ${degrees(drive.heading)}: ${drive.outcome}, J\u00a0${costText(drive.cost)}.`;
 
 /** @param {Drive} drive @param {number} next */
 export const watching = (drive, next) =>
-  `보고 있는 방향각 ${degrees(drive.heading)}: ${outcome(drive)}. 다시 누르면: ${degrees(next)}.`;
+  `보고 있는 방향각 ${degrees(drive.heading)}: ${drive.outcome}. 다시 누르면: ${degrees(next)}.`;
 
 /** @param {number} worst @param {boolean} arrives */
 export const invitation = (worst, arrives) =>

@@ -108,6 +108,13 @@ export function lesson({ results: { one, circle, grid } }) {
   return `${found.join(' ')} ${moral(one, best)}`.trim();
 }
 
+export const tracking =
+  'The reference moves: the robots follow it, and none arrives. Evolve on each set of starts, and compare the mean J.';
+
+/** The same where the reference moved. @param {Evolved} evolved */
+export const followed = ({ results: { one, circle, grid } }) =>
+  `The reference moves, so none arrives: compare the mean J from ${whole(one.unseen.starts.length)} starts never seen. Evolved on ${starts(one.training.starts.length)}: ${cost(one.unseen.cost)}. On a circle of ${circle.training.starts.length}: ${cost(circle.unseen.cost)}, on a grid of ${grid.training.starts.length}: ${cost(grid.unseen.cost)}.`;
+
 /** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
 export function spreadText({ one, circle, grid }, unseen, own) {
   const range = (/** @type {readonly number[]} */ counts) =>

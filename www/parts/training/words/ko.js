@@ -98,6 +98,13 @@ export function lesson({ results: { one, circle, grid } }) {
   return `${found} ${moral(one, best)}`.trim();
 }
 
+export const tracking =
+  '기준 자세가 움직이므로 로봇은 이를 추종할 뿐 도착하지 않습니다. 출발점 집합마다 진화시켜 평균 J를 비교해 보십시오.';
+
+/** The same where the reference moved. @param {Evolved} evolved */
+export const followed = ({ results: { one, circle, grid } }) =>
+  `기준 자세가 움직이므로 도착하는 로봇은 없습니다. 처음 보는 출발점 ${grouped(one.unseen.starts.length)}개의 평균 J로 비교하면, 출발점 ${one.training.starts.length}개로 진화한 로봇은 ${cost(one.unseen.cost)}, 원 위의 ${circle.training.starts.length}개로는 ${cost(circle.unseen.cost)}, 격자의 ${grid.training.starts.length}개로는 ${cost(grid.unseen.cost)}입니다.`;
+
 /** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
 export function spreadText({ one, circle, grid }, unseen, own) {
   const range = (/** @type {readonly number[]} */ counts) =>
