@@ -53,7 +53,7 @@ export function createDraw(views, engine, paper, inSight, turn) {
 
   /** @param {State} state @param {Scene} scene @returns {Record<string, () => void>} */
   const labOf = (state, scene) => {
-    const { driver, experiment, history, generation, preset, robot, speed } = state;
+    const { driver, experiment, history, generation, population, preset, robot, speed } = state;
     const { finalTime } = scene.driving;
     const time = Math.min(robot.time, finalTime);
     return {
@@ -62,7 +62,7 @@ export function createDraw(views, engine, paper, inSight, turn) {
       robotBar: () => views.robotBar.draw({ time, finalTime, playing: robot.playing, speed }),
       cost: () =>
         views.cost.draw({
-          title: strings.costTitle(driver, state.found),
+          title: strings.costTitle(driver, state.found, population[0].cost <= history[generation].best.cost),
           starts: scene.experiment.starts.length,
           run: scene.driving,
           note: costNote(scene, state),
@@ -86,7 +86,7 @@ export function createDraw(views, engine, paper, inSight, turn) {
           found: state.found,
           history,
           generation,
-          population: state.population.length,
+          population: population.length,
           pins: state.pins,
           atRest: !robot.playing && !state.evolving && !state.dragging,
           tried: state.trial.start !== null,
@@ -150,11 +150,11 @@ function evolutionOf(state) {
 }
 
 /** @param {Scene} scene @param {State} state */
-function costNote(scene, { driver, history, generation, found }) {
+function costNote(scene, { driver, population, generation, found }) {
   const { comparison, comparisonDriver, paperEp } = scene;
   const { length: starts } = scene.experiment.starts;
   // From one of many starts others may be better.
-  if (driver === 'evolved' && starts > 1) return strings.meanNote(starts, history[generation].best.cost);
+  if (driver === 'evolved' && starts > 1) return strings.meanNote(starts, population[0].cost);
   if (driver === 'paper-ep')
     return strings.costNote(strings.driverName('paper-arbitrary', 0, 'hand'), comparison.cost.total);
   if (paperEp) return strings.costNote(strings.driverName('paper-ep', 0, 'hand'), paperEp.cost.total);

@@ -111,10 +111,10 @@ export const driverName = (driver, generation, found) =>
 export const costMeaning = (starts) =>
   starts > 1 ? `J from the first of ${starts} starts, lower is better` : 'J, lower is better';
 
-/** @param {Driver} driver @param {import('../common/kinds.js').Found} found */
-export const costTitle = (driver, found) =>
+/** @param {Driver} driver @param {import('../common/kinds.js').Found} found @param {boolean} isLowest Of all generations: some searches forget theirs. */
+export const costTitle = (driver, found, isLowest) =>
   ({
-    evolved: 'Cost of the best robot',
+    evolved: isLowest ? 'Cost of the best robot' : 'Cost of this generation’s best robot',
     hand: `Cost of ${foundName[found]}`,
     'paper-ep': 'Cost of the paper’s EP gains',
     'paper-arbitrary': 'Cost of the paper’s arbitrary gains',

@@ -107,10 +107,10 @@ export const driverName = (driver, generation, found) =>
 export const costMeaning = (starts) =>
   starts > 1 ? `출발점 ${starts}개 중 첫 번째의 J, 낮을수록 좋음` : 'J, 낮을수록 좋음';
 
-/** @param {Driver} driver @param {import('../common/kinds.js').Found} found */
-export const costTitle = (driver, found) =>
+/** @param {Driver} driver @param {import('../common/kinds.js').Found} found @param {boolean} isLowest Of all generations: some searches forget theirs. */
+export const costTitle = (driver, found, isLowest) =>
   ({
-    evolved: '최우수 로봇의 비용',
+    evolved: isLowest ? '최우수 로봇의 비용' : '이 세대 최우수 로봇의 비용',
     hand: `${foundName[found]}의 비용`,
     'paper-ep': '논문 EP 이득의 비용',
     'paper-arbitrary': '논문 임의 이득의 비용',
