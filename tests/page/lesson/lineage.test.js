@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { lineageOf, numbersBelow } from '../../../www/lesson/views/lineage.js';
 import { sigma as words } from '../../../www/lesson/words/en/sigma.js';
+import { sigma as ko } from '../../../www/lesson/words/ko/sigma.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { opened } from './links.js';
@@ -32,6 +33,26 @@ test('a lineage is a chain of births that ends with the best, and begins among t
       }
     }
   }
+});
+
+test('of a family that begins late it is said that ancestors are left out', () => {
+  const evolution = new Evolution(usual);
+  for (let g = 1; g <= 620; g++) evolution.step();
+  for (const generation of [60, 540, 620]) {
+    const family = lineageOf((g) => evolution.record(g), generation);
+    const { born } = family[0];
+    assert.equal(born > 0, generation > 500);
+    for (const [{ lineage }, leftOut, isFirst] of /** @type {const} */ ([
+      [words, /left out/, /one of the first/],
+      [ko, /생략/, /처음에 뽑은/],
+    ]))
+      for (const count of [1, family.length, 2]) {
+        const said = lineage.title(generation, count, born);
+        assert.equal(leftOut.test(said), born > 0, said);
+        assert.equal(isFirst.test(said), born === 0 && count === 1, said);
+      }
+  }
+  evolution.free();
 });
 
 test('the numbers below a family are those of their places, and none touches another', () => {

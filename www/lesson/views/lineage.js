@@ -14,7 +14,7 @@ import { lab } from '../../words/index.js';
 /** @import { Experiment, GenerationRecord, Individual, Statistics } from '../../core/engine.js' */
 /** @import { Block, Live, Tools } from '../page.js' */
 /** @typedef {{ born: number, individual: Individual }} Ancestor */
-/** @typedef {{ lineage: { title: (generation: number, count: number) => string, axis: string, sigma: (first: number, last: number) => string, label: (gain: string, family: readonly Ancestor[], i: number) => string, other: string } }} LineageWords */
+/** @typedef {{ lineage: { title: (generation: number, count: number, first?: number) => string, axis: string, sigma: (first: number, last: number) => string, label: (gain: string, family: readonly Ancestor[], i: number) => string, other: string } }} LineageWords */
 
 /** So far back at the most: before that nothing would be seen of each. */
 const mostGenerations = 500;
@@ -115,7 +115,7 @@ function picture(family, generation, { evolution }, wide, words) {
     generation > first ? (born - first) / (generation - first) : 0;
   const marks = ticks(first, generation, 5).filter(Number.isInteger);
   return html`
-    <p class="lineage-title">${words.title(generation, family.length)}</p>
+    <p class="lineage-title">${words.title(generation, family.length, first)}</p>
     <div class="lineage-columns">
       <span class="lineage-name" aria-hidden="true">${words.axis}</span>
       <div class="lineage-axis" aria-hidden="true">${marks.map((mark) => html`<span ${styled('--at', String(downAt(share(mark)) / height))}>${mark}</span>`)}</div>

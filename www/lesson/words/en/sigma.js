@@ -6,13 +6,15 @@ import { gainText, sigmaText } from '../../../parts/generation/words/common.js';
 
 export const sigma = {
   lineage: {
-    /** @param {number} generation @param {number} count */
-    title: (generation, count) =>
+    /** @param {number} generation @param {number} count @param {number} [first] Where the family begins: not at 0 if earlier ancestors are left out. */
+    title: (generation, count, first = 0) =>
       generation === 0
         ? 'The best robot of generation 0: it has no parents.'
         : count === 1
-          ? `The best robot of generation ${generation} is one of the first: it has no parents.`
-          : `The best robot of generation ${generation} and its ${count === 2 ? 'parent' : `${count - 1} ancestors`}: the steps that were handed on.`,
+          ? first > 0
+            ? `The best robot of generation ${generation} was born in generation ${first} or before: its ancestors are left out.`
+            : `The best robot of generation ${generation} is one of the first: it has no parents.`
+          : `The best robot of generation ${generation} and its ${count === 2 ? 'parent' : `${count - 1} ancestors`}: the steps that were handed on.${first > 0 ? ` Those before generation ${first} are left out.` : ''}`,
     axis: 'born',
     /** @param {number} first @param {number} last */
     sigma: (first, last) => `σ ${sigmaText(first)} → ${sigmaText(last)}`,
