@@ -60,7 +60,7 @@ pageTest('a moving reference is followed, and a random disturbance drawn for eac
   assert.equal(await page.text('#robustness-share'), '–');
   assert.equal(await page.text('#robustness-summary'), robustness.tracking);
   assert.equal(await page.text('#robustness-rival'), '');
-  assert.ok((await page.text('.survey-ring')).endsWith(robustness.ownDraws));
+  assert.equal(await page.text('.survey-ring'), robustness.ownDraws(18, true));
   const readout = () => page.text('#robustness-readout');
   assert.match(await readout(), /follows the reference for 10 s, J/);
   await page.focus('#robustness-map');

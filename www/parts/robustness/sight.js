@@ -76,10 +76,10 @@ export function createSight(element, store) {
         ? ''
         : words.rivalText(nameOf(comparisonDriver), rival?.spec === rivalSpec ? rival.tally.share : null),
       readout: readoutText(state, scene),
-      ring: [
-        words.ring(headings, areShown(spec.experiment)),
-        spec.experiment.disturbance.kind === 'random' ? words.ownDraws : '',
-      ].join(' '),
+      ring: (spec.experiment.disturbance.kind === 'random' ? words.ownDraws : words.ring)(
+        headings,
+        areShown(spec.experiment),
+      ),
     };
     render(sight(own, shown, on), element);
   };

@@ -69,9 +69,9 @@ export const ring = (headings, withLines) =>
   withLines
     ? `Ring and lines: the ${headings} headings of one place. Empty or dashed: it does not arrive.`
     : `The ring: ${headings} headings at one place. Empty: it does not arrive.`;
-/** Where the disturbance is random. */
-export const ownDraws =
-  'The random disturbance of each start of the map is a draw of its own; what you watch, and the ring’s lines, have another.';
+/** The same where the disturbance is random: the map drives each start with a draw of its own. @param {number} headings @param {boolean} withLines */
+export const ownDraws = (headings, withLines) =>
+  `Ring: ${headings} headings of one place. ${withLines ? 'Lines and what you watch: other draws' : 'What you watch: another draw'} of the disturbance.`;
 /** @param {'x' | 'y'} axis */
 export const axisName = (axis) => `${axis} of the start (m)`;
 

@@ -65,9 +65,9 @@ export const ring = (headings, withLines) =>
   withLines
     ? `고리와 선: 한 곳의 방향각 ${headings}개. 빈칸과 점선은 도착하지 못함.`
     : `고리: 한 곳의 방향각 ${headings}개. 빈칸은 도착하지 못함.`;
-/** Where the disturbance is random. */
-export const ownDraws =
-  '무작위 외란은 지도의 출발점마다 따로 뽑습니다. 지금 보는 주행과 둘레의 선은 또 다르게 뽑은 것입니다.';
+/** The same where the disturbance is random: the map drives each start with a draw of its own. @param {number} headings @param {boolean} withLines */
+export const ownDraws = (headings, withLines) =>
+  `고리: 한 곳의 방향각 ${headings}개. ${withLines ? '선과 지금 보는 주행은' : '지금 보는 주행은'} 외란을 따로 뽑은 것입니다.`;
 /** @param {'x' | 'y'} axis */
 export const axisName = (axis) => `출발점 ${axis} (m)`;
 
