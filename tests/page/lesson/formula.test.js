@@ -1,6 +1,29 @@
 // What a formula reads with the numbers of now.
 import assert from 'node:assert/strict';
+import { lawFormula, rateFormula, robustFormula } from '../../../www/lesson/formulas/formulas.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
+import { test } from '../harness/once.js';
+import { liveOf } from './live.js';
+
+test('another rule has no numbers in the formulas of law (5), and no disturbance has the bound 0', () => {
+  for (const [law, isNumber] of /** @type {const} */ ([
+    ['shim-kim', true],
+    ['kanayama', false],
+  ])) {
+    const live = liveOf(`lab&law=${law}`);
+    const [{ v, w }, { Vdot }] = [lawFormula, rateFormula].map((one) => one.numbers?.(live) ?? {});
+    for (const text of [v, w, Vdot]) assert.equal(text !== undefined, isNumber, `${law}: ${text}`);
+  }
+  const bounds = ['slip', 'none'].map((kind) => {
+    const live = liveOf(`lab&disturbance.kind=${kind}&disturbance.linear=0.1&disturbance.angular=0.2`);
+    const { e1, e2 } = robustFormula.numbers?.(live) ?? {};
+    return [e1, e2];
+  });
+  assert.deepEqual(bounds, [
+    ['0.100', '0.200'],
+    ['0.000', '0.000'],
+  ]);
+});
 
 const steps = ['error', 'law', 'stability', 'cost', 'generation', 'sigma', 'disturbance'];
 

@@ -19,13 +19,16 @@ export const errorNumbers = ({ error: { x, y, theta } }, digits) => ({
 /** @param {Triple} gains @param {number} digits */
 const gainNumbers = (gains, digits) => named((i) => ({ k: signed(gains[i], digits) }));
 
-/** The numbers that the law works with. @param {Pick<Live, 'sample' | 'gains'>} live */
-function lawNumbers({ sample, gains }) {
+/** Another rule may drive, of which these formulas say nothing. @param {Pick<Live, 'state'>} live */
+const isTheLaw = ({ state }) => state.experiment.law === 'shim-kim';
+
+/** The numbers that the law works with. @param {Pick<Live, 'sample' | 'gains' | 'state'>} live */
+function lawNumbers({ sample, gains, state }) {
+  const { linear, angular } = sample.command;
   return {
     ...errorNumbers(sample, 2),
     ...gainNumbers(gains, 2),
-    v: signed(sample.command.linear, 2),
-    w: signed(sample.command.angular, 2),
+    ...(isTheLaw({ state }) && { v: signed(linear, 2), w: signed(angular, 2) }),
   };
 }
 
@@ -67,7 +70,7 @@ export const lawFormula = {
     `w = [kt: ${angular.kt}] + [ky: ${angular.ky}]`,
     `+ [kx: ${angular.kx}]`,
   ],
-  numbers: ({ decided, gains }) => lawNumbers({ sample: decided, gains }),
+  numbers: (live) => lawNumbers({ ...live, sample: live.decided }),
 };
 
 /** (9); its parts in the order of the paper. @type {Formula} */
@@ -95,11 +98,12 @@ export const robustFormula = {
   label: '(6)–(8)',
   lines: ['kx > e1 / |{xe · cos te}|', 'ky > {e1 · |sin te|} / |ye|^3', 'kt > e2 / |sin te|'],
   numbers({ sample, gains, scene }) {
-    const { linear, angular } = scene.experiment.disturbance;
+    const { kind, linear, angular } = scene.experiment.disturbance;
+    const bound = (/** @type {number} */ push) => signed(kind === 'none' ? 0 : Math.abs(push), 3);
     return {
       ...gainNumbers(gains, 3),
-      e1: signed(Math.abs(linear), 3),
-      e2: signed(Math.abs(angular), 3),
+      e1: bound(linear),
+      e2: bound(angular),
       ...errorNumbers(sample, 3),
     };
   },
@@ -165,6 +169,7 @@ export const rateFormula = {
   lines: ['Vdot = − [xe: kx · xe^2 · cos^2 te] − [ye: ky · ye^4]', '− [te: kt · sin^2 te]'],
   numbers: (live) => {
     const { error } = live.sample;
+    if (!isTheLaw(live)) return lawNumbers(live);
     const isSomewhere = [error.x, error.y, error.theta].every(Number.isFinite);
     const { promised } = isSomewhere ? lawTerms({ law: 'shim-kim' }, live.gains, error) : { promised: null };
     const rate = promised ? promised.x + promised.y + promised.theta : Number.NaN;
