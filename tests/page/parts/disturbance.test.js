@@ -118,8 +118,8 @@ pageTest('what remains is what the core measures, for each kind of disturbance',
     const core = expected(arbitrary, disturbance);
     const { calm, text, clock, legend } = await shows(page, core.rows);
     assert.deepEqual(calm, core.calm, kind);
-    assert.ok(text.includes(`Of 32 other starts, ${core.allInside} stay inside all three`), text);
-    assert.equal(text.includes('this drive stays inside all three sets'), core.isInside, text);
+    assert.ok(text.includes(`Of 32 other starts, ${core.allInside} stay within reach of all three`), text);
+    assert.equal(text.includes('this drive stays within reach of all three sets'), core.isInside, text);
     // Nobody arrives, and the robot is compared with itself.
     assert.match(clock, /of 10\.00 s/);
     assert.match(legend, /without the disturbance/);

@@ -5,7 +5,7 @@ import { typed } from '../../words/numbers.js';
 
 /** @typedef {typeof parts[number]} PartName */
 /** The largest of the last seconds: of the drive, and of the other starts. @typedef {{ drive: number, median: number, largest: number }} Sizes */
-/** How far the set of the drive reaches, and how many others stay inside their own. @typedef {Sizes & { set: number, isInside: boolean, inside: number }} Row */
+/** How far the set of the drive reaches, and how many others stay within that of their own: the set of y changes with θ. @typedef {Sizes & { set: number, isInside: boolean, inside: number }} Row */
 /**
  * @typedef {object} Summary
  * @property {Record<PartName, Row>} rows

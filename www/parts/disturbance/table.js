@@ -24,7 +24,7 @@ export const tableOf = (summary) => html`
       <tr>
         <th scope="col">${texts.remainsMedian}</th>
         <th scope="col">${texts.remainsLargest}</th>
-        <th scope="col">${texts.remainsInside}</th>
+        <th scope="col" title=${texts.remainsInsideHint}>${texts.remainsInside}</th>
       </tr>
     </thead>
     <tbody id="remains-rows">${parts.map((part) => rowOf(part, summary))}</tbody>

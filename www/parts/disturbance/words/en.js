@@ -17,6 +17,7 @@ export const texts = {
   remainsMedian: 'median',
   remainsLargest: 'largest',
   remainsInside: 'inside',
+  remainsInsideHint: 'How many stay, in these seconds, within the farthest reach of their own set',
 };
 
 export const kindLegend = 'Kind of disturbance';
@@ -80,7 +81,7 @@ function driveText(summary) {
     return `${promise}${last} this drive still has up to ${left}.`;
   }
   const outside = parts.filter((part) => !rows[part].isInside);
-  if (outside.length === 0) return `${last} this drive stays inside all three sets.`;
+  if (outside.length === 0) return `${last} this drive stays within reach of all three sets.`;
   const excess = outside.map(
     (part) =>
       `${formulaText(part)} is up to ${amount(part, rows[part].drive)}, its set reaches to ${amount(part, rows[part].set)}`,
@@ -95,7 +96,7 @@ function othersText(summary) {
   if (!isPromised(summary))
     return `From ${startsText(starts)}, ${disturbed ? 'even undisturbed, ' : ''}${most}.`;
   const others = disturbed
-    ? `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} inside all three; even undisturbed, ${most}`
+    ? `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} within reach of all three; even undisturbed, ${most}`
     : `From ${startsText(starts)}, ${most}`;
   return `${others}: the theorem does not say how soon, and knows no limits and no samples.`;
 }
