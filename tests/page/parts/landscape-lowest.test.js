@@ -5,10 +5,12 @@ import { placeNames } from '../../../www/parts/landscape/names.js';
 import { namesOf } from '../../../www/parts/landscape/points.js';
 import { isInSlice, linearRange } from '../../../www/parts/landscape/request.js';
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
+import * as en from '../../../www/parts/landscape/words/en.js';
+import * as ko from '../../../www/parts/landscape/words/ko.js';
 import { legendOf, noteText } from '../../../www/parts/landscape/told.js';
 import words from '../../../www/parts/landscape/words/index.js';
 import { pageTest } from '../harness/browsers.js';
-import { evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
+import { evaluate, experiment, landscape, paperGains, simulate, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../../../www/parts/landscape/request.js').Spec} Spec */
@@ -192,4 +194,15 @@ pageTest('in the sentences of the landscape the gains are written as in formulas
   );
   const all = ['symbol kx', 'symbol ky', 'symbol ktheta'];
   assert.deepEqual(written, [all, all, ['symbol ky']]);
+});
+
+test('whatever searches, the path is said to be that of the best so far', () => {
+  const methods = /** @type {Parameters<typeof en.methodSketch>[0][]} */ (
+    wordFields().find(({ path }) => path === 'evolution.method')?.words ?? []
+  );
+  assert.ok(methods.length > 5);
+  for (const method of methods) {
+    assert.match(en.methodSketch(method), /^Line: the best so far\./);
+    assert.match(ko.methodSketch(method), /^선: 지금까지의 최우수\./);
+  }
 });

@@ -32,7 +32,7 @@ import { drawSketch } from './sketch.js';
  * @property {Individual[]} population
  * @property {boolean} hasSigmas Whether their σ say how far they step.
  * @property {Sketch | null} sketch What the method sees, if it is not the paper's.
- * @property {readonly Triple[]} path The best of each generation.
+ * @property {readonly Triple[]} path The best so far at each generation.
  * @property {readonly Point[]} points
  * @property {readonly [number, number] | null} cursor
  * @property {{ width: number, height: number }} size

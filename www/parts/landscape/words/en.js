@@ -49,19 +49,18 @@ export const hand = 'by hand';
 
 /** What is drawn of a method, beside its robots. @type {Readonly<Partial<Record<import('../../../core/engine.js').Experiment['evolution']['method'], string>>>} */
 const sketches = {
-  ep: 'Line: the best of each generation. Crosses: one σ.',
-  random: 'Line: the best of each generation.',
+  ep: 'Crosses: one σ.',
   'cma-es':
     'The ellipses are the distribution that these robots were drawn from, at one and at two standard deviations.',
-  de: 'Lines lead from a robot to its trial: moved by the difference of two others (dashed). Solid: it took a place.',
-  'nelder-mead': 'The lines are the simplex. Dashed: what was tried in the place of its worst corner.',
-  'one-plus-one-es': 'The line is the step that was tried.',
-  'one-at-a-time': 'The line is the step that was tried.',
+  de: 'The other lines lead from a robot to its trial: moved by the difference of two others (dashed). Solid: it took a place.',
+  'nelder-mead': 'The other lines are the simplex. Dashed: what was tried in the place of its worst corner.',
+  'one-plus-one-es': 'The other line is the step that was tried.',
+  'one-at-a-time': 'The other line is the step that was tried.',
   'finite-differences':
-    'The lines are the steps that were tried: three short ones for the slope, or one down it.',
+    'The other lines are the steps that were tried: three short ones for the slope, or one down it.',
 };
 /** Marks that are not in the slice. @param {string} name Of the gain that is on no axis. */
 export const paler = (name) => `Paler: another ${name}.`;
 
 /** @param {import('../../../core/engine.js').Experiment['evolution']['method']} method */
-export const methodSketch = (method) => sketches[method] ?? '';
+export const methodSketch = (method) => `Line: the best so far. ${sketches[method] ?? ''}`.trim();

@@ -47,18 +47,17 @@ export const hand = '직접 조정';
 
 /** What is drawn of a method, beside its robots. @type {Readonly<Partial<Record<import('../../../core/engine.js').Experiment['evolution']['method'], string>>>} */
 const sketches = {
-  ep: '선: 세대별 최우수. 십자: 1σ.',
-  random: '선: 세대별 최우수.',
+  ep: '십자: 1σ.',
   'cma-es': '타원은 이 로봇들을 뽑은 분포이며, 표준편차의 1배와 2배입니다.',
-  de: '선은 한 로봇에서, 그 로봇을 다른 두 로봇의 차이(점선)만큼 옮겨 시험한 곳까지입니다. 실선이면 자리를 차지했습니다.',
-  'nelder-mead': '선은 심플렉스입니다. 점선은 가장 나쁜 꼭짓점 대신 시험한 곳까지입니다.',
-  'one-plus-one-es': '선은 시험한 걸음입니다.',
-  'one-at-a-time': '선은 시험한 걸음입니다.',
+  de: '다른 선은 한 로봇에서, 그 로봇을 다른 두 로봇의 차이(점선)만큼 옮겨 시험한 곳까지입니다. 실선이면 자리를 차지했습니다.',
+  'nelder-mead': '다른 선은 심플렉스입니다. 점선은 가장 나쁜 꼭짓점 대신 시험한 곳까지입니다.',
+  'one-plus-one-es': '다른 선은 시험한 걸음입니다.',
+  'one-at-a-time': '다른 선은 시험한 걸음입니다.',
   'finite-differences':
-    '선은 시험한 걸음입니다. 기울기를 재는 짧은 걸음 셋이거나, 그 기울기를 따라 내려가는 걸음 하나입니다.',
+    '다른 선은 시험한 걸음입니다. 기울기를 재는 짧은 걸음 셋이거나, 그 기울기를 따라 내려가는 걸음 하나입니다.',
 };
 /** Marks that are not in the slice. @param {string} name Of the gain that is on no axis. */
 export const paler = (name) => `흐린 표시: ${name} 값이 다름.`;
 
 /** @param {import('../../../core/engine.js').Experiment['evolution']['method']} method */
-export const methodSketch = (method) => sketches[method] ?? '';
+export const methodSketch = (method) => `선: 지금까지의 최우수. ${sketches[method] ?? ''}`.trim();
