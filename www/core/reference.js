@@ -1,5 +1,9 @@
 // The reference that a run follows: the goal, or a posture that moves.
-/** @import { Posture, Run } from './engine.js' */
+/** @import { Experiment, Posture, Run } from './engine.js' */
+
+/** Whether robots follow a reference that moves, at which none arrives. @param {Pick<Experiment, 'referenceVelocity'>} experiment */
+export const hasMovingReference = ({ referenceVelocity: { linear, angular } }) =>
+  linear !== 0 || angular !== 0;
 
 /** Whether it moves. @param {Run} run */
 export const isTracking = ({ referenceX: x, referenceY: y, referenceTheta: theta }) =>

@@ -8,7 +8,7 @@ import { html, render } from 'lit-html';
 import { listed } from '../../kit/segmented.js';
 import { halves, robustnessSlice } from './state.js';
 import { segmentedOf, selectOf } from '../fields.js';
-import { isTracking } from '../tracking.js';
+import { hasMovingReference } from '../../core/reference.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { areShown } from './drives.js';
 import { robustnessTable } from './table.js';
@@ -61,7 +61,7 @@ export function createSight(element, store) {
     )
       return;
     const nameOf = (/** @type {State['driver']} */ driver) => lab.driverName(driver, generation, state.found);
-    const follows = isTracking(spec.experiment);
+    const follows = hasMovingReference(spec.experiment);
     if (follows) ofSurvey = { share: words.none, summary: words.tracking, sides: '' };
     else if (survey?.spec === spec)
       ofSurvey = {
@@ -136,7 +136,7 @@ function readoutText(state, scene) {
   const run = { heading: start.theta, outcome: lab.outcomeText(driving), cost: driving.cost.total };
   if (!survey) return '';
   const { grid, tally, runs, spec } = survey;
-  const follows = isTracking(spec.experiment);
+  const follows = hasMovingReference(spec.experiment);
   if (!cursor) {
     const counts =
       holds(grid, start) && !follows ? [words.there(tally.count[cellNear(grid, start)], headings)] : [];

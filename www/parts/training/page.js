@@ -18,7 +18,7 @@ import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { isFree } from '../../run/guard.js';
 import { changesOf } from '../changes.js';
-import { isTracking } from '../tracking.js';
+import { hasMovingReference } from '../../core/reference.js';
 import { createPicture, signs } from './picture.js';
 import { createTraining, evolvedFor, handOf, lengths } from './request.js';
 import { circleCount, gridCount, isSet, setNames, unseenCount, unseenRadius } from './sets.js';
@@ -67,7 +67,7 @@ export function createPage({ engine, store, actions, paper }) {
       workIfWanted(state);
 
       const own = isSet(chosen) ? sets[chosen] : sets.one;
-      const follows = isTracking(state.experiment);
+      const follows = hasMovingReference(state.experiment);
       const fares = follows ? null : result;
       const seen = fares?.training ?? { starts: result?.training.starts ?? own, arrived: null };
       const unseen = fares?.unseen ?? { starts: sets.unseen, arrived: null };
@@ -192,7 +192,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
     cancelled ? words.cancelled(evolved !== null) : '',
     changes.length > 0 ? words.outOfDate(changes) : '',
   ].filter((text) => text !== '');
-  const follows = isTracking(experiment);
+  const follows = hasMovingReference(experiment);
   const ep = rows.find(({ name }) => name === 'paper-ep');
   return html`
     <div class="heading">
@@ -212,7 +212,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
     </div>
     <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'} aria-live=${evolved || runs ? 'polite' : 'off'}>${
       evolved
-        ? isTracking(evolved.experiment)
+        ? hasMovingReference(evolved.experiment)
           ? words.followed(evolved)
           : spread
             ? words.spreadText(spread, unseenCount, evolved.results.one.training.starts.length)

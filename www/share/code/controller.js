@@ -1,5 +1,6 @@
 // What is taken away of a drive: its controller, what it was driven in, and what the page says of it. Plain values, no language.
 /** @import { Experiment, Posture, Run, Triple } from '../../core/engine.js' */
+import { hasMovingReference } from '../../core/reference.js';
 import { fingerprintOf } from './fingerprint.js';
 
 /** @typedef {(experiment: Experiment, gains: readonly Triple[]) => Run[]} Drive */
@@ -23,9 +24,6 @@ import { fingerprintOf } from './fingerprint.js';
 /** By how much a start is moved to see whether the drive hangs on rounding (m), and how little that may change J and the last pose. */
 const nudge = 1e-12;
 const mostChange = 1e-9;
-
-/** @param {Experiment} experiment */
-export const isTracking = ({ referenceVelocity: { linear, angular } }) => linear !== 0 || angular !== 0;
 
 /** Samples until the horizon, as the core counts them: the first n with n · sampleTime ≥ horizon. @param {Experiment} experiment */
 function samplesOf({ horizon, sampleTime }) {
@@ -83,7 +81,7 @@ export function controllerOf(drive, from, gains, { version, link }) {
     experiment,
     start: experiment.starts[0],
     samples: samplesOf(experiment),
-    isTracking: isTracking(experiment),
+    isTracking: hasMovingReference(experiment),
     canDiverge: (speed ?? acceleration) === null || (turnRate ?? turnAcceleration) === null,
     page: { time: run.finalTime, cost: run.cost.total, pose: lastPose(run), outcome: run.outcome },
     isDisturbed: from.disturbance.kind !== 'none',
