@@ -10,6 +10,7 @@ import { styles } from '../run/pins.js';
 import { drivers, finds } from '../run/state.js';
 import { link as words } from '../words/index.js';
 import { changesText, withChanges } from './experiment.js';
+import { PartlyRead } from './together.js';
 import {
   disturbanceOf,
   disturbanceText,
@@ -44,10 +45,17 @@ export function partKey(key, slice, field, read, text = String) {
       const own = textOf(slice.of(state));
       return own === textOf(slice.first) ? null : own;
     },
-    read: (opened, value) => ({
-      ...opened,
-      parts: { ...opened.parts, [slice.name]: { ...opened.parts[slice.name], [field]: read(value) } },
-    }),
+    read(opened, text) {
+      const having = (/** @type {unknown} */ value) => {
+        const { parts } = opened;
+        return { ...opened, parts: { ...parts, [slice.name]: { ...parts[slice.name], [field]: value } } };
+      };
+      try {
+        return having(read(text));
+      } catch (error) {
+        throw error instanceof PartlyRead ? new PartlyRead(error.message, having(error.opened)) : error;
+      }
+    },
   };
 }
 

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { asksSomething, groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
 import { links } from '../../../www/lesson/links.js';
+import { luckSlice } from '../../../www/parts/luck/state.js';
 import { finds, presets } from '../../../www/run/state.js';
 import { drawnFor, nobody } from '../../../www/run/variant.js';
 import { createEngine, experiment, fields, wordFields } from '../harness/core.js';
@@ -259,6 +260,8 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
     ['lab&aim=J<8&points=9:0,9:1', /points was left out/],
     ['lab&aim=J<8&points=9:0,8:1001', /points was left out.*0 to 1000 points/],
     ['lab&points=9:0,8:10', /points was left out.*aim/],
+    ['luck&contestants=de,random,wind', /contestants was left out.*one of cauchy, .*“wind”/],
+    ['luck&contestants=de,random,fixed,cauchy', /contestants was used in part.*at most 3 names.*“de,random,/],
     ['lab&vary=goal,wind', /vary was used in part.*one of goal, starts, seed.*“wind”/],
     [`lab&who=${'x'.repeat(81)}`, /who was left out.*at most 80/],
     ['lab&hide=paper&drives=paper-ep', /drives was left out.*hidden/],
@@ -273,6 +276,8 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
     assert.match(problems[0], message);
     assert.equal(opened.experiment.evolution.initialSigma, 0.5, link);
   }
+  const many = open('luck&contestants=de,random,fixed,cauchy').opened;
+  assert.deepEqual(luckSlice.of({ slices: many.parts }).others, ['de', 'random', 'fixed']);
   const long = open(`lab&seed=3&${'x'.repeat(30_000)}`);
   assert.match(long.problems[0], /longer than/);
   assert.equal(long.opened.experiment.evolution.seed, 3);

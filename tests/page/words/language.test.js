@@ -6,6 +6,7 @@ import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { within } from '../harness/host.js';
 import { ko, latinWord, sameInBoth } from '../harness/words.js';
 import { checked, read } from '../harness/reading.js';
+import { follow } from '../whole/surround.js';
 import { overflowing } from './overflowing.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -83,14 +84,8 @@ async function inFrame(page, language, body) {
 }
 
 /** Follows a link of the page, which does not load it again. @param {Page} page @param {string} link @param {string} language */
-async function follow(page, link, language) {
-  const wanted = `#${link}&lang=${language}`;
-  await page.evaluate(async (hash) => {
-    const opened = new Promise((resolve) => addEventListener('popstate', resolve, { once: true }));
-    location.replace(hash);
-    await opened;
-    for (let i = 0; i < 2; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
-  }, wanted);
+async function followIn(page, link, language) {
+  await follow(page, `${link}&lang=${language}`);
   const [, name, value] = /^(?:(lesson)&step=)?(\w+)/.exec(link) ?? [];
   const open = await page.evaluate(() => ({
     part: document.body.dataset.open,
@@ -106,7 +101,7 @@ pageTest(
   async (page) => {
     await inFrame(page, 'ko', async () => {
       for (const link of links) {
-        await follow(page, link, 'ko');
+        await followIn(page, link, 'ko');
         await isKorean(page, link);
         const offered = await page.evaluate(() =>
           [...document.querySelectorAll('button[id$="-table"]')]
@@ -238,7 +233,7 @@ const tableButtons = {
 
 /** Opens a table as soon as there is something to fill it with. @param {Page} page @param {string} part @param {string} button @param {string} language */
 async function openTable(page, part, button, language) {
-  await follow(page, `${part}&generation=2`, language);
+  await followIn(page, `${part}&generation=2`, language);
   await page.until(
     `the table of ${part} is open`,
     (id) => {
@@ -255,7 +250,7 @@ for (const [language, name] of Object.entries({ en: 'English', ko: 'Korean' }))
       /** @type {string[]} */
       const problems = [];
       for (const link of links) {
-        await follow(page, link, language);
+        await followIn(page, link, language);
         problems.push(...(await overflowing(page, link)));
       }
       for (const button of ['keys', 'keep', 'settings']) {

@@ -2,16 +2,21 @@
 /** @import { Part } from '../part.js' */
 import { makerFrom } from '../load.js';
 import { partKey } from '../../link/keys.js';
+import { PartlyRead } from '../../link/together.js';
 import { number, numberText, oneOf, wholeNumber } from '../../link/values.js';
+import { link as words } from '../../words/index.js';
 import { contestants, mostOthers } from './contestants.js';
 import { budgets, contestSeeds, luckSlice as slice, readings, views } from './state.js';
 import { load as loadWords } from './words/load.js';
 
 /** Each once, and no more than there is room for. @param {string} text */
-const othersOf = (text) =>
-  text === 'none'
-    ? []
-    : [...new Set(text.split(',').map((name) => oneOf(contestants, name)))].slice(0, mostOthers);
+function othersOf(text) {
+  if (text === 'none') return [];
+  const named = [...new Set(text.split(',').map((name) => oneOf(contestants, name)))];
+  const others = named.slice(0, mostOthers);
+  if (named.length === others.length) return others;
+  throw new PartlyRead(words.expected(words.namesUpTo(mostOthers), text), others);
+}
 
 /** @param {readonly number[]} choices @param {string} text */
 const oneNumberOf = (choices, text) => Number(oneOf(choices.map(String), text));

@@ -46,6 +46,9 @@ export const longTask = (most, length) => `it must have at most ${most} characte
 /** @param {readonly string[]} choices */
 export const oneOf = (choices) => `one of ${choices.join(', ')}`;
 
+/** @param {number} most */
+export const namesUpTo = (most) => `at most ${most} names`;
+
 /** @param {string} step */
 export const noStep = (step) => `The lesson has no step ${step}, so the nearest one is open.`;
 

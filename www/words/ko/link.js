@@ -44,6 +44,9 @@ export const longTask = (most, length) => `${most}자 이하여야 하는데 ${l
 /** @param {readonly string[]} choices */
 export const oneOf = (choices) => `다음 가운데 하나(${choices.join(', ')})`;
 
+/** @param {number} most */
+export const namesUpTo = (most) => `이름 ${most}개 이하`;
+
 /** @param {string} step */
 export const noStep = (step) => `수업에 ${step} 단계가 없어 가장 가까운 단계를 열었습니다.`;
 
