@@ -13,7 +13,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 #[wasm_bindgen_test(unsupported = test)]
 fn no_two_words_of_a_field_make_the_same_evolution() {
     // One in which every field matters.
-    let mut base = searched_by(|e| e.initial_sigma = 5.0);
+    let mut base = searched_by(|e| (e.initial_sigma, e.crossover) = (5.0, 0.5));
     (base.disturbance.linear, base.disturbance.angular) = (0.1, 0.1);
     for (path, words) in WORDS {
         let mut hashes: Vec<_> = words
@@ -46,6 +46,14 @@ fn each_method_and_each_ingredient_is_defined_in_words() {
         // The table begins with the methods, and has the paper's q; a seed is no ingredient.
         if !["method", "opponents", "seed"].contains(&name) {
             assert!(text.contains(&format!("`{name}`")), "METHODS.md does not say what {name} is");
+        }
+    }
+    for (path, words) in WORDS.iter().filter(|(path, _)| path.starts_with("evolution.")) {
+        for word in *words {
+            assert!(
+                text.contains(&format!("`{word}`")),
+                "METHODS.md does not say what {path} {word} is"
+            );
         }
     }
 }

@@ -65,6 +65,7 @@ const experiments = [
       evolution: { ...lively.evolution, method, selection },
     })),
   ),
+  { ...lively, evolution: { ...lively.evolution, crossover: 0.5 } },
   ...wordsIn('disturbance.kind').map((kind) => ({ ...lively, disturbance: { ...lively.disturbance, kind } })),
 ];
 
