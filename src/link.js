@@ -6,12 +6,13 @@ import { pathOf, withField } from '../www/link/experiment.js';
 import { readAll } from '../www/link/together.js';
 import { decoded, oneOf, pairOf, triple, wholeNumber } from '../www/link/values.js';
 import { drivers, presets } from '../www/run/state.js';
+import { pages } from '../www/words/en/lab.js';
 import * as words from '../www/words/en/link.js';
 
 /** @typedef {import('./link.d.ts').LinkedRun} LinkedRun */
 
-/** Of the page, which loads much to know them. */
-const parts = 'lab park generation curves landscape robustness training disturbance luck'.split(' ');
+/** Of the page, which loads much to know more of them. */
+const parts = Object.keys(pages);
 
 const version = 1;
 /** As long as what the page reads. */

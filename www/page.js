@@ -19,7 +19,7 @@ import { askForLesson, createLesson } from './lesson/load.js';
 import { progressSlice } from './lesson/state.js';
 import { createAddress } from './link/address.js';
 import { askFor, createParts } from './parts/load.js';
-import { firstPage, inSight, parts, places } from './parts/parts.js';
+import { firstPage, inSight, pagesBeside, parts, places } from './parts/parts.js';
 import { createActions } from './run/actions/actions.js';
 import { atEnd, fromStart } from './run/clock.js';
 import { firstState } from './run/first.js';
@@ -207,6 +207,8 @@ async function start(engine) {
 
 document.body.toggleAttribute('data-embed', isEmbedded);
 sayTexts();
+for (const element of document.querySelectorAll('[data-beside]'))
+  element.setAttribute('data-page', pagesBeside(element.getAttribute('data-beside')).join(' '));
 watchCore((why) => embed?.fail(why));
 /** Not awaited where it is called: what is loaded on demand needs this file, and would wait for it in turn. */
 async function begin() {

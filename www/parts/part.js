@@ -18,6 +18,7 @@
  * @property {(state: State, seconds: number) => void} [tick] At every frame, while it is open.
  * @property {(state: State) => ChosenDrives | null} [drives] What drives on the plane in the place of the population.
  */
+/** J as it is driven, evolution, or who drives. @typedef {'cost' | 'evolution' | 'driver'} Beside */
 /** Where the controls of a group stand, as selectors: what is locked, and what is gone when they are hidden. @typedef {Partial<Record<Group, { lock?: string, hide?: string }>>} Places */
 /**
  * @typedef {object} Part
@@ -27,6 +28,7 @@
  * @property {(opened: Opened, refuse: (key: string, why: string) => void) => Opened} [mend] What of a link goes wrong only together.
  * @property {Places} [places] Its controls, for exercises.
  * @property {readonly ('start' | 'disturbance')[]} [tries] What a drive there meets that evolution does not.
+ * @property {readonly Beside[]} [beside] What of the lab stands beside it.
  * @property {(state: State) => boolean} [gains] Whether it has the sliders beside it; without this whenever one drives by hand.
  * @property {true} [alone] Whether it has the whole page, with nothing of the lab beside it.
  * @property {true} [pays] Whether what is paid of J on the way stands at the path on the plane.

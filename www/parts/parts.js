@@ -28,6 +28,12 @@ export const places = {
   slices: [labSlice, ...parts.map(({ slice }) => slice)],
 };
 
+/** The pages on which something of the lab stands. @param {string | null} what */
+export const pagesBeside = (what) => [
+  'lab',
+  ...parts.filter(({ beside = [] }) => beside.some((one) => one === what)).map(({ name }) => name),
+];
+
 /** What of the lab is in sight. @type {import('../lab/draw.js').InSight} */
 export const inSight = {
   lab: ({ page }) => !partOf(page)?.alone,

@@ -6,6 +6,7 @@ import { finds, presets } from '../../../www/run/state.js';
 import { drawnFor, nobody } from '../../../www/run/variant.js';
 import { createEngine, experiment, fields, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { samples } from '../parts/samples.js';
 
 /** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
 /** @typedef {import('../../../www/link/keys.js').Linked} Linked */
@@ -87,17 +88,9 @@ test('every field of the core, number or word, is read as it is written', () => 
   }
 });
 
-const contest = {
-  view: 'contest',
-  others: ['cauchy', 'de'],
-  seeds: 15,
-  budget: 1000,
-  target: 7.75,
-  reading: 'ends',
-  until: 500,
-  only: 5,
-  draw: 2,
-};
+const slices = Object.fromEntries(
+  Object.entries(samples).flatMap(([name, { slice }]) => (slice ? [[name, slice]] : [])),
+);
 
 test('every key of a link is read as it is written', () => {
   const written = linkOf(
@@ -136,19 +129,15 @@ test('every key of a link is read as it is written', () => {
         of: '',
         spent: 7,
       },
-      slices: {
-        generation: { phase: 'ranking', chosen: 3 },
-        curves: { view: 'stability', scale: 'log' },
-        lab: { curve: 'sigmas' },
-        landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: 0.25 },
-        luck: contest,
-        robustness: { quantity: 'time', half: 8, heading: 3 },
-      },
+      slices,
     },
     experiment,
   );
   for (const { key } of links.keys.filter((row) => row.key !== 'park'))
-    assert.ok(written.includes(`&${key}=`), `${key} is not written: it needs a value above`);
+    assert.ok(
+      written.includes(`&${key}=`),
+      `${key} is not written: it needs a value in tests/page/parts/samples/`,
+    );
   const { opened, problems } = open(written);
   assert.deepEqual(problems, []);
   assert.equal(linkOf(linked(opened), experiment), written);
@@ -205,12 +194,9 @@ test('every experiment comes back from its link to the bit', () => {
       student: { ...nobody, base: asksSomething(exercise) ? { preset, experiment: wild } : null },
       slices: {
         ...plain.slices,
-        generation: { phase: 'ranking', chosen: Math.floor(40 * next()) },
-        curves: { view: 'stability', scale: 'log' },
-        lab: { curve: 'sigmas' },
-        landscape: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: between(-1, 1) },
-        luck: contest,
-        robustness: { quantity: 'time', half: 8, heading: 3 },
+        ...slices,
+        generation: { ...slices.generation, chosen: Math.floor(40 * next()) },
+        landscape: { ...slices.landscape, third: between(-1, 1) },
       },
     };
     const link = linkOf(state, experiment);

@@ -1,15 +1,8 @@
 // An exercise that hides the paper's gains hides them from the contest, too.
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
-import {
-  expectedTable,
-  link,
-  openContest,
-  readTable,
-  runContest,
-  small,
-  withoutVerdict,
-} from './contests.js';
+import { link, openContest, readTable, runContest, withoutVerdict } from './contest-page.js';
+import { expectedTable, small } from './contests.js';
 
 pageTest('hidden gains of the paper stand in no reading of a contest, nor what they cost', async (page) => {
   const drawn = () =>

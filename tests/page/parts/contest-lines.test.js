@@ -2,15 +2,8 @@
 import assert from 'node:assert/strict';
 import { standingsOf } from '../../../www/parts/luck/contest-summary.js';
 import { Key, engineTest } from '../harness/browsers.js';
-import {
-  expectedTable,
-  link,
-  openContest,
-  readTable,
-  runContest,
-  small,
-  withoutVerdict,
-} from './contests.js';
+import { link, openContest, readTable, runContest, withoutVerdict } from './contest-page.js';
+import { expectedTable, small } from './contests.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 

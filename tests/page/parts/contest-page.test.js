@@ -4,15 +4,8 @@ import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary
 import { Key, pageTest } from '../harness/browsers.js';
 import { saved } from '../harness/saved.js';
 import { holdWorkers } from '../harness/workers.js';
-import {
-  expectedTable,
-  link,
-  openContest,
-  readTable,
-  runContest,
-  small,
-  withoutVerdict,
-} from './contests.js';
+import { link, openContest, readTable, runContest, withoutVerdict } from './contest-page.js';
+import { expectedTable, small } from './contests.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 

@@ -1,11 +1,9 @@
-// A contest as Node has it, and how the page's is run and read.
-import assert from 'node:assert/strict';
+// A contest as Node has it.
 import { trials } from '../../../pkg/ep_locomotion.js';
 import { entered } from '../../../www/parts/luck/contestants.js';
 import { standingsOf } from '../../../www/parts/luck/contest-summary.js';
 import { experiment } from '../harness/core.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/parts/luck/contestants.js').Contestant} Contestant */
 /** @typedef {import('../../../www/parts/luck/contest-request.js').Contest} Contest */
 
@@ -27,45 +25,6 @@ export const contestOf = (others, seeds, budget) => ({
 export const others = ['truncation', 'fixed', 'de'];
 export const small = contestOf(others, 15, 1000);
 
-export const link = '#luck&v=1&luck=contest&seeds=15&budget=1000';
-
-/** @param {Page} page @param {string} address */
-export async function openContest(page, address) {
-  await page.open(address);
-  await page.until('the contest is there', () => {
-    const run = document.getElementById('contest-run');
-    return run !== null && run.getBoundingClientRect().width > 0;
-  });
-}
-
-/** @param {Page} page */
-export async function runContest(page) {
-  await page.until('it can run', () => document.getElementById('contest-run'));
-  const text = await page.text('#contest-run');
-  await page.click('#contest-run');
-  await page.until(
-    'it has run',
-    (ready) =>
-      document.getElementById('contest-csv')?.hidden === false &&
-      document.getElementById('contest-run')?.textContent === ready,
-    text,
-  );
-  // Nobody has pressed again.
-  assert.doesNotMatch(await page.text('#contest-status'), /Cancelled|취소/);
-}
-
-/** The cells of the table; thin spaces are none. @param {Page} page */
-export const readTable = (page) =>
-  page.evaluate(() =>
-    [...document.querySelectorAll('#contest-table tbody')].map((body) => ({
-      name: /** @type {HTMLElement} */ (body).dataset.contestant,
-      cells: [...body.querySelectorAll('tr:first-child td')].map((cell) =>
-        (cell.textContent ?? '').replaceAll('\u202f', ''),
-      ),
-      verdict: body.querySelector('.verdict')?.textContent ?? '',
-    })),
-  );
-
 /** @param {Contest} contest @param {number | null} target */
 export const expectedTable = (contest, target) =>
   standingsOf(contest, { target }).lines.map(
@@ -82,6 +41,3 @@ export const expectedTable = (contest, target) =>
       ],
     }),
   );
-
-export const withoutVerdict = (/** @type {Awaited<ReturnType<typeof readTable>>} */ table) =>
-  table.map(({ name, cells }) => ({ name, cells }));

@@ -1,7 +1,7 @@
 // What a part has computed, and what keys lead to in its pictures, is said to who cannot see it.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
-import { link, openContest, runContest } from './contests.js';
+import { link, openContest, runContest } from './contest-page.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 

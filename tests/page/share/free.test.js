@@ -2,63 +2,8 @@
 import assert from 'node:assert/strict';
 import { groupNames } from '../../../www/run/exercise.js';
 import { pageTest } from '../harness/browsers.js';
+import { samples } from '../parts/samples.js';
 import { views } from '../whole/views.js';
-
-/** Of each part, the controls that change nothing that an exercise could lock. @type {Record<string, readonly string[]>} */
-const freeInPart = {
-  curves: [
-    'curves-numbers',
-    'curves-view-compare',
-    'curves-view-numbers',
-    'curves-view-stability',
-    'curves-view-time',
-    'stability-log',
-    'stability-table',
-  ],
-  disturbance: [],
-  generation: [
-    'generation-phases-drive',
-    'generation-phases-mutation',
-    'generation-phases-parents',
-    'generation-phases-ranking',
-    'generation-phases-survivors',
-    'generation-phases-tournament',
-    'generation-picture',
-    'generation-table',
-  ],
-  lab: [],
-  landscape: ['landscape-follows', 'landscape-table', 'landscape-third', 'landscape-x', 'landscape-y'],
-  luck: [
-    'contest-budget',
-    'contest-reading-course',
-    'contest-reading-ends',
-    'contest-reading-targets',
-    'contest-seeds',
-    'contest-target',
-    'contest-target-line',
-    'contest-until-line',
-    'contest-usual',
-    'contestant-2',
-    'contestant-3',
-    'contestant-4',
-    'luck-count',
-    'luck-generations',
-    'luck-view-contest',
-    'luck-view-seeds',
-  ],
-  park: ['park-again', 'park-close', 'park-next', 'park-previous'],
-  robustness: [
-    'robustness-half',
-    'robustness-headings-all',
-    'robustness-headings-one',
-    'robustness-quantity-cost',
-    'robustness-quantity-share',
-    'robustness-quantity-time',
-    'robustness-rose',
-    'robustness-table',
-  ],
-  training: ['training-generations'],
-};
 
 /** Works every control that looks free, once, also those that come with it. Links are tried elsewhere. @param {string} part */
 async function workAll(part) {
@@ -122,7 +67,7 @@ pageTest('where all is locked no control looks free that is not', async (page) =
     const part = view.split('&')[0];
     const { found, own } = await page.evaluate(workAll, part);
     flaws.push(...found.map((some) => `${view}: one of ${some} is not free`));
-    const known = freeInPart[part] ?? [];
+    const known = samples[part]?.free ?? [];
     flaws.push(...own.filter((id) => !known.includes(id)).map((id) => `${view}: #${id} is free`));
   }
   assert.deepEqual(flaws, [], 'a part locks it in its places');

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { pageNames } from '../../../www/parts/parts.js';
 import { lab } from '../../../www/words/index.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
+import { samples } from '../parts/samples.js';
 import { bred, counted, slide } from '../parts/parking.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -34,7 +35,10 @@ const more = {
 /** A chart, and a map: in every engine. */
 const inAll = ['lab&v=1&generation=20', 'landscape'];
 
-for (const link of pageNames.flatMap((name) => more[name] ?? [name]))
+const linksOf = (/** @type {string} */ name) =>
+  more[name] ?? [name, ...(samples[name].views ?? []).map((view) => `${name}&v=1&${view}`)];
+
+for (const link of pageNames.flatMap(linksOf))
   (inAll.includes(link) ? engineTest : pageTest)(
     `on paper there is the plane and the open part, whole, and nothing to press: ${link}`,
     async (page) => {

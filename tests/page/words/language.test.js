@@ -6,6 +6,7 @@ import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { within } from '../harness/host.js';
 import { ko, latinWord, sameInBoth } from '../harness/words.js';
 import { checked, read } from '../harness/reading.js';
+import { linksTo, samples } from '../parts/samples.js';
 import { follow } from '../whole/surround.js';
 import { overflowing } from './overflowing.js';
 
@@ -60,12 +61,8 @@ async function isKorean(page, where) {
 /** The link of every part, of all that it can show without a press, and of every step of the lesson. @type {readonly string[]} */
 const links = [
   ...pageNames.map((name) => `${name}&v=1&generation=2&pin1=${encodeURIComponent('가~5,1,5')}`),
-  ...['stability', 'compare', 'numbers'].map(
-    (view) => `curves&v=1&view=${view}&generation=2&preset=acceleration-limits&seed=2`,
-  ),
-  ...['mutation', 'drive', 'tournament', 'ranking', 'survivors'].map(
-    (phase) => `generation&v=1&generation=2&phase=${phase}`,
-  ),
+  ...linksTo('views').map((link) => `${link}&generation=2&preset=acceleration-limits&seed=2`),
+  ...linksTo('more').map((link) => `${link}&generation=2`),
   ...stepNames.map((_, i) => linkOfStep(i + 1)),
 ];
 
@@ -109,7 +106,10 @@ pageTest(
             .map(({ id }) => id),
         );
         for (const id of offered)
-          assert.ok(Object.values(tableButtons).includes(id), `${id} is opened by no line of tableButtons`);
+          assert.ok(
+            Object.values(tableButtons).includes(id),
+            `${id} is in no \`tables\` of tests/page/parts/samples/`,
+          );
       }
       for (const [part, button] of Object.entries(tableButtons)) {
         await openTable(page, part, button, 'ko');
@@ -222,14 +222,12 @@ engineTest(
   },
 );
 
-/** What opens a table, by its part. */
-const tableButtons = {
-  lab: 'fitness-table',
-  generation: 'generation-table',
-  landscape: 'landscape-table',
-  robustness: 'robustness-table',
-  'curves&view=stability': 'stability-table',
-};
+/** What opens a table, by the link of where it is. */
+const tableButtons = Object.fromEntries(
+  Object.entries(samples).flatMap(([name, { tables = {} }]) =>
+    Object.entries(tables).map(([more, button]) => [`${name}&v=1&${more}`, button]),
+  ),
+);
 
 /** Opens a table as soon as there is something to fill it with. @param {Page} page @param {string} part @param {string} button @param {string} language */
 async function openTable(page, part, button, language) {

@@ -21,6 +21,7 @@ export const curves = {
   // What a gain does to V̇ is seen while it is moved. The lesson needs the height.
   gains: (state) => slice.of(state).view === 'stability' || (state.driver === 'hand' && state.lesson === 0),
   pays: true,
+  beside: ['driver'],
   figure: [0.72, 700],
   load: () => makerFrom([loadWords, loadStability], () => import('./page.js')),
 };

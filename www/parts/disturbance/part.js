@@ -10,6 +10,7 @@ export const disturbance = {
   slice,
   places: { settings: { lock: '#disturbance-controls', hide: '#disturbance-controls' } },
   tries: ['start', 'disturbance'],
+  beside: ['driver'],
   figure: [0.75, 680],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

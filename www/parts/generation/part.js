@@ -21,6 +21,7 @@ export const generation = {
     },
   },
   phases: true,
+  beside: ['evolution'],
   figure: [0.72, 620],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

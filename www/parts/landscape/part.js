@@ -35,6 +35,7 @@ export const landscape = {
     return { ...opened, parts: { ...opened.parts, [slice.name]: { ...asked, y } } };
   },
   places: { gains: { lock: '#landscape-map' } },
+  beside: ['cost', 'evolution', 'driver'],
   figure: [0.64, 620],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

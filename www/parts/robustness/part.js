@@ -18,6 +18,7 @@ export const robustness = {
   ],
   places: { postures: { lock: '#robustness-map' } },
   tries: ['start'],
+  beside: ['cost', 'driver'],
   figure: [0.64, 620],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

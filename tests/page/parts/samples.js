@@ -1,0 +1,23 @@
+// What tests have to know of a part of the page: a file in samples/, called like the part.
+import { pageNames } from '../../../www/parts/parts.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+/** A picture: some of its texts, and how many shapes (`path`) there are at least. Apart: other things stand between its parts. @typedef {{ name: string, key: string, texts: readonly string[], lines: number, apart?: boolean }} Pictured */
+/**
+ * @typedef {object} Sample
+ * @property {readonly string[]} [views] What stands behind a choice and looks different, as its links say it.
+ * @property {readonly string[]} [more] What looks much the same, which fewer tests open.
+ * @property {object} [slice] What it keeps, so that none of its keys is left out of a link.
+ * @property {Readonly<Record<string, string>>} [tables] By what a link says beside the part, the id of what opens a table.
+ * @property {readonly string[]} [free] The controls that change nothing that an exercise could lock.
+ * @property {readonly { setUp?: (page: Page) => Promise<unknown>, pictures: readonly Pictured[] }[]} pictures What it offers as files, after what.
+ */
+
+/** @type {Readonly<Record<string, Sample>>} */
+export const samples = Object.fromEntries(
+  await Promise.all(pageNames.map(async (name) => [name, (await import(`./samples/${name}.js`)).sample])),
+);
+
+/** @param {'views' | 'more'} which */
+export const linksTo = (which) =>
+  pageNames.flatMap((name) => (samples[name][which] ?? []).map((view) => `${name}&v=1&${view}`));

@@ -1,0 +1,20 @@
+// What tests have to know of Disturbance.
+import { plane, textOf } from '../pictured.js';
+
+/** @type {import('../samples.js').Sample} */
+export const sample = {
+  pictures: [
+    {
+      setUp: (page) => textOf(page, 'remains-text', 'In the last'),
+      pictures: [
+        { ...plane, texts: ['0 m'] },
+        {
+          name: 'What remains of the error',
+          key: 'disturbance',
+          texts: ['this drive', 'largest', '|sin', '2 s', '32 other starts'],
+          lines: 15,
+        },
+      ],
+    },
+  ],
+};

@@ -1,0 +1,16 @@
+// What tests have to know of Park.
+
+/** @type {import('../samples.js').Sample} */
+export const sample = {
+  free: ['park-again', 'park-close', 'park-next', 'park-previous'],
+  pictures: [
+    {
+      setUp: (page) =>
+        page.until(
+          'all have driven',
+          () => document.querySelector('.park-side [role="status"]')?.textContent,
+        ),
+      pictures: [{ name: 'The parking place', key: 'park', texts: [], lines: 200 }],
+    },
+  ],
+};

@@ -1,0 +1,27 @@
+// What tests have to know of Robustness.
+import { plane, textOf } from '../pictured.js';
+
+/** @type {import('../samples.js').Sample} */
+export const sample = {
+  slice: { quantity: 'time', half: 8, heading: 3 },
+  tables: { '': 'robustness-table' },
+  free: [
+    'robustness-half',
+    'robustness-headings-all',
+    'robustness-headings-one',
+    'robustness-quantity-cost',
+    'robustness-quantity-share',
+    'robustness-quantity-time',
+    'robustness-rose',
+    'robustness-table',
+  ],
+  pictures: [
+    {
+      setUp: (page) => textOf(page, 'robustness-note', '118 098 starts in'),
+      pictures: [
+        plane,
+        { name: 'The map of starts', key: 'robustness', texts: ['goal', 'none arrives', 'all'], lines: 20 },
+      ],
+    },
+  ],
+};

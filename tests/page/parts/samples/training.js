@@ -1,0 +1,16 @@
+// What tests have to know of Training.
+import { plane, textOf } from '../pictured.js';
+
+/** @type {import('../samples.js').Sample} */
+export const sample = {
+  free: ['training-generations'],
+  pictures: [
+    {
+      setUp: (page) => textOf(page, 'training-seen-title', 'From the start:'),
+      pictures: [
+        plane,
+        { name: 'The starts of training', key: 'training', texts: ['Filled arrives,'], lines: 1000 },
+      ],
+    },
+  ],
+};
