@@ -74,7 +74,7 @@ async function unlessBuilt(module, stamp, build) {
 
 /** How the package reads links. */
 async function buildLink() {
-  if (lastChange('pkg/link.js') >= lastChange('src/link.js', 'www/link', 'www/words', '.tasks')) return;
+  if (lastChange('pkg/link.js') >= lastChange('src/link.js', 'www', '.tasks')) return;
   const build = ['build', '--config', '.tasks/vite.config.js', '--logLevel', 'warn', '--mode', 'link'];
   await step('joining the package’s reader of links', () => runPackage('vite/bin/vite.js', build));
 }

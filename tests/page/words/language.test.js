@@ -225,7 +225,7 @@ engineTest(
 /** What opens a table, by the link of where it is. */
 const tableButtons = Object.fromEntries(
   Object.entries(samples).flatMap(([name, { tables = {} }]) =>
-    Object.entries(tables).map(([more, button]) => [`${name}&v=1&${more}`, button]),
+    Object.entries(tables).map(([more, button]) => [more ? `${name}&v=1&${more}` : name, button]),
   ),
 );
 
