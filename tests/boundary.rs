@@ -166,6 +166,22 @@ fn a_wrong_experiment_is_refused_by_name() {
             "new Proxy({}, {ownKeys() { throw new Error('trap') }})",
             "experiment must be an object, but was one that cannot be read",
         ),
+        // What has its fields elsewhere would be the usual experiment.
+        ("Promise.resolve({})", "experiment must be a plain object, but was of type Promise"),
+        ("new Map([['horizon', 3]])", "experiment must be a plain object, but was of type Map"),
+        ("{limits: new Map([['speed', 1]])}", "limits must be a plain object, but was of type Map"),
+        (
+            "{goal: new (class Pose { get x() { return 1 } })}",
+            "goal must be a plain object, but was of type Pose",
+        ),
+        (
+            "new (class Task { __wbg_ptr = 1 })",
+            "experiment must be a plain object, but was of type Task",
+        ),
+        (
+            "{goal: {constructor: {}}}",
+            "goal must be an object with no fields but x, y, theta, but was one with 'constructor'",
+        ),
     ] {
         assert_eq!(message(experiment(js(given))), expected, "{given}");
     }

@@ -1,6 +1,6 @@
 //! What is asked of an experiment: one table, of which each boundary makes its functions.
 
-use super::given::{number, start};
+use super::given::{self, number};
 use crate::robot::Gains;
 use crate::run::{Experiment, Run, RunEnd, Setting};
 use crate::schema::{Column, Columns, Each, Plain, Result, Source, Types};
@@ -20,13 +20,13 @@ macro_rules! calls {
                 Column(setting.evaluate(&Gains::read_all(gains)?)?)
             }
             "Drives one robot from `starts[start]` (0 if left out) to the end of its run."
-            simulate "simulate"(gains: "Gains"; from) -> Run as "Run" {
-                let from = start(setting, from)?;
+            simulate "simulate"(gains: "Gains"; start) -> Run as "Run" {
+                let from = given::start(setting, start)?;
                 setting.run(Gains::read_one(gains)?, from)
             }
             "Drives a robot with each gain triple from `starts[start]` (0 if left out)."
-            simulate_all "simulateAll"(gains: "Gains"; from) -> Each<'a, Run> as "Run[]" {
-                let from = start(setting, from)?;
+            simulate_all "simulateAll"(gains: "Gains"; start) -> Each<'a, Run> as "Run[]" {
+                let from = given::start(setting, start)?;
                 let gains = Gains::read_all(gains)?;
                 setting.check_runs(gains.len())?;
                 let count = gains.len() as u32;
@@ -53,8 +53,8 @@ macro_rules! calls {
                 Columns(study::fares(setting, Gains::read_one(gains)?))
             }
             "The Lyapunov function of one run from `starts[start]` (0 if left out)."
-            stability "stability"(gains: "Gains"; from) -> Stability as "Stability" {
-                let from = start(setting, from)?;
+            stability "stability"(gains: "Gains"; start) -> Stability as "Stability" {
+                let from = given::start(setting, start)?;
                 Stability::of(setting, &Gains::read_one(gains)?, from)
             }
             "The parts of the error over time that Theorem 2 bounds, of one run from each start posture."

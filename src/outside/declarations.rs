@@ -59,7 +59,7 @@ const PARTIAL: &str = "\
  * `experiment(partial, preset)` another. Starts may be their numbers side by side.
  */
 export type PartialExperiment = {
-  [K in keyof Experiment]?: K extends 'starts' ? Posture[] | Float64Array
+  [K in keyof Experiment]?: K extends 'starts' ? readonly Partial<Posture>[] | Float64Array
     : Experiment[K] extends unknown[] ? Experiment[K]
     : Experiment[K] extends object ? Partial<Experiment[K]> : Experiment[K];
 };

@@ -88,6 +88,8 @@ impl Kind {
 pub enum Keys {
     /// It has none, being no object.
     NoObject,
+    /// It is of this class, which keeps elsewhere what it has.
+    Instance(String),
     /// They are known.
     Known,
     /// One is not known: this.
@@ -120,6 +122,10 @@ pub(crate) fn read_object<S: Source>(
     match given.keys(known) {
         Keys::Known => Ok(()),
         Keys::NoObject => Err(refused(given, place, "an object")),
+        Keys::Instance(class) => {
+            let found = format!("of type {class}");
+            Err(InvalidInput::new(place.to_string(), "a plain object", found))
+        }
         Keys::Unreadable => {
             let found = Kind::Unreadable.description();
             Err(InvalidInput::new(place.to_string(), "an object", found))

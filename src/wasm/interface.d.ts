@@ -621,7 +621,7 @@ export type PaperMethod = 'ep' | 'arbitrary';
  * `experiment(partial, preset)` another. Starts may be their numbers side by side.
  */
 export type PartialExperiment = {
-  [K in keyof Experiment]?: K extends 'starts' ? Posture[] | Float64Array
+  [K in keyof Experiment]?: K extends 'starts' ? readonly Partial<Posture>[] | Float64Array
     : Experiment[K] extends unknown[] ? Experiment[K]
     : Experiment[K] extends object ? Partial<Experiment[K]> : Experiment[K];
 };

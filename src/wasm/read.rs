@@ -125,9 +125,10 @@ impl Source for Given {
         let own =
             |name: &&'static str| named(name, |name| caught::has_own(value, name)).unwrap_or(false);
         if known.iter().copied().filter(own).count() == count {
-            return Keys::Known;
+            return if count == 0 { instance(value).unwrap_or(Keys::Known) } else { Keys::Known };
         }
-        unknown(&keys, known).map_or(Keys::Known, Keys::Unknown)
+        let unknown = || unknown(&keys, known).map_or(Keys::Known, Keys::Unknown);
+        instance(value).unwrap_or_else(unknown)
     }
 
     /// Its own field; what it inherits does not count.
@@ -140,6 +141,13 @@ impl Source for Given {
             });
         Self::seen(field.ok())
     }
+}
+
+/// Where it is of a class: a promise, for instance, that nobody awaited, or a map, has no field at all.
+fn instance(value: &JsValue) -> Option<Keys> {
+    let constructor = named("constructor", |name| Reflect::get(value, name)).ok()?;
+    let class = named("name", |name| Reflect::get(&constructor, name)).ok()?.as_string()?;
+    (class != "Object").then(|| Keys::Instance(class.chars().take(40).collect()))
 }
 
 /// The first of these keys that is not known.
