@@ -19,7 +19,7 @@ import { changesOf, namesIn, pathOf, withField } from './experiment.js';
 import { driveKeys, lessonKey, pinKeys } from './keys.js';
 import { sealOf } from './seal.js';
 import { PartlyRead, readAll } from './together.js';
-import { decoded, encoded, oneOf, pairOf } from './values.js';
+import { decoded, encoded, oneOf, pairOf, percent } from './values.js';
 
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
 /**
@@ -193,8 +193,9 @@ function aloneIn(link) {
   return { step, pairs: pairs.filter((pair) => !isStep(pair)) };
 }
 
-/** @param {readonly [string, string]} pair */
-const written = ([key, value]) => `${key}=${encoded(value)}`;
+/** A name may end as sentences do, of which its link may be the end. @param {readonly [string, string]} pair */
+const written = ([key, value]) =>
+  `${key}=${key === 'who' ? encoded(value).replace(/[^\w-]$/, percent) : encoded(value)}`;
 
 /** @param {readonly Key[]} keys @param {Linked} state @param {Experiment} usual */
 function pairsOf(keys, state, usual) {

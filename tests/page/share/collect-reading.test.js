@@ -15,6 +15,13 @@ import { engine, exercise, handedIn, site } from './hand-ins.js';
 
 const reader = createReader(links.pages);
 
+/** As the page writes it. @param {string} address */
+function written(address) {
+  const [before, link] = address.split('#');
+  const { parts, ...state } = links.openLink(link, engine).opened;
+  return `${before}#${links.linkOf({ ...state, slices: parts, work: null }, engine.experiment)}`;
+}
+
 test('the columns of the platform are passed on in any language, but for what was written and what was graded', async () => {
   const { text, link } = await handedIn('s1', [3.3, 0, 4.5]);
   /** @type {[string[], string[]][]} */
@@ -55,6 +62,36 @@ test('the columns of the platform are passed on in any language, but for what wa
       const [top] = Papa.parse(csvOf(rows, site).replace('\ufeff', '')).data;
       assert.deepEqual(/** @type {string[]} */ (top).slice(1, 1 + passed.length), passed);
     }
+});
+
+test('what stands around a link is neither of its student’s number nor of a name', async () => {
+  const link = 'lab&v=1&seed=7&task=T.&vary=goal&who=S4711';
+  const bare = `${site}#${link}`;
+  /** @type {readonly (readonly [string, string])[]} */
+  const rows = [
+    [bare, ''],
+    [`${bare}.`, ''],
+    [`Kim, ${bare}, thanks!`, 'Kim'],
+    [`Is it ${bare}?`, 'Is it'],
+    [`"Lee, Bo": ${bare};`, 'Lee, Bo'],
+    [`20231234 ${bare}`, '20231234'],
+    [`<${bare}>`, ''],
+    [`(${bare})`, ''],
+    [`- ${bare}`, ''],
+    [`2) ${bare}`, ''],
+    [`1. Jo O’Neil – <${bare}>`, 'Jo O’Neil'],
+    [`Kim: [my answer](${bare}).`, 'Kim'],
+  ];
+  for (const [text, name] of rows) {
+    const [entry, ...more] = await reader.read(text);
+    assert.deepEqual([entry.link, entry.name, more], [link, name, []], text);
+  }
+  // What a name ends with, as the page writes it, is of the link.
+  for (const who of ['Jr.', 'Kim%20(B)', 'me!']) {
+    const address = written(`${site}#lab&v=1&task=Why!&vary=goal&who=${who}`);
+    const [{ link: found }] = await reader.read(`It is ${address}.`);
+    assert.equal(`${site}#${found}`, address);
+  }
 });
 
 test('what a teacher wrote is nobody’s hand-in, in any language, wherever it stands', async () => {

@@ -4,13 +4,15 @@
 /** @import { Links } from '../../link/link.js' */
 /** @import { Judged } from '../../run/aim.js' */
 /** @import { Entry } from './entries.js' */
+/** @import { Prepared } from './prepared.js' */
 import { createTurns } from '../../kit/loop.js';
 import { messageOf } from '../../words/errors.js';
 import { exerciseId, exerciseLink } from '../handin/receipt.js';
+import { preparedBy } from './prepared.js';
 import { isHeavy, recompute } from './recompute.js';
 import words from './words/index.js';
 
-/** An exercise: the run with which it was given, its link and its digits. @typedef {{ run: Linked, base: Experiment, link: string, id: string }} Given */
+/** An exercise: the run with which it was given, what of that nobody could choose, its link and its digits. @typedef {{ run: Linked, base: Experiment, prepared: Prepared, link: string, id: string }} Given */
 /** What a receipt is: whole and true; its result is another; it was cut or changed; made by another program; or there is none. @typedef {'holds' | 'otherResult' | 'broken' | 'otherProgram' | 'none'} Worth */
 /** What came of one hand-in: `cost` in the exercise as it was given, `own` in what was handed in; `drives` null: nobody has told; `lacksDrives`: so the budget of drives cannot be judged. @typedef {{ who: string, run: Linked, gains: Triple, how: string, cost: number, own: number, drives: number | null, minutes: number | null, isTold: boolean, lacksDrives: boolean, judged: Judged | null, worth: Worth, told: number | null, differs: readonly string[], answers: string }} Checked */
 /** `problem`: why it could not be read, in words or one of these; `same`: the rows of this very answer, itself among them. @typedef {{ entry: Entry, checked: Checked | null, problem: '' | 'none' | 'long' | 'heavy' | { said: string }, same: readonly number[] }} Row */
@@ -66,7 +68,7 @@ export function createChecker(engine, links) {
         signal.throwIfAborted();
       }
       const readable = runs.filter((run) => run !== null && typeof run !== 'string');
-      const given = exercise ?? (await commonOf(engine, links, readable));
+      const given = await givenTo(engine, links, readable, exercise);
       let done = 0;
       /** @param {Entry} entry @param {number} i @returns {Promise<Row>} */
       const rowOf = async (entry, i) => {
@@ -104,23 +106,26 @@ function givenOf(engine, links, run) {
   return {
     run,
     base: (run.student.base ?? run).experiment,
+    prepared: preparedBy(run, []),
     link,
     id: exerciseId(link),
   };
 }
 
-/** The exercise that most are of. @param {Engine} engine @param {Links} links @param {readonly Linked[]} runs */
-async function commonOf(engine, links, runs) {
-  /** @type {Map<string, { given: Given, count: number }>} */
+/** The exercise that is asked for, or else the one that most are of, as it was given to these. @param {Engine} engine @param {Links} links @param {readonly Linked[]} runs @param {Given | null} asked @returns {Promise<Given | null>} */
+async function givenTo(engine, links, runs, asked) {
+  /** @type {Map<string, { given: Given, of: Linked[] }>} */
   const found = new Map();
   const turn = createTurns(slice);
   for (const run of runs) {
     const given = givenOf(engine, links, run);
     const known = found.get(given.id);
-    found.set(given.id, { given: known?.given ?? given, count: (known?.count ?? 0) + 1 });
+    if (known) known.of.push(run);
+    else found.set(given.id, { given, of: [run] });
     await turn();
   }
-  return [...found.values()].sort((a, b) => b.count - a.count)[0]?.given ?? null;
+  const given = asked ?? [...found.values()].sort((a, b) => b.of.length - a.of.length)[0]?.given;
+  return given ? { ...given, prepared: preparedBy(given.run, found.get(given.id)?.of ?? []) } : null;
 }
 
 /** Who has the very same answer as whom: one list for all of an answer. @param {Row[]} rows @returns {Row[]} */

@@ -68,6 +68,9 @@ function wholeIn(link) {
   return end && link.slice(0, at + end.index + end[0].length);
 }
 
+/** A link without a receipt, without what ends a sentence or a bracket. A task may end so too. @param {string} link */
+const withoutEnd = (link) => (/&task=[^&]*$/.test(link) ? link : link.replace(/[^\w%-]+$/, ''));
+
 /** A line that ends with the digits of a receipt. @param {string} line */
 const endsReceipt = (line) => /^handin=\S*~[\da-f]{8}$/.test(line.slice(line.lastIndexOf('handin=')));
 
@@ -98,7 +101,8 @@ function createFinder(pages) {
     if (whole.length > 0) return whole[whole.length - 1];
     // One that was broken into lines.
     const joined = found.length > 0 && text.includes(mark) ? linksIn(text.replace(/[\s>]+/g, '')) : [];
-    return joined.map(wholeIn).find(Boolean) ?? receipts.at(-1) ?? found.at(-1) ?? null;
+    const [last] = found.slice(-1).map(withoutEnd);
+    return joined.map(wholeIn).find(Boolean) ?? receipts.at(-1) ?? last ?? null;
   }
 
   /** Receipts, lines with links, or a table. @param {string} text */
@@ -197,15 +201,16 @@ export function createReader(pages) {
   };
 }
 
-/** The name in a line such as “Kim, https://…”. @param {string} line */
+/** The name in a line such as “Kim, https://…”, without what lists and mail programs have beside a link. @param {string} line */
 function nameBefore(line) {
   const [before] = line.split(/https?:|file:|#|(?:^|\s)[\w-]+\.html/, 1);
-  return before.length < line.length
-    ? before
-        .slice(0, mostOfName)
-        .replace(/[\s,;:|\t]+$/, '')
-        .replace(/^["']/, '')
-    : '';
+  if (before.length === line.length) return '';
+  const name = before
+    .slice(0, mostOfName)
+    .replace(/\[[^\]]*\]\($/, '')
+    .replace(/^(?:[\s"'*•-]|\d+[.)]\s)+/, '')
+    .replace(/[\s,;:|"'<(–—-]+$/, '');
+  return /[\p{L}\d]/u.test(name) ? name : '';
 }
 
 /** Whose it is in anonymous submissions of Moodle: nobody's name. */

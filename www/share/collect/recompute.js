@@ -13,6 +13,7 @@ import { gainsOf } from '../../run/drivers.js';
 import { drawnFor } from '../../run/variant.js';
 import { measure, samplesToMeasure } from '../handin/measure.js';
 import { holds, isWhole, toldIn } from '../handin/receipt.js';
+import { unreachable } from './prepared.js';
 
 /** @typedef {{ engine: Engine, links: Links, paper: PaperResult[] }} Tools */
 
@@ -102,5 +103,9 @@ function differencesOf(engine, run, given, asGiven) {
     ['points', scale, exercise.scale],
     ['vary', vary, exercise.vary],
   ];
-  return [...fields, ...parts.filter(([, own, other]) => text(own) !== text(other)).map(([name]) => name)];
+  return [
+    ...fields,
+    ...unreachable(run, exercise, given.prepared),
+    ...parts.filter(([, own, other]) => text(own) !== text(other)).map(([name]) => name),
+  ];
 }

@@ -10,7 +10,7 @@
 import { digitsOf } from '../../kit/hash.js';
 import { withoutFreeSeed } from '../../link/exercise.js';
 import { isSealed, sealOf } from '../../link/seal.js';
-import { encoded, numberText } from '../../link/values.js';
+import { encoded, numberText, percent } from '../../link/values.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { noPins } from '../../run/pins.js';
@@ -100,10 +100,7 @@ export async function receiptOf({ engine, links, paper }, state, answers = {}) {
   const link = answerLink(state, engine, links);
   const body = bodyOf(told);
   // Whatever ends a link in a text is written otherwise.
-  const safe = `${link}&handin=${encoded(`${body}~${sealOf(link, body)}`)}`.replace(
-    /[!'()*]/g,
-    (letter) => `%${letter.charCodeAt(0).toString(16).toUpperCase()}`,
-  );
+  const safe = `${link}&handin=${encoded(`${body}~${sealOf(link, body)}`)}`.replace(/[!'()*]/g, percent);
   const { method, seed } = experiment.evolution;
   return {
     ...told,
