@@ -9,6 +9,8 @@ import { bred, counted, slide } from '../parts/parking.js';
 
 /** About the width of an A4 sheet between its margins. */
 const paper = 680;
+/** As high as a sheet of Letter between its margins, the lower of the two. */
+const sheet = 960;
 
 /** From now on the rules for paper hold on the screen, where one can look. @param {Page} page */
 const asOnPaper = (page) =>
@@ -105,8 +107,19 @@ for (const link of pageNames.flatMap(linksOf))
     },
   );
 
-/** As high as a sheet of Letter between its margins, the lower of the two. */
-const sheet = 960;
+engineTest('the plane leaves room on the first sheet, however high it was on the screen', async (page) => {
+  await page.resize(1280, 800);
+  await page.open('#training');
+  const box = () =>
+    page.evaluate(() => {
+      const all = [...document.querySelectorAll('#plane canvas')].map((one) => one.getBoundingClientRect());
+      return { height: Math.max(...all.map(({ height }) => height)), bottom: all[0].bottom + scrollY };
+    });
+  assert.ok((await box()).height > 600);
+  await asOnPaper(page);
+  const { height, bottom } = await box();
+  assert.ok(height < 600 && bottom < sheet, `${height} high, to ${bottom}`);
+});
 
 pageTest('Park is one sheet, with the numbers that drive and what evolution found', async (page) => {
   await page.open('#park');
