@@ -47,7 +47,7 @@ export function createDraw(views, engine, paper, inSight, turn) {
   /** @param {State} state @returns {Record<string, () => void>} */
   const headOf = (state) => ({
     message: () => showMessage(state.message),
-    pages: () => views.pages.draw(state.page, state.lesson, state.experiment.evolution.population),
+    pages: () => views.pages.draw(state.page, state.lesson, state.population.length),
     preset: () => views.preset.draw(asked(state).preset),
   });
 
@@ -164,11 +164,11 @@ function costNote(scene, { driver, population, generation, found }) {
 }
 
 /** @param {State} state */
-function evolutionNote({ history, generation, evolving, until, restart, experiment }) {
+function evolutionNote({ history, generation, evolving, until, restart, experiment, population }) {
   const shown = history[generation];
-  const { population, method, selection } = experiment.evolution;
+  const { method, selection } = experiment.evolution;
   const isPapers = method === 'ep' && selection === 'tournament';
-  if (history.length === 1) return strings.restartText(restart, population, isPapers);
+  if (history.length === 1) return strings.restartText(restart, population.length, isPapers);
   if (generation < history.length - 1 && !evolving)
     return strings.recordedText(generation, history.length - 1);
   if (!evolving && until.kind === 'cost' && isReached(until, shown))

@@ -81,10 +81,13 @@ pageTest(
     );
     await page.press('l', 'o', 'w', Key.ENTER);
     assert.match(await page.text('#contest-target-error'), /must be a number; it was “low”/);
+    const isInvalid = () => document.getElementById('contest-target')?.getAttribute('aria-invalid');
+    assert.equal(await page.evaluate(isInvalid), 'true');
     assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 7.9));
 
     await page.click('#contest-usual');
     assert.equal(await page.text('#contest-target-error'), '');
+    assert.equal(await page.evaluate(isInvalid), 'false');
     assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, null));
   },
 );

@@ -22,6 +22,25 @@ test('quartiles lie between the numbers in proportion, also when some are infini
   assert.deepEqual([median, high, most], [Infinity, Infinity, Infinity]);
 });
 
+test('random search is not compared with itself', () => {
+  for (const words of [en, ko])
+    for (const method of /** @type {const} */ (['ep', 'random'])) {
+      const survey = {
+        experiment: { evolution: { method } },
+        runs: [],
+        generations: 50,
+        summary: {
+          final: { median: 8, most: 9 },
+          finalRandom: { median: 8.5 },
+          randomWins: 0,
+          overtakes: 40,
+        },
+      };
+      const told = words.finding(/** @type {any} */ (survey));
+      assert.equal(told.includes('8.500'), method === 'ep', told);
+    }
+});
+
 test('a line above the plot has an arrow at its name', () => {
   const ends = { low: [1], median: [1], high: [1], least: [1], most: [1] };
   const survey = { generations: 0, summary: { evolution: ends, random: { ...ends, high: [2] } } };

@@ -105,6 +105,7 @@ function targetField({ target, targetError, contest }, standings, isTyping, { up
     <div class="bar contest-target">
       <label class="bar"><span>${texts.target}</span>
         <input id="contest-target" type="text" inputmode="decimal" .value=${isTyping ? noChange : live(words.targetText(standings.target))}
+          aria-describedby="contest-target-error" aria-invalid=${String(targetError !== '')}
           @focus=${selectAll} @blur=${redraw} @change=${change}></label>
       ${
         target === null

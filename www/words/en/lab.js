@@ -2,6 +2,7 @@
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
+import { counted } from './counted.js';
 import { costText, degrees, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
 
 export * from '../common/lab.js';
@@ -71,7 +72,7 @@ export const pages = {
 
 /** What each part is for. @param {number} population @returns {Record<string, string>} */
 export const taglines = (population) => ({
-  lab: `${population} robots, each with three random gains, drive to the goal. Evolution keeps what drives well.`,
+  lab: `${counted(population, 'robot with three random gains drives', 'robots, each with three random gains, drive')} to the goal. Evolution keeps what drives well.`,
   park: 'Robots at 32 starts, one parking place, three numbers: park them all, or let evolution try.',
   generation:
     'One generation, step by step: who had whom as a child, how each drove, whom each met, who stays.',
@@ -151,7 +152,7 @@ export const costParts = [
 /** @param {{ others: number, population: number, arrived: number | null }} drives Null where nobody can arrive. */
 export function othersText({ others, population, arrived }) {
   const who = others === population - 1 ? `the other ${others}` : `the next ${others} of ${population}`;
-  return arrived === null ? who : `${who}, ${arrived} of them arrive`;
+  return arrived === null ? who : `${who}, ${arrived} of them ${arrived === 1 ? 'arrives' : 'arrive'}`;
 }
 
 /** @param {string} name @param {Run} run */
@@ -219,11 +220,11 @@ export const recordedText = (generation, newest) =>
 export const restartText = (restart, population, isPapers) =>
   ({
     begin: isPapers
-      ? `${population} random robots. Run: each has one offspring, then a tournament keeps ${population}.`
+      ? `${counted(population, 'random robot', 'random robots')}. Run: each has one offspring, then a tournament keeps ${population}.`
       : 'Generation 0 of another search than the paper’s. Run: it goes on from here.',
     moved: 'Start or goal has moved: evolution begins again at generation 0.',
     limits: 'Other limits: evolution begins again at generation 0.',
-    seed: `New seed: ${population} other robots at generation 0.`,
+    seed: `New seed: ${counted(population, 'other robot', 'other robots')} at generation 0.`,
     setting: 'A setting has changed: evolution begins again at generation 0.',
     undone: 'One step back: evolution begins again at generation 0.',
     redone: 'One step forward again: evolution begins at generation 0.',

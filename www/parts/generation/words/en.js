@@ -3,6 +3,7 @@
 /** @import { Others } from './common.js' */
 import { costWriter, digitsFor, luckSign } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-en.js';
+import { counted } from '../../../words/en/counted.js';
 import { costText, fixed } from '../../../words/en/numbers.js';
 
 export * from './common.js';
@@ -40,29 +41,28 @@ export function sentence(anatomy, phase) {
   if (method !== 'ep') return sentenceOfMethod(anatomy, phase, costWriter(anatomy));
   if (generation === 0)
     return phase === 'survivors'
-      ? `All ${count} stay, now in the order of their J: the parents of generation 1.`
-      : `${count} robots with random gains, in the order of their draws. No one has competed yet.`;
+      ? count === 1
+        ? 'It stays: the parent of generation 1.'
+        : `All ${count} stay, now in the order of their J: the parents of generation 1.`
+      : `${counted(count, 'robot', 'robots')} with random gains, in the order of their draws. No one has competed yet.`;
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;
   const crossed = record.donors.filter(({ length }) => length > 0).length;
   return {
-    parents: `The ${count} survivors of generation ${generation - 1}, best ranked first. Lower J is better.`,
+    parents: `The ${counted(count, 'survivor', 'survivors')} of generation ${generation - 1}, best ranked first. Lower J is better.`,
     mutation: `Each parent has one offspring: its gains move by the old σ times a random draw.${crossed > 0 ? ` ${crossed} of ${count} parents are crossed with another first.` : ''}`,
     drive: `The offspring drive and get their J: ${better} of ${count} drive better than their parent.`,
-    tournament: `Each of the ${all.length} meets ${record.opponents[0]?.length} others drawn at random, and wins if its J is not higher.`,
+    tournament: `Each of the ${all.length} meets ${counted(record.opponents[0]?.length ?? 0, 'other', 'others')} drawn at random, and wins if its J is not higher.`,
     ranking:
       record.wins.length > 0
         ? `Most wins first; with equal wins, lower J first. The line is drawn after ${count}.`
         : `Survivors first, then the others, each group by J. The line is drawn after ${count}.`,
-    survivors: `${parts(stayed, 'parent', 'parents')} and ${count - stayed} offspring stay, with their σ: the parents of generation ${generation + 1}.`,
+    survivors: `${counted(stayed, 'parent', 'parents')} and ${count - stayed} offspring stay, with their σ: the parents of generation ${generation + 1}.`,
   }[phase];
 }
 
-/** @param {number} count @param {string} one @param {string} many */
-const parts = (count, one, many) => `${count} ${count === 1 ? one : many}`;
-
 /** @param {number} count */
-export const winsText = (count) => parts(count, 'win', 'wins');
+export const winsText = (count) => counted(count, 'win', 'wins');
 
 /** One that survives though a better one fell. @param {Anatomy} anatomy */
 export function upsetText(anatomy) {
@@ -97,12 +97,12 @@ export function othersText({ method }, phase, { drawn, all, isAmong, arrived }) 
   const these = isAmong ? 'the other' : 'the';
   const who =
     phase === 'tournament'
-      ? `its ${parts(all, 'opponent', 'opponents')}`
+      ? `its ${counted(all, 'opponent', 'opponents')}`
       : phase === 'ranking'
         ? `${these} ${all}`
         : `${these} ${all} ${kind[phase]}`;
   const told = drawn < all ? `${drawn} of ${who}` : who;
-  return arrived === null ? told : `${told}, ${arrived} of them arrive`;
+  return arrived === null ? told : `${told}, ${arrived} of them ${arrived === 1 ? 'arrives' : 'arrive'}`;
 }
 
 export const pictureLabel = 'The individuals of this generation; arrow keys choose one';
@@ -198,7 +198,7 @@ export function tableCaption(anatomy) {
   const { record, count, all } = anatomy;
   const counts = (/** @type {number} */ number) => `${nameOf(anatomy, number)} is its number ${number}`;
   return record.generation === 0
-    ? `Generation 0: ${count} ${count === 1 ? 'robot' : 'robots'} with random gains. The core’s record counts from 0: ${counts(0)}.`
+    ? `Generation 0: ${counted(count, 'robot', 'robots')} with random gains. The core’s record counts from 0: ${counts(0)}.`
     : `Generation ${record.generation}, all ${all.length}. The core’s record counts from 0: ${counts(0)}, ${counts(count)}. ${record.wins.length > 0 ? 'Most wins first.' : 'Survivors first.'}`;
 }
 const columns = [

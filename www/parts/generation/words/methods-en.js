@@ -2,6 +2,7 @@
 /** @import { Anatomy, Method, Phase } from '../record.js' */
 import { deviationRatio, sigmaText } from './common.js';
 import { gains } from '../../../words/en/lab.js';
+import { counted } from '../../../words/en/counted.js';
 import { fixed } from '../../../words/en/numbers.js';
 
 /** What was there before, and what is tried. @type {Readonly<Record<Method, readonly [before: string, tried: string]>>} */
@@ -97,7 +98,7 @@ const sentences = {
       `The trials drive: ${offspring.filter(({ cost }, i) => cost <= parents[i].cost).length} of ${parents.length} cost no more than their member.`,
     survivors: ({ record: { survivors, parents } }) => {
       const taken = survivors.filter((number) => number >= parents.length).length;
-      return `${taken} ${taken === 1 ? 'trial takes its member’s place' : 'trials take their members’ places'}; ${parents.length - taken} members stay.`;
+      return `${counted(taken, 'trial takes its member’s place', 'trials take their members’ places')}; ${counted(parents.length - taken, 'member stays', 'members stay')}.`;
     },
   },
   'cma-es': {
@@ -106,7 +107,9 @@ const sentences = {
     mutation: ({ record }) => `${record.offspring.length} robots are drawn from it.`,
     drive: () => 'They drive and get their J. Only their order will count.',
     ranking: ({ counting, ranked }) =>
-      `The better ${counting} count, the best one most (bars: weights); the other ${ranked - counting} are left aside.`,
+      counting === 1
+        ? `The best one counts alone; the other ${counted(ranked - counting, 'is', 'are')} left aside.`
+        : `The better ${counting} count, the best one most (bars: weights); the other ${counted(ranked - counting, 'is', 'are')} left aside.`,
     survivors({ record: { ellipse, next } }) {
       const ratio = ellipse && next.ellipse ? deviationRatio(ellipse, next.ellipse) : 1;
       return `The mean moves to the weighted robots; the ellipse takes their shape, ${fixed(ratio, 2)} times as wide.`;

@@ -74,9 +74,11 @@ const listOf = (parts) =>
   parts.length < 2 ? parts.join('') : `${parts.slice(0, -1).join(', ')} and ${parts[parts.length - 1]}`;
 
 /** What was found, true for whatever comes out. @param {SeedSurvey} survey */
-export function finding({ runs, generations, summary }) {
+export function finding({ experiment, runs, generations, summary }) {
   const { final, finalRandom, randomWins, overtakes } = summary;
   const evolution = `After ${generations} generations half of the ${runs.length} seeds have J ${costText(final.median)} or lower, the unluckiest ${costText(final.most)}.`;
+  // It is what is beside it.
+  if (experiment.evolution.method === 'random') return evolution;
   const random = `Random search with as many drives ends at ${costText(finalRandom.median)} (median) and is better for ${seedsText(randomWins)}`;
   const isThere = overtakes > 0 && overtakes < generations;
   return `${evolution} ${random}${isThere ? `; evolution’s median is there at generation ${overtakes}` : ''}.`;

@@ -66,9 +66,11 @@ export const outOfDate = (changes) =>
 const earlier = { start: '출발', goal: '목표', limits: '제한', settings: '설정' };
 
 /** What was found, true for whatever comes out. @param {SeedSurvey} survey */
-export function finding({ runs, generations, summary }) {
+export function finding({ experiment, runs, generations, summary }) {
   const { final, finalRandom, randomWins, overtakes } = summary;
   const evolution = `${generations}세대 뒤, 시드 ${runs.length}개 중 절반의 J는 ${costText(final.median)} 이하이고, 가장 운 나쁜 시드의 J는 ${costText(final.most)}입니다.`;
+  // It is what is beside it.
+  if (experiment.evolution.method === 'random') return evolution;
   const isThere = overtakes > 0 && overtakes < generations;
   const overtaken = isThere
     ? ` 진화의 중앙값은 ${overtakes}세대에 이미 무작위 탐색의 중앙값에 이릅니다.`

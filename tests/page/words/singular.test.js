@@ -1,0 +1,42 @@
+// One of anything is told as one.
+import assert from 'node:assert/strict';
+import { phasesOf } from '../../../www/parts/generation/phases.js';
+import { dissect } from '../../../www/parts/generation/record.js';
+import { sentence } from '../../../www/parts/generation/words/en.js';
+import { othersText, restartText, taglines } from '../../../www/words/en/lab.js';
+import { Evolution, experiment } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+const base = experiment('velocity-limits');
+const wrong =
+  /(?<!and )\b1 (?:robots|members|others|survivors|parents|trials|random robots|stay|are|count|of them arrive)\b/;
+
+test('of few robots the lab speaks as of many', () => {
+  for (const count of [1, 2])
+    for (const text of [
+      taglines(count).lab,
+      restartText('begin', count, true),
+      restartText('seed', count, true),
+      othersText({ others: count, population: count + 1, arrived: 1 }),
+    ])
+      assert.doesNotMatch(text, wrong);
+});
+
+test('so does each phase of each method with the fewest robots', () => {
+  for (const [method, population] of /** @type {const} */ ([
+    ['ep', 1],
+    ['ep', 2],
+    ['random', 1],
+    ['de', 4],
+    ['cma-es', 2],
+    ['cma-es', 3],
+  ])) {
+    const settings = { ...base.evolution, method, population, opponents: 1 };
+    const evolution = new Evolution({ ...base, evolution: settings });
+    for (let i = 0; i < 30; i += 1) evolution.step();
+    for (let i = 0; i <= 30; i += 1) {
+      const anatomy = dissect(evolution.record(i), settings);
+      for (const phase of phasesOf(anatomy)) assert.doesNotMatch(sentence(anatomy, phase), wrong);
+    }
+  }
+});
