@@ -5,6 +5,7 @@ import { evolve, experiment, paper, paperGains, simulate } from '../harness/core
 import { engine } from './links.js';
 import { answered } from './live.js';
 import { driven, opened } from './links.js';
+import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 
 const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
@@ -102,4 +103,20 @@ test('heavier weights change J, not the drive', () => {
 test('in Figure 7 the arbitrary gains swing beyond 60° here', () => {
   const { theta } = driven(linkOf('figure7'));
   assert.ok((Math.max(...theta) * 180) / Math.PI > 90);
+});
+
+pageTest('who stands in the table stays there when what evolution finds has come', async (page) => {
+  await page.open('#lesson');
+  await page.evaluate(() => {
+    new MutationObserver(() => {
+      const box = /** @type {HTMLElement | null} */ (document.querySelector('#paper-table .lesson-scroll'));
+      if (document.activeElement === document.body && box?.textContent?.includes('…')) box.focus();
+    }).observe(document.body, { childList: true, subtree: true, attributes: true });
+    location.hash = 'lesson&step=paper';
+  });
+  await page.until(
+    'all numbers are there',
+    () => document.querySelector('#paper-table table')?.textContent?.includes('…') === false,
+  );
+  assert.equal(await page.evaluate(() => document.activeElement?.className), 'lesson-scroll');
 });

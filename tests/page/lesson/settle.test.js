@@ -114,7 +114,7 @@ pageTest(
     // So slowly that the answer does not come before the change.
     await page.setPace(0.02);
     await page.click('#quiz-bolder .choice:first-child');
-    await page.until('it is watched', () => document.querySelector('#quiz-bolder [aria-disabled]'));
+    await page.until('it is watched', () => document.querySelector('#quiz-bolder [aria-disabled="true"]'));
     await page.focus('#slider-kx');
     await page.press(Key.ARROW_RIGHT);
     await page.until(
@@ -123,7 +123,7 @@ pageTest(
       lapsed,
     );
     assert.equal(
-      await page.evaluate(() => document.querySelectorAll('#quiz-bolder [aria-disabled]').length),
+      await page.evaluate(() => document.querySelectorAll('#quiz-bolder [aria-disabled="true"]').length),
       0,
     );
   },

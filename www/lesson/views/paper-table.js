@@ -44,7 +44,8 @@ const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) =
 
 /** @param {Tools} tools @param {any} words @returns {Block} */
 export function createPaperTable({ engine }, words) {
-  const element = create('div', '');
+  const box = scrolling(create('table', ''));
+  const element = create('div', '', box);
   element.id = 'paper-table';
   /** What evolution finds with the first seed, in each preset. @type {Map<string, Individual> | 'asked' | null} */
   let found = null;
@@ -62,7 +63,8 @@ export function createPaperTable({ engine }, words) {
         best ? lab.costText(best.cost) : '…',
       ]);
     }
-    element.replaceChildren(scrolling(tableOf('lesson-table', words.head, rows)));
+    // Who is in it, or has scrolled it, stays there.
+    box.replaceChildren(tableOf('lesson-table', words.head, rows));
   };
   return {
     element,
