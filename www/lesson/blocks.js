@@ -7,6 +7,7 @@ import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { generationSlice } from '../parts/generation/state.js';
 import { landscapeSlice } from '../parts/landscape/state.js';
 import { lesson as first } from '../words/index.js';
+import { soon } from './aside.js';
 import { isAskedIn } from './questions/asked-in.js';
 import { createFormula } from './formulas/formula.js';
 import { hrefOf, linkOfStep, pathLength, stepNames } from './path.js';
@@ -45,7 +46,7 @@ export function createStep(article, step, number, tools) {
     ),
     article,
   );
-  return [...blocks, createValues(article, step)];
+  return [...blocks, createValues(article, step, tools)];
 }
 
 /** What would give an answer away is not there before it. @param {Part} part @param {Content} block @param {Step} step @returns {Part} */
@@ -63,9 +64,10 @@ function masked(part, { after }, step) {
   };
 }
 
-/** The numbers in the texts. @param {HTMLElement} article @param {Step} step @returns {Block} */
-function createValues(article, step) {
+/** The numbers in the texts. @param {HTMLElement} article @param {Step} step @param {Pick<Tools, 'store'>} tools @returns {Block} */
+function createValues(article, step, { store }) {
   const changed = watch();
+  let isDue = false;
   return {
     element: article,
     draw(live) {
@@ -75,11 +77,12 @@ function createValues(article, step) {
         landscapeSlice.of(state).result,
         disturbanceSlice.of(state).measured,
       ];
-      if (!changed(scene.driving, sample, state.history, state.generation, progressSlice.of(state), ...parts))
-        return;
-      const known = step.values?.(live) ?? {};
+      const now = [scene.driving, sample, state.history, state.generation, progressSlice.of(state), ...parts];
+      if (!changed(...now) && !isDue) return;
+      const known = soon(() => step.values?.(live) ?? {}, store.redraw);
+      isDue = !known;
       for (const element of /** @type {NodeListOf<HTMLElement>} */ (article.querySelectorAll('[data-value]')))
-        write(element, known[element.dataset.value ?? ''] ?? '–');
+        write(element, known ? (known[element.dataset.value ?? ''] ?? '–') : '…');
     },
   };
 }

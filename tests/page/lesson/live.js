@@ -1,4 +1,5 @@
 // What a question of the lesson is answered from, under Node: the page's own answers on the core itself.
+import { soon } from '../../../www/lesson/aside.js';
 import { liveOf } from '../../../www/lesson/headless.js';
 import { steps } from '../../../www/lesson/steps.js';
 import * as en from '../../../www/lesson/words/en.js';
@@ -38,4 +39,17 @@ export function tryOf(step, name) {
       if (found) return found[1];
     }
   throw new Error(`no try ${step}.${name}`);
+}
+
+/** The numbers in the texts of a step, once all of them are there. @param {import('../../../www/lesson/steps.js').Step} step @param {ReturnType<typeof liveOf>} live @returns {Promise<Record<string, string>>} */
+export async function toldBy(step, live) {
+  for (;;) {
+    let again = () => {};
+    const arrival = new Promise((resolve) => {
+      again = () => resolve(null);
+    });
+    const known = soon(() => step.values?.(live) ?? {}, again);
+    if (known) return known;
+    await arrival;
+  }
 }

@@ -15,7 +15,7 @@ import {
 } from '../harness/core.js';
 import { yardOf } from '../../../www/lesson/duel/yard.js';
 import { driven, engine, opened } from './links.js';
-import { answered, tryOf } from './live.js';
+import { answered, liveOf, toldBy, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -213,14 +213,32 @@ pageTest('what the answer says of many starts is what the training then finds', 
     assert.ok(finding.includes(`${Math.round(Number(count) / 10)}\u202f%`), `${count} in ${finding}`);
 });
 
-pageTest('what is said of the first robot stays said of it while another is tried', async (page) => {
-  await page.open('#lesson&step=task');
+test('whatever is open, what is said of the first robot is of that one', async () => {
+  const told = await toldBy(step, liveOf(step.link));
+  assert.deepEqual(
+    [told.generation, told.cost, told.ky],
+    [String(generation), best.cost.toFixed(3), best.gains[1].toFixed(4)],
+  );
+  for (const link of [
+    tryOf('task', 'cheap'),
+    `training&generation=100&${cheapTurns}`,
+    `${step.link}&goal.theta=90deg`,
+    `${step.link}&law=kanayama`,
+    `${step.link}&horizon=1`,
+    'lab',
+  ])
+    assert.deepEqual(await toldBy(step, liveOf(link)), told, link);
+});
+
+pageTest('what is said of the first robot stays said of it after a reload too', async (page) => {
   const said = () =>
-    page.evaluate(() =>
-      [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]'))]
-        .map(({ dataset, textContent }) => `${dataset.value} ${textContent}`)
-        .join(),
-    );
+    page.until('its numbers', () => {
+      const values = [
+        .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]')),
+      ].map(({ dataset, textContent }) => `${dataset.value} ${textContent}`);
+      return values.some((value) => value.includes('…')) ? '' : values.join();
+    });
+  await page.open('#lesson&step=task');
   const first = await said();
   assert.match(first, /generation 100/);
   await page.evaluate(() =>
@@ -228,5 +246,7 @@ pageTest('what is said of the first robot stays said of it while another is trie
   );
   await page.until('another seed', () => location.hash.includes('seed=3'));
   await page.until('its robot', () => document.getElementById('training-evolve')?.checkVisibility());
+  assert.equal(await said(), first);
+  await page.open('#training&v=1&generation=100&weights.velocity=1,0.1&lesson=task');
   assert.equal(await said(), first);
 });

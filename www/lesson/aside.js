@@ -1,0 +1,31 @@
+// What a step tells of its own run while another is open: computed aside, once.
+import { Pending } from '../core/pending.js';
+
+/** Asked for when it is needed first; throws a Pending as long as it is on its way. @template T @param {() => Promise<T>} ask @returns {() => T} */
+export function aside(ask) {
+  /** @type {{ value: T } | null} */
+  let found = null;
+  /** @type {Promise<void> | null} */
+  let arrival = null;
+  return () => {
+    arrival ??= ask().then((value) => {
+      found = { value };
+    });
+    if (!found) throw new Pending(arrival);
+    return found.value;
+  };
+}
+
+/** What is asked for, or null as long as it is on its way; `again` once asking again is worth it. @template T @param {() => T} ask @param {() => void} again */
+export function soon(ask, again) {
+  try {
+    return ask();
+  } catch (error) {
+    if (!(error instanceof Pending)) throw error;
+    error.arrival.then(again);
+    return null;
+  }
+}
+
+/** Whether both say the same. @param {unknown} one @param {unknown} other */
+export const isSame = (one, other) => JSON.stringify(one) === JSON.stringify(other);
