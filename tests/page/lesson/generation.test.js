@@ -8,7 +8,7 @@ import { generation as words } from '../../../www/lesson/words/en/generation.js'
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, simulate, wordFields } from '../harness/core.js';
 import { evolved, opened, shownIn } from './links.js';
-import { answered, liveOf, tryOf } from './live.js';
+import { answered, liveOf, numbersOn, toldBy, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
 const usual = experiment('velocity-limits');
@@ -119,7 +119,7 @@ test('the best J never rises, for the best wins all its bouts', async () => {
   }
 });
 
-test('whatever searches and selects, the step says what is known of it, and a formula has its numbers or none', () => {
+test('whatever searches and selects, the step has all its numbers, and a formula has its numbers or none', async () => {
   const wordsOf = (/** @type {string} */ name) =>
     wordFields().find(({ path }) => path === `evolution.${name}`)?.words ?? [];
   const settings = [
@@ -127,6 +127,10 @@ test('whatever searches and selects, the step says what is known of it, and a fo
     ...wordsOf('selection').map((word) => ['selection', word]),
   ];
   assert.ok(settings.length > 8);
+  const first = await toldBy(step, liveOf('lab&generation=1'));
+  const names = Object.values(words.texts).flatMap((text) =>
+    [...text.matchAll(/\{=(\w+)\}/g)].map(([, name]) => name),
+  );
   for (const [name, word] of settings)
     for (const generation of [0, 1, 5]) {
       const where = `${word}, generation ${generation}`;
@@ -134,11 +138,33 @@ test('whatever searches and selects, the step says what is known of it, and a fo
       const isPapers = generation > 0 && (name === 'selection' || word === 'ep');
       for (const { numbers } of [gainFormula, sigmaFormula])
         assert.equal(Object.keys(numbers?.(live) ?? {}).length > 0, isPapers, where);
-      const known = step.values?.(live) ?? {};
-      assert.equal('child' in known, isPapers, where);
-      assert.equal('bouts' in known, isPapers && ['ep', 'tournament'].includes(word), where);
+      const known = await toldBy(step, live);
+      for (const one of names) assert.match(known[one] ?? '', /^\w/, `${where}: ${one}`);
       assert.doesNotMatch(JSON.stringify(known), /undefined|NaN/, where);
+      const hasBouts = isPapers && ['ep', 'tournament'].includes(word);
+      if (!isPapers) assert.deepEqual(known, first, where);
+      else if (!hasBouts)
+        for (const one of ['all', 'bouts', 'chosen', 'wins', 'fate'])
+          assert.equal(known[one], first[one], `${where}: ${one}`);
+      else {
+        const { record, all } = anatomyIn(live);
+        assert.ok(known.fate.includes(`of generation ${generation + 1}`) || /fell/.test(known.fate), where);
+        assert.ok(
+          all.some(({ cost }) => cost.toFixed(3) === known.childCost),
+          where,
+        );
+        assert.equal(known.bouts, String(record.opponents[0].length), where);
+      }
     }
+});
+
+test('what the figure does not have is told of generation 1 of the same run', async () => {
+  for (const rest of ['seed=3', 'population=6', 'goal.theta=90deg&individual=3'])
+    assert.deepEqual(
+      await toldBy(step, liveOf(`generation&generation=0&${rest}`)),
+      await toldBy(step, liveOf(`generation&generation=1&${rest}`)),
+      rest,
+    );
 });
 
 test('whatever a birth is made of, the formulas with its numbers come to what they say', () => {
@@ -257,3 +283,16 @@ pageTest(
     assert.equal(now.wins, String(record.wins[number]));
   },
 );
+
+pageTest('where the figure has no births, the text has its numbers all the same', async (page) => {
+  await page.open('#lesson&step=7');
+  const first = await numbersOn(page, 'the numbers of generation 1');
+  assert.doesNotMatch(first, /–/);
+  await page.click('#one-back');
+  await page.until('generation 0', () => !location.hash.includes('generation=1'));
+  assert.equal(await numbersOn(page, 'the same before any birth'), first);
+  await page.open('#generation&v=1&generation=0&phase=parents&individual=26&lesson=7');
+  assert.equal(await numbersOn(page, 'the same from a link'), first);
+  await page.open('#generation&v=1&evolution.method=cma-es&generation=1&individual=26&lesson=7');
+  assert.equal(await numbersOn(page, 'the same in another search'), first);
+});

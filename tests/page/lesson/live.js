@@ -53,3 +53,12 @@ export async function toldBy(step, live) {
     await arrival;
   }
 }
+
+/** The numbers in the text of the step that is open, once all of them are there. @param {import('../harness/browsers.js').Page} page @param {string} what */
+export const numbersOn = (page, what) =>
+  page.until(what, () => {
+    const values = [
+      .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]')),
+    ].map(({ dataset, textContent }) => `${dataset.value} ${textContent}`);
+    return values.some((value) => value.includes('…')) ? '' : values.join();
+  });

@@ -15,7 +15,7 @@ import {
 } from '../harness/core.js';
 import { yardOf } from '../../../www/lesson/duel/yard.js';
 import { driven, engine, opened } from './links.js';
-import { answered, liveOf, toldBy, tryOf } from './live.js';
+import { answered, liveOf, numbersOn, toldBy, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -231,13 +231,7 @@ test('whatever is open, what is said of the first robot is of that one', async (
 });
 
 pageTest('what is said of the first robot stays said of it after a reload too', async (page) => {
-  const said = () =>
-    page.until('its numbers', () => {
-      const values = [
-        .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]')),
-      ].map(({ dataset, textContent }) => `${dataset.value} ${textContent}`);
-      return values.some((value) => value.includes('…')) ? '' : values.join();
-    });
+  const said = () => numbersOn(page, 'its numbers');
   await page.open('#lesson&step=task');
   const first = await said();
   assert.match(first, /generation 100/);

@@ -1,13 +1,18 @@
 // One generation by hand.
-import { birthOf } from '../../parts/generation/birth.js';
+import { remember } from '../../kit/memo.js';
+import { chosenOf, dissect } from '../../parts/generation/record.js';
+import { generationSlice } from '../../parts/generation/state.js';
 import words from '../../parts/generation/words/index.js';
 import lesson from '../words/index.js';
-import { anatomyOf, chosenIn, placeByCost } from '../anatomy.js';
+import { anatomyOf, placeByCost } from '../anatomy.js';
+import { isSame } from '../aside.js';
 import { gainFormula } from '../formulas/formulas.js';
 import { createNewborn } from '../views/newborn.js';
 import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
+/** @import { Engine, Experiment } from '../../core/engine.js' */
+/** @import { Anatomy } from '../../parts/generation/record.js' */
 /** @import { Step } from '../steps.js' */
 
 /** The two whose fates the first question is about: offspring 6 and parent 12 of generation 1. */
@@ -64,29 +69,38 @@ export const generation = {
     { kind: 'text', name: 'next' },
   ],
   values: (live) => {
-    const anatomy = anatomyOf(live);
-    const { record, all, count } = anatomy;
-    const chosen = chosenIn(live);
-    const pair = chosen % count;
-    const birth = birthOf(anatomy, pair);
-    const name = (/** @type {number} */ number) => words.capital(words.nameOf(anatomy, number));
-    const known = { count: String(count), parent: name(pair) };
-    if (!birth) return known;
-    const cost = words.costWriter(anatomy);
+    const { engine, state } = live;
+    const shown = anatomyOf(live);
+    const papers = () => papersGeneration(engine, state.experiment);
+    const born = shown.record.mutations.length > 0 ? shown : papers();
+    const met = shown.record.opponents.length > 0 ? shown : papers();
+    const chosenOfAll = (/** @type {Anatomy} */ anatomy) =>
+      chosenOf(anatomy, { ...generationSlice.of(state), phase: 'survivors' });
+    const pair = chosenOfAll(born) % born.count;
+    const chosen = chosenOfAll(met);
+    const nameIn = (/** @type {Anatomy} */ anatomy, /** @type {number} */ number) =>
+      words.capital(words.nameOf(anatomy, number));
+    const cost = words.costWriter(born);
+    const { parents, offspring } = born.record;
     return {
-      ...known,
-      child: name(pair + count),
-      childCost: cost(birth.child.cost),
-      parentCost: cost(birth.parent.cost),
-      better: String(record.offspring.filter((one, i) => one.cost < record.parents[i].cost).length),
-      all: String(all.length),
-      chosen: name(chosen),
-      // Without a tournament there are none.
-      ...(record.opponents.length > 0 && {
-        bouts: String(record.opponents[chosen].length),
-        wins: String(record.wins[chosen]),
-      }),
-      fate: lesson.steps.generation.fate(words.nameOf(anatomy, chosen), words.fateText(anatomy, chosen)),
+      count: String(state.experiment.evolution.population),
+      child: nameIn(born, pair + born.count),
+      childCost: cost(offspring[pair].cost),
+      parentCost: cost(parents[pair].cost),
+      better: String(offspring.filter((one, i) => one.cost < parents[i].cost).length),
+      all: String(met.all.length),
+      bouts: String(met.record.opponents[chosen].length),
+      chosen: nameIn(met, chosen),
+      wins: String(met.record.wins[chosen]),
+      fate: lesson.steps.generation.fate(words.nameOf(met, chosen), words.fateText(met, chosen)),
     };
   },
 };
+
+/** Generation 1 of the same run made as in the paper, of which is told what the figure does not have: births, or bouts. */
+const papersGeneration = remember((/** @type {Engine} */ engine, /** @type {Experiment} */ experiment) => {
+  const { method, selection } = engine.experiment('velocity-limits').evolution;
+  const papers = { ...experiment, evolution: { ...experiment.evolution, method, selection } };
+  const own = isSame(papers, experiment) ? experiment : papers;
+  return dissect(engine.record(1, own), own.evolution);
+});
