@@ -13,7 +13,7 @@ import {
   startsOnCircle,
 } from '../harness/core.js';
 import { opened } from './links.js';
-import { answered, tryOf } from './live.js';
+import { answered, liveOf, toldBy, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -51,6 +51,16 @@ test('under the slip the robot stands beyond the goal, where its command cancels
   assert.ok(Math.abs(run.commandLinear[last] + from.disturbance.linear) < 1e-3);
   // On the very edge of the set of (6).
   assert.ok(Math.abs(remains.error.x[0] - from.disturbance.linear / gains[0]) < 1e-3 * remains.error.x[0]);
+});
+
+test('what is said of the slip is of the step’s own drive, whatever is open', async () => {
+  const { run, from } = disturbed(step.link);
+  const last = run.x.length - 1;
+  const away = Math.hypot(run.x[last] - from.goal.x, run.y[last] - from.goal.y);
+  for (const rest of ['', '&goal.theta=0deg', '&law=kanayama', '&preset=acceleration-limits', '&horizon=3']) {
+    const { push, distance, command } = await toldBy(step, liveOf(`${step.link}${rest}`));
+    assert.deepEqual([push, distance, command], ['0.1', away.toFixed(3), '−0.10'], rest);
+  }
 });
 
 test('twice the gains, half the error; random pushes of the same bound leave less', async () => {

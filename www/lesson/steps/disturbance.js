@@ -1,4 +1,5 @@
 // A ground that pushes, and what Theorem 2 says of it.
+import { remember } from '../../kit/memo.js';
 import { disturbanceSlice } from '../../parts/disturbance/state.js';
 import { gainsOf } from '../../run/drivers.js';
 import { withDisturbance } from '../../run/scene.js';
@@ -27,6 +28,17 @@ function farthest({ time, x, y, finalTime }, goal) {
 /** @param {Engine} engine @param {Experiment} experiment @param {Triple} gains @param {Experiment['disturbance']} disturbance */
 const driveUnder = (engine, experiment, gains, disturbance) =>
   engine.drive({ ...experiment, ...withDisturbance(disturbance) }, [gains])[0];
+
+/** What the step's own drive comes to, whatever is on screen. */
+const slippedOf = remember((/** @type {Engine} */ engine, /** @type {Triple} */ gains) => {
+  const usual = engine.experiment('velocity-limits');
+  const run = driveUnder(engine, usual, gains, slip);
+  return {
+    push: fixed(slip.linear, 1),
+    distance: fixed(farthest(run, usual.goal), 3),
+    command: fixed(run.commandLinear[run.commandLinear.length - 1], 2),
+  };
+});
 
 /** @type {Step} */
 export const disturbance = {
@@ -79,19 +91,15 @@ export const disturbance = {
     { kind: 'text', name: 'next' },
   ],
   values({ engine, state, paper }) {
-    const { experiment } = state;
     const { measured } = disturbanceSlice.of(state);
-    const run = driveUnder(engine, experiment, gainsOf(state, 'paper-ep', paper), slip);
     // Of who drives, as beside the curves; the first start is that of the drive.
     const others = measured?.calm.error.y.subarray(1);
     return {
-      push: fixed(slip.linear, 1),
-      distance: fixed(farthest(run, experiment.goal), 3),
-      command: fixed(run.commandLinear[run.commandLinear.length - 1], 2),
+      ...slippedOf(engine, paper[0].gains),
       ky: measured ? threeDigits(measured.spec.gains[1]) : '…',
       starts: others ? String(others.length) : '…',
       left: others ? fixed(Math.max(...others), 2) : '…',
-      horizon: fixed(experiment.horizon, 0),
+      horizon: fixed(state.experiment.horizon, 0),
     };
   },
 };
