@@ -147,4 +147,16 @@ pageTest('the text has the numbers of the map, and follows the population', asyn
     'one generation more is told',
     () => document.querySelector('#lesson [data-value="spent"]')?.textContent === '40',
   );
+  // Of the map with which the step opens it tells whatever map is in sight.
+  const turned = '#landscape&v=1&x=kx&y=ky&generation=100&goal.theta=90deg&horizon=3&lesson=10';
+  for (const link of ['#landscape&v=1&third=0.05&lesson=10', turned]) {
+    await page.open(link);
+    const told = await page.until('the share of the floor', () => {
+      const values = ['drives', 'floor', 'horizon'].map(
+        (name) => document.querySelector(`#lesson [data-value="${name}"]`)?.textContent,
+      );
+      return values[0]?.replace(/\D/g, '') === '16384' && !values.includes('…') && values.slice(1).join();
+    });
+    assert.equal(told, `${(100 * floor).toFixed(0)},10`, link);
+  }
 });

@@ -1,12 +1,15 @@
 // J as a landscape, and where evolution walked in it.
 import { landscapeSlice } from '../../parts/landscape/state.js';
-import { remember } from '../../kit/memo.js';
+import { remember, rememberEach } from '../../kit/memo.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
-import { lowestPoint } from '../lowest.js';
+import { aside, isSame } from '../aside.js';
+import { lowestPoint, mapOf, specOf } from '../lowest.js';
 import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
 
+/** @import { Engine } from '../../core/engine.js' */
+/** @import { Landscape } from '../../parts/landscape/request.js' */
 /** @import { Step } from '../steps.js' */
 
 /** The map with which the step opens, with another goal. */
@@ -69,17 +72,31 @@ export const landscape = {
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],
-  values({ state }) {
-    const { history, generation, experiment } = state;
+  values({ engine, state }) {
+    const { history, generation } = state;
     const { result } = landscapeSlice.of(state);
     return {
       drives: result ? lab.grouped(result.costs.length) : '…',
       grid: result ? lab.grouped(result.count ** 3) : '…',
       side: result ? String(result.count) : '…',
-      floor: result ? fixed(100 * floorShare(result.costs), 0) : '…',
+      floor: result ? fixed(100 * floorShare(openingMap(engine)(result).costs), 0) : '…',
       generation: String(generation),
       spent: lab.grouped(history[generation].evaluations),
-      horizon: fixed(experiment.horizon, 0),
+      horizon: fixed(engine.experiment('velocity-limits').horizon, 0),
     };
   },
 };
+
+/** The map with which the step opens: the one in sight, or, while another is, the same as it was or computed aside. */
+const openingMap = rememberEach((/** @type {Engine} */ engine) => {
+  const preset = 'velocity-limits';
+  const experiment = engine.experiment(preset);
+  const spec = specOf({ experiment, preset, x: 'kx', y: 'ktheta', third: 0.05 });
+  const compute = aside(() => mapOf(engine, spec));
+  /** @type {Landscape | null} */
+  let known = null;
+  return (/** @type {Landscape} */ shown) => {
+    if (isSame(shown.spec, spec)) known = shown;
+    return known ?? compute();
+  };
+});
