@@ -18,7 +18,9 @@ test('where no hand goes evolution’s ky lies only while turning is cheap', asy
     const round = await roundOf(engine, duel, 1);
     assert.equal(isBeyond(duel, round, 'velocity-limits'), expected, `ky ${round.champion[1]}`);
     const live = liveOf(expected ? step.link : tryOf('duel', 'dear'));
-    assert.equal(step.values?.(live).turning, turning);
+    const told = step.values?.(live);
+    assert.equal(told?.turning, turning);
+    assert.equal(told?.before, expected ? 'not 1 as in the steps before' : 'as in the steps before');
   }
   // Neither beyond the slider alone, nor beyond random search's range alone.
   const round = { champion: /** @type {const} */ ([1, 20, 1]) };

@@ -46,13 +46,16 @@ export const duel = {
     const { costs, experiment } = duelIn(live);
     const { population, initialRange } = experiment.evolution;
     const generations = generationsIn(costs.length, population);
+    const turning = experiment.weights.velocity[1];
+    const [, before] = live.engine.experiment('velocity-limits').weights.velocity;
     return {
       drives: String(costs.length),
       best: costs.length > 0 ? lab.costText(lowestOf(costs)) : words.steps.duel.duel.none,
       count: String(population),
       generations: String(generations),
       given: String(drivesUntil(generations, population)),
-      turning: String(experiment.weights.velocity[1]),
+      turning: String(turning),
+      before: words.steps.duel.duel.before(turning, before),
       low: String(initialRange[0]),
       high: String(initialRange[1]),
     };

@@ -8,7 +8,7 @@ const trialsText = (count) => (count === 1 ? '1 trial' : `${grouped(count)} tria
 
 export const duel = {
   texts: {
-    begin: `One robot from one start was easy. Now the same three gains must park it *from 32 starts*, all around the goal and pointing anywhere. {J} is the mean over all 32 drives, and turning counts in it with {Rw} = {=turning}; in the steps before it was 1.
+    begin: `One robot from one start was easy. Now the same three gains must park it *from 32 starts*, all around the goal and pointing anywhere. {J} is the mean over all 32 drives, and turning counts in it with {Rw} = {=turning}, {=before}.
 
 You go first. Move the sliders under the picture, or type numbers. Each time you let go of a slider, 32 robots drive: that is *one trial*, however far you dragged. When you are content, *lock in your best*.
 
@@ -19,6 +19,9 @@ Then evolution has its turn: {=count} robots for {=generations} generations, {=g
     next: `Why is one search easy and another hard? That depends on the ground it walks on: on J as a landscape over the gains.`,
   },
   duel: {
+    /** @param {number} now @param {number} before */
+    before: (now, before) =>
+      now === before ? 'as in the steps before' : `not ${before} as in the steps before`,
     drivesLabel: 'Your trials',
     drivesName: 'your trials',
     bestName: 'your best mean J',
