@@ -108,3 +108,25 @@ engineTest(
     assert.ok(Math.abs(widths[0] - widths[1]) < 0.5, `V is ${widths} wide`);
   },
 );
+
+pageTest(
+  'a formula that has no numbers offers none, and has them again when there are some',
+  async (page) => {
+    const shown = (/** @type {boolean} */ isShown) =>
+      page.until(
+        isShown ? 'the numbers' : 'no numbers',
+        (wanted) =>
+          ['.formula-button', '.formula-now'].every(
+            (name) => document.querySelector(name)?.checkVisibility() === wanted,
+          ),
+        isShown,
+      );
+    await page.open('#lesson&step=7');
+    await page.click('.formula-button');
+    await shown(true);
+    await page.click('#one-back');
+    await shown(false);
+    await page.click('#one-generation');
+    await shown(true);
+  },
+);

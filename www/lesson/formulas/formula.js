@@ -40,16 +40,26 @@ export function createFormula({ label, lines, filled = lines, numbers }) {
   const button = create('button', 'link formula-button', words.showNumbers);
   button.setAttribute('type', 'button');
   button.setAttribute('aria-expanded', 'false');
+  let isOpen = false;
+  let isKnown = true;
+  const show = () => {
+    button.hidden = !isKnown;
+    now.hidden = !isKnown || !isOpen;
+  };
   button.addEventListener('click', () => {
-    now.hidden = !now.hidden;
-    button.setAttribute('aria-expanded', String(!now.hidden));
-    button.textContent = now.hidden ? words.showNumbers : words.hideNumbers;
+    isOpen = !isOpen;
+    button.setAttribute('aria-expanded', String(isOpen));
+    button.textContent = isOpen ? words.hideNumbers : words.showNumbers;
+    show();
   });
   element.append(now, button);
   return {
     element,
     draw(live) {
       const known = numbers(live);
+      // Without a birth there is nothing to fill in.
+      isKnown = Object.keys(known).length > 0;
+      show();
       for (const [term, all] of leaves) {
         const text = known[term] ?? '–';
         for (const leaf of all) write(leaf, text.startsWith('−') && !isFirst(leaf) ? `(${text})` : text);
