@@ -8,9 +8,13 @@ export function aside(ask) {
   /** @type {Promise<void> | null} */
   let arrival = null;
   return () => {
-    arrival ??= ask().then((value) => {
-      found = { value };
-    });
+    arrival ??= ask().then(
+      (value) => {
+        found = { value };
+      },
+      // Without workers: to ask again is never worth it.
+      () => new Promise(() => {}),
+    );
     if (!found) throw new Pending(arrival);
     return found.value;
   };
