@@ -4,7 +4,9 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { pageNames } from '../../../www/parts/parts.js';
+import { said } from '../../../www/words/ko/messages.js';
 import { languageOf } from '../../../www/words/language.js';
+import { experiment, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { en, ko, latinWord, sameInBoth } from '../harness/words.js';
 
@@ -22,6 +24,21 @@ const isIdentifier = (place) =>
   /\.(value|id|symbol|className|unit|letter|index)$|^lab\.(costParts|untils)\.\d\.0$|^keys\.single\.\d\.[02]$|^lab\.gains|^(disturbance|curves)\.units|^luck\.gainColumns|^disturbance\.(formulas|parts)|^lesson\.steps\.build\.program\.\w+\.\d+\.1$/.test(
     place,
   );
+
+test('whatever word a field may have, Korean says it without an English one', () => {
+  for (const { path, words } of wordFields()) {
+    const [name, field] = path.split('.');
+    const wrong = field ? { [name]: { [field]: 'x' } } : { [name]: 'x' };
+    assert.throws(
+      () => experiment(/** @type {{}} */ (wrong)),
+      ({ message }) => {
+        const told = said(message);
+        assert.ok(words.every((word) => told.includes(`'${word}'`)) && !/ or | must /.test(told), told);
+        return true;
+      },
+    );
+  }
+});
 
 test('Korean has the words of English, and none of them is English', () => {
   const [english, korean] = [en, ko].map((words) => new Map(textsOf(words, '')));

@@ -72,7 +72,7 @@ export const texts = {
 
 /** @param {string} hash @param {number} generations */
 export const fingerprint = (hash, generations) =>
-  `Fingerprint of generations 0 to ${generations}: ${hash}. It is the same wherever this link is opened.`;
+  `Fingerprint of ${generations === 0 ? 'generation 0' : `generations 0 to ${generations}`}: ${hash}. It is the same wherever this link is opened.`;
 
 export const copied = 'The link is copied.';
 export const notCopied = 'This browser lets no page copy: the link is selected, copy it with the keyboard.';

@@ -73,7 +73,7 @@ export const texts = {
 
 /** @param {string} hash @param {number} generations */
 export const fingerprint = (hash, generations) =>
-  `0~${generations}세대의 지문: ${hash}. 이 링크를 어디에서 열어도 같습니다.`;
+  `${generations === 0 ? '0세대' : `0~${generations}세대`}의 지문: ${hash}. 이 링크를 어디에서 열어도 같습니다.`;
 
 export const copied = '링크를 복사했습니다.';
 export const notCopied =
@@ -96,7 +96,7 @@ export const scorm = {
   writing: '패키지를 만드는 중…',
   /** @param {number} bytes */
   written: (bytes) =>
-    `패키지를 저장했습니다(${(bytes / 1e6).toFixed(1)} MB). SCORM 패키지로 올리십시오. Moodle에서는 활동 추가, SCORM 패키지입니다.`,
+    `패키지를 저장했습니다(${(bytes / 1e6).toFixed(1)} MB). SCORM 패키지로 올리십시오. Moodle에서는 “활동 추가”에서 “SCORM 패키지”를 고르십시오.`,
   /** @param {number} characters */
   long: (characters) =>
     `과제 링크가 깁니다(${characters}자). 학생이 제출한 뒤에 하는 작업은 플랫폼에 저장할 자리가 없을 수 있습니다. 과제 내용이나 고정한 주행을 줄이면 짧아집니다.`,

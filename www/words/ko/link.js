@@ -52,7 +52,7 @@ export const noStep = (step) => `수업에 ${step} 단계가 없어 가장 가�
 
 /** @param {{ starts: number, drives: number }} most */
 export const anAim = (most) =>
-  `J<수, parks:k/n(n은 ${most.starts} 이하), unseen:비율(1 이하) 가운데 하나, 그 뒤에 ;drives<=수(${most.drives} 이하)`;
+  `J<수, parks:k/n(n은 ${most.starts} 이하), unseen:비율(1 이하) 가운데 하나, 필요하면 그 뒤에 ;drives<=수(${most.drives} 이하)`;
 
 /** @param {{ points: number }} most */
 export const aScale = (most) => `값:점수,다른 값:점수(점수는 0 이상 ${most.points} 이하)`;

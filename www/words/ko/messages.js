@@ -22,11 +22,11 @@ const demands = [
     /^at most (\S+) with (\S+) starts? and (\S+) samples a run$/,
     '출발점 $2개, 주행당 샘플 $3개에서는 최대 $1',
   ],
-  [/^('.+') or ('.+')$/, '$1, $2 가운데 하나'],
 ];
 
 /** @param {string} expected */
 function demanded(expected) {
+  if (/^'.+' or '.+'$/.test(expected)) return `${expected.replaceAll(' or ', ', ')} 가운데 하나`;
   const found = demands.find(([pattern]) => pattern.test(expected));
   return found ? expected.replace(...found) : expected;
 }

@@ -68,7 +68,7 @@ export const settings = {
   },
   'tolerance.heading': {
     name: '방향각 허용 오차',
-    help: '목표의 방향각에 이만큼 가까우면 도착으로 봅니다.',
+    help: '위치도 맞으면서 목표의 방향각에 이만큼 가까우면 도착으로 봅니다.',
   },
   'tolerance.speed': {
     name: '선속도 허용치',

@@ -17,14 +17,14 @@ export const texts = {
   remainsMedian: '중앙값',
   remainsLargest: '최대',
   remainsInside: '안쪽',
-  remainsInsideHint: '이 시간 동안 오차가 자기 집합이 가장 멀리 이른 곳을 넘지 않은 출발점의 수',
+  remainsInsideHint: '이 시간 동안 오차가 자기 집합의 최대 범위를 벗어나지 않은 출발점의 수',
 };
 
 export const kindLegend = '외란의 종류';
 /** @type {import('../../../kit/segmented.js').Choices<Experiment['disturbance']['kind']>} */
 export const kinds = {
   none: '없음',
-  random: { text: '무작위', hint: '샘플마다 −ε와 ε 사이에서 균등하게 새로 뽑습니다' },
+  random: { text: '무작위', hint: '샘플마다 −ε과 ε 사이에서 균등하게 새로 뽑습니다' },
   slip: { text: '미끄러짐', hint: '모든 샘플에서 같습니다' },
 };
 
@@ -81,7 +81,7 @@ function driveText(summary) {
     return `${promise}${last} 이 주행에 남은 최대 오차: ${left}.`;
   }
   const outside = parts.filter((part) => !rows[part].isInside);
-  if (outside.length === 0) return `${last} 이 주행은 세 집합이 가장 멀리 이른 곳을 넘지 않습니다.`;
+  if (outside.length === 0) return `${last} 이 주행은 세 집합의 최대 범위를 벗어나지 않습니다.`;
   const excess = outside.map(
     (part) =>
       `${formulaText(part)} 최대 ${amount(part, rows[part].drive)}(집합의 경계 ${amount(part, rows[part].set)})`,
@@ -96,7 +96,7 @@ function othersText(summary) {
   const most = `남는 최대 오차는 ${formulaText(worst)} ${amount(worst, calm[worst].largest)}입니다.`;
   if (!isPromised(summary)) return `다른 출발점 ${starts}개에서 ${disturbed ? '외란이 없어도 ' : ''}${most}`;
   const others = disturbed
-    ? `다른 출발점 ${starts}개 중 ${allInside}개가 세 집합이 가장 멀리 이른 곳을 넘지 않습니다. 외란이 없어도 ${most}`
+    ? `다른 출발점 ${starts}개 중 ${allInside}개가 세 집합의 최대 범위를 벗어나지 않습니다. 외란이 없어도 ${most}`
     : `다른 출발점 ${starts}개에서 ${most}`;
   return `${others} 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 제한과 샘플링도 고려하지 않습니다.`;
 }

@@ -52,7 +52,7 @@ export function sentence(anatomy, phase) {
     ranking:
       record.wins.length > 0
         ? `승수가 많은 순서로, 승수가 같으면 J가 낮은 순서로 늘어섭니다. 선은 ${count}위 아래에 긋습니다.`
-        : `살아남는 로봇부터, 각각 J가 낮은 순서로 늘어섭니다. 선은 ${count}위 아래에 긋습니다.`,
+        : `살아남는 로봇, 탈락하는 로봇의 순서로, 각 무리 안에서는 J가 낮은 순서로 늘어섭니다. 선은 ${count}위 아래에 긋습니다.`,
     survivors: `부모 로봇 ${stayed}대와 자손 로봇 ${count - stayed}대가 σ와 함께 남습니다. 이들이 ${generation + 1}세대의 부모입니다.`,
   }[phase];
 }

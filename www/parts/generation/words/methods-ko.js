@@ -56,7 +56,8 @@ const moves = {
   reflection: '반사: 가장 나쁜 꼭짓점을 나머지 셋의 중심에 대하여 뒤집습니다.',
   expansion: '확장: 반사한 점이 모든 꼭짓점보다 좋으므로 두 배 멀리 가 봅니다.',
   'outside-contraction': '바깥쪽 수축: 반사한 점이 가장 나쁘게 되므로 절반만 가 봅니다.',
-  'inside-contraction': '안쪽 수축: 반사한 점이 더 나쁘므로 가장 나쁜 꼭짓점 쪽으로 절반을 가 봅니다.',
+  'inside-contraction':
+    '안쪽 수축: 반사한 점이 모든 꼭짓점보다 나쁘므로 가장 나쁜 꼭짓점 쪽으로 절반을 가 봅니다.',
   shrink: '축소: 수축도 낫지 않아 세 꼭짓점이 가장 좋은 꼭짓점에 절반 다가갑니다.',
 };
 
@@ -105,7 +106,9 @@ const sentences = {
     mutation: ({ record }) => `이 분포에서 로봇 ${record.offspring.length}대를 뽑습니다.`,
     drive: () => '모두 주행하여 J를 얻습니다. 다음에는 그 순서만 쓰입니다.',
     ranking: ({ counting, ranked }) =>
-      `좋은 쪽 로봇 ${counting}대만, 좋을수록 크게 반영합니다(막대: 가중치). 나머지 ${ranked - counting}대는 쓰지 않습니다.`,
+      counting === 1
+        ? `가장 좋은 로봇 1대만 반영합니다. 나머지 ${ranked - counting}대는 쓰지 않습니다.`
+        : `좋은 쪽 로봇 ${counting}대만, 좋을수록 크게 반영합니다(막대: 가중치). 나머지 ${ranked - counting}대는 쓰지 않습니다.`,
     survivors({ record: { ellipse, next } }) {
       const ratio = ellipse && next.ellipse ? deviationRatio(ellipse, next.ellipse) : 1;
       return `평균이 가중 평균으로 옮겨 가고, 타원은 그 모양을 따르며 너비가 ${fixed(ratio, 2)}배가 됩니다.`;
@@ -118,8 +121,8 @@ const sentences = {
     drive: (anatomy, write) => `자손이 주행합니다. ${duel(anatomy, write)}`,
     survivors: (anatomy) =>
       isBetter(anatomy)
-        ? '성공: 자손이 남고 σ × 1.5. 다섯 번에 한 번 성공하면 σ는 그대로입니다.'
-        : '실패: 부모가 남고 σ × 0.904. 다섯 번에 한 번 성공하면 σ는 그대로입니다.',
+        ? '성공: 자손이 남고 σ × 1.5. 다섯 번에 한 번꼴로 성공하면 σ의 크기가 유지됩니다.'
+        : '실패: 부모가 남고 σ × 0.904. 다섯 번에 한 번꼴로 성공하면 σ의 크기가 유지됩니다.',
   },
   'nelder-mead': {
     parents: ({ record: { plan, parents } }) =>
@@ -253,7 +256,9 @@ export const weighedText = (weight) =>
   weight > 0 ? `가중치의 합을 1로 할 때 ${weightText(weight)}만큼 반영됩니다.` : '반영되지 않습니다.';
 /** @param {import('../detail-methods.js').Successes} successes */
 export const successText = ({ steps, won }) =>
-  `최근 ${steps}걸음 중 ${won}걸음 성공: 다섯 번에 한 번${5 * won > steps ? '보다 많습니다' : 5 * won === steps ? '입니다' : '보다 적습니다'}.`;
+  steps === 1
+    ? `첫 걸음은 ${won === 1 ? '성공' : '실패'}했습니다.`
+    : `최근 ${steps}걸음 중 ${won}걸음 성공: 다섯 번에 한 번${5 * won > steps ? '보다 많습니다' : 5 * won === steps ? '입니다' : '보다 적습니다'}.`;
 /** @param {Anatomy} anatomy @param {number} count */
 export const stay = ({ method }, count) => (method === 'cma-es' ? `${count}대 반영` : `로봇 ${count}대 생존`);
 /** @param {Anatomy} anatomy @param {number} count */

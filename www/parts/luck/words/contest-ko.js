@@ -51,7 +51,7 @@ const names = {
   fixed: 'σ 고정(적응 없음)',
   'floor-0.01': 'σ 하한 0.01',
   'floor-0.1': 'σ 하한 0.1',
-  truncation: '절단 선택: 가장 낮은 J가 생존',
+  truncation: '토너먼트 없음: 가장 낮은 J가 생존',
   parent: '자손 대 부모',
   crossover: '교차 0.5',
   'n-6': 'N = 6',
@@ -143,7 +143,7 @@ export const contestColumns = [
     text: 'A12',
     hint: '이 참가자의 실행이 첫 참가자의 실행보다 나을 확률: 목푯값에 더 일찍 이르거나, 둘 다 이르지 못했다면 J가 더 낮은 쪽',
   },
-  { text: 'p', hint: '같은 순서로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정' },
+  { text: 'p', hint: 'A12와 같은 우열 기준으로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정' },
 ];
 /** The columns in a line; their hints have it in full. */
 export const columnsText =

@@ -43,7 +43,7 @@ export const sentences = {
   ],
   errorPosture: (count) => [`로봇과 목표 ${count}쌍의 오차 자세는 식 (3)과 같습니다.`, '최대 차이'],
   lyapunovRate: (count) => [
-    `제한이 없으면 자세 ${count}개에서 V는 정리 1의 증명대로 줄어듭니다. V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ.`,
+    `제한이 없으면 자세 ${count}개에서 V는 정리 1에 대한 이 페이지의 증명대로 줄어듭니다. V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ.`,
     '최대 상대 차이',
   ],
   halfArcs: (count) => [`호를 반씩 두 번 달려도 한 번에 달린 곳에 이릅니다(${count}회).`, '최대 거리'],
