@@ -6,6 +6,7 @@ import { tryNow } from './core/pending.js';
 import { createEmbed, sayFailed } from './embed/page.js';
 import { takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
+import { steadySliders } from './kit/finger.js';
 import { createFocusKeeper } from './kit/focus.js';
 import { isEmbedded, isStill } from './kit/host.js';
 import { createAccumulator, createApart, createFrameLoop, pause } from './kit/loop.js';
@@ -78,6 +79,7 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
   const draw = createDraw(createViews(store, tools.actions, order, onLesson), engine, paper, inSight, turn);
+  steadySliders();
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
   const settings = createSettingsPanel(tools, inSight.lab);

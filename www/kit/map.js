@@ -1,6 +1,7 @@
 // Maps: shades on a grid, names on them, and a cursor for pointer and keys.
 /** @import { Frame } from './chart.js' */
 import { fillTextWithHalo } from './canvas.js';
+import { isSideways, mayScroll } from './finger.js';
 import { strongFont } from './fonts.js';
 import { arrowOf, isChord } from './keyboard.js';
 import { palette, shades } from './shades.js';
@@ -58,19 +59,30 @@ export function pointIn(element, { clientX, clientY }) {
 /** While a pointer is held on an element. @param {HTMLElement} element @param {(event: PointerEvent) => void} onHeld @param {() => void} [onRelease] */
 export function followHeld(element, onHeld, onRelease) {
   let held = false;
+  /** A finger that may yet scroll the page. @type {PointerEvent | null} */
+  let waiting = null;
+  const hold = (/** @type {PointerEvent} */ event) => {
+    held = true;
+    waiting = null;
+    onHeld(event);
+  };
   element.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
-    held = true;
     element.setPointerCapture(event.pointerId);
-    onHeld(event);
+    if (mayScroll(element, event)) waiting = event;
+    else hold(event);
   });
   element.addEventListener('pointermove', (event) => {
-    if (held) onHeld(event);
+    if (held || (waiting && isSideways(waiting, event))) hold(event);
+  });
+  element.addEventListener('pointerup', (event) => {
+    if (waiting) hold(event);
   });
   for (const end of ['pointerup', 'pointercancel'])
     element.addEventListener(end, () => {
       if (held) onRelease?.();
       held = false;
+      waiting = null;
     });
   return () => held;
 }

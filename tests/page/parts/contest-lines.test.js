@@ -122,6 +122,19 @@ engineTest(
     });
     const moved = x - (await handle(page, 'contest-until-line')).x;
     assert.ok(Math.abs(moved - 15) < 3, `five keys within a frame are five steps of 3 pixels, not ${moved}`);
+    const ends = () =>
+      page.evaluate(() => {
+        const line = document.getElementById('contest-until-line');
+        return ['now', 'min', 'max'].map((name) => Number(line?.getAttribute(`aria-value${name}`)));
+      });
+    for (const [key, end] of /** @type {const} */ ([
+      [Key.END, 2],
+      [Key.HOME, 1],
+    ])) {
+      await page.press(key);
+      const values = await ends();
+      assert.equal(values[0], values[end]);
+    }
     await page.click('#contest-whole');
     await page.until(
       'it is read to the end',

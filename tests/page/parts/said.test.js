@@ -43,6 +43,9 @@ pageTest('what seeds, a contest and training come to is said once', async (page)
   );
   const ends = (await heard(page)).filter((text) => text.includes(verdict.split('.')[0]));
   assert.equal(ends.length, 1, `${ends}`);
+  // Away from its line each says whom it is about.
+  const undecided = ends[0].match(/(?:\S+ ){2}runs cannot tell these two apart/g) ?? [];
+  assert.ok(undecided.length > 0 && undecided.every((text) => /^\S+: /.test(text)), ends[0]);
 
   await page.open('#training');
   await page.click('#training-generations option:first-child');
@@ -71,6 +74,20 @@ pageTest('the pictures of training say from where a robot drives, and whether it
     start,
   );
 });
+
+pageTest(
+  'while evolution walks over the landscape, its gains are not said one after the other',
+  async (page) => {
+    await page.open('#landscape');
+    const isSaid = () => document.getElementById('landscape-readout')?.getAttribute('aria-live');
+    await page.until('the map is there', isSaid);
+    assert.equal(await page.evaluate(isSaid), 'polite');
+    await page.click('#run');
+    assert.equal(await page.evaluate(isSaid), 'off');
+    await page.click('#run');
+    assert.equal(await page.evaluate(isSaid), 'polite');
+  },
+);
 
 pageTest('a slider says its value with the unit, once, and is no slider twice', async (page) => {
   await page.open('#park');

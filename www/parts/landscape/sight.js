@@ -33,14 +33,16 @@ export function createSight(element, store, lowestIn) {
   return (state, spec, run, gains, points) => {
     const own = landscapeSlice.of(state);
     const isTyping = document.activeElement?.id === 'landscape-third';
-    const { driver, found, generation, pins, handGains } = state;
-    if (changed(own, spec, run, state.population, driver, found, generation, pins, handGains, isTyping))
+    const { driver, evolving, found, generation, pins, handGains, population } = state;
+    const seen = [own, spec, run, population, driver, evolving, found, generation, pins, handGains, isTyping];
+    if (changed(...seen))
       render(
         sight(
           own,
           {
             spec,
             isTyping,
+            evolving,
             legend: legendOf(state, spec, points),
             readout: run ? readoutOf(state, spec, run, gains) : '',
             lowest: lowestIn(state),
@@ -84,8 +86,8 @@ function createEvents(store) {
   };
 }
 
-/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, readout: string, lowest: Lowest | null, legend: string }} shown @param {Events} on */
-function sight(landscape, { spec, isTyping, readout, lowest, legend }, on) {
+/** @param {LandscapeState} landscape @param {{ spec: Spec, isTyping: boolean, evolving: boolean, readout: string, lowest: Lowest | null, legend: string }} shown @param {Events} on */
+function sight(landscape, { spec, isTyping, evolving, readout, lowest, legend }, on) {
   return html`
     <div class="heading">
       <h2 id="landscape-title">${texts.landscapeTitle}</h2>
@@ -105,7 +107,7 @@ function sight(landscape, { spec, isTyping, readout, lowest, legend }, on) {
     </div>
     <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
     <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${withSymbols(lowestText(lowest))}` : nothing}</p>
-    <p id="landscape-readout" class="readout" aria-live="polite">${withSymbols(readout)}</p>`;
+    <p id="landscape-readout" class="readout" aria-live=${evolving ? 'off' : 'polite'} aria-atomic="true">${withSymbols(readout)}</p>`;
 }
 
 /** The gain's letter in its colour, as in formulas. @param {typeof lab.gains[number]} gain */

@@ -55,7 +55,8 @@ export function createContestChart(root, { onTarget, onUntil }) {
     held.follow(event);
   });
   canvas.addEventListener('pointermove', (event) => {
-    if (canvas.hasPointerCapture(event.pointerId)) held.follow(event);
+    // A finger is captured by itself.
+    if (event.pointerType !== 'touch' && canvas.hasPointerCapture(event.pointerId)) held.follow(event);
   });
   return chart;
 }

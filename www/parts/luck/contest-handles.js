@@ -55,12 +55,16 @@ export function createHandle(root, id, label, onMove) {
     if (element.hasPointerCapture(event.pointerId)) follow(event);
   });
   element.addEventListener('keydown', (event) => {
-    const arrow = isChord(event) ? null : arrowOf(event.key);
-    if (!arrow || !grip) return;
-    const [right, up] = arrow;
-    const by = (event.shiftKey ? wideStep : step) * (right + up);
+    if (!grip || isChord(event)) return;
     // What grows stands further right, or higher.
-    moveTo(grip.along === 'x' ? grip.x + by : grip.y - by);
+    const isAcross = grip.along === 'x';
+    const arrow = arrowOf(event.key);
+    if (arrow) {
+      const by = (event.shiftKey ? wideStep : step) * (arrow[0] + arrow[1]);
+      moveTo(isAcross ? grip.x + by : grip.y - by);
+    } else if (event.key === 'Home') moveTo(isAcross ? grip.from : grip.to);
+    else if (event.key === 'End') moveTo(isAcross ? grip.to : grip.from);
+    else return;
     event.preventDefault();
   });
   return {

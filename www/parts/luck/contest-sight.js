@@ -35,7 +35,7 @@ const [legend, rows] = [0, 1].map(() => styles.map(createSwatch));
 export function contestSight(state, standings, stale, isTyping, on) {
   const luck = luckSlice.of(state);
   const { contest, contestRuns } = luck;
-  const sentences = standings?.lines.map(sentenceOf).filter((text) => text !== '') ?? [];
+  const sentences = standings?.lines.map(heardOf).filter((text) => text !== '') ?? [];
   return html`
     <div class="heading">
       <h2 id="contest-title">${texts.title}</h2>
@@ -135,6 +135,12 @@ function fewerSeeds({ draw, contestRuns }, { count, seeds }, { update }) {
 
 /** @param {Standing} standing */
 const sentenceOf = ({ name, error, verdict }) => error || (verdict ? words.verdictText(verdict, name) : '');
+
+/** Away from its line, where one does not see whom it is about. @param {Standing} standing */
+const heardOf = (standing) =>
+  ['same', 'undecided'].includes(standing.verdict?.kind ?? '')
+    ? `${words.shortName(standing.name)}: ${sentenceOf(standing)}`
+    : sentenceOf(standing);
 
 /** @param {Standings} standings */
 const table = ({ lines }) => html`

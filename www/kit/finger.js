@@ -1,0 +1,45 @@
+// A finger that comes down may be about to scroll the page: before it goes sideways, or is lifted, it changes nothing.
+
+/** In pixels, so far a finger moves that means nothing. */
+const slop = 6;
+
+/** @param {Element} element @param {PointerEvent} event */
+export const mayScroll = (element, { pointerType }) =>
+  pointerType === 'touch' && getComputedStyle(element).touchAction !== 'none';
+
+/** @param {PointerEvent} from @param {PointerEvent} to */
+export const isSideways = (from, to) =>
+  Math.abs(to.clientX - from.clientX) > Math.max(slop, Math.abs(to.clientY - from.clientY));
+
+/** Browsers move a slider as soon as a finger is on it, and leave it there when that scrolls the page. */
+export function steadySliders() {
+  /** What a finger holds, and had held when the page scrolled. @type {{ slider: HTMLInputElement, value: string, from: PointerEvent } | null} */
+  let held = null;
+  /** @template {keyof WindowEventMap} K @param {readonly K[]} types @param {(event: WindowEventMap[K]) => void} act */
+  const on = (types, act) => {
+    for (const type of types) addEventListener(type, act, { capture: true });
+  };
+  const letGo = () => {
+    const { slider, value } = held ?? {};
+    held = null;
+    if (slider && slider.value !== value) slider.dispatchEvent(new Event('input', { bubbles: true }));
+  };
+  on(['pointerdown'], (event) => {
+    const { target: slider, pointerType } = event;
+    const isSlider = slider instanceof HTMLInputElement && slider.type === 'range';
+    held = isSlider && pointerType === 'touch' ? { slider, value: slider.value, from: event } : null;
+  });
+  on(['keydown'], () => {
+    held = null;
+  });
+  on(['pointermove'], (event) => {
+    if (held && isSideways(held.from, event)) letGo();
+  });
+  on(['pointerup'], letGo);
+  on(['pointercancel'], () => {
+    if (held) held.slider.value = held.value;
+  });
+  on(['input', 'change'], (event) => {
+    if (event.target === held?.slider) event.stopImmediatePropagation();
+  });
+}
