@@ -143,6 +143,13 @@ test('every key of a link is read as it is written', () => {
   assert.equal(linkOf(linked(opened), experiment), written);
 });
 
+test('every angle may be in degrees', () => {
+  const { opened, problems } = open('lab&v=1&goal.theta=90deg&start=0,0,45deg&tolerance.heading=180deg');
+  assert.deepEqual(problems, []);
+  const { goal, starts, tolerance } = opened.experiment;
+  assert.deepEqual([goal.theta, starts[0].theta, tolerance.heading], [Math.PI / 2, Math.PI / 4, Math.PI]);
+});
+
 test('a start that is tried stands in the links of the parts that try one', () => {
   const state = linked(open('robustness&from=2,0,0').opened);
   assert.equal(linkOf(state, experiment), 'robustness&v=1&from=2,0,0deg');

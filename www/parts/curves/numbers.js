@@ -29,11 +29,12 @@ export function createNumbers(root) {
 /** @param {Run} run */
 function numbersOf(run) {
   const { every, samples } = readableSamples(run.time.length);
+  const step = every * (run.time[1] ?? 0);
   return {
-    step: every * (run.time[1] ?? 0),
+    step,
     rows: samples.map((sample) => ({
       sample,
-      texts: words.numberColumns.map(({ text }) => text(run, sample, paidUntil(run, sample))),
+      texts: words.numberColumns.map(({ text }) => text(run, sample, paidUntil(run, sample), step)),
     })),
   };
 }

@@ -1,4 +1,5 @@
 // The step “task” in English.
+import { shareText } from '../../../parts/robustness/words/common.js';
 import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
@@ -76,7 +77,7 @@ Put it to the test: the same gains, other starts. {=places} places in a square w
 };
 
 /** @param {number} share */
-const percent = (share) => `${fixed(100 * share, 1)} %`;
+const percent = (share) => `${shareText(share)} %`;
 
 /** @param {readonly number[]} gains */
 const gainsText = (gains) => gains.map((gain) => fixed(gain, gain < 10 ? 2 : 0)).join(', ');

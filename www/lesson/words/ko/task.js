@@ -1,4 +1,5 @@
 // The step “task” in Korean.
+import { shareText } from '../../../parts/robustness/words/common.js';
 import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
@@ -71,7 +72,7 @@ export const task = {
 };
 
 /** @param {number} share */
-const percent = (share) => `${fixed(100 * share, 1)}%`;
+const percent = (share) => `${shareText(share)}%`;
 
 /** @param {readonly number[]} gains */
 const gainsText = (gains) => gains.map((gain) => fixed(gain, gain < 10 ? 2 : 0)).join(', ');

@@ -16,6 +16,10 @@ export const tickText = (name, number) => `${number.replace('-', '−')}${name =
 /** @param {string} number */
 export const seconds = (number) => `${number} s`;
 
+/** With the digits of the step from one row to the next. @param {number} seconds @param {number} step */
+export const timeText = (seconds, step) =>
+  fixed(seconds, Math.max(2, String(Number(step.toPrecision(6))).split('.')[1]?.length ?? 0));
+
 /** A number that keeps its width as long as it can. @param {number} value @param {number} digits */
 const steady = (value, digits) => (Math.abs(value) < 1e5 ? fixed(value, digits) : powerText(value, 2));
 
@@ -47,9 +51,9 @@ export const readings = [
   { id: 'cost', symbol: 'J', className: 'cost-symbol', unit: '', text: (_, __, paid) => costText(paid) },
 ];
 
-/** The columns of a run in numbers, with the heads that are words. @param {Record<'command-linear' | 'command-angular' | 'paid', string>} heads @returns {readonly { id: string, head: string, text: (run: Run, i: number, paid: number) => string }[]} */
+/** The columns of a run in numbers, with the heads that are words. @param {Record<'command-linear' | 'command-angular' | 'paid', string>} heads @returns {readonly { id: string, head: string, text: (run: Run, i: number, paid: number, step: number) => string }[]} */
 export const numberColumnsOf = (heads) => [
-  { id: 'time', head: 't s', text: (run, i) => fixed(run.time[i], 2) },
+  { id: 'time', head: 't s', text: (run, i, _, step) => timeText(run.time[i], step) },
   { id: 'x', head: 'x m', text: (run, i) => steady(run.x[i], 3) },
   { id: 'y', head: 'y m', text: (run, i) => steady(run.y[i], 3) },
   { id: 'theta', head: 'θ °', text: (run, i) => steady((run.theta[i] * 180) / Math.PI, 1) },

@@ -8,9 +8,17 @@ import { costText, fixed, powerOfTen, powerText } from '../../../words/numbers.j
 export function costWriter({ all }) {
   const costs = all.map(({ cost }) => cost).sort((a, b) => a - b);
   const spread = costs[Math.floor(costs.length / 2)] - costs[0];
-  const digits = digitsFor(spread);
-  return (cost) => (cost < 100 ? fixed(cost, digits) : costText(cost));
+  return costsApart(spread);
 }
+
+/** How J is written where a difference of this size is to be seen. @param {number} size @returns {(cost: number) => string} */
+export function costsApart(size) {
+  const digits = digitsFor(size);
+  return (cost) => (cost < 100 || (digits > 3 && cost < 1e6) ? fixed(cost, digits) : costText(cost));
+}
+
+/** As it is written elsewhere, unless two that differ would be the same. @param {number} a @param {number} b @param {(cost: number) => string} write */
+export const tellingApart = (a, b, write) => (write(a) === write(b) ? costsApart(Math.abs(a - b)) : write);
 
 /** The digits after the point that show a change of this size. @param {number} size */
 export const digitsFor = (size) =>

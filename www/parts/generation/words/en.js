@@ -1,10 +1,10 @@
 // Every word of the generation part.
 /** @import { Anatomy, Phase } from '../record.js' */
 /** @import { Others } from './common.js' */
-import { costWriter, digitsFor, luckSign } from './common.js';
+import { costsApart, costWriter, luckSign, tellingApart } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-en.js';
 import { counted } from '../../../words/en/counted.js';
-import { costText, fixed } from '../../../words/en/numbers.js';
+import { fixed } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 export * from './methods-en.js';
@@ -71,7 +71,7 @@ export function upsetText(anatomy) {
     return `${record.wins.length > 0 ? 'This time those' : 'Those'} that stay are exactly the ${anatomy.staying} with the lowest J.`;
   const { survivor, fallen } = upset;
   const [a, b] = [all[survivor].cost, all[fallen].cost];
-  const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
+  const write = costsApart(a - b);
   const who = capital(nameOf(anatomy, survivor));
   if (record.wins.length === 0)
     return `${who} (J ${write(a)}) stays, though ${nameOf(anatomy, fallen)} (J ${write(b)}) is better: each of them meets only its own ${record.mutations.length > 0 ? 'parent' : 'member'}.`;
@@ -185,13 +185,15 @@ export function fateText({ ranks, staying, record, all, method }, number) {
 
 /** @param {Anatomy['method']} method */
 const always = (method) => (method === 'ep' ? ' The best always survives.' : '');
-/** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} write */
-export const bestText = (method, before, after, write) =>
-  after < before
+/** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} usual */
+export function bestText(method, before, after, usual) {
+  const write = tellingApart(before, after, usual);
+  return after < before
     ? `The best J falls from ${write(before)} to ${write(after)}.`
     : after === before
       ? `The best J stays ${write(after)}.${always(method)}`
       : `The best J rises from ${write(before)} to ${write(after)}: this search forgets what it had.`;
+}
 
 /** @param {Anatomy} anatomy */
 export function tableCaption(anatomy) {

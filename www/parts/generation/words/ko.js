@@ -1,9 +1,9 @@
 // Every word of the generation part, in Korean.
 /** @import { Anatomy, Phase } from '../record.js' */
 /** @import { Others } from './common.js' */
-import { costWriter, digitsFor, luckSign } from './common.js';
+import { costsApart, costWriter, luckSign, tellingApart } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-ko.js';
-import { costText, fixed } from '../../../words/ko/numbers.js';
+import { fixed } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 export * from './methods-ko.js';
@@ -67,7 +67,7 @@ export function upsetText(anatomy) {
     return `${record.wins.length > 0 ? '이번에는 ' : ''}J가 가장 낮은 로봇 ${anatomy.staying}대가 그대로 남습니다.`;
   const { survivor, fallen } = upset;
   const [a, b] = [all[survivor].cost, all[fallen].cost];
-  const write = (/** @type {number} */ cost) => (cost < 100 ? fixed(cost, digitsFor(a - b)) : costText(cost));
+  const write = costsApart(a - b);
   if (record.wins.length === 0)
     return `${nameOf(anatomy, survivor)}(J ${write(a)}): 생존. 더 좋은 ${nameOf(anatomy, fallen)}(J ${write(b)}): 탈락. 서로 겨루지 않고 각자 ${record.mutations.length > 0 ? '자기 부모' : '원래 개체'}와만 비교합니다.`;
   return `${nameOf(anatomy, survivor)}(J ${write(a)}): ${winsText(record.wins[survivor])}, 생존. ${nameOf(anatomy, fallen)}(J ${write(b)}): ${winsText(record.wins[fallen])}, 탈락. 상대를 잘 만난 운입니다.`;
@@ -170,13 +170,15 @@ export function fateText({ ranks, staying, record, all, method }, number) {
   return `생존(${record.generation + 1}세대의 부모 ${rank})`;
 }
 
-/** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} write */
-export const bestText = (method, before, after, write) =>
-  after < before
+/** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} usual */
+export function bestText(method, before, after, usual) {
+  const write = tellingApart(before, after, usual);
+  return after < before
     ? `최소 J가 ${write(before)}에서 ${write(after)}까지 내려갑니다.`
     : after === before
       ? `최소 J는 ${write(after)} 그대로입니다.${method === 'ep' ? ' 최우수 개체는 언제나 살아남습니다.' : ''}`
       : `최소 J가 ${write(before)}에서 ${write(after)}까지 올라갑니다. 이 탐색은 전에 찾은 것을 잊습니다.`;
+}
 
 /** @param {Anatomy} anatomy */
 export function tableCaption(anatomy) {

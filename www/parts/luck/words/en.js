@@ -35,7 +35,7 @@ export const generationsChoice = (generations) => `${generations} generations`;
 
 /** @param {SeedSurvey} survey */
 export const surveyNote = ({ runs, drives, milliseconds }) =>
-  `${countChoice(runs.length)}${drives === null ? '' : `, 2 × ${grouped(drives)} drives each,`} in ${fixed(milliseconds / 1000, 1)} s`;
+  `${countChoice(runs.length)}${drives === null ? '' : `, 2 × ${grouped(drives)} drives each,`} in ${milliseconds < 100 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)} s`}`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `the lab: seed ${seed}, generation ${generation}`;

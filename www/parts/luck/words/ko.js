@@ -36,7 +36,7 @@ export const generationsChoice = (generations) => `${generations}세대`;
 
 /** @param {SeedSurvey} survey */
 export const surveyNote = ({ runs, drives, milliseconds }) =>
-  `${countChoice(runs.length)}${drives === null ? '' : `, 각각 주행 2 × ${grouped(drives)}회`}, ${fixed(milliseconds / 1000, 1)}초`;
+  `${countChoice(runs.length)}${drives === null ? '' : `, 각각 주행 2 × ${grouped(drives)}회`}, ${milliseconds < 100 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)}초`}`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `실험실: 시드 ${seed}, ${generation}세대`;

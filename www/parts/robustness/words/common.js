@@ -7,6 +7,10 @@ import { fixed } from '../../../words/numbers.js';
 
 export const none = '–';
 
+/** In percent. All is more than nearly all, and none less than a few. @param {number} share */
+export const shareText = (share) =>
+  share < 1 && share >= 0.9995 ? '>99.9' : share > 0 && share < 0.0005 ? '<0.1' : fixed(100 * share, 1);
+
 /** @param {number} half */
 export const extent = (half) => `±${half} m`;
 

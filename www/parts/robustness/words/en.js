@@ -1,7 +1,7 @@
 // Every word of the robustness part.
 /** @import { Quantity } from '../request.js' */
 /** @import { Drive, Place } from './common.js' */
-import { placeText } from './common.js';
+import { placeText, shareText } from './common.js';
 import { costText, degrees, fixed, grouped } from '../../../words/en/numbers.js';
 
 export * from './common.js';
@@ -29,7 +29,7 @@ export const headingChoices = {
 };
 
 /** @param {number} share */
-export const percent = (share) => `${fixed(100 * share, 1)} %`;
+export const percent = (share) => `${shareText(share)} %`;
 
 /** @param {number} starts @param {number} milliseconds */
 export const startsText = (starts, milliseconds) =>

@@ -12,3 +12,9 @@ export const cost = (value) => (value < 100 ? fixed(value, 2) : costText(value))
 export const gain = (gain) => fixed(gain, 2);
 
 export const none = '–';
+
+/** In percent. All is more than nearly all, and none less than one. @param {number} part @param {number} count */
+export const shareOf = (part, count) => {
+  const few = Math.min(part, count - part) / count;
+  return fixed((100 * part) / count, few > 0 && few <= 0.005 ? 1 : 0);
+};

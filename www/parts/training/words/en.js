@@ -1,6 +1,6 @@
 // Every word of the training part.
 /** @import { Evolved, Result, RowName } from '../request.js' */
-import { cost, isEvolved } from './common.js';
+import { cost, isEvolved, shareOf } from './common.js';
 import { fixed, grouped, postureText } from '../../../words/en/numbers.js';
 
 export * from './common.js';
@@ -27,9 +27,8 @@ export const generationsChoice = (generations) => `${generations} generations`;
 /** Groups of three digits, when there are more than four. @param {number} value */
 const whole = (value) => (value < 10_000 ? String(value) : grouped(value));
 
-/** All of them is more than nearly all. @param {number} part @param {number} count */
-export const percent = (part, count) =>
-  `${fixed((100 * part) / count, part < count && part / count >= 0.995 ? 1 : 0)}\u202f%`;
+/** @param {number} part @param {number} count */
+export const percent = (part, count) => `${shareOf(part, count)}\u202f%`;
 
 /** @param {number} count */
 const starts = (count) => (count === 1 ? 'one start' : `${count} starts`);
@@ -118,7 +117,7 @@ export const followed = ({ results: { one, circle, grid } }) =>
 /** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
 export function spreadText({ one, circle, grid }, unseen, own) {
   const range = (/** @type {readonly number[]} */ counts) =>
-    `${fixed((100 * Math.min(...counts)) / unseen, 0)} to ${percent(Math.max(...counts), unseen)}`;
+    `${shareOf(Math.min(...counts), unseen)} to ${percent(Math.max(...counts), unseen)}`;
   return `One seed is a matter of luck. With ${one.length} seeds the robots evolved on ${starts(own)} arrive from ${range(one)} of the starts they never saw, those of the circle from ${range(circle)}, those of the grid from ${range(grid)}.`;
 }
 

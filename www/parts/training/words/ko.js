@@ -1,6 +1,6 @@
 // Every word of the training part, in Korean.
 /** @import { Evolved, Result, RowName } from '../request.js' */
-import { cost, isEvolved } from './common.js';
+import { cost, isEvolved, shareOf } from './common.js';
 import { fixed, grouped, postureText } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
@@ -23,9 +23,8 @@ export const cancel = '취소';
 /** @param {number} generations */
 export const generationsChoice = (generations) => `${generations}세대`;
 
-/** All of them is more than nearly all. @param {number} part @param {number} count */
-export const percent = (part, count) =>
-  `${fixed((100 * part) / count, part < count && part / count >= 0.995 ? 1 : 0)}%`;
+/** @param {number} part @param {number} count */
+export const percent = (part, count) => `${shareOf(part, count)}%`;
 
 /** @param {RowName} name @param {number} count The number of starts that it was evolved on. */
 export const rowName = (name, count) =>
@@ -108,7 +107,7 @@ export const followed = ({ results: { one, circle, grid } }) =>
 /** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
 export function spreadText({ one, circle, grid }, unseen, own) {
   const range = (/** @type {readonly number[]} */ counts) =>
-    `${fixed((100 * Math.min(...counts)) / unseen, 0)}~${percent(Math.max(...counts), unseen)}`;
+    `${shareOf(Math.min(...counts), unseen)}~${percent(Math.max(...counts), unseen)}`;
   return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.length}개로 진화시키면 처음 보는 출발점에서 도착하는 비율은 출발점 ${own === 1 ? '하나' : `${own}개`}로 진화한 로봇이 ${range(one)}, 원으로 진화한 로봇이 ${range(circle)}, 격자로 진화한 로봇이 ${range(grid)}입니다.`;
 }
 

@@ -1,8 +1,7 @@
 // Every word of handing in.
 /** @import { Wanted } from '../../../run/aim.js' */
-import { costText } from '../../../words/numbers.js';
 /** @import { Thing } from '../own.js' */
-import { costLine, gainsLine, head } from './common.js';
+import { costBeside, costLine, gainsLine, head } from './common.js';
 
 export * from './common.js';
 
@@ -53,7 +52,7 @@ export const budgetText = (drives) => (drives === null ? '' : `, within ${drives
 /** @param {Wanted} wanted @param {number} value */
 export const valueText = (wanted, value) =>
   wanted.kind === 'cost'
-    ? `J ${costText(value)}`
+    ? `J ${costBeside(value, wanted.below)}`
     : wanted.kind === 'parks'
       ? `${value} of ${wanted.of}`
       : `${Math.round(1000 * value) / 10} %`;

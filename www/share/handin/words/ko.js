@@ -1,8 +1,7 @@
 // Every word of handing in, in Korean.
 /** @import { Wanted } from '../../../run/aim.js' */
-import { costText } from '../../../words/numbers.js';
 /** @import { Thing } from '../own.js' */
-import { costLine, gainsLine, head } from './common.js';
+import { costBeside, costLine, gainsLine, head } from './common.js';
 
 export * from './common.js';
 
@@ -54,7 +53,7 @@ export const budgetText = (drives) => (drives === null ? '' : `, 주행 ${drives
 /** @param {Wanted} wanted @param {number} value */
 export const valueText = (wanted, value) =>
   wanted.kind === 'cost'
-    ? `J ${costText(value)}`
+    ? `J ${costBeside(value, wanted.below)}`
     : wanted.kind === 'parks'
       ? `${wanted.of}개 중 ${value}개`
       : `${Math.round(1000 * value) / 10}%`;

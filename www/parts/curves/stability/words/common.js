@@ -65,5 +65,4 @@ export const tickText = (value, isLog) => {
 
 /** @param {number} radians */
 export const angleText = (radians) => fixed((radians * 180) / Math.PI, 2);
-/** @param {number} seconds */
-export const timeText = (seconds) => fixed(seconds, 2);
+export { timeText } from '../../words/common.js';

@@ -1,0 +1,65 @@
+// Numbers that differ where it matters are not written as the same.
+import assert from 'node:assert/strict';
+import { timeText } from '../../../www/parts/curves/words/common.js';
+import { costWriter } from '../../../www/parts/generation/words/common.js';
+import * as en from '../../../www/parts/generation/words/en.js';
+import * as ko from '../../../www/parts/generation/words/ko.js';
+import { shareText } from '../../../www/parts/robustness/words/common.js';
+import { spreadText } from '../../../www/parts/training/words/en.js';
+import { shareOf } from '../../../www/parts/training/words/common.js';
+import { costBeside } from '../../../www/share/handin/words/common.js';
+import { costText } from '../../../www/words/numbers.js';
+import { test } from '../harness/once.js';
+
+test('only all are 100 %, and only none are 0 %', () => {
+  for (let part = 0; part <= 1000; part += 1) {
+    assert.equal(shareOf(part, 1000) === '100', part === 1000);
+    assert.equal(shareOf(part, 1000) === '0', part === 0);
+  }
+  const count = 118_098;
+  for (const part of [0, 1, 4, 58, 60, 200, 60_000]) {
+    assert.equal(shareText(part / count) === '0.0', part === 0);
+    assert.equal(shareText(1 - part / count) === '100.0', part === 0);
+  }
+  assert.deepEqual([shareText(0.5332), shareText(1 - 1e-5), shareText(1e-5)], ['53.3', '>99.9', '<0.1']);
+  const counts = [998, 999, 999];
+  assert.match(
+    spreadText({ one: [250, 400], circle: counts, grid: counts }, 1000, 1),
+    /25 to 40\u202f% .*99\.8 to 99\.9\u202f%/,
+  );
+});
+
+test('a J that falls is another one than before, of whatever size it is', () => {
+  for (const size of [1, 10, 103, 5000, 400_000])
+    for (const by of [0.5, 0.03, 1e-3, 1e-5]) {
+      const [before, after] = [size, size - by];
+      const write = costWriter(
+        /** @type {any} */ ({ all: [{ cost: after }, { cost: before + 1 }, { cost: size * 2 }] }),
+      );
+      for (const words of [en, ko]) {
+        const [from, to] = words.bestText('ep', before, after, write).match(/\d+(?:\.\d+)?/g) ?? [];
+        assert.ok(Number(from) > Number(to), `${from} to ${to}`);
+      }
+    }
+});
+
+test('J beside an aim stands on the side on which it is', () => {
+  for (const limit of [7.9354, 7.93543001, 103.04, 20_000.55, 1e9])
+    for (const by of [0, 1e-9, -1e-9, 1e-5, -1e-5, 0.01, -0.01, 1]) {
+      const text = costBeside(limit + by, limit);
+      assert.equal(Number(text) < limit, limit + by < limit, `${text} beside ${limit}`);
+    }
+  assert.equal(costBeside(7.6, 7.9), costText(7.6));
+  assert.equal(costBeside(Number.POSITIVE_INFINITY, 7.9), '∞');
+});
+
+test('a column of times has the digits of its step', () => {
+  for (const [step, second] of /** @type {const} */ ([
+    [0.01, '0.01'],
+    [0.5, '0.50'],
+    [0.001, '0.001'],
+    [0.025, '0.025'],
+    [3 * 0.1, '0.30'],
+  ]))
+    assert.equal(timeText(step, step), second);
+});
