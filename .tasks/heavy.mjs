@@ -6,7 +6,7 @@
 import { parseArgs } from 'node:util';
 import { pageNames } from '../www/parts/parts.js';
 import { openChromium } from './chromium.mjs';
-import { Failure, task } from './run.mjs';
+import { Failure, needBuilt, task } from './run.mjs';
 import { serveCompressed } from './serve.mjs';
 
 /** Milliseconds. */
@@ -163,6 +163,7 @@ await task(async () => {
   const { values } = parseArgs({
     options: { site: { type: 'string', default: 'dist' }, only: { type: 'string', default: '' } },
   });
+  needBuilt(values.site);
   const served = await serveCompressed(values.site);
   const driver = await openBrowser();
   const over = { all: 0, core: 0 };

@@ -2,13 +2,12 @@
 // telephone and on a desktop, and how much a first visit loads. It times things: on a busy machine it says less.
 //
 //   npm run lighthouse -- [--site DIR] [--runs 5]
-import { existsSync } from 'node:fs';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { findChromium, flags } from './chromium.mjs';
-import { Failure, npm, task } from './run.mjs';
+import { Failure, needBuilt, npm, task } from './run.mjs';
 import { serveCompressed } from './serve.mjs';
 
 /** Fetched by npm when it is asked for: with what it needs it is larger than everything else that npm installs here. */
@@ -96,7 +95,7 @@ await task(async () => {
   if (!Number.isInteger(runs) || runs < 1)
     throw new Failure(`--runs must be a whole number from 1, not ${values.runs}`);
   const site = resolve(values.site);
-  if (!existsSync(join(site, 'index.html'))) throw new Failure(`no built site in ${site}: npm run build`);
+  needBuilt(site);
   const missed = await lookAt(site, runs);
   if (missed.length > 0) throw new Failure(missed.join('; '));
 });

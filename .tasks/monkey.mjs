@@ -1,11 +1,13 @@
 // npm run monkey -- [rounds] [first seed]: rounds of a hundred random actions on the built page, in every engine of this
 // machine, or in those that ENGINES names. What fails is told with its seed.
 import { parseArgs } from 'node:util';
-import { run, task } from './run.mjs';
+import { join } from 'node:path';
+import { needBuilt, run, task, top } from './run.mjs';
 
 await task(async () => {
   const { positionals } = parseArgs({ allowPositionals: true });
   const [rounds = '20', seed = String(1 + Math.floor(Math.random() * 1e6))] = positionals;
+  needBuilt(join(top, 'dist'));
   console.log(`${rounds} rounds from seed ${seed}`);
   await run('node', ['--test-reporter=spec', 'tests/page/harness/every.js', 'whole/monkey.test.js'], {
     env: { PAGE_TESTS: 'engine', MONKEY_ROUNDS: rounds, MONKEY_SEED: seed },

@@ -11,13 +11,13 @@ import { serve } from '../tests/page/harness/server.js';
 import { createCamera } from './pictures/camera.js';
 import { compareFolders } from './pictures/compare.js';
 import { nameOf, views } from './pictures/states.js';
-import { Failure, task } from './run.mjs';
+import { Failure, needBuilt, task } from './run.mjs';
 
 const output = join('target', 'pictures');
 
 /** @param {string} folder @param {string} site @param {string} only */
 async function takeAll(folder, site, only) {
-  if (!existsSync(join(site, 'index.html'))) throw new Failure(`no built site in ${site}: npm run build`);
+  needBuilt(site);
   mkdirSync(folder, { recursive: true });
   const before = readFileSync(new URL('pictures/rest.js', import.meta.url), 'utf8');
   const served = await serve(resolve(site), { before });

@@ -140,3 +140,8 @@ export function lastChange(...paths) {
   });
   return Math.max(0, ...times);
 }
+
+/** @param {string} site the folder of a built site */
+export function needBuilt(site) {
+  if (!existsSync(join(site, 'index.html'))) throw new Failure(`no built site in ${site}: npm run build`);
+}

@@ -159,13 +159,21 @@ test('with turning at a tenth of its price nearly all unseen starts park, whatev
   }
 });
 
-test('with turning dear a robot that waits beside the bay costs less than one that parks', () => {
-  const waits = fares({ ...own, starts: sets.circle }, champion({ ...own, starts: sets.circle }).gains);
-  const parks = fares({ ...own, starts: sets.circle }, [7.2, 178.7, 7]);
-  const dearer = [...waits.arrived].filter(
-    (arrives, i) => !arrives && parks.arrived[i] && waits.cost[i] < parks.cost[i],
-  );
-  assert.ok(dearer.length >= 5, `${dearer.length}`);
+test('gains of its own would park each robot that waits, for less; one set that parks all costs more in the mean', () => {
+  const circle = { ...own, starts: sets.circle };
+  const found = champion(circle);
+  const { arrived, cost } = fares(circle, found.gains);
+  const waiting = [...arrived].flatMap((arrives, i) => (arrives ? [] : [i]));
+  assert.ok(waiting.length >= 5, `${waiting.length}`);
+  for (const i of waiting) {
+    const alone = [1, 2, 3, 4].map((seed) =>
+      champion({ ...own, starts: [sets.circle[i]], evolution: { ...own.evolution, seed } }),
+    );
+    assert.ok(Math.min(...alone.map(({ cost: one }) => one)) < 0.8 * cost[i], `start ${i}`);
+  }
+  const all = champion({ ...opened(`lab&${cheapTurns}`).experiment, starts: sets.circle });
+  assert.ok([...fares(circle, all.gains).arrived].every(Boolean));
+  assert.ok(evaluate(circle, all.gains)[0] > 1.2 * found.cost);
 });
 
 pageTest('the answer is the share that the map then shows', async (page) => {

@@ -29,6 +29,15 @@ test('without limits V falls from sample to sample, and its rate is what the law
   }
 });
 
+test('where sin θe is 0 and ye is not, V may rise at once', () => {
+  for (const { notice } of [words, ko]) {
+    const link = /\]\((curves[^)]*start=2,1,45deg[^)]*)\)/.exec(notice.join())?.[1] ?? '';
+    const [first, second] = samplesOf(link);
+    assert.ok(Math.abs(Math.sin(first.error.theta)) < 1e-6 && Math.abs(first.error.y) > 0.1);
+    assert.ok(second.lyapunov > 1.5 * first.lyapunov);
+  }
+});
+
 test('with ky below zero V falls, rises again and ends higher than it began, as its rate says', () => {
   const link = linkOf(stability, 'negative');
   const all = samplesOf(link);

@@ -146,6 +146,11 @@ pageTest('without limits the robot does what the law promises', async (page) => 
   assert.equal(await pixelsOf(page, '#stability-lines', '--error'), 0);
 });
 
+pageTest('where the law would divide by 0 nothing is promised, and it is said', async (page) => {
+  await open(page, `${free}&drives=hand&gains=3,8,5&start=2,1,45deg`);
+  assert.match(await note(page), /No limit cuts the command, but .* guarded: there V̇ robot is not V̇ law\./);
+});
+
 pageTest('the cursor is the robots’ clock, both ways', async (page) => {
   await open(page, 'drives=paper-ep');
   const { time } = await layoutOn(page, ep, [arbitrary]);

@@ -91,7 +91,7 @@ export const settings = {
   law: {
     name: 'Law',
     help: 'What turns the error into a command. Kanayama’s rule cannot turn a robot that has to park.',
-    choices: { 'shim-kim': 'Kim and Shim 1995', kanayama: 'Kanayama et al. 1990' },
+    choices: { 'shim-kim': 'Shim and Kim 1994', kanayama: 'Kanayama et al. 1990' },
   },
   'disturbance.kind': {
     name: 'Kind',

@@ -83,7 +83,7 @@ export const settings = {
   law: {
     name: '법칙',
     help: '오차를 명령으로 바꾸는 법칙입니다. Kanayama의 규칙으로는 주차하는 로봇을 회전시킬 수 없습니다.',
-    choices: { 'shim-kim': 'Kim과 Shim, 1995', kanayama: 'Kanayama 등, 1990' },
+    choices: { 'shim-kim': 'Shim과 Kim, 1994', kanayama: 'Kanayama 등, 1990' },
   },
   'disturbance.kind': {
     name: '종류',

@@ -27,7 +27,7 @@ export const contest = {
 Two things can be asked of a run: how low is {J} when the drives are used up, or *how many drives until {J} is below a target*? Here it is the second: 7.72, a quarter of a percent above the best that is known.`,
     read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would be as uneven. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
     drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Had we asked for 8.09 alone, we would have called them a waste.`,
-    slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then slide to 3, to 10, to 20. So few runs do not lie: they leave the question open, and it is we who read an answer into them.`,
+    slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then slide to 3, to 10, to 20. So few runs mostly leave the question open, and it is we who read an answer into them. Now and then they even show a difference that is not there.`,
     budget: `Drag the *vertical* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: a run that has not reached the target by then mostly never does. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
     ellipse: `Why does CMA-ES, the famous one, lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it follows the best three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a wall: below {ky} = 0 there is the penalty.
 
@@ -96,10 +96,10 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     remedies: 'CMA-ES and its remedies',
   },
   notice: [
-    'Of the other three parts only crossover makes the search better, as far as can be told: robots trade gains *and* step sizes. The paper has none.',
-    'Cauchy steps make no difference that 51 runs could show; letting each child fight only its own parent is fatal.',
+    'Of the other three parts only crossover is better as far as *51 runs* can tell: robots trade gains *and* step sizes. The paper has none.',
+    'With Cauchy steps 41 runs reach the target instead of 34. 51 runs cannot tell that from chance, which does not prove that it is chance. Letting each child fight only its own parent is fatal.',
     'With a floor, far fewer runs are lost in the end, but none gets much below the target either: by then the steps are too long.',
     'Whether six robots come to 7.8 sooner than twenty, 51 runs cannot tell. A hundred need twice as many drives.',
-    'A hand that moves one slider after the other does well here, for the best {ky} lies at 0, where such sliders end. Without that end it is lost.',
+    'A hand that moves one slider after the other beats evolution in two pairs of three, for the best {ky} lies at 0, where such sliders end. But it gets stuck more often: 37 runs arrive, not 49. Without that end it is lost.',
   ],
 };

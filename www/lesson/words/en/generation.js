@@ -23,7 +23,7 @@ export const generation = {
 
 *4. Survive.* The {=count} with the most wins stay as parents of the next generation, with their gains, step sizes and J. Before you press: a question.`,
     select: `*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* {=chosen} wins {=wins} of {=bouts}. *Rank*: most wins first. *4. [Survive](generation&generation=1&phase=survivors&individual=26).* {=fate} Press the moves one by one, and look at others.`,
-    next: `The four moves are the paper’s. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice. That the best always survives is called *elitism*; here nobody has to arrange it. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
+    next: `The four moves are the paper’s. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice. That the best always survives is called *elitism*; here the tournament and that rule see to it. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
   },
   /** @param {string} name @param {string} fate */
   fate: (name, fate) => `${name[0].toUpperCase()}${name.slice(1)} ${fate}.`,
@@ -44,7 +44,7 @@ export const generation = {
       ],
       /** @param {{ rose: number, fell: number, generations: number }} outcome */
       why: ({ rose, fell, generations }) =>
-        `In these ${generations} generations the best J fell ${fell} times and ${rose === 0 ? 'never rose' : `rose ${rose} times`}. Nobody has a lower J than the best: it wins every bout, whomever it meets. And it does not give way to its offspring; both stand in the same tournament.`,
+        `In these ${generations} generations the best J fell ${fell} times and ${rose === 0 ? 'never rose' : `rose ${rose} times`}. Nobody has a lower J than the best: it wins every bout, whomever it meets, and among those with as many wins the lower J goes first. And it does not give way to its offspring; both stand in the same tournament.`,
     },
   },
   tries: {

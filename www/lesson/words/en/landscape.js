@@ -14,7 +14,7 @@ The white dots are the population. *Press Run* and watch it walk: the line is th
 Why search at all, if one can drive the whole map? Because it is a map of *two* gains. A grid as fine over all three would be {=grid} drives, and each further gain would cost {=side} times as many again.
 
 A method that follows the slope stumbles over edges and ripples, and may stop in a *local optimum*: a place that is better than all around it, but not the best. Evolution needs no slope: it only compares. That makes it sturdy, not infallible.`,
-    next: `Here evolution finds what there is to find, the lowest point of *one* landscape, which belongs to one start and one goal. Has the robot learned to park, or only to park from there? Step 12 asks. First: which part of the method did the work?`,
+    next: `With most seeds evolution comes near the lowest point of *one* landscape, which belongs to one start and one goal. Has the robot learned to park, or only to park from there? Step 12 asks. First: which part of the method did the work?`,
   },
   quizzes: {
     turn: {

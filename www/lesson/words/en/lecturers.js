@@ -51,7 +51,7 @@ export const lecturers = {
           seen: 'On starts never seen, gains evolved on many starts arrive more often than those evolved on one.',
         },
         close: {
-          text: '*9 min.* And when the ground pushes? Theorem 2 says how near the robot stays.',
+          text: '*9 min.* And when the ground pushes? Theorem 2 says where {V} must still fall; how near the robot then comes, and when, it does not say.',
           seen: 'An optimiser gives what the cost asks for. Nothing more.',
         },
       },

@@ -54,7 +54,7 @@ export const stability = {
       ],
       /** @param {{ away: number, turned: number }} outcome */
       why: ({ away, turned }) =>
-        `It stops ${fixed(away, 2)} m from the goal. Its largest turn rate was ${fixed(turned, 2)} rad/s: with a goal at rest the rule never turns. (It has a V of its own, which is the one shown.) This is the flaw that the paper set out to fix.`,
+        `It stops ${fixed(away, 2)} m from the goal. Its largest turn rate was ${fixed(turned, 2)} rad/s: with a goal at rest the rule never turns. (It has a V of its own, which is the one shown.) This is the flaw that law (5) was made to mend, by the same authors in 1994; the paper of 1995 looks for its gains.`,
     },
   },
   tries: {
@@ -64,6 +64,7 @@ export const stability = {
     kanayamaTracks: 'Kanayama’s rule with the same moving goal: it follows, too',
   },
   notice: [
+    'The two terms with {ky} cancel only where sin {te} is not 0. Where it is 0 and {ye} is not, the law has no value, and what our program puts in its place can raise {V} at once: [such a start](curves&view=stability&drives=hand&gains=3,8,5&start=2,1,45deg&limits.speed=off&limits.turnRate=off).',
     'Early the blue part is the largest: most of {V} is lost by driving ahead.',
     'Close to the goal all parts are tiny, and the orange one the tiniest: the fourth power of a small number is very small. The last centimetres to the side take long. The dotted curve is that of the dotted drive, for comparison.',
     'One spot is flat without being the bottom: [on the goal, turned by 180°](curves&view=stability&drives=hand&gains=3,1,5&start=2,2,-135deg). There every term of the law is zero, and {V} stays at 2. It is no hilltop but a *saddle*: sideways the bowl rises, only turning leads down. For seconds nothing happens, until rounding in the last digits has tipped the balance.',

@@ -12,6 +12,7 @@ import { largest } from '../../../kit/extent.js';
  * @property {number} to V in the end.
  * @property {number} rising Seconds.
  * @property {number} limited Seconds.
+ * @property {boolean} isLaw Whether without limits and disturbances V changes as the law promises: where it would divide by 0 it is guarded, and promises nothing.
  * @property {number} seconds All of them.
  * @property {boolean} disturbed
  * @property {number[]} raised The parts that are above zero: 0, 1, 2 for x_e, y_e, θ_e.
@@ -22,6 +23,8 @@ import { largest } from '../../../kit/extent.js';
 
 /** Rounding is no rise. */
 const least = 1e-9;
+/** What is as near is the same. */
+const close = 1e-6;
 /** Of the seconds that V rises; less is not worth a sentence. */
 const goodPart = 0.1;
 
@@ -42,13 +45,15 @@ export function summaryOf(stability, { law, referenceVelocity, disturbance, samp
   const disturbed = disturbance.kind !== 'none';
   /** Seconds. @type {Record<Cause, number>} */
   const risingBy = { limits: 0, disturbance: 0, sampling: 0 };
-  let [rising, cut] = [0, 0];
+  let [rising, cut, isLaw] = [0, 0, true];
   for (let i = 0; i + 1 < time.length; i += 1) {
     const seconds = time[i + 1] - time[i];
+    const promised = parts.reduce((sum, values) => sum + values[i], 0);
     if (limited[i]) cut += seconds;
+    else if (Math.abs(rate[i] - promised) > close * (1 + Math.abs(promised))) isLaw = false;
     if (!isRising(i)) continue;
     rising += seconds;
-    if (parts.reduce((sum, values) => sum + values[i], 0) > 0) continue;
+    if (promised > 0) continue;
     if (rate[i] <= 0) risingBy.sampling += seconds;
     else {
       if (limited[i]) risingBy.limits += seconds;
@@ -64,6 +69,7 @@ export function summaryOf(stability, { law, referenceVelocity, disturbance, samp
     to: lyapunov[last],
     rising,
     limited: cut,
+    isLaw,
     seconds: time[last],
     disturbed,
     raised: [0, 1, 2].filter((part) => largest(parts[part]) > 0),

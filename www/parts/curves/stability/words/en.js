@@ -70,10 +70,14 @@ function raisedText({ raised, negative, referenceSpeed }) {
 }
 
 /** @param {Summary} summary */
-function limitsText({ limited, disturbed, isPromised }) {
+function limitsText({ limited, disturbed, isPromised, isLaw }) {
   const pushed = disturbed ? 'The disturbance moves V̇ robot off V̇ law.' : '';
   if (limited === 0)
-    return disturbed || !isPromised ? pushed : 'No limit cuts the command: V̇ robot is V̇ law.';
+    return disturbed || !isPromised
+      ? pushed
+      : isLaw
+        ? 'No limit cuts the command: V̇ robot is V̇ law.'
+        : 'No limit cuts the command, but where the law would divide by 0 it is guarded: there V̇ robot is not V̇ law.';
   return `Grey: for ${fixed(limited, 2)} s limits cut the command, and V̇ robot is not V̇ law. ${pushed}`.trim();
 }
 

@@ -64,10 +64,14 @@ function raisedText({ raised, negative, referenceSpeed }) {
 }
 
 /** @param {Summary} summary */
-function limitsText({ limited, disturbed, isPromised }) {
+function limitsText({ limited, disturbed, isPromised, isLaw }) {
   const pushed = disturbed ? `외란${limited === 0 ? '이' : '도'} 실제 V̇를 이론 V̇에서 벗어나게 합니다.` : '';
   if (limited === 0)
-    return disturbed || !isPromised ? pushed : '명령이 제한에 걸리지 않으므로 실제 V̇는 이론 V̇와 같습니다.';
+    return disturbed || !isPromised
+      ? pushed
+      : isLaw
+        ? '명령이 제한에 걸리지 않으므로 실제 V̇는 이론 V̇와 같습니다.'
+        : '명령이 제한에 걸리지는 않지만, 0으로 나누게 되는 곳에서는 법칙 대신 정해 둔 값을 씁니다. 그곳에서는 실제 V̇가 이론 V̇와 다릅니다.';
   return `회색: ${fixed(limited, 2)}초 동안 명령이 제한에 걸려 실제 V̇가 이론 V̇와 다릅니다. ${pushed}`.trim();
 }
 
