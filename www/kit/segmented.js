@@ -12,7 +12,7 @@ export const listed = (choices) =>
   );
 
 /**
- * What a fieldset of this id holds.
+ * What a fieldset of this id holds. Firefox prints what the attributes say.
  * @template {string} V
  * @param {string} id @param {string} legend @param {readonly Choice<V>[]} choices
  * @param {V | null} chosen @param {(value: V) => void} onChoose
@@ -21,7 +21,7 @@ export const choicesOf = (id, legend, choices, chosen, onChoose) => html`
   <legend class="visually-hidden">${legend}</legend>${choices.map(
     ({ value, text, hint, disabled }) =>
       html`<label title=${hint ?? nothing}><input id="${id}-${value}" type="radio" name=${id} value=${value}
-        .checked=${live(value === chosen)} .disabled=${disabled ?? noChange} @change=${() => onChoose(value)}><span>${text}</span></label>`,
+        .checked=${live(value === chosen)} ?checked=${value === chosen} .disabled=${disabled ?? noChange} @change=${() => onChoose(value)}><span>${text}</span></label>`,
   )}`;
 
 /**

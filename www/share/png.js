@@ -2,6 +2,7 @@
 /** @import { About, Drawing, Mark, Paint } from './marks.js' */
 import { isGradient } from './marks.js';
 import { cssFont } from './screen.js';
+import words from './words/index.js';
 
 const pixelsPerMetre = 96 / 0.0254;
 /** The signature and the header chunk. */
@@ -11,6 +12,7 @@ const beginning = 8 + 25;
 export async function pngOf(drawing, { title, description, link, version }) {
   const density = Math.max(2, globalThis.devicePixelRatio || 1);
   const canvas = painted(drawing, density);
+  if (!isReadable(canvas, drawing.paper)) throw new Error(words.unreadable);
   const blob = await new Promise((resolve) => canvas.toBlob(resolve));
   if (!blob) throw new Error(`${canvas.width} × ${canvas.height}`);
   const bytes = new Uint8Array(await blob.arrayBuffer());
@@ -24,6 +26,13 @@ export async function pngOf(drawing, { title, description, link, version }) {
     ],
     { type: 'image/png' },
   );
+}
+
+/** Some browsers give pages noise in the place of what they have drawn: the corner, which is paper, tells. @param {HTMLCanvasElement} canvas @param {string} paper */
+function isReadable(canvas, paper) {
+  const wanted = paper.match(/\d+/g)?.map(Number) ?? [];
+  const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(0, 0, 8, 1);
+  return data.every((value, i) => i % 4 === 3 || Math.abs(value - (wanted[i % 4] ?? value)) <= 2);
 }
 
 /** @param {Drawing} drawing @param {number} density */

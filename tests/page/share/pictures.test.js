@@ -131,3 +131,23 @@ pageTest('the picture beside the words of a step is a file too', async (page) =>
     assert.doesNotMatch(bytes.toString('utf8'), /color\(/, step);
   }
 });
+
+pageTest('where a browser gives noise for what a page has drawn, no file of noise is saved', async (page) => {
+  await page.open('#lab');
+  await page.evaluate(() => {
+    const { prototype } = CanvasRenderingContext2D;
+    const { getImageData } = prototype;
+    prototype.getImageData = function (...given) {
+      const image = getImageData.apply(this, given);
+      return new ImageData(
+        image.data.map((_, i) => (37 * i) % 256),
+        image.width,
+      );
+    };
+  });
+  await page.click('#keep-button');
+  await page.click('#keep-pictures li:first-child button:first-of-type');
+  await page.until('it is said', () =>
+    /was not saved: .*SVG/.test(document.getElementById('keep-status')?.textContent ?? ''),
+  );
+});

@@ -89,6 +89,10 @@ for (const link of pageNames.flatMap(linksOf))
           // A mouse is of no use there; and who reads it wants the gains of whom is shown.
           hints: all('#tagline, #gains-note, .hint').length,
           gains: all('.driver').length === all('#gains').length,
+          // Firefox prints what the attributes say.
+          told: [
+            .../** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll('.segmented input')),
+          ].every(({ checked, defaultChecked }) => checked === defaultChecked),
           groups: all('main canvas').every((canvas) => Number(getComputedStyle(canvas).opacity) < 1),
         };
       });
@@ -96,6 +100,7 @@ for (const link of pageNames.flatMap(linksOf))
       assert.equal(seen.hints, 0);
       assert.equal(seen.overprinted, 0);
       assert.equal(seen.gains, true);
+      assert.equal(seen.told, true);
       assert.ok(seen.excess <= 0, `${seen.excess} px too wide`);
       // Park has limits of its own.
       for (const chosen of [lab.pages[part], ...(part === 'park' ? [] : ['Velocity limits'])])

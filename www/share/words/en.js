@@ -148,6 +148,8 @@ export const pictures = {
 /** @param {string} picture @param {string} kind */
 export const savePicture = (picture, kind) => `${picture}: save as ${kindName(kind)}`;
 
+/** Why. */
+export const unreadable = 'this browser lets no page read what it has drawn; SVG can be saved';
 /** @param {string} picture @param {string} reason */
 export const pictureNotSaved = (picture, reason) => `“${picture}” was not saved: ${reason}.`;
 

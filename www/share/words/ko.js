@@ -150,6 +150,8 @@ export const pictures = {
 /** @param {string} picture @param {string} kind */
 export const savePicture = (picture, kind) => `${picture}: ${kindName(kind)} 형식으로 저장`;
 
+/** Why. */
+export const unreadable = '이 브라우저는 페이지가 그린 그림을 읽지 못하게 합니다. SVG로는 저장할 수 있습니다';
 /** @param {string} picture @param {string} reason */
 export const pictureNotSaved = (picture, reason) => `“${picture}” 그림을 저장하지 못했습니다: ${reason}.`;
 
