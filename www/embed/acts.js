@@ -5,7 +5,7 @@
 /** @import { Parts } from './messages.js' */
 /** @import { Said, Type } from './told.js' */
 import { embed as words } from '../words/index.js';
-import { noTrial } from '../run/state.js';
+import { noTrial, spentOf } from '../run/state.js';
 import { pause } from '../kit/loop.js';
 
 /** @typedef {readonly string[] | Promise<readonly string[]>} Problems */
@@ -107,11 +107,13 @@ export function createActs({ engine, store, actions, links }, { announce, rememb
   return { arrive, leaveOff, acts };
 }
 
-/** The page as it is, with another experiment. @param {State} state @param {Experiment} experiment @param {Triple | null} handGains @param {number} generation @returns {Opened} */
-function openedWith({ page, lesson, preset, pins, exercise, student }, experiment, handGains, generation) {
+/** The page as it is, with another experiment; where drives are counted, with those that were made. @param {State} state @param {Experiment} experiment @param {Triple | null} handGains @param {number} generation @returns {Opened} */
+function openedWith(state, experiment, handGains, generation) {
+  const { page, lesson, preset, pins, exercise, student } = state;
+  const spent = exercise.aim?.drives ? spentOf({ ...state, generation: 0 }) : student.spent;
   // Of an exercise it is a new one; what is drawn for a student stays drawn.
   const base = student.base && exercise.vary.length === 0 ? { preset, experiment } : student.base;
-  const kept = { page, lesson, preset, pins, exercise, student: { ...student, base } };
+  const kept = { page, lesson, preset, pins, exercise, student: { ...student, base, spent } };
   const driver = handGains ? 'hand' : 'evolved';
   return { ...kept, experiment, generation, driver, handGains, found: 'hand', trial: noTrial, parts: {} };
 }

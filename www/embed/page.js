@@ -10,7 +10,7 @@ import { version, wantedHeight } from './frame.js';
 import { createMessages } from './messages.js';
 import { idIn, isForFigure, shortError } from './told.js';
 
-/** What is handed in: the receipt, the address that opens it, and its text. @typedef {{ receipt: { who: string, exercise: string, gains: readonly number[], cost: number, parked: number, starts: number, drives: number, minutes: number, judged: { isMet: boolean, points: number | null, most: number | null } | null }, address: string, text: string }} HandedIn */
+/** What is handed in: the receipt, with what it comes to where it is judged, the address that opens it, and its text. @typedef {{ receipt: { who: string, exercise: string, gains: readonly number[], there: { cost: number, parked: number, starts: number }, drives: number, minutes: number, judged: { isMet: boolean, points: number | null, most: number | null } | null }, address: string, text: string }} HandedIn */
 /** @typedef {Parameters<typeof createMessages>[0] & { shapes: Parameters<typeof wantedHeight>[0] }} Parts `shapes` of the parts of the page. */
 
 /** A figure holds nothing that its host may not know, whoever that is; one that was taken away has none. @param {object} message */
@@ -74,7 +74,8 @@ export function createEmbed(parts) {
 
     /** An exercise is handed in. @param {HandedIn} handed */
     handIn({ receipt, address, text }) {
-      const { who, exercise, gains, cost, parked, starts, drives, minutes, judged } = receipt;
+      const { who, exercise, gains, there, drives, minutes, judged } = receipt;
+      const { cost, parked, starts } = there;
       const { isMet = null, points = null, most = null } = judged ?? {};
       const result = { gains: [...gains], cost, parked, starts, drives, minutes, met: isMet, points, most };
       post({ ep: version, type: 'handin', who, exercise, link: address, text, ...result });

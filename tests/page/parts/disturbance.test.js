@@ -86,6 +86,24 @@ async function shows(page, rows) {
   return readPart(page);
 }
 
+pageTest('where Theorem 2 promises nothing there are no sets', async (page) => {
+  for (const [link, isPromised] of /** @type {const} */ ([
+    ['gains=1,1,1', true],
+    ['gains=1,-1,1', false],
+    ['gains=1,1,1&law=kanayama', false],
+  ])) {
+    await page.open(`#disturbance&v=1&under=slip,0.1,0.1,1&drives=hand&${link}`);
+    const { rows } = await readPart(page);
+    const sets = rows.flatMap((row) => [row[1], row[4]]);
+    assert.ok(
+      sets.every((text) => (text === '–') !== isPromised),
+      `${link}: ${sets}`,
+    );
+    const marked = () => document.querySelectorAll('#remains .beyond, #remains-legend .set').length;
+    assert.equal((await page.evaluate(marked)) > 0, isPromised, link);
+  }
+});
+
 /** Opens the part with the paper's arbitrary gains, which no evolution changes. @param {Page} page */
 async function openPart(page) {
   await page.click('#page-disturbance');

@@ -47,6 +47,24 @@ function madeAgain(store) {
   return generation > 0 ? history[generation].evaluations : 0;
 }
 
+test('where nobody may evolve, the exercise as it was given has its generation again', () => {
+  const { store, actions } = pageOf('lab&v=1&generation=5&lock=run&task=Few.&aim=J%3C8');
+  const shown = () => [store.get().generation, store.get().population[0].cost];
+  const given = shown();
+  assert.equal(given[0], 5);
+  for (const back of [actions.backToExercise, actions.undo]) {
+    actions.changeSetting('goal.x', 1.5, false);
+    assert.equal(store.get().generation, 0);
+    back();
+    assert.deepEqual(shown(), given);
+  }
+  // Where it may, evolution begins again.
+  const free = pageOf('lab&v=1&generation=5&task=Few.&aim=J%3C8');
+  free.actions.changeSetting('goal.x', 1.5, false);
+  free.actions.backToExercise();
+  assert.equal(free.store.get().generation, 0);
+});
+
 test('what was driven for generations counts on where a step of the lesson, or another run, is opened', () => {
   const { store, actions, open } = pageOf('lab&v=1&task=Few.&aim=J%3C8;drives%3C%3D400');
   for (let i = 0; i < 10; i += 1) actions.forward();

@@ -81,8 +81,10 @@ function drawLines(context, axes, measured, part, isLast) {
   const since = axes.x(axes.horizon - spec.seconds);
   context.fillStyle = colour('--panel');
   context.fillRect(since, frame.top, frame.right - since, frame.bottom - frame.top);
-  drawAxes(context, axes, measured.disturbed.sets[part][0], isLast);
-  drawSet(context, axes, measured, part);
+  const { law } = spec.experiment;
+  const hasSet = words.isPromised({ law, isPositive: spec.gains.every((gain) => gain > 0) });
+  drawAxes(context, axes, hasSet ? measured.disturbed.sets[part][0] : 0, isLast);
+  if (hasSet) drawSet(context, axes, measured, part);
 
   context.lineJoin = 'round';
   context.strokeStyle = colour('--muted');

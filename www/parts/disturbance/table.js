@@ -11,7 +11,7 @@ const { texts } = words;
 export const tableOf = (summary) => html`
   <ul id="remains-legend" class="remains-legend muted" data-picture="disturbance"
     data-name=${texts.disturbancePicture} aria-hidden="true">
-    ${Object.entries(words.legend).map(([name, text]) => html`<li class=${name}>${text}</li>`)}
+    ${Object.entries(words.legend).map(([name, text]) => (name === 'set' && !hasSets(summary) ? nothing : html`<li class=${name}>${text}</li>`))}
   </ul>
   <table id="remains" class="remains${summary ? '' : ' unmeasured'}" data-picture="disturbance">
     <thead>
@@ -31,9 +31,13 @@ export const tableOf = (summary) => html`
   </table>
   <p id="remains-text" class="remains-text" aria-live="polite">${summary && words.summaryText(summary)}</p>`;
 
+/** Until there is a summary nothing speaks against them. @param {Summary | null} summary */
+const hasSets = (summary) => summary === null || words.isPromised(summary);
+
 /** @param {PartName} part @param {Summary | null} summary */
 function rowOf(part, summary) {
   const numbers = summary?.rows[part];
+  const hasSet = hasSets(summary);
   /** With the same without the disturbance below. @param {'drive' | 'median' | 'largest'} name */
   const cellOf = (name) =>
     cell(numbers?.[name], summary?.disturbed ? words.sizeText(summary.calm[part][name]) : '');
@@ -43,11 +47,11 @@ function rowOf(part, summary) {
         <span class="remains-formula">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
         <div class="remains-plot layers" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>
       </th>
-      <td class=${numbers && !numbers.isInside && numbers.set > 0 ? 'beyond' : ''}>${cellOf('drive')}</td>
-      <td title=${words.equationHints[part]}>${cell(numbers?.set, words.equations[part])}</td>
+      <td class=${hasSet && numbers && !numbers.isInside && numbers.set > 0 ? 'beyond' : ''}>${cellOf('drive')}</td>
+      <td title=${words.equationHints[part]}>${hasSet ? cell(numbers?.set, words.equations[part]) : words.none}</td>
       <td>${cellOf('median')}</td>
       <td>${cellOf('largest')}</td>
-      <td>${summary && words.insideText(summary.rows[part].inside, summary.starts)}</td>
+      <td>${summary && (hasSet ? words.insideText(summary.rows[part].inside, summary.starts) : words.none)}</td>
     </tr>`;
 }
 

@@ -139,11 +139,20 @@ function createEvents({ store, actions }, training, rowsOf) {
   return { choose, tryFrom, evolve, workIfWanted };
 }
 
-/** @param {State} state @returns {RowName} */
-const chosenOf = (state) => {
+/** The row that drives, if one does; else the one that was chosen. @param {State} state @returns {RowName} */
+function chosenOf(state) {
   const { chosen, evolved } = trainingSlice.of(state);
+  const { driver, handGains } = state;
+  // Of what has not evolved yet one sees the starts.
+  if (chosen && isSet(chosen) && !evolved) return chosen;
+  if (driver === 'paper-ep' || driver === 'paper-arbitrary') return driver;
+  if (driver === 'hand') {
+    const drives = (/** @type {RowName | null} */ name) =>
+      name !== null && isSet(name) && String(evolved?.results[name].gains) === String(handGains);
+    return drives(chosen) ? /** @type {RowName} */ (chosen) : (setNames.find(drives) ?? 'hand');
+  }
   return chosen ?? (evolved ? 'circle' : hidesPaper(state) ? 'one' : 'paper-ep');
-};
+}
 
 function createRows() {
   const rows = remember(

@@ -17,7 +17,7 @@ export function createActions(means) {
   return {
     ...evolution,
     whenIdle: basis.whenIdle,
-    ...createExperiments(basis),
+    ...createExperiments(basis, catchUp),
     ...createDrive(basis),
     ...createClock(basis),
     ...createPins(basis),

@@ -6,6 +6,7 @@
 import { Pending } from '../../core/pending.js';
 import { isLost, messageOf } from '../../words/errors.js';
 import { settings as words } from '../../words/index.js';
+import { wayOf } from '../exercise.js';
 import { noErrors } from '../first.js';
 import { valueAt, withValue } from '../paths.js';
 import { asked, endsOf, noTrial } from '../state.js';
@@ -32,10 +33,27 @@ const createSettled =
       { what: 'begin', next },
     );
 
-/** @param {Basis} basis */
-export function createExperiments(basis) {
-  const { engine, store, attempt, nextOf, tryToBegin, begin, shown, settle } = basis;
+/** What an exercise has of its own. @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
+function createOwn({ engine, store }, catchUp) {
+  /** The experiment of the exercise, as it was drawn. @param {State} state */
+  const ownOf = ({ student: { base, who }, exercise }) =>
+    base && engine.experiment(drawnFor(base.experiment, exercise.vary, who));
 
+  /** Where nobody may evolve, the exercise as it was given has the generation that was prepared. */
+  const prepare = () => {
+    const state = store.get();
+    const { exercise, experiment, generation, work } = state;
+    if (generation > 0 || work.opened === 0 || wayOf(exercise, 'run') === 'free') return;
+    if (JSON.stringify(ownOf(state)) === JSON.stringify(experiment)) catchUp(work.opened, work.opened);
+  };
+  return { ownOf, prepare };
+}
+
+/** @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
+export function createExperiments(basis, catchUp) {
+  const { engine, store, attempt, nextOf, tryToBegin, begin, shown, settle, onceBegun } = basis;
+
+  const { ownOf, prepare } = createOwn(basis, catchUp);
   const beginSettled = createSettled(basis);
   /** A posture or a setting is let go. @param {Restart} restart */
   const release = (restart) => {
@@ -60,6 +78,7 @@ export function createExperiments(basis) {
       return settle();
     }
     beginSettled(nextOf(experiment, { preset, versions }), restart, patch);
+    onceBegun(prepare);
   };
 
   /** @param {string} path @param {string} text */
@@ -112,12 +131,13 @@ export function createExperiments(basis) {
 
     /** The experiment becomes the exercise's own again. */
     backToExercise() {
-      const { base, who } = store.get().student;
+      const { base } = store.get().student;
       if (!base) return;
       attempt(() => {
-        const own = engine.experiment(drawnFor(base.experiment, store.get().exercise.vary, who));
+        const own = /** @type {State['experiment']} */ (ownOf(store.get()));
         beginSettled(nextOf(own, { preset: base.preset }), 'given');
       });
+      onceBegun(prepare);
     },
 
     undo: () => goTo('undone', undone),

@@ -70,7 +70,7 @@ export const pages = {
   luck: 'Luck',
 };
 
-/** What each part is for. @param {number} population @returns {Record<string, string>} */
+/** What each part is for. @param {number} population How many robots there are. @returns {Record<string, string>} */
 export const taglines = (population) => ({
   lab: `${counted(population, 'robot with three random gains drives', 'robots, each with three random gains, drive')} to the goal. Evolution keeps what drives well.`,
   park: 'Robots at 32 starts, one parking place, three numbers: park them all, or let evolution try.',

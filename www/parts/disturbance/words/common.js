@@ -44,8 +44,11 @@ export const insideText = (inside, starts) => `${inside}/${starts}`;
 /** Of the other starts, the largest of each so many seconds is drawn. */
 export const crestSeconds = 0.2;
 
+/** Where there is no set. */
+export const none = '–';
+
 /** The equations of the sets. */
 export const equations = /** @type {const} */ ({ x: '(6)', y: '(7)', theta: '(8)' });
 
-/** Whether Theorem 2 is about this drive. @param {Summary} summary */
+/** Whether Theorem 2 is about this drive. @param {Pick<Summary, 'law' | 'isPositive'>} summary */
 export const isPromised = ({ law, isPositive }) => law === 'shim-kim' && isPositive;

@@ -61,9 +61,10 @@ export const equationHints = {
 };
 
 /** @param {PartName} part @param {Summary} summary */
-export const plotLabel = (part, { rows, seconds, horizon }) => {
+export const plotLabel = (part, summary) => {
+  const { rows, seconds, horizon } = summary;
   const { drive, set } = rows[part];
-  return `${formulaText(part)} over ${sixDigits(horizon)} s: in the last ${sixDigits(seconds)} s this drive stays within ${amount(part, drive)}; its set of Theorem 2 reaches to ${amount(part, set)}.`;
+  return `${formulaText(part)} over ${sixDigits(horizon)} s: in the last ${sixDigits(seconds)} s this drive stays within ${amount(part, drive)}${isPromised(summary) ? `; its set of Theorem 2 reaches to ${amount(part, set)}` : ''}.`;
 };
 
 /** What came out, in whole sentences. @param {Summary} summary */

@@ -61,9 +61,10 @@ export const equationHints = {
 export const axisUnit = (part) => (unitOf[part] ? ` (${unitOf[part]})` : '');
 
 /** @param {PartName} part @param {Summary} summary */
-export const plotLabel = (part, { rows, seconds, horizon }) => {
+export const plotLabel = (part, summary) => {
+  const { rows, seconds, horizon } = summary;
   const { drive, set } = rows[part];
-  return `${sixDigits(horizon)}초 동안의 ${formulaText(part)}. 마지막 ${sixDigits(seconds)}초의 최댓값: 이 주행 ${amount(part, drive)}, 정리 2의 집합 ${amount(part, set)}.`;
+  return `${sixDigits(horizon)}초 동안의 ${formulaText(part)}. 마지막 ${sixDigits(seconds)}초의 최댓값: 이 주행 ${amount(part, drive)}${isPromised(summary) ? `, 정리 2의 집합 ${amount(part, set)}` : ''}.`;
 };
 
 /** What came out, in whole sentences. @param {Summary} summary */

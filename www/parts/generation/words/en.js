@@ -92,7 +92,7 @@ export function othersText({ method }, phase, { drawn, all, isAmong, arrived }) 
     parents: isOwn ? 'parents' : 'robots',
     mutation: isOwn ? 'parents' : 'robots',
     drive: isOwn ? 'offspring' : 'trials',
-    survivors: isOwn ? 'survivors' : 'that stay',
+    survivors: isOwn ? 'survivors' : method === 'random' ? 'draws' : 'that stay',
   };
   const these = isAmong ? 'the other' : 'the';
   const who =
@@ -178,6 +178,7 @@ export const moreBouts = (rest) => `and ${rest} more bouts`;
 /** @param {Anatomy} anatomy @param {number} number */
 export function fateText({ ranks, staying, record, all, method }, number) {
   const rank = ranks[number] + 1;
+  if (method === 'random') return `rank ${rank} of ${staying}`;
   if (method !== 'ep') return rank > staying ? 'is dropped' : `stays: rank ${rank} of ${staying}`;
   if (rank > staying) return `fell: rank ${rank} of ${all.length}`;
   return `survives as parent ${rank} of generation ${record.generation + 1}`;
@@ -188,6 +189,8 @@ const always = (method) => (method === 'ep' ? ' The best always survives.' : '')
 /** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} usual */
 export function bestText(method, before, after, usual) {
   const write = tellingApart(before, after, usual);
+  if (method === 'random')
+    return `The best of these draws has J ${write(after)}, of those before ${write(before)}. What is remembered is the best of all.`;
   return after < before
     ? `The best J falls from ${write(before)} to ${write(after)}.`
     : after === before

@@ -165,6 +165,7 @@ export const moreBouts = (rest) => `그 밖에 ${rest}전`;
 /** @param {Anatomy} anatomy @param {number} number */
 export function fateText({ ranks, staying, record, all, method }, number) {
   const rank = ranks[number] + 1;
+  if (method === 'random') return `${staying}대 중 ${rank}위`;
   if (method !== 'ep') return rank > staying ? '버려짐' : `남음(${staying}대 중 ${rank}위)`;
   if (rank > staying) return `탈락(로봇 ${all.length}대 중 ${rank}위)`;
   return `생존(${record.generation + 1}세대의 부모 ${rank})`;
@@ -173,6 +174,8 @@ export function fateText({ ranks, staying, record, all, method }, number) {
 /** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} usual */
 export function bestText(method, before, after, usual) {
   const write = tellingApart(before, after, usual);
+  if (method === 'random')
+    return `이번에 뽑은 것 가운데 최소 J는 ${write(after)}, 앞 세대에서는 ${write(before)}입니다. 기억하는 것은 지금까지의 최소뿐입니다.`;
   return after < before
     ? `최소 J가 ${write(before)}에서 ${write(after)}까지 내려갑니다.`
     : after === before

@@ -39,10 +39,12 @@ const listed = (names) => names.join(names.length > 2 ? ', ' : ' and ');
 
 /** What the picture shows, in whole sentences. @param {Summary} summary */
 export const noteText = (summary) =>
-  [valueText, raisedText, limitsText, samplingText, lawText]
-    .map((text) => text(summary))
-    .filter(Boolean)
-    .join(' ');
+  summary.seconds === 0
+    ? 'The robot has arrived where it starts: nothing is driven.'
+    : [valueText, raisedText, limitsText, samplingText, lawText]
+        .map((text) => text(summary))
+        .filter(Boolean)
+        .join(' ');
 
 /** @param {Summary} summary */
 function valueText({ from, to, rising, seconds }) {

@@ -36,10 +36,12 @@ export const tableColumns = [
 
 /** What the picture shows, in whole sentences. @param {Summary} summary */
 export const noteText = (summary) =>
-  [valueText, raisedText, limitsText, samplingText, lawText]
-    .map((text) => text(summary))
-    .filter(Boolean)
-    .join(' ');
+  summary.seconds === 0
+    ? '로봇이 출발한 곳에서 이미 도착했으므로 주행하지 않습니다.'
+    : [valueText, raisedText, limitsText, samplingText, lawText]
+        .map((text) => text(summary))
+        .filter(Boolean)
+        .join(' ');
 
 /** @param {Summary} summary */
 function valueText({ from, to, rising, seconds }) {
