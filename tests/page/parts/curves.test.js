@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { layoutOf } from '../../../www/parts/curves/layout.js';
-import { Evolution } from '../harness/core.js';
+import { Evolution, experiment, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { coloured, numberOf, pixelsOf, textOf } from '../harness/reading.js';
 import {
@@ -15,6 +15,17 @@ import {
   table,
   velocityLimits,
 } from './curves-page.js';
+
+test('what does not change has an axis whose numbers have room', () => {
+  // Under this rule a robot that parks never turns.
+  const still = simulate(experiment({ law: 'kanayama' }), [1, 1, 1]);
+  const { plots } = layoutOf({ width: 600, height: 700 }, still, [], velocityLimits.limits);
+  for (const { name, scale } of plots) {
+    const [low, high] = scale.domain();
+    const step = scale.ticks(3)[1] - scale.ticks(3)[0];
+    assert.ok(low < high && step > 1e-3, `${name}: ${low} to ${high}`);
+  }
+});
 
 test('where there is no room for all rows, those of the paper’s figure stand above its words', () => {
   const rows = (/** @type {number} */ height, /** @type {boolean} */ isFigure) =>

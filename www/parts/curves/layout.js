@@ -86,6 +86,9 @@ function domainOf(name, driving, others, limit) {
   if (name === 'cost') high = Math.max(high, Math.min(driving.cost.total, 1.6 * high));
   if (limit !== null && high > 0.6 * limit) high = Math.max(high, limit);
   if (limit !== null && low < -0.6 * limit) low = Math.min(low, -limit);
+  // What does not change has an axis with short numbers all the same.
+  const lacking = (name === 'theta' ? 0.2 : 0.02) - (high - low);
+  if (lacking > 0) [low, high] = [name === 'cost' ? low : low - lacking / 2, high + lacking / 2];
   // Above a limit there is room to see that more is asked for.
   const room = (limit === null ? 0.06 : 0.14) * Math.max(high - low, 1e-3);
   return [name === 'cost' ? low : low - room, high + room];
