@@ -164,7 +164,7 @@ export const reachedText = (reached, count) => `${reached} of ${count}`;
 export function verdictText(verdict, name) {
   switch (verdict.kind) {
     case 'same':
-      return `Run by run the same as the first: this changes nothing here.`;
+      return 'Run by run the same as the first: in these drives it changes nothing. (While only the first random robots drive, no method does.)';
     case 'undecided':
       return verdict.runs === 1
         ? 'One run cannot tell these two apart.'
