@@ -30,7 +30,7 @@ export async function pngOf(drawing, { title, description, link, version }) {
 
 /** Some browsers give pages noise in the place of what they have drawn: the corner, which is paper, tells. @param {HTMLCanvasElement} canvas @param {string} paper */
 function isReadable(canvas, paper) {
-  const wanted = paper.match(/\d+/g)?.map(Number) ?? [];
+  const wanted = /^rgba?\(([\d, ]+)/.exec(paper)?.[1].split(',').map(Number) ?? [];
   const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(0, 0, 8, 1);
   return data.every((value, i) => i % 4 === 3 || Math.abs(value - (wanted[i % 4] ?? value)) <= 2);
 }

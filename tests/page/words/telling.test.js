@@ -1,5 +1,7 @@
 // Numbers that differ where it matters are not written as the same.
 import assert from 'node:assert/strict';
+import { summaryOf } from '../../../www/parts/curves/stability/summary.js';
+import { noteText } from '../../../www/parts/curves/stability/words/en.js';
 import { timeText } from '../../../www/parts/curves/words/common.js';
 import { costWriter } from '../../../www/parts/generation/words/common.js';
 import * as en from '../../../www/parts/generation/words/en.js';
@@ -9,6 +11,7 @@ import { spreadText } from '../../../www/parts/training/words/en.js';
 import { shareOf } from '../../../www/parts/training/words/common.js';
 import { costBeside } from '../../../www/share/handin/words/common.js';
 import { costText } from '../../../www/words/numbers.js';
+import { createEngine } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
 test('only all are 100 %, and only none are 0 %', () => {
@@ -41,6 +44,28 @@ test('a J that falls is another one than before, of whatever size it is', () => 
         assert.ok(Number(from) > Number(to), `${from} to ${to}`);
       }
     }
+});
+
+test('of random search, which keeps only the best of all, nothing is said to be lost', () => {
+  for (const [before, after] of [
+    [8.228, 8.3],
+    [8.3, 8.228],
+  ])
+    for (const words of [en, ko]) {
+      const told = words.bestText('random', before, after, costText);
+      assert.ok(told.includes('8.228') && told.includes('8.300'), told);
+      assert.doesNotMatch(told, /rises|falls|forgets|내려|올라|잊/);
+    }
+});
+
+test('where nothing is driven, no rate is said to be another', () => {
+  const experiment = createEngine().experiment('velocity-limits');
+  const there = { ...experiment, starts: [experiment.goal].map((goal) => ({ ...goal, x: goal.x - 0.5 })) };
+  const arrived = { ...there, tolerance: { ...there.tolerance, position: 1 } };
+  const summary = summaryOf(createEngine().stability(arrived, [3, 1, 5]), arrived, [3, 1, 5]);
+  assert.equal(summary.seconds, 0);
+  assert.match(noteText(summary), /nothing is driven/);
+  assert.doesNotMatch(noteText(summary), /V̇/);
 });
 
 test('J beside an aim stands on the side on which it is', () => {
