@@ -52,7 +52,7 @@ const fieldsOf = rememberEach((/** @type {Experiment} */ experiment) => {
     else if (value !== null && typeof value === 'object')
       for (const [key, inner] of Object.entries(value)) walk(inner, path ? `${path}.${key}` : key);
     else if (typeof value === 'number')
-      fields.set(path, /(?:theta|heading)$/.test(path) ? angleText(value) : numberText(value));
+      fields.set(path, path.endsWith('theta') ? angleText(value) : numberText(value));
     else fields.set(path, value === null ? 'off' : String(value));
   };
   walk(experiment, '');

@@ -148,6 +148,8 @@ test('every angle may be in degrees', () => {
   assert.deepEqual(problems, []);
   const { goal, starts, tolerance } = opened.experiment;
   assert.deepEqual([goal.theta, starts[0].theta, tolerance.heading], [Math.PI / 2, Math.PI / 4, Math.PI]);
+  // Written as ever: the digits of an exercise are those of its link.
+  assert.match(linkOf(linked(opened), experiment), /&tolerance\.heading=3\.14159/);
 });
 
 test('a start that is tried stands in the links of the parts that try one', () => {

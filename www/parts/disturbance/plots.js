@@ -13,7 +13,7 @@ import { colour } from '../../kit/palette.js';
 import { createWatchedLayer } from '../drawing.js';
 import { typed } from '../../words/numbers.js';
 import words from './words/index.js';
-import { parts } from './summary.js';
+import { arePositive, parts } from './summary.js';
 
 /** @typedef {{ measured: Measured, time: number, theme: number }} PlotsModel */
 /** @typedef {ReturnType<typeof axesOf>} Axes */
@@ -82,7 +82,7 @@ function drawLines(context, axes, measured, part, isLast) {
   context.fillStyle = colour('--panel');
   context.fillRect(since, frame.top, frame.right - since, frame.bottom - frame.top);
   const { law } = spec.experiment;
-  const hasSet = words.isPromised({ law, isPositive: spec.gains.every((gain) => gain > 0) });
+  const hasSet = words.isPromised({ law, isPositive: arePositive(spec.gains) });
   drawAxes(context, axes, hasSet ? measured.disturbed.sets[part][0] : 0, isLast);
   if (hasSet) drawSet(context, axes, measured, part);
 

@@ -32,6 +32,9 @@ const sizesOf = (errors) => {
   return { drive: errors[0], median: median(others) ?? 0, largest: Math.max(...others) };
 };
 
+/** Whether Theorem 2 speaks of them. @param {readonly number[]} gains */
+export const arePositive = (gains) => gains.every((gain) => gain > 0);
+
 /** @param {Measured} measured @returns {Summary} */
 export function summarize({ spec, disturbed, calm }) {
   const others = Array.from({ length: disturbed.error.x.length - 1 }, (_, i) => i + 1);
@@ -55,7 +58,7 @@ export function summarize({ spec, disturbed, calm }) {
     seconds: spec.seconds,
     horizon: spec.experiment.horizon,
     law: spec.experiment.law,
-    isPositive: spec.gains.every((gain) => gain > 0),
+    isPositive: arePositive(spec.gains),
     ky: spec.gains[1],
   };
 }
