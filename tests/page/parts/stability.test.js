@@ -149,6 +149,14 @@ pageTest('without limits the robot does what the law promises', async (page) => 
 pageTest('where the law would divide by 0 nothing is promised, and it is said', async (page) => {
   await open(page, `${free}&drives=hand&gains=3,8,5&start=2,1,45deg`);
   assert.match(await note(page), /No limit cuts the command, but .* guarded: there V̇ robot is not V̇ law\./);
+  // Its numbers are large, and none is cut off at the left.
+  const cut = await page.evaluate(() => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('stability-lines'));
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    return context.getImageData(0, 0, 1, canvas.height).data.filter((value, i) => i % 4 === 3 && value > 0)
+      .length;
+  });
+  assert.equal(cut, 0);
 });
 
 pageTest('the cursor is the robots’ clock, both ways', async (page) => {

@@ -12,6 +12,8 @@ import { endOf } from '../axes.js';
 
 /** Above is room for what V is. */
 const margin = { left: 46, right: 46, top: 22, bottom: 24 };
+/** On the left of numbers with a power of ten. */
+const marginOfPowers = 62;
 const gap = 14;
 /** Of the height that V gets. */
 const share = 0.45;
@@ -69,23 +71,25 @@ function drawn({ lyapunov, rate, promisedX, promisedY, promisedTheta }, isLog) {
  * @returns {Layout}
  */
 export function layoutOf({ width, height }, driving, others, isLog) {
-  const [left, right] = [margin.left, width - margin.right];
   const bottom = height - margin.bottom;
   const middle = margin.top + share * (bottom - margin.top - gap);
-  const [upper, lower] = [
-    { left, right, top: margin.top, bottom: middle },
-    { left, right, top: middle + gap, bottom },
+  const [above, below] = [
+    { top: margin.top, bottom: middle },
+    { top: middle + gap, bottom },
   ];
+  const scales = [lyapunovScale(driving, others, above, isLog), rateScale(driving, below, isLog)];
+  const hasPowers = scales.some((scale) => scale.domain().some((end) => Math.abs(end) >= 1e5));
+  const [left, right] = [hasPowers ? marginOfPowers : margin.left, width - margin.right];
   const time = scaleLinear([0, endOf(driving, others)], [left, right]);
   return {
     time,
     isLog,
-    lyapunov: { x: time, frame: upper, y: lyapunovScale(driving, others, upper, isLog) },
-    rate: { x: time, frame: lower, y: rateScale(driving, lower, isLog) },
+    lyapunov: { x: time, frame: { left, right, ...above }, y: scales[0] },
+    rate: { x: time, frame: { left, right, ...below }, y: scales[1] },
   };
 }
 
-/** @param {Stability} driving @param {readonly Stability[]} others @param {Frame} frame @param {boolean} isLog */
+/** @param {Stability} driving @param {readonly Stability[]} others @param {Pick<Frame, 'top' | 'bottom'>} frame @param {boolean} isLog */
 function lyapunovScale(driving, others, { top, bottom }, isLog) {
   const own = rangeOf(driving);
   const most = own.most || 1;
@@ -95,7 +99,7 @@ function lyapunovScale(driving, others, { top, bottom }, isLog) {
   return scaleLog([low / 1.5, high * 1.5], [bottom, top]);
 }
 
-/** @param {Stability} driving @param {Frame} frame @param {boolean} isLog */
+/** @param {Stability} driving @param {Pick<Frame, 'top' | 'bottom'>} frame @param {boolean} isLog */
 function rateScale(driving, { top, bottom }, isLog) {
   const { rate, promised, areas } = drawnOf(driving, isLog);
   const [low, high] = extentOf([promised, ...areas.map(({ to }) => to)], zero);
