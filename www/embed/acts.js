@@ -5,6 +5,7 @@
 /** @import { Parts } from './messages.js' */
 /** @import { Said, Type } from './told.js' */
 import { embed as words } from '../words/index.js';
+import { preparedAs } from '../run/prepared.js';
 import { noTrial, spentOf } from '../run/state.js';
 import { pause } from '../kit/loop.js';
 
@@ -112,8 +113,13 @@ function openedWith(state, experiment, handGains, generation) {
   const { page, lesson, preset, pins, exercise, student } = state;
   const spent = exercise.aim?.drives ? spentOf({ ...state, generation: 0 }) : student.spent;
   // Of an exercise it is a new one; what is drawn for a student stays drawn.
-  const base = student.base && exercise.vary.length === 0 ? { preset, experiment } : student.base;
+  const drive = {
+    driver: handGains ? /** @type {const} */ ('hand') : /** @type {const} */ ('evolved'),
+    handGains,
+    generation,
+  };
+  const given = exercise.vary.length === 0 ? { preset, experiment } : student.base;
+  const base = student.base && given && { ...given, prepared: preparedAs(drive, exercise) };
   const kept = { page, lesson, preset, pins, exercise, student: { ...student, base, spent } };
-  const driver = handGains ? 'hand' : 'evolved';
-  return { ...kept, experiment, generation, driver, handGains, found: 'hand', trial: noTrial, parts: {} };
+  return { ...kept, ...drive, experiment, found: 'hand', trial: noTrial, parts: {} };
 }

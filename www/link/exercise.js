@@ -3,8 +3,10 @@
 /** @import { Experiment, Preset } from '../core/engine.js' */
 /** @import { Opened } from '../run/actions/page.js' */
 /** @import { Exercise } from '../run/exercise.js' */
+/** @import { Prepared } from '../run/prepared.js' */
 /** @import { Key, Linked } from './keys.js' */
 import { most } from '../run/aim.js';
+import { lastGeneration } from '../run/pace.js';
 import {
   asksSomething,
   groupNames,
@@ -14,12 +16,13 @@ import {
   tidyTask,
   wayOf,
 } from '../run/exercise.js';
-import { presets, spentOf } from '../run/state.js';
+import { nothingPrepared, preparedIn, unreachable } from '../run/prepared.js';
+import { drivers, presets, spentOf } from '../run/state.js';
 import { drawnFor, mostOfWho, undrawn, variedNames } from '../run/variant.js';
 import { link as words } from '../words/index.js';
 import { changesOf, changesText, withChanges } from './experiment.js';
 import { PartlyRead } from './together.js';
-import { number, numberText, oneOf, wholeNumber } from './values.js';
+import { number, numberText, oneOf, triple, wholeNumber } from './values.js';
 
 /** @param {Opened} opened @param {Partial<Exercise>} patch @returns {Opened} */
 const asking = (opened, patch) => ({ ...opened, exercise: { ...opened.exercise, ...patch } });
@@ -105,7 +108,11 @@ export function withVariant(opened, refuse, check) {
   }
   const { preset, experiment } = student.base ?? opened;
   const base = asksSomething(exercise)
-    ? { preset, experiment: withoutFreeSeed(experiment, exercise, opened.experiment) }
+    ? {
+        preset,
+        experiment: withoutFreeSeed(experiment, exercise, opened.experiment),
+        prepared: preparedIn(opened),
+      }
     : null;
   const spent = exercise.aim?.drives ? student.spent : 0;
   const within = { ...opened, student: { ...student, base, spent } };
@@ -140,21 +147,47 @@ export const apartFrom = (experiment, own, exercise) =>
 
 /** What a link tells of a state: the exercise as it was given, and who works on it, and so what was drawn; or, if that was left, the run as it is, and what the exercise has. @param {Linked} state @returns {Linked} */
 export function asGiven(state) {
-  const { exercise, experiment, preset, student } = state;
+  const { exercise, experiment, preset, handGains, student } = state;
   const { base } = student;
   if (!base) return state;
+  const { prepared } = base;
   const plain = undrawn(experiment, exercise.vary, student);
   const isLeft =
     !plain ||
     preset !== base.preset ||
+    unreachable(state, exercise, prepared).length > 0 ||
+    (prepared.gains !== null && String(handGains) !== String(prepared.gains)) ||
     changesOf(plain, withoutFreeSeed(base.experiment, exercise, plain)).length > 0;
   return isLeft ? state : { ...state, experiment: plain, student: { ...student, base: null } };
 }
 
-/** What leads back to an exercise that was left: a preset, and what is different from it. @param {Pick<Linked, 'exercise' | 'student'>} state @param {(preset: Preset) => Experiment} experimentOf @returns {[string, string][]} */
+/** What nobody can choose of what drives. @param {Prepared} prepared */
+const preparedText = ({ driver, gains, generation }) => [
+  ...(driver === null ? [] : [`drives:${driver}`]),
+  ...(gains === null ? [] : [`gains:${gains.map(numberText).join(',')}`]),
+  ...(generation === null ? [] : [`generation:${generation}`]),
+];
+
+/** How it is read. @type {Readonly<Record<string, (text: string) => Partial<Prepared>>>} */
+const preparedReads = {
+  drives: (text) => ({ driver: oneOf(drivers, text) }),
+  gains: (text) => ({ gains: triple(text) }),
+  generation: (text) => ({ generation: wholeNumber(text, lastGeneration) }),
+};
+
+/** What leads back to an exercise that was left: a preset, what drives in it, and what is different from the preset. @param {Pick<Linked, 'exercise' | 'student'>} state @param {(preset: Preset) => Experiment} experimentOf @returns {[string, string][]} */
 export const givenPairs = ({ exercise, student: { base } }, experimentOf) =>
   base && asksSomething(exercise)
-    ? [['given', [base.preset, ...changesText(base.experiment, experimentOf(base.preset))].join('~')]]
+    ? [
+        [
+          'given',
+          [
+            base.preset,
+            ...preparedText(base.prepared),
+            ...changesText(base.experiment, experimentOf(base.preset)),
+          ].join('~'),
+        ],
+      ]
     : [];
 
 /** It is written beside the others, and read as they are. @type {Key} */
@@ -162,10 +195,19 @@ export const givenKey = {
   key: 'given',
   text: () => null,
   read(opened, text, engine) {
-    const [name, ...changes] = text.split('~');
+    const [name, ...all] = text.split('~');
     const preset = oneOf(presets, name);
+    let prepared = nothingPrepared;
+    const changes = all.filter((change) => {
+      const [, key, value] = /^(\w+):(.*)$/.exec(change) ?? [];
+      if (!Object.hasOwn(preparedReads, key)) return true;
+      prepared = { ...prepared, ...preparedReads[key](value) };
+      return false;
+    });
     const experiment = engine.experiment(withChanges(engine.experiment(preset), changes));
-    return { ...opened, student: { ...opened.student, base: { preset, experiment } } };
+    // The core knows which gains cannot be driven.
+    if (prepared.gains) engine.check(experiment, prepared.gains);
+    return { ...opened, student: { ...opened.student, base: { preset, experiment, prepared } } };
   },
 };
 

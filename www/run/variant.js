@@ -1,11 +1,12 @@
 // An exercise of one's own: what differs from student to student is drawn from the student's number, and is the same for who
 // checks. docs/exercises.md tells the rule.
 /** @import { Experiment, Posture } from '../core/engine.js' */
+/** @import { Prepared } from './prepared.js' */
 /** @import { Version } from './undo.js' */
 import { fnv1a, spread } from '../kit/hash.js';
 
 /** @typedef {typeof variedNames[number]} Varied */
-/** Who works on an exercise: the name or number; the exercise's own experiment, before anything is drawn for that name, null where nothing is asked; the receipt that was opened, if one was, and a digest of the link beside it; and what the link says that was driven before. @typedef {{ who: string, base: Version | null, handin: string, of: string, spent: number }} Student */
+/** Who works on an exercise: the name or number; the exercise's own experiment, before anything is drawn for that name, and what drives in it, null where nothing is asked; the receipt that was opened, if one was, and a digest of the link beside it; and what the link says that was driven before. @typedef {{ who: string, base: (Version & { prepared: Prepared }) | null, handin: string, of: string, spent: number }} Student */
 
 export const variedNames = /** @type {const} */ (['goal', 'starts', 'seed']);
 

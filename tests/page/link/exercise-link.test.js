@@ -133,7 +133,8 @@ test('a variant is the exercise as it was given, with who works on it; once it i
 test('whatever is changed in an exercise, its link has the run, and the exercise as it was given', () => {
   const given = open('lab&v=1&preset=acceleration-limits&weights.penalty=7&lock=seed&task=Park.&aim=J%3C9');
   const { base } = given.student;
-  assert.deepEqual(base, { preset: 'acceleration-limits', experiment: given.experiment });
+  const prepared = { driver: null, gains: null, generation: null };
+  assert.deepEqual(base, { preset: 'acceleration-limits', experiment: given.experiment, prepared });
   fc.assert(
     fc.property(anyExperiment, fc.constantFrom(...presets), (any, preset) => {
       const run = { ...linked(given), preset, experiment: experiment(any) };
@@ -180,6 +181,36 @@ test('a step of the lesson that is opened within an exercise stands as it says, 
     const given = open(`${step}&task=Park&vary=goal,starts,seed&who=s4711`);
     assert.deepEqual(given.experiment, drawnFor(open(step).experiment, own.vary, 's4711'), step);
   }
+});
+
+test('who drives in an exercise, and which generation, is known again where a step of the lesson has others', () => {
+  const byHand = '&drives=hand&gains=3,1,4';
+  for (const [exercise, told] of [
+    [`lab&v=1${byHand}&lock=gains,drives&task=Park.`, '~drives%3Ahand~gains%3A3,1,4'],
+    [`lab&v=1${byHand}&lock=gains&task=Park.`, '~drives%3Ahand~gains%3A3,1,4'],
+    ['lab&v=1&drives=paper-ep&lock=drives&task=Park.', '~drives%3Apaper-ep'],
+    ['lab&v=1&generation=12&lock=gains,drives,run&task=Park.', '~drives%3Aevolved~generation%3A12'],
+    // Nothing of it is locked.
+    [`lab&v=1&generation=12${byHand}&task=Park.`, ''],
+  ]) {
+    const given = open(exercise);
+    for (const step of [2, 3, 7].map(links.linkOfStep)) {
+      const within = open(withExercise(step, given, experiment));
+      assert.deepEqual(within.student.base, given.student.base, exercise);
+      const link = linkOf(linked(within), experiment);
+      assert.ok(link.endsWith(`&given=velocity-limits${told}`) === link.includes('&given='), link);
+      assert.deepEqual(open(link).student.base, given.student.base, link);
+      // The same experiment, driven by others, is none that was given.
+      const lesser = { ...linked(within), preset: given.preset, experiment: given.experiment };
+      if (told.includes('hand')) assert.match(linkOf(lesser, experiment), /&given=/, link);
+    }
+    assert.equal(linkOf(linked(given), experiment), exercise);
+  }
+  // Older links say nothing of it.
+  const older = open('lab&v=1&seed=3&lock=gains,drives,seed&task=Park.&given=velocity-limits');
+  assert.deepEqual(older.student.base?.prepared, { driver: null, gains: null, generation: null });
+  for (const wrong of ['drives:nobody', 'gains:1,2', 'gains:1e999,0,1', 'generation:-1'])
+    assert.match(openLink(`lab&task=Park.&given=velocity-limits~${wrong}`, engine).problems.join(), /given/);
 });
 
 test('a link out of HTML, and one to whose end a learning platform adds its variables', () => {

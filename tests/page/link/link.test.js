@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { asksSomething, groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
 import { links } from '../../../www/lesson/links.js';
 import { luckSlice } from '../../../www/parts/luck/state.js';
+import { preparedAs } from '../../../www/run/prepared.js';
 import { finds, presets } from '../../../www/run/state.js';
 import { drawnFor, nobody } from '../../../www/run/variant.js';
 import { createEngine, experiment, fields, wordFields } from '../harness/core.js';
@@ -124,7 +125,11 @@ test('every key of a link is read as it is written', () => {
       },
       student: {
         who: 's4711',
-        base: { preset: 'acceleration-limits', experiment: experiment('acceleration-limits') },
+        base: {
+          preset: 'acceleration-limits',
+          experiment: experiment('acceleration-limits'),
+          prepared: { driver: null, gains: null, generation: 12 },
+        },
         handin: '',
         of: '',
         spent: 7,
@@ -187,20 +192,24 @@ test('every experiment comes back from its link to the bit', () => {
     ]);
     const preset = presets[next() < 0.5 ? 0 : 1];
     const exercise = wildExercise(next);
+    const drive = /** @type {const} */ ({
+      generation: Math.floor(1000 * next()),
+      driver: 'hand',
+      handGains: gains,
+    });
+    const prepared = preparedAs(drive, exercise);
     /** @type {Linked} */
     const state = {
       page: 'robustness',
       lesson: 0,
       preset,
       experiment: wild,
-      generation: Math.floor(1000 * next()),
-      driver: 'hand',
-      handGains: gains,
+      ...drive,
       found: finds[Math.floor(4 * next())],
       trial: { start: posture(), disturbance: null },
       pins: [{ slot: 2, name: 'mine & others, 100 % = #1', experiment: wild, gains }],
       exercise,
-      student: { ...nobody, base: asksSomething(exercise) ? { preset, experiment: wild } : null },
+      student: { ...nobody, base: asksSomething(exercise) ? { preset, experiment: wild, prepared } : null },
       slices: {
         ...plain.slices,
         ...slices,

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { links } from '../../../www/lesson/links.js';
 import { aimOf } from '../../../www/link/exercise.js';
+import { withExercise } from '../../../www/link/link.js';
 import { measure } from '../../../www/share/handin/measure.js';
 import { isWhole, receiptOf } from '../../../www/share/handin/receipt.js';
 import words from '../../../www/share/handin/words/index.js';
@@ -72,6 +73,41 @@ pageTest(
       );
       assert.deepEqual((await opened(hash)).experiment, (await opened(link)).experiment);
       assert.deepEqual(await page.problems(), [], `${link} ${control}`);
+    }
+  },
+);
+
+pageTest(
+  'the lesson has others drive within an exercise that says who does; one press brings back who drives in it, and its generation',
+  async (page) => {
+    for (const { given, step } of [
+      { given: 'lab&v=1&drives=hand&gains=3.3,0,4.5&lock=gains,drives&task=Park.&aim=J%3C9', step: 7 },
+      { given: 'lab&v=1&generation=3&lock=run,gains,drives,seed&task=Park.&aim=J%3C9', step: 3 },
+      // Nothing is judged.
+      { given: 'lab&v=1&drives=hand&gains=3.3,0,4.5&lock=gains,drives&task=Park.', step: 7 },
+    ]) {
+      await page.open(`#${given}`);
+      await page.until('it is all there', () => !document.querySelector('.aim.late'));
+      await page.evaluate(
+        (hash) => {
+          location.hash = hash;
+        },
+        withExercise(links.linkOfStep(step), await opened(given), experiment),
+      );
+      await page.until('it is told', () =>
+        document.querySelector('#aim-apart span')?.textContent?.includes('what drives'),
+      );
+      await page.driver.navigate().refresh();
+      await page.until('it is told', () => document.getElementById('aim-apart'));
+      await page.click('#back-to-exercise');
+      await page.until('nothing is told', () => !document.getElementById('aim-apart'));
+      const hash = await page.until('the address is the exercise', () =>
+        location.hash.includes('given') ? null : location.hash.slice(1),
+      );
+      const [before, after] = await Promise.all([opened(given), opened(hash)]);
+      for (const field of /** @type {const} */ (['driver', 'handGains', 'generation', 'experiment']))
+        assert.deepEqual(after[field], before[field], `${given} ${field}`);
+      assert.deepEqual(await page.problems(), []);
     }
   },
 );

@@ -9,6 +9,7 @@ import { settings as words } from '../../words/index.js';
 import { wayOf } from '../exercise.js';
 import { noErrors } from '../first.js';
 import { valueAt, withValue } from '../paths.js';
+import { unreachable } from '../prepared.js';
 import { asked, endsOf, noTrial } from '../state.js';
 import { afterDrag, isOfNow, redone, undone } from '../undo.js';
 import { drawnFor } from '../variant.js';
@@ -42,18 +43,28 @@ function createOwn({ engine, store }, catchUp) {
   /** Where nobody may evolve, the exercise as it was given has the generation that was prepared. */
   const prepare = () => {
     const state = store.get();
-    const { exercise, experiment, generation, work } = state;
-    if (generation > 0 || work.opened === 0 || wayOf(exercise, 'run') === 'free') return;
-    if (JSON.stringify(ownOf(state)) === JSON.stringify(experiment)) catchUp(work.opened, work.opened);
+    const { exercise, experiment, generation, student, work } = state;
+    const prepared = student.base?.prepared.generation ?? work.opened;
+    if (generation > 0 || prepared === 0 || wayOf(exercise, 'run') === 'free') return;
+    if (JSON.stringify(ownOf(state)) === JSON.stringify(experiment)) catchUp(prepared, prepared);
   };
-  return { ownOf, prepare };
+
+  /** Who drives, where that is the exercise's to say, and somebody else does. @returns {Partial<State>} */
+  const ownHand = () => {
+    const { exercise, student, ...run } = store.get();
+    const { prepared } = /** @type {NonNullable<typeof student.base>} */ (student.base);
+    const { driver, gains } = prepared;
+    const isOther = unreachable(run, exercise, prepared).some((name) => name !== 'generation');
+    return isOther && driver ? { driver, handGains: gains, found: 'hand', gainErrors: noErrors } : {};
+  };
+  return { ownOf, ownHand, prepare };
 }
 
 /** @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
 export function createExperiments(basis, catchUp) {
   const { engine, store, attempt, nextOf, tryToBegin, begin, shown, settle, onceBegun } = basis;
 
-  const { ownOf, prepare } = createOwn(basis, catchUp);
+  const { ownOf, ownHand, prepare } = createOwn(basis, catchUp);
   const beginSettled = createSettled(basis);
   /** A posture or a setting is let go. @param {Restart} restart */
   const release = (restart) => {
@@ -129,13 +140,13 @@ export function createExperiments(basis, catchUp) {
     backToPreset: () =>
       attempt(() => beginSettled(nextOf(engine.experiment(asked(store.get()).preset)), 'setting')),
 
-    /** The experiment becomes the exercise's own again. */
+    /** The experiment becomes the exercise's own again, and what drives in it, where nobody can choose that. */
     backToExercise() {
       const { base } = store.get().student;
       if (!base) return;
       attempt(() => {
         const own = /** @type {State['experiment']} */ (ownOf(store.get()));
-        beginSettled(nextOf(own, { preset: base.preset }), 'given');
+        beginSettled(nextOf(own, { preset: base.preset }), 'given', ownHand());
       });
       onceBegun(prepare);
     },

@@ -6,6 +6,7 @@ import { isHiddenWithPaper, noExercise, shownExercise, wayOf } from '../exercise
 import { noErrors } from '../first.js';
 import { isFree } from '../guard.js';
 import { playsPhases } from '../pace.js';
+import { preparedAs } from '../prepared.js';
 import { endsOf, newWork, noTrial, spentOf } from '../state.js';
 import { noVersions } from '../undo.js';
 import { drawnFor } from '../variant.js';
@@ -89,7 +90,7 @@ export function createOpening(basis, catchUp) {
       }
       forget();
       attempt(() => {
-        const base = student.base ?? { preset, experiment };
+        const base = student.base ?? { preset, experiment, prepared: preparedAs(state, exercise) };
         const drawn = engine.experiment(drawnFor(base.experiment, exercise.vary, who));
         // What is drawn for a student is not taken back.
         tryToBegin(nextOf(drawn, { preset: base.preset, versions: noVersions }), 'begin', {

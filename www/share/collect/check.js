@@ -4,7 +4,7 @@
 /** @import { Links } from '../../link/link.js' */
 /** @import { Judged } from '../../run/aim.js' */
 /** @import { Entry } from './entries.js' */
-/** @import { Prepared } from './prepared.js' */
+/** @import { Prepared } from '../../run/prepared.js' */
 import { createTurns } from '../../kit/loop.js';
 import { messageOf } from '../../words/errors.js';
 import { exerciseId, exerciseLink } from '../handin/receipt.js';

@@ -13,7 +13,7 @@ import { gainsOf } from '../../run/drivers.js';
 import { drawnFor } from '../../run/variant.js';
 import { measure, samplesToMeasure } from '../handin/measure.js';
 import { holds, isWhole, toldIn } from '../handin/receipt.js';
-import { unreachable } from './prepared.js';
+import { unreachable } from '../../run/prepared.js';
 
 /** @typedef {{ engine: Engine, links: Links, paper: PaperResult[] }} Tools */
 

@@ -83,7 +83,7 @@ const answersText = (answers) =>
 export async function receiptOf({ engine, links, paper }, state, answers = {}) {
   const { exercise, experiment, student, work, driver, generation } = state;
   const gains = gainsOf(state, driver, paper);
-  const { own, apart } = ownOf(engine, exercise, student, experiment);
+  const { own, apart } = ownOf(engine, exercise, student, experiment, state);
   const measured = await measure(engine, apart.length > 0 ? null : exercise.aim, experiment, gains);
   const there = apart.length > 0 ? await measure(engine, exercise.aim, own, gains) : measured;
   const { cost, parked, starts } = measured;

@@ -3,19 +3,20 @@
 /** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Measured } from './measure.js' */
+/** @import { Thing } from './own.js' */
 /** @import { HandedIn } from './sheet.js' */
 import { html, nothing, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';
-import { remember, watch } from '../../kit/memo.js';
+import { watch } from '../../kit/memo.js';
 import { onEnter } from '../../kit/templates.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { asksSomething, shownExercise, tidyTask } from '../../run/exercise.js';
 import { drivesOf, noTrial } from '../../run/state.js';
-import { mostOfWho, nobody } from '../../run/variant.js';
+import { mostOfWho } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
 import { measure } from './measure.js';
-import { ownOf } from './own.js';
+import { createOwnNow, isOutOfReach } from './own.js';
 import { holds, isWhole, toldIn } from './receipt.js';
 import { createHandInSheet } from './sheet.js';
 import './work.css';
@@ -39,12 +40,8 @@ export function createWork(tools, root) {
   const asked = watch();
   const isOtherAim = watch();
   const drawn = watch();
-  const ownIn = remember(ownOf);
+  const ownNow = createOwnNow(engine);
   let questions = 0;
-
-  /** What is in the making is as it is on screen. @param {State} state */
-  const ownNow = ({ exercise, student, experiment, maker }) =>
-    ownIn(engine, exercise, maker.open ? nobody : student, experiment);
 
   /** @param {State} state @param {Scene} scene */
   const follow = (state, scene) => {
@@ -111,7 +108,7 @@ export function createWork(tools, root) {
               ? html`<button id="hand-in" type="button" class=${said ? '' : 'primary'} .disabled=${state.maker.open || isOnItsWay} @click=${sheet.open}>${texts.handIn}</button>`
               : nothing
           }
-          ${exercise.aim && isOpen && !needsWho && apart.length > 0 ? apartLine(apart, actions.backToExercise) : nothing}`,
+          ${isOpen && !needsWho ? apartLine(apart, exercise.aim !== null, actions.backToExercise) : nothing}`,
         root,
       );
       if (hasBegun) byId('hand-in')?.focus();
@@ -147,10 +144,14 @@ function aimLine({ aim, scale }, known, drives) {
     ${now.map(([name, text]) => html`<span class="muted aim-${name}">${text}</span> `)}</p>`;
 }
 
-/** That the run is not as the exercise has it, in which it is judged all the same, and the way back. @param {readonly import('./own.js').Thing[]} apart @param {() => void} back */
-const apartLine = (apart, back) => html`
-  <p id="aim-apart" class="aim-apart"><span>${words.apartText(apart)}</span> <span class="aim-why">${texts.counts}</span>
-    <button id="back-to-exercise" type="button" class="link" @click=${back}>${texts.backToExercise}</button></p>`;
+/** That the run is not as the exercise has it, in which it is judged all the same, and the way back; where nothing is judged, one may go one's own way, as far as that is open. @param {readonly Thing[]} apart @param {boolean} isJudged @param {() => void} back */
+function apartLine(apart, isJudged, back) {
+  const told = isJudged ? apart : apart.filter(isOutOfReach);
+  if (told.length === 0) return nothing;
+  return html`
+    <p id="aim-apart" class="aim-apart"><span>${words.apartText(told)}</span> ${isJudged ? html`<span class="aim-why">${texts.counts}</span>` : nothing}
+      <button id="back-to-exercise" type="button" class="link" @click=${back}>${texts.backToExercise}</button></p>`;
+}
 
 /** `drives` null: evolution is asked. `made`: what the page had counted then. @typedef {{ text: string, isGood: boolean, drives: number | null, made: number }} Said */
 /** As many as the receipt says, and those made since. @param {Said | null} said @param {number} made */

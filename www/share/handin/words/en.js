@@ -71,6 +71,9 @@ const things = {
   disturbance: 'disturbance',
   seed: 'seed',
   evolution: 'evolution',
+  drives: 'what drives',
+  gains: 'gains',
+  generation: 'generation',
 };
 
 /** @param {readonly Thing[]} apart */

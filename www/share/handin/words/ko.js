@@ -72,6 +72,9 @@ const things = {
   disturbance: '외란',
   seed: '시드',
   evolution: '진화',
+  drives: '주행에 쓰는 이득',
+  gains: '이득',
+  generation: '세대',
 };
 
 /** @param {readonly Thing[]} apart */
