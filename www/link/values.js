@@ -75,6 +75,9 @@ export function oneOf(choices, text) {
   return found;
 }
 
+/** @param {readonly number[]} choices @param {string} text */
+export const oneNumberOf = (choices, text) => Number(oneOf(choices.map(String), text));
+
 /** @param {string} text @returns {[string, string]} */
 export function pairOf(text) {
   const at = text.indexOf('=');

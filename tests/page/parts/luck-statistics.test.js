@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { seedRuns } from '../../../pkg/ep_locomotion.js';
 import { gainUnits } from '../../../www/core/rules.js';
+import { rangeOf } from '../../../www/parts/luck/curve.js';
 import { namesOf, placeWhereAlone } from '../../../www/parts/luck/curve-names.js';
 import { csvOf, quartilesOf } from '../../../www/parts/luck/statistics.js';
 import { seedTable } from '../../../www/parts/luck/table.js';
@@ -39,6 +40,24 @@ test('random search is not compared with itself', () => {
       const told = words.finding(/** @type {any} */ (survey));
       assert.equal(told.includes('8.500'), method === 'ep', told);
     }
+});
+
+test('where every seed comes to the same J, the axis has numbers that have room', () => {
+  for (const cost of [7.75, 1e4, 0.003]) {
+    const flat = { low: [cost], median: [cost], high: [cost] };
+    const same = { high: cost };
+    const summary = {
+      evolution: flat,
+      random: flat,
+      final: same,
+      finalRandom: same,
+      lowest: cost,
+      costs: [],
+    };
+    const survey = { paper: { cost }, summary };
+    const [low, high] = rangeOf(/** @type {any} */ ({ survey, lab: null, log: false }));
+    assert.ok(low < cost && cost < high && high - low > 0.002 * cost, `${low} to ${high}`);
+  }
 });
 
 test('a line above the plot has an arrow at its name', () => {

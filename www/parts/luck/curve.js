@@ -135,7 +135,7 @@ function drawSurvey(context, axes, model) {
 }
 
 /** The bands and all the ends fill the plot; single seeds may come in from above. @param {SeedCurveModel} model @returns {[number, number]} */
-function rangeOf(model) {
+export function rangeOf(model) {
   const { survey, lab, log } = model;
   const height = heightOf(model);
   const own = Array.from(lab?.costs ?? []).filter(Number.isFinite);
@@ -154,7 +154,8 @@ function rangeOf(model) {
     return [Math.min(Math.floor(low), high - 1) - 0.1, high + 0.1];
   }
   const low = Math.min(lowest, Number.isFinite(survey.paper.cost) ? survey.paper.cost : lowest);
-  const room = Math.max(high - low, 1e-6 * Math.abs(high));
+  // Where all are the same, the axis has short numbers too.
+  const room = Math.max(high - low, 0.02 * Math.abs(high));
   return [low - 0.1 * room, high + 0.04 * room];
 }
 

@@ -3,10 +3,10 @@
 import { makerFrom } from '../load.js';
 import { partKey } from '../../link/keys.js';
 import { PartlyRead } from '../../link/together.js';
-import { number, numberText, oneOf, wholeNumber } from '../../link/values.js';
+import { number, numberText, oneNumberOf, oneOf, wholeNumber } from '../../link/values.js';
 import { link as words } from '../../words/index.js';
 import { contestants, mostOthers } from './contestants.js';
-import { budgets, contestSeeds, luckSlice as slice, readings, views } from './state.js';
+import { budgets, contestSeeds, counts, lengths, luckSlice as slice, readings, views } from './state.js';
 import { load as loadWords } from './words/load.js';
 
 /** Each once, and no more than there is room for. @param {string} text */
@@ -17,9 +17,6 @@ function othersOf(text) {
   if (named.length === others.length) return others;
   throw new PartlyRead(words.expected(words.namesUpTo(mostOthers), text), others);
 }
-
-/** @param {readonly number[]} choices @param {string} text */
-const oneNumberOf = (choices, text) => Number(oneOf(choices.map(String), text));
 
 /** So many times nobody asks for other seeds. */
 const mostDraws = 1e6;
@@ -41,6 +38,8 @@ export const luck = {
     partKey('until', slice, 'until', (text) => countOf(text, Math.max(...budgets)), String),
     partKey('only', slice, 'only', (text) => countOf(text, Math.max(...contestSeeds)), String),
     partKey('draw', slice, 'draw', (text) => wholeNumber(text, mostDraws)),
+    partKey('runs', slice, 'count', (text) => oneNumberOf(counts, text)),
+    partKey('length', slice, 'generations', (text) => oneNumberOf(lengths, text)),
   ],
   places: {
     gains: { lock: '#luck-rank' },

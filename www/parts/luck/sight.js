@@ -4,7 +4,7 @@
 /** @import { LuckState } from './state.js' */
 import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { luckSlice } from './state.js';
+import { counts, lengths, luckSlice } from './state.js';
 import { checkOf, selectOf } from '../fields.js';
 import { unlessDouble, valueIn } from '../../kit/templates.js';
 import words from './words/index.js';
@@ -22,8 +22,8 @@ import { drivesOf, surveyOf } from './request.js';
  */
 
 const { texts } = words;
-const counts = [20, 100, 500].map((count) => /** @type {const} */ ([count, words.countChoice(count)]));
-const lengths = [50, 100, 200].map(
+const countChoices = counts.map((count) => /** @type {const} */ ([count, words.countChoice(count)]));
+const lengthChoices = lengths.map(
   (length) => /** @type {const} */ ([length, words.generationsChoice(length)]),
 );
 
@@ -63,8 +63,8 @@ function bar({ progress, count, generations }, { onRun, update }) {
   return html`
     <div class="bar luck-bar">
       <button id="luck-run" type="button" class="primary" @click=${unlessDouble(onRun)}>${runs ? words.cancel : words.runText(count)}</button>
-      ${selectOf('luck-count', texts.luckCount, counts, count, (chosen) => update({ count: chosen }), runs)}
-      ${selectOf('luck-generations', texts.luckGenerations, lengths, generations, (chosen) => update({ generations: chosen }), runs)}
+      ${selectOf('luck-count', texts.luckCount, countChoices, count, (chosen) => update({ count: chosen }), runs)}
+      ${selectOf('luck-generations', texts.luckGenerations, lengthChoices, generations, (chosen) => update({ generations: chosen }), runs)}
       <progress id="luck-progress" max="1" class=${runs ? '' : 'visually-hidden'} aria-label=${texts.luckProgress}
         .value=${progress ?? 0}></progress>
     </div>`;

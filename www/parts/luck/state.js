@@ -10,6 +10,10 @@ export const readings = /** @type {const} */ (['course', 'targets', 'ends', 'tab
 export const contestSeeds = /** @type {const} */ ([15, 51, 101]);
 export const budgets = /** @type {const} */ ([1000, 4000, 20_000]);
 
+/** How many seeds one search runs with, and for how many generations. */
+export const counts = /** @type {const} */ ([20, 100, 500]);
+export const lengths = /** @type {const} */ ([50, 100, 200]);
+
 /**
  * @typedef {object} LuckState
  * @property {typeof views[number]} view
@@ -67,7 +71,7 @@ export const luckSlice = createSlice(
     message: '',
   }),
   ['targetError', 'reading', 'until', 'only', 'draw'],
-  ['contest', 'count', 'generations', 'result', 'chosen'],
+  ['contest', 'result', 'chosen'],
   ({ wanted, contestRuns, seedsWanted, progress }) => ({
     wanted: wanted || contestRuns,
     seedsWanted: seedsWanted || progress !== null,

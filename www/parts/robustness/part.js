@@ -2,7 +2,7 @@
 /** @import { Part } from '../part.js' */
 import { makerFrom } from '../load.js';
 import { partKey } from '../../link/keys.js';
-import { oneOf, wholeNumber } from '../../link/values.js';
+import { oneNumberOf, oneOf, wholeNumber } from '../../link/values.js';
 import { headings } from './grid.js';
 import { halves, quantities, robustnessSlice as slice } from './state.js';
 import { load as loadWords } from './words/load.js';
@@ -13,7 +13,7 @@ export const robustness = {
   slice,
   keys: [
     partKey('colour', slice, 'quantity', (text) => oneOf(quantities, text)),
-    partKey('half', slice, 'half', (text) => Number(oneOf(halves.map(String), text))),
+    partKey('half', slice, 'half', (text) => oneNumberOf(halves, text)),
     partKey('heading', slice, 'heading', (text) => wholeNumber(text, headings - 1)),
   ],
   places: { postures: { lock: '#robustness-map' } },

@@ -7,7 +7,7 @@
 import './style.css';
 import './places.css';
 import { html, nothing, render } from 'lit-html';
-import { trainingSlice } from './state.js';
+import { lengths, trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
 import { selectOf } from '../fields.js';
 import { unless, unlessDouble } from '../../kit/templates.js';
@@ -20,7 +20,7 @@ import { isFree } from '../../run/guard.js';
 import { changesOf } from '../changes.js';
 import { hasMovingReference } from '../../core/reference.js';
 import { createPicture, signs } from './picture.js';
-import { createTraining, evolvedFor, handOf, lengths } from './request.js';
+import { createTraining, evolvedFor, handOf } from './request.js';
 import { circleCount, gridCount, isSet, setNames, unseenCount, unseenRadius } from './sets.js';
 import { seedCount } from './spread.js';
 import { tableOf } from './table.js';

@@ -22,8 +22,6 @@ import { evolveSeeds } from './spread.js';
 /** @typedef {{ experiment: Experiment, generations: number, drives: number, milliseconds: number, results: Record<SetName, Result> }} Evolved */
 /** @typedef {{ experiment: Experiment, robots: Robot[] }} Spec */
 
-export const lengths = [50, 100, 200];
-
 /** The gains by hand that are not those of an evolved row, of now or of before. @param {Pick<State, 'handGains' | 'found' | 'slices'>} state */
 export function handOf(state) {
   const { evolved, byHand } = trainingSlice.of(state);

@@ -4,6 +4,9 @@
 /** @import { Spread } from './spread.js' */
 import { createSlice } from '../../run/store.js';
 
+/** For how many generations. */
+export const lengths = /** @type {const} */ ([50, 100, 200]);
+
 /** The three evolutions, or what was evolved with other seeds. @typedef {'evolved' | 'spread'} Work */
 
 /**
@@ -37,6 +40,6 @@ export const trainingSlice = createSlice(
     byHand: null,
   }),
   [],
-  ['generations', 'chosen', 'evolved', 'spread', 'byHand'],
+  ['chosen', 'evolved', 'spread', 'byHand'],
   ({ wanted, begun, progress }) => ({ wanted: wanted ?? (progress === null ? null : begun) }),
 );

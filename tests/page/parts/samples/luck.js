@@ -15,6 +15,8 @@ export const sample = {
     until: 500,
     only: 5,
     draw: 2,
+    count: 500,
+    generations: 50,
   },
   free: [
     'contest-budget',

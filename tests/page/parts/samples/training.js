@@ -3,6 +3,7 @@ import { plane, textOf } from '../pictured.js';
 
 /** @type {import('../samples.js').Sample} */
 export const sample = {
+  slice: { generations: 50 },
   free: ['training-generations'],
   pictures: [
     {
