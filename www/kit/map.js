@@ -78,7 +78,8 @@ export function followHeld(element, onHeld, onRelease) {
   element.addEventListener('pointerup', (event) => {
     if (waiting) hold(event);
   });
-  for (const end of ['pointerup', 'pointercancel'])
+  // Lost is what another element takes, or a browser.
+  for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'])
     element.addEventListener(end, () => {
       if (held) onRelease?.();
       held = false;

@@ -115,6 +115,8 @@ function drag(button, end, part, current, events) {
     const view = current();
     const plane = button.offsetParent;
     if (!held || !view || !plane || event.pointerId !== held.pointerId) return;
+    // It was lifted where the page has not seen it.
+    if (event.buttons === 0) return lose();
     const { left, top } = plane.getBoundingClientRect();
     const px = event.clientX - held.offsetX - left - plane.clientLeft;
     const py = event.clientY - held.offsetY - top - plane.clientTop;
@@ -129,6 +131,12 @@ function drag(button, end, part, current, events) {
     apply();
     events.onRelease();
   };
+  /** What was moved stays there, and a run that took its place is left alone. */
+  const lose = () => {
+    held = null;
+    pending = null;
+    events.onRelease();
+  };
   const takeBack = () => {
     if (!held) return;
     pending = held.before;
@@ -139,6 +147,10 @@ function drag(button, end, part, current, events) {
   });
   button.addEventListener('pointercancel', ({ pointerId }) => {
     if (pointerId === held?.pointerId) takeBack();
+  });
+  // Where the handle was taken out of the page, only the document hears of it.
+  document.addEventListener('lostpointercapture', ({ pointerId }) => {
+    if (pointerId === held?.pointerId) lose();
   });
   const onKey = (/** @type {KeyboardEvent} */ event) => {
     if (event.key !== 'Escape' || !held) return;
