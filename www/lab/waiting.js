@@ -1,6 +1,6 @@
 // What stands in the place of something that is loaded on demand.
 import { create } from '../kit/elements.js';
-import { leaving } from '../kit/host.js';
+import { canLoad, leaving } from '../kit/host.js';
 import { isLost } from '../words/errors.js';
 import { opening as words } from '../words/index.js';
 
@@ -30,8 +30,7 @@ export function createWaiting() {
 
 /** A browser may remember that a module could not be loaded, and after a new version its file has another name: so the whole page is loaded again, but only if it can be. */
 async function loadPageAgain() {
-  const { ok } = await fetch(location.href, { cache: 'no-store' }).catch(() => ({ ok: false }));
-  if (!ok) return false;
+  if (!(await canLoad())) return false;
   dispatchEvent(new Event(leaving));
   location.reload();
   return true;

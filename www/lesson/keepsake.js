@@ -1,4 +1,5 @@
-// Answers and drives outlast a reload of the tab: the browser keeps them for this tab alone, and forgets them with it.
+// Answers and drives outlast a reload of the tab.
+import { withStorage } from '../kit/tab.js';
 import { language } from '../words/language.js';
 import { noProgress, noTally, progressSlice } from './state.js';
 
@@ -8,15 +9,6 @@ import { noProgress, noTally, progressSlice } from './state.js';
 const key = 'ep-locomotion lesson';
 const placeKey = 'ep-locomotion place';
 const mostCharacters = 200_000;
-
-/** A browser may keep nothing, or not for a figure in another page. @template T @param {(storage: Storage) => T} use @returns {T | null} */
-function withStorage(use) {
-  try {
-    return use(sessionStorage);
-  } catch {
-    return null;
-  }
-}
 
 /** What outlasts: answers that are there, with the language in which they were said, and what was driven. @param {Progress} progress */
 export function textOf({ answers, tally, duel }) {

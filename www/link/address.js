@@ -5,7 +5,7 @@
 /** @import { Store } from '../run/store.js' */
 /** @import { Slice } from '../run/store.js' */
 /** @import { Links } from './link.js' */
-import { isEmbedded, leaving } from '../kit/host.js';
+import { canLoad, isEmbedded, leaving } from '../kit/host.js';
 import { takeAlong, takeUp } from './crossing.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { inLanguage, withExercise } from './link.js';
@@ -13,6 +13,7 @@ import { watch } from '../kit/memo.js';
 import { isEmpty, tidyTask } from '../run/exercise.js';
 import { asked, caughtUp } from '../run/state.js';
 import { mostOfWho } from '../run/variant.js';
+import { link as words } from '../words/index.js';
 import { language, languageOfAddress } from '../words/language.js';
 
 /** In milliseconds, after which a change is written: browsers refuse an address that changes more often. */
@@ -52,7 +53,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   /** The host's “back” is not for what happens within a frame. */
   const onward = isEmbedded ? 'replaceState' : 'pushState';
   /** The page is about to be loaded again, and what is laid beside its address stays there. */
-  let leaves = false;
+  const away = { leaves: false };
   /** None where the address still tells of the run before. @type {string | null} */
   let written = location.hash.slice(1);
   /** @type {Place} */
@@ -63,9 +64,8 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     const spoken = languageOfAddress();
     // The words are chosen when the page loads.
     if (spoken !== language) {
-      if (asked === other.pressed() || asked === linkFor(store.get(), spoken)) crossOver(store.get(), slices);
-      leaves = true;
-      return location.reload();
+      const isThisRun = asked === other.pressed() || asked === linkFor(store.get(), spoken);
+      return speak({ store, actions, slices }, away, isThisRun, () => written ?? linkFor(store.get()));
     }
     written = asked;
     const { opened: run, problems } = links.openLink(asked || firstPage, engine, whoAsked());
@@ -78,7 +78,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
   const write = () => {
     const state = store.get();
-    if (leaves || !isDue(state, place)) return;
+    if (away.leaves || !isDue(state, place)) return;
     const link = linkFor(state);
     if (link === written) return;
     if (!isElsewhere(state, place) || !written) history.replaceState(null, '', `#${link}`);
@@ -98,7 +98,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   addEventListener(leaving, () => {
     history.replaceState(null, '', `#${linkNow(written)}`);
     crossOver(store.get(), slices);
-    leaves = true;
+    away.leaves = true;
   });
   addEventListener('popstate', () => {
     if (location.hash.slice(1) !== written) open();
@@ -122,7 +122,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
     /** Writes what has changed, soon. @param {State} state */
     follow(state) {
-      if (leaves || !isDue(state, place) || (state.evolving && soon.waits && !isElsewhere(state, place)))
+      if (away.leaves || !isDue(state, place) || (state.evolving && soon.waits && !isElsewhere(state, place)))
         return;
       if (!changed(...links.carried(state))) return;
       lead(state, [...links.pages, 'lesson']);
@@ -132,6 +132,21 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
       else soon.ask(state.evolving ? 'evolving' : 'atRest');
     },
   };
+}
+
+/** Loads the page in the language that its address has by now, unless there is no network, or it has another address meanwhile. @param {{ store: Store, actions: Actions, slices: readonly Slice<any>[] }} parts @param {{ leaves: boolean }} away @param {boolean} isThisRun @param {() => string} own The link of what stays. */
+async function speak({ store, actions, slices }, away, isThisRun, own) {
+  const asked = location.hash;
+  away.leaves = true;
+  const isThere = await canLoad();
+  if (isThere && location.hash === asked) {
+    if (isThisRun) crossOver(store.get(), slices);
+    return location.reload();
+  }
+  away.leaves = false;
+  if (isThere) return;
+  history.replaceState(null, '', `#${own()}`);
+  actions.say(words.notLoaded);
 }
 
 /** Whether something is being opened, or being set, which is in sight only once it has begun. @param {State} state */

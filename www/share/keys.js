@@ -3,17 +3,26 @@ import { html } from 'lit-html';
 import { byId } from '../kit/elements.js';
 import { isEmbedded } from '../kit/host.js';
 import { createSheet } from '../kit/sheet.js';
+import { withStorage } from '../kit/tab.js';
 import { keys as words, opening } from '../words/index.js';
 
 const { texts } = words;
 
+/** Whoever needs them off, as with speech input, says so once: the page may load itself again. */
+const name = 'ep-locomotion keys';
+const off = 'off';
+
 /** @param {() => void} openChecks */
 export function createKeys(openChecks) {
-  let areAllowed = true;
+  let areAllowed = withStorage((storage) => storage.getItem(name)) !== off;
   const sheet = createSheet('keys', '', texts.keysTitle, opening.texts.close);
   const check = () => {
     sheet.dialog.close();
     openChecks();
+  };
+  const allow = (/** @type {Event} */ { target }) => {
+    areAllowed = /** @type {HTMLInputElement} */ (target).checked;
+    withStorage((storage) => storage.setItem(name, areAllowed ? '' : off));
   };
   const fill = () =>
     sheet.draw(html`
@@ -23,8 +32,8 @@ export function createKeys(openChecks) {
         ...words.single.filter(([, , id]) => document.getElementById(id)),
         ...words.focused,
       ].map(([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`)}</dl>
-      <label class="check"><input id="keys-single" type="checkbox" checked
-        @change=${() => (areAllowed = !areAllowed)}> <span>${texts.keysSingle}</span></label>
+      <label class="check"><input id="keys-single" type="checkbox" .checked=${areAllowed}
+        @change=${allow}> <span>${texts.keysSingle}</span></label>
       <p class="sheet-foot"><button id="keys-checks" type="button" @click=${check}>${opening.texts.checksButton}</button></p>`);
   const open = () => {
     fill();

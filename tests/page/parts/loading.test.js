@@ -215,3 +215,31 @@ pageTest(
     }
   },
 );
+
+pageTest(
+  'without a network the page stays, and says that the other language cannot be loaded',
+  async (page) => {
+    let isThere = true;
+    const site = await serve(undefined, { send: (_, content) => (isThere ? content : null) });
+    try {
+      await page.visit(`${site.address}#lab&v=1&seed=3`);
+      await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+      isThere = false;
+      await page.click('#language');
+      assert.match(await page.text('#message'), /other language cannot be loaded now/);
+      await page.until('it has its address again', () => location.hash === '#lab&v=1&seed=3');
+      await page.click('#one-generation');
+      await page.until('what changes is written', () => location.hash.endsWith('&generation=1'));
+      isThere = true;
+      await page.click('#language');
+      await page.until(
+        'it speaks Korean',
+        () => document.documentElement.lang === 'ko' && document.documentElement.dataset.ready,
+      );
+      assert.equal(await page.text('#generation'), '1');
+    } finally {
+      await page.leave();
+      await site.close();
+    }
+  },
+);

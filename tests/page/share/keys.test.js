@@ -117,6 +117,14 @@ pageTest('the box in the sheet turns the single keys off, not the sheet', async 
   const { settings, evolving } = await stateOf(page);
   assert.deepEqual([settings, evolving], [false, false]);
   assert.deepEqual(await readEvolution(page), expected(0));
+  // Also in the other language.
+  await page.click('#language');
+  await page.until(
+    'it speaks Korean',
+    () => document.documentElement.lang === 'ko' && document.documentElement.dataset.ready,
+  );
+  await page.press('n', 's');
+  assert.deepEqual(await readEvolution(page), expected(0));
   await page.press('?');
   assert.equal((await stateOf(page)).sheet, true);
   await page.focus('#keys-single');

@@ -62,3 +62,5 @@ export const aScale = (most) => `value:points,other value:points, with 0 to ${mo
 export const noAim = 'it needs aim=… beside it.';
 export const hiddenPaper = 'the paper’s gains are hidden by the same link.';
 export const paperInLesson = 'the lesson tells the paper’s gains, which the same link hides.';
+
+export const notLoaded = 'The other language cannot be loaded now: there is no network.';
