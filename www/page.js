@@ -185,7 +185,7 @@ async function start(engine) {
 
   byId('plane-robots').setAttribute('aria-label', words.planeLabel);
   createKeys(openChecks);
-  byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get().history)));
+  byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get())));
   address = createAddress({ ...tools, actions, slices: places.slices, firstPage });
   await pause();
   await open();

@@ -4,6 +4,7 @@
 /** @import { Scene } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Views } from './views.js' */
+import { hasSigmas } from '../core/methods.js';
 import { byId, write } from '../kit/elements.js';
 import { remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
@@ -120,11 +121,13 @@ const placeWords = remember(
 /** Whether evolution counts the drive that is seen, and not the mean over many. @param {State} state */
 const isOneDrive = ({ experiment }) => experiment.starts.length === 1;
 
-/** What evolution has done: J, or σ. @param {Views} views @param {State} state @param {Scene} scene */
+/** What evolution has done: J, or σ where there is one. @param {Views} views @param {State} state @param {Scene} scene */
 function drawCurve(views, state, scene) {
-  const { history, generation, theme } = state;
-  const { curve } = labSlice.of(state);
+  const { experiment, history, generation, theme } = state;
+  const hasChoice = hasSigmas(experiment.evolution.method);
+  const curve = hasChoice ? labSlice.of(state).curve : 'cost';
   const isCost = curve === 'cost';
+  byId('curve-choice').hidden = !hasChoice;
   byId('curve').hidden = !isCost;
   byId('sigmas').hidden = isCost;
   write(byId('curve-title'), isCost ? strings.texts.curveTitle : sigmaWords.sigmaTitle);

@@ -1,10 +1,11 @@
 // The fitness curve as a table.
-/** @import { Statistics } from '../core/engine.js' */
+/** @import { Experiment, Statistics } from '../core/engine.js' */
 /** @import { Table } from '../kit/table.js' */
+import { hasSigmas } from '../core/methods.js';
 import { lab, tables as words } from '../words/index.js';
 
-/** @param {Statistics[]} history @returns {Table} */
-export const fitnessTable = (history) => ({
+/** @param {{ history: Statistics[], experiment: Experiment }} evolved @returns {Table} */
+export const fitnessTable = ({ history, experiment }) => ({
   caption: words.fitnessCaption(history.length - 1),
   columns: words.fitnessColumns,
   count: history.length,
@@ -14,7 +15,7 @@ export const fitnessTable = (history) => ({
       String(generation),
       String(evaluations),
       ...[best.cost, median, worst].map(lab.costText),
-      ...meanSigmas.map(lab.threeDigits),
+      ...meanSigmas.map(hasSigmas(experiment.evolution.method) ? lab.threeDigits : () => ''),
     ];
   },
 });

@@ -1,5 +1,6 @@
 // The whole generation as a table.
 /** @import { Anatomy } from './record.js' */
+import { hasSigmas } from '../../core/methods.js';
 import words from './words/index.js';
 import { hasPairs } from './phases.js';
 import { isInitial } from './record.js';
@@ -21,7 +22,7 @@ export function generationTable(anatomy) {
         String(number),
         madeOf(anatomy, number),
         ...all[number].gains.map((gain) => words.gainText(gain)),
-        ...all[number].sigmas.map(words.sigmaText),
+        ...all[number].sigmas.map(hasSigmas(method) ? words.sigmaText : () => ''),
         costText(all[number].cost),
         weights.length > 0 && number >= (isInitial(record) ? 0 : count)
           ? words.weightText(weights[ranks[number]] ?? 0)
