@@ -1,9 +1,11 @@
 // What the map draws of a method is what the core says of its generation.
 import assert from 'node:assert/strict';
 import { ringOf } from '../../../www/kit/ellipse.js';
-import { sketchOf } from '../../../www/parts/landscape/method.js';
+import { hasCrosses, sketchOf } from '../../../www/parts/landscape/method.js';
+import * as en from '../../../www/parts/landscape/words/en.js';
+import * as ko from '../../../www/parts/landscape/words/ko.js';
 import { pageTest } from '../harness/browsers.js';
-import { Evolution, experiment } from '../harness/core.js';
+import { Evolution, experiment, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
 /** @typedef {import('../harness/core.js').Experiment['evolution']['method']} Method */
@@ -86,6 +88,43 @@ test('the simplex has six edges between its four corners, whatever decides over 
   }
 });
 
+test('dashed lines lead from the simplex to what was not taken, or to the corner that went', () => {
+  let [kept, taken] = [0, 0];
+  for (const record of recordsOf('nelder-mead', 120).slice(1)) {
+    const { parents, offspring, survivors } = record;
+    if (offspring.length > 1) continue;
+    const isTaken = survivors.length === 4 && survivors.includes(parents.length);
+    // The parents are ranked.
+    const end = isTaken ? parents[parents.length - 1] : offspring[0];
+    if (isTaken) assert.ok(!survivors.includes(parents.length - 1), `generation ${record.generation}`);
+    const { faint } = sketchOf('nelder-mead', record, shadow);
+    assert.deepEqual(
+      faint.map(([, to]) => to),
+      Array(4).fill(shadow(end.gains)),
+    );
+    if (isTaken) taken += 1;
+    else kept += 1;
+  }
+  assert.ok(kept > 5 && taken > 5, `${kept}, ${taken}`);
+  assert.match(en.methodSketch('nelder-mead'), /tried .* corner that went/);
+});
+
+test('crosses are named where they are drawn, and there alone: of who steps from its own place by its own σ', () => {
+  const methods = /** @type {readonly Method[]} */ (
+    wordFields().find(({ path }) => path === 'evolution.method')?.words
+  );
+  assert.deepEqual(methods.filter(hasCrosses), ['ep', 'one-plus-one-es']);
+  for (const method of methods) {
+    assert.equal(/cross/i.test(en.methodSketch(method)), hasCrosses(method), method);
+    assert.equal(/십자/.test(ko.methodSketch(method)), hasCrosses(method), method);
+  }
+  const evolution = new Evolution({ ...base, evolution: { ...base.evolution, method: 'one-plus-one-es' } });
+  for (let generation = 1; generation <= 20; generation += 1) {
+    evolution.step();
+    assert.deepEqual(evolution.population()[0].sigmas, evolution.record(generation).next.steps);
+  }
+});
+
 test('of a method that goes from point to point the line is its step; EP and random search have their own marks', () => {
   for (const method of /** @type {const} */ (['one-plus-one-es', 'one-at-a-time', 'finite-differences']))
     for (const record of recordsOf(method, 20).slice(1)) {
@@ -129,6 +168,7 @@ for (const [method, text] of /** @type {const} */ ([
       () => document.getElementById('landscape-method')?.textContent,
     );
     assert.match(String(note), text);
+    assert.doesNotMatch(String(note), /cross/i);
     const drawn = await inked(page);
     assert.ok(drawn > 0);
     assert.deepEqual(await page.obstacles(), []);

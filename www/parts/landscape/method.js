@@ -13,6 +13,9 @@ import { ringOf } from '../../kit/ellipse.js';
 
 const none = /** @type {Sketch} */ ({ rings: [], lines: [], faint: [] });
 
+/** Whether each robot steps from where it stands, and by the σ that it has. @param {Experiment['evolution']['method']} method */
+export const hasCrosses = (method) => method === 'ep' || method === 'one-plus-one-es';
+
 /** @param {GenerationRecord} record @param {Shadow} shadow @returns {Sketch} */
 function differences({ parents, offspring, donors, survivors }, shadow) {
   const at = (/** @type {number} */ i) => shadow(parents[i].gains);

@@ -19,7 +19,7 @@ import { createSection } from '../section.js';
 import words from './words/index.js';
 import { createLandscapeRequests, createSpec, gainsAt } from './request.js';
 import { isOn, lowestOf } from './lowest.js';
-import { sketchOf } from './method.js';
+import { hasCrosses, sketchOf } from './method.js';
 import { createSight } from './sight.js';
 import { axesOf, createMap } from './view.js';
 
@@ -55,7 +55,7 @@ export function createPage({ engine, store, actions, paper }) {
       spec: specOf(state),
       result,
       population: state.population,
-      hasSigmas: state.experiment.evolution.method !== 'random',
+      hasCrosses: hasCrosses(state.experiment.evolution.method),
       sketch: sketched(state, specOf(state)),
       path: pathOf(state.history),
       points: pointsOf(state, paper, lowestIn(state)),

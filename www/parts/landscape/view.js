@@ -30,7 +30,7 @@ import { drawSketch } from './sketch.js';
  * @property {Spec} spec
  * @property {Landscape | null} result
  * @property {Individual[]} population
- * @property {boolean} hasSigmas Whether their σ say how far they step.
+ * @property {boolean} hasCrosses Whether each has its σ drawn.
  * @property {Sketch | null} sketch What the method sees, if it is not the paper's.
  * @property {readonly Triple[]} path The best so far at each generation.
  * @property {readonly Point[]} points
@@ -166,7 +166,7 @@ function drawAxes(context, { frame, x, y }, spec) {
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {MapModel} model */
-function drawMarks(context, { frame, x, y }, { spec, population, hasSigmas, sketch, path, points, cursor }) {
+function drawMarks(context, { frame, x, y }, { spec, population, hasCrosses, sketch, path, points, cursor }) {
   const [across, up] = [gainNames.indexOf(spec.x.gain), gainNames.indexOf(spec.y.gain)];
   /** @param {Triple} gains @returns {[number, number]} */
   const place = (gains) => [x.at(gains[across]), y.at(gains[up])];
@@ -175,7 +175,7 @@ function drawMarks(context, { frame, x, y }, { spec, population, hasSigmas, sket
     context.lineWidth = 1;
     context.globalAlpha = 0.35;
     context.beginPath();
-    for (const { gains, sigmas } of hasSigmas ? population : []) {
+    for (const { gains, sigmas } of hasCrosses ? population : []) {
       const [px, py] = place(gains);
       context.moveTo(x.at(gains[across] - sigmas[across]), py);
       context.lineTo(x.at(gains[across] + sigmas[across]), py);

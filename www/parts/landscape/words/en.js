@@ -52,9 +52,10 @@ const sketches = {
   ep: 'Crosses: one σ.',
   'cma-es':
     'The ellipses are the distribution that these robots were drawn from, at one and at two standard deviations.',
-  de: 'The other lines lead from a robot to its trial: moved by the difference of two others (dashed). Solid: it took a place.',
-  'nelder-mead': 'The other lines are the simplex. Dashed: what was tried in the place of its worst corner.',
-  'one-plus-one-es': 'The other line is the step that was tried.',
+  de: 'The other lines lead to the trials, each from the robot that it began at: moved by half the difference of two others. Solid: it took a place, and that difference is dashed.',
+  'nelder-mead':
+    'The other lines are the simplex. Dashed: to what was tried in the place of its worst corner or, where that was taken, to the corner that went.',
+  'one-plus-one-es': 'Cross: one σ. The other line is the step that was tried.',
   'one-at-a-time': 'The other line is the step that was tried.',
   'finite-differences':
     'The other lines are the steps that were tried: three short ones for the slope, or one down it.',
