@@ -28,7 +28,7 @@ pageTest('a contestant that cannot run says so in its line, and the others run',
   await openContest(page, `${link}&population=3&contestants=de,random`);
   await runContest(page);
   const [lab, de, random] = await readTable(page);
-  assert.match(de.verdict, /4 or more/);
+  assert.match(de.verdict, /^Population must be 4 or more/);
   assert.match(lab.cells[0], /of 15/);
   assert.match(random.cells[0], /of 15/);
 });

@@ -4,6 +4,7 @@
 /** @import { Contestant } from './contestants.js' */
 import { isTooLongSurvey, mostRobotsOfCall } from '../../core/bounds.js';
 import { messageOf } from '../../words/errors.js';
+import { settings } from '../../words/index.js';
 import { isWhole, partsOf } from './contest-asked.js';
 import { entered } from './contestants.js';
 import { luckSlice } from './state.js';
@@ -64,7 +65,7 @@ export function createContestRequests(engine, store) {
       );
       note(({ trials }) => ({ trials: [...trials, ...runs].sort((a, b) => a.seed - b.seed) }));
     } catch (error) {
-      if (!own.signal.aborted) note(() => ({ trials: [], error: messageOf(error) }));
+      if (!own.signal.aborted) note(() => ({ trials: [], error: settings.named(messageOf(error)) }));
     }
   }
 
