@@ -124,9 +124,9 @@ const isOneDrive = ({ experiment }) => experiment.starts.length === 1;
 /** What evolution has done: J, or σ where there is one. @param {Views} views @param {State} state @param {Scene} scene */
 function drawCurve(views, state, scene) {
   const { experiment, history, generation, theme } = state;
+  const { curve } = labSlice.of(state);
   const hasChoice = hasSigmas(experiment.evolution.method);
-  const curve = hasChoice ? labSlice.of(state).curve : 'cost';
-  const isCost = curve === 'cost';
+  const isCost = curve === 'cost' || !hasChoice;
   byId('curve-choice').hidden = !hasChoice;
   byId('curve').hidden = !isCost;
   byId('sigmas').hidden = isCost;
