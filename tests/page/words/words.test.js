@@ -40,6 +40,21 @@ test('whatever word a field may have, Korean says it without an English one', ()
   }
 });
 
+test('how small a population may be with a method Korean says without an English word', () => {
+  for (const [method, least] of /** @type {const} */ ([
+    ['de', 4],
+    ['cma-es', 2],
+  ]))
+    assert.throws(
+      () => experiment({ evolution: { method, population: least - 1 } }),
+      ({ message }) => {
+        const told = said(message);
+        assert.ok(told.includes(`'${method}' 방법에서는 ${least} 이상`) && !/ or | with /.test(told), told);
+        return true;
+      },
+    );
+});
+
 test('Korean has the words of English, and none of them is English', () => {
   const [english, korean] = [en, ko].map((words) => new Map(textsOf(words, '')));
   assert.deepEqual([...korean.keys()].sort(), [...english.keys()].sort());

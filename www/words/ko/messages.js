@@ -18,6 +18,7 @@ const demands = [
   [/^at most (\S+) times sampleTime$/, 'sampleTime의 $1배 이하'],
   [/^\[low, high\] with low under high$/, '[작은 값, 큰 값] 순서의 두 수'],
   [/^0 or more for a random disturbance$/, '무작위 외란에서는 0 이상의 수'],
+  [/^(\S+) or more with the method (\S+)$/, '$2 방법에서는 $1 이상의 정수'],
   [
     /^at most (\S+) with (\S+) starts? and (\S+) samples a run$/,
     '출발점 $2개, 주행당 샘플 $3개에서는 최대 $1',
