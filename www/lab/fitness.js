@@ -76,8 +76,8 @@ function lastTick(generation) {
   return [20, 50, 100, 200, 300, 500].find((end) => generation <= end) ?? Math.ceil(generation / 500) * 500;
 }
 
-/** The best curve fills the plot; the first medians may come in from above. @param {DrawnModel} model @returns {[number, number]} */
-function costRange({ columns, paper }) {
+/** The best curve fills the plot; the first medians may come in from above. No J is below 0. @param {DrawnModel} model @returns {[number, number]} */
+export function costRange({ columns, paper }) {
   const first = columns.best.find(Number.isFinite);
   const newest = columns.best.findLast(Number.isFinite);
   if (first === undefined || newest === undefined) return [0, 1];
@@ -85,7 +85,7 @@ function costRange({ columns, paper }) {
   const high = Math.min(Math.max(first, median, Math.min(paper ?? first, 1.3 * first)), 1.4 * first);
   const low = Math.min(newest, paper ?? newest);
   const room = 0.08 * (high - low) + 0.01 * high;
-  return [low - 2 * room, high + room];
+  return [Math.max(0, low - 2 * room), high + room];
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {Axes} axes @param {CurveModel} model */
