@@ -97,7 +97,7 @@ function lucks({ expected, all, ranking, ranks }, size) {
   ];
 }
 
-/** What stands below: the numbers of the pairs, or the wins. @param {Pick<PictureModel, 'anatomy' | 'phase'>} model @param {Size} size */
+/** What stands below: the numbers of the pairs, the ranks, or the wins. @param {Pick<PictureModel, 'anatomy' | 'phase'>} model @param {Size} size */
 function across({ anatomy, phase }, size) {
   const { columns, all, record, ranking, method } = anatomy;
   const base = size.height - 5;
@@ -129,8 +129,8 @@ function across({ anatomy, phase }, size) {
     1000;
   const shown = Array.from({ length: columns }, (_, i) => i + 1).filter((n) => n === 1 || n % every === 0);
   const name =
-    phase === 'survivors' && method === 'ep'
-      ? words.parentAxis
+    phase === 'survivors'
+      ? words.survivorAxis(method)
       : isInitial(record) || !hasPairs(method)
         ? words.robotAxis
         : words.pairAxis;

@@ -122,8 +122,9 @@ const contents = {
     const write = words.costWriter(anatomy);
     const best = (/** @type {Individual[]} */ some) => Math.min(...some.map(({ cost }) => cost));
     const after = best(ranking.slice(0, staying).map((number) => all[number]));
+    const isProbed = method === 'finite-differences' && !record.plan.steps;
     const told = () => html`
-      <p>${words.bestText(method, best(record.parents), after, write)}</p>
+      <p>${isProbed ? words.probedText(write(after), best(record.offspring) < after) : words.bestText(method, best(record.parents), after, write)}</p>
       ${method === 'ep' || method === 'de' ? upset(anatomy) : learntBy(anatomy, successes)}`;
     return html`
       ${headline(anatomy, chosen, `J ${write(all[chosen].cost)}`, words.fateText(anatomy, chosen))}

@@ -132,7 +132,8 @@ export const byCostText = '— from the rank by J alone';
 export const winsAxis = 'wins';
 export const pairAxis = 'pair';
 export const robotAxis = 'robot';
-export const parentAxis = 'parent';
+/** Of those that stay, best ranked first. @param {Anatomy['method']} method */
+export const survivorAxis = (method) => (method === 'ep' ? 'parent' : 'rank');
 export const wonText = 'won against';
 export const lostText = 'lost to';
 
@@ -197,6 +198,10 @@ export function bestText(method, before, after, usual) {
       ? `The best J stays ${write(after)}.${always(method)}`
       : `The best J rises from ${write(before)} to ${write(after)}: this search forgets what it had.`;
 }
+
+/** Where the slope was probed. @param {string} cost of the robot @param {boolean} isLower Whether a probe's is lower. */
+export const probedText = (cost, isLower) =>
+  `The robot’s J stays ${cost}.${isLower ? ' A probe only tells the slope: it is not taken, though its J is lower.' : ''}`;
 
 /** @param {Anatomy} anatomy */
 export function tableCaption(anatomy) {

@@ -121,7 +121,8 @@ export const byCostText = '— J만으로 정한 순위에서';
 export const winsAxis = '승';
 export const pairAxis = '쌍';
 export const robotAxis = '로봇';
-export const parentAxis = '부모';
+/** Of those that stay, best ranked first. @param {Anatomy['method']} method */
+export const survivorAxis = (method) => (method === 'ep' ? '부모' : '순위');
 export const wonText = '승, 상대:';
 export const lostText = '패, 상대:';
 
@@ -182,6 +183,10 @@ export function bestText(method, before, after, usual) {
       ? `최소 J는 ${write(after)} 그대로입니다.${method === 'ep' ? ' 최우수 개체는 언제나 살아남습니다.' : ''}`
       : `최소 J가 ${write(before)}에서 ${write(after)}까지 올라갑니다. 이 탐색은 전에 찾은 것을 잊습니다.`;
 }
+
+/** Where the slope was probed. @param {string} cost of the robot @param {boolean} isLower Whether a probe's is lower. */
+export const probedText = (cost, isLower) =>
+  `로봇의 J는 ${cost} 그대로입니다.${isLower ? ' 시험점은 기울기만 재므로, J가 더 낮아도 채택하지 않습니다.' : ''}`;
 
 /** @param {Anatomy} anatomy */
 export function tableCaption(anatomy) {
