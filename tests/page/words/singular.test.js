@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { phasesOf } from '../../../www/parts/generation/phases.js';
 import { dissect } from '../../../www/parts/generation/record.js';
-import { sentence } from '../../../www/parts/generation/words/en.js';
+import { othersText as othersInGeneration, sentence } from '../../../www/parts/generation/words/en.js';
 import { othersText, restartText, taglines } from '../../../www/words/en/lab.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -38,5 +38,27 @@ test('so does each phase of each method with the fewest robots', () => {
       const anatomy = dissect(evolution.record(i), settings);
       for (const phase of phasesOf(anatomy)) assert.doesNotMatch(sentence(anatomy, phase), wrong);
     }
+  }
+});
+
+test('of one other that drives beside the chosen it is said as of one whether it arrives', () => {
+  for (const [method, generation] of /** @type {const} */ ([
+    ['ep', 3],
+    ['random', 3],
+    ['finite-differences', 9],
+  ])) {
+    const settings = { ...base.evolution, method };
+    const evolution = new Evolution({ ...base, evolution: settings });
+    for (let i = 0; i < generation; i += 1) evolution.step();
+    const anatomy = dissect(evolution.record(generation), settings);
+    for (const phase of phasesOf(anatomy))
+      for (const isAmong of [true, false]) {
+        const [none, away, there] = [null, 0, 1].map((arrived) =>
+          othersInGeneration(anatomy, phase, { drawn: 1, all: 1, isAmong, arrived }),
+        );
+        assert.doesNotMatch(none, /\d|arrive/);
+        assert.equal(away, `${none}, which does not arrive`);
+        assert.equal(there, `${none}, which arrives`);
+      }
   }
 });

@@ -98,7 +98,7 @@ export function standsBy(anatomy, chosen) {
 /** @typedef {(anatomy: Anatomy, own: number) => RowOf} Making */
 
 /** @type {Making} */
-const difference = ({ record }, own) => {
+const difference = ({ record, belowZero }, own) => {
   const { parents, offspring, donors, bases } = record;
   const [a, b, c] = donors[own].map((donor) => parents[donor].gains);
   const [mutant, trial, parent] = [bases[own], offspring[own], parents[own]].map(({ gains }) => gains);
@@ -106,11 +106,13 @@ const difference = ({ record }, own) => {
     const write = (/** @type {number} */ value) => words.gainText(value, b[i] - c[i]);
     const half = `½ (${write(b[i])} − ${words.bracketed(write(c[i]))})`;
     const isOwn = trial[i] === parent[i] && mutant[i] !== trial[i];
+    // Which of the two it was cannot be told.
+    const mayBeHeld = belowZero === 'clamp' && mutant[i] < 0;
     return {
       lines: [
         html`${becoming('k', i)} ${write(a[i])} + ${half} = ${write(mutant[i])}`,
         isOwn
-          ? words.keptText(write(trial[i]))
+          ? (trial[i] === 0 && mayBeHeld ? words.heldOrKeptText : words.keptText)(write(trial[i]))
           : words.takenText(words.becomes(words.gainText(mutant[i]), words.gainText(trial[i]))),
       ],
     };
@@ -174,11 +176,10 @@ const move = (anatomy, own) => {
 };
 
 /** @type {Making} */
-const step = ({ method, record: { parents, offspring, plan, next } }, own) => {
+const step = ({ method, record: { generation, parents, offspring, plan } }, own) => {
   const [from, to] = [parents[0].gains, offspring[own].gains];
-  // One gain at a time, the step of the one whose turn it was is another one then.
   const isItsTurn = (/** @type {number} */ i) =>
-    method === 'finite-differences' || plan.steps?.[i] !== next.steps?.[i];
+    method === 'finite-differences' || i === words.turnIn(generation);
   const steps = to.map((gain, i) => (plan.steps ? (isItsTurn(i) ? plan.steps[i] : 0) : gain - from[i]));
   const isMoved = steps.some((one) => one !== 0);
   return (i) => ({
@@ -232,10 +233,10 @@ export const weighedBy = ({ record, ranks }, chosen) =>
 export function successesIn({ method, record }, history) {
   if (method !== 'one-plus-one-es' || record.generation === 0) return null;
   const from = Math.max(1, record.generation - remembered + 1);
-  // σ grows with a success, and with nothing else.
+  // σ shrinks with a failure, and with nothing else; at its largest, and from 0, it does not grow.
   const won = history
     .slice(from, record.generation + 1)
-    .filter(({ meanSigmas }, i) => meanSigmas[0] > history[from + i - 1].meanSigmas[0]);
+    .filter(({ meanSigmas }, i) => meanSigmas[0] >= history[from + i - 1].meanSigmas[0]);
   return { steps: record.generation - from + 1, won: won.length };
 }
 

@@ -92,9 +92,18 @@ export const awayText = (value) => `+${powerText(value, 2)}`;
 export const signedText = (value) =>
   value < 0 ? `−${sigmaText(-value)}` : value === 0 ? '0' : `+${sigmaText(value)}`;
 
+/** Whether the probes of a slope lie on one point in the picture, which has room for the step that they lead to. @param {Anatomy} anatomy */
+export const areProbesOnePoint = ({ record: { next } }) =>
+  next.steps?.every((step) => Math.abs(step) > 0.02) ?? false;
+
+/** The place of the gain whose turn it is, one after the other from generation 1 on. @param {number} generation */
+export const turnIn = (generation) => (generation - 1) % 3;
+
 /** How many times as wide the one is as the other, in the mean of its axes. @param {{ axes: readonly (readonly number[])[] }} before @param {{ axes: readonly (readonly number[])[] }} after */
 export const deviationRatio = (before, after) => {
   const volume = (/** @type {typeof after} */ { axes }) =>
     axes.reduce((product, axis) => product * Math.hypot(...axis), 1);
-  return Math.cbrt(volume(after) / volume(before));
+  const first = volume(before);
+  // A point stays one.
+  return first > 0 ? Math.cbrt(volume(after) / first) : 1;
 };

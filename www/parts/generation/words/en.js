@@ -88,19 +88,22 @@ export const drivingText = (name, generation) => `${name} of generation ${genera
 /** @param {Anatomy} anatomy @param {Phase} phase @param {Others} others */
 export function othersText({ method }, phase, { drawn, all, isAmong, arrived }) {
   const isOwn = method === 'ep';
-  const kind = {
-    parents: isOwn ? 'parents' : 'robots',
-    mutation: isOwn ? 'parents' : 'robots',
-    drive: isOwn ? 'offspring' : 'trials',
-    survivors: isOwn ? 'survivors' : method === 'random' ? 'draws' : 'that stay',
-  };
-  const these = isAmong ? 'the other' : 'the';
-  const who =
-    phase === 'tournament'
-      ? `its ${counted(all, 'opponent', 'opponents')}`
-      : phase === 'ranking'
-        ? `${these} ${all}`
-        : `${these} ${all} ${kind[phase]}`;
+  const before = isOwn ? ['parent', 'parents'] : ['robot', 'robots'];
+  const staying = method === 'random' ? ['draw', 'draws'] : ['one that stays', 'that stay'];
+  const [one, many] = {
+    parents: before,
+    mutation: before,
+    drive: isOwn ? ['offspring', 'offspring'] : ['trial', 'trials'],
+    tournament: ['opponent', 'opponents'],
+    ranking: ['one', ''],
+    survivors: isOwn ? ['survivor', 'survivors'] : staying,
+  }[phase];
+  const these = phase === 'tournament' ? 'its' : isAmong ? 'the other' : 'the';
+  if (all === 1) {
+    const ending = arrived === 1 ? ', which arrives' : ', which does not arrive';
+    return `${these} ${one}${arrived === null ? '' : ending}`;
+  }
+  const who = `${these} ${all} ${many}`.trimEnd();
   const told = drawn < all ? `${drawn} of ${who}` : who;
   return arrived === null ? told : `${told}, ${arrived} of them ${arrived === 1 ? 'arrives' : 'arrive'}`;
 }

@@ -1,6 +1,6 @@
 // What Generation says of the methods, each in its own terms.
 /** @import { Anatomy, Method, Phase } from '../record.js' */
-import { deviationRatio, sigmaText } from './common.js';
+import { areProbesOnePoint, deviationRatio, sigmaText, turnIn } from './common.js';
 import { gains } from '../../../words/en/lab.js';
 import { counted } from '../../../words/en/counted.js';
 import { fixed } from '../../../words/en/numbers.js';
@@ -64,8 +64,8 @@ const moves = {
 };
 
 /** The gain whose turn it is. @param {Anatomy} anatomy */
-function turnOf({ record: { plan, next } }) {
-  const turn = [0, 1, 2].find((i) => plan.steps?.[i] !== next.steps?.[i]) ?? 0;
+function turnOf({ record: { generation, plan } }) {
+  const turn = turnIn(generation);
   return { name: gains[turn].name, step: plan.steps?.[turn] ?? 0 };
 }
 
@@ -169,10 +169,12 @@ const sentences = {
   'finite-differences': {
     parents: ({ record: { plan } }) =>
       plan.steps ? 'One robot, and the way in which J falls.' : 'One robot. Where J falls is not known yet.',
-    mutation: ({ record: { plan } }) =>
-      plan.steps
-        ? `A step down the slope, ${lengthOf(plan.steps)} far.`
-        : 'Three probes beside the robot, so near that here all are one point.',
+    mutation: (anatomy) => {
+      const { steps } = anatomy.record.plan;
+      return steps
+        ? `A step down the slope, ${lengthOf(steps)} far.`
+        : `Three probes, each 10⁻⁴ beside the robot in one gain${areProbesOnePoint(anatomy) ? ': so near that here all are one point' : ''}.`;
+    },
     drive: (anatomy, write) =>
       anatomy.record.plan.steps
         ? `It drives: ${duel(anatomy, write)}`
@@ -247,6 +249,8 @@ export const staysText = (gain) => `stays ${gain}`;
 export const apartText = (times, sigma) => `${times} times σ, which is ${sigma}`;
 /** Where it cannot be told what was drawn. */
 export const heldText = 'drawn below 0, held at 0';
+/** Of a trial of differential evolution whose member is at 0. @param {string} gain */
+export const heldOrKeptText = (gain) => `held at 0, or the member’s own: ${gain}`;
 export const mirroredText = 'as drawn, or mirrored at 0';
 /** @param {string} step */
 export const nextStep = (step) => `next step: ${step}`;

@@ -1,6 +1,6 @@
 // What Generation says of the methods, each in its own terms, in Korean.
 /** @import { Anatomy, Method, Phase } from '../record.js' */
-import { deviationRatio, sigmaText } from './common.js';
+import { areProbesOnePoint, deviationRatio, sigmaText, turnIn } from './common.js';
 import { gains } from '../../../words/ko/lab.js';
 import { fixed } from '../../../words/ko/numbers.js';
 
@@ -62,8 +62,8 @@ const moves = {
 };
 
 /** The gain whose turn it is. @param {Anatomy} anatomy */
-function turnOf({ record: { plan, next } }) {
-  const turn = [0, 1, 2].find((i) => plan.steps?.[i] !== next.steps?.[i]) ?? 0;
+function turnOf({ record: { generation, plan } }) {
+  const turn = turnIn(generation);
   return { name: gains[turn].name, step: plan.steps?.[turn] ?? 0 };
 }
 
@@ -170,10 +170,12 @@ const sentences = {
       plan.steps
         ? '로봇 한 대와, J가 내려가는 방향입니다.'
         : '로봇 한 대입니다. J가 어느 쪽으로 내려가는지는 아직 모릅니다.',
-    mutation: ({ record: { plan } }) =>
-      plan.steps
-        ? `기울기를 따라 ${lengthOf(plan.steps)}만큼 내려갑니다.`
-        : '바로 옆의 시험점 셋입니다. 너무 가까워 여기서는 한 점으로 보입니다.',
+    mutation: (anatomy) => {
+      const { steps } = anatomy.record.plan;
+      return steps
+        ? `기울기를 따라 ${lengthOf(steps)}만큼 내려갑니다.`
+        : `이득 하나씩 로봇에서 10⁻⁴ 떨어진 시험점 셋입니다.${areProbesOnePoint(anatomy) ? ' 너무 가까워 여기서는 한 점으로 보입니다.' : ''}`;
+    },
     drive: (anatomy, write) =>
       anatomy.record.plan.steps
         ? `주행합니다. ${duel(anatomy, write)}`
@@ -246,6 +248,8 @@ export const staysText = (gain) => `${gain} 그대로`;
 export const apartText = (times, sigma) => `σ의 ${times}배, σ는 ${sigma}`;
 /** Where it cannot be told what was drawn. */
 export const heldText = '0보다 작게 뽑혀 0으로 바꿈';
+/** Of a trial of differential evolution whose member is at 0. @param {string} gain */
+export const heldOrKeptText = (gain) => `0으로 바꾼 값, 또는 원래 개체의 값: ${gain}`;
 export const mirroredText = '뽑은 값 그대로, 또는 0을 기준으로 뒤집은 값';
 /** @param {string} step */
 export const nextStep = (step) => `다음 걸음: ${step}`;
