@@ -3,7 +3,7 @@
 
 /** @typedef {{ getModuleInfo: (id: string) => { importers: readonly string[] } | null }} Graph */
 
-const languages = /[\\/]words[\\/](en|ko)([\\/]|\.js$)/;
+const languages = /[\\/]words[\\/](?:[a-z]+-)?(en|ko)([\\/]|\.js$)/;
 
 /** Whether a module is loaded together with one of these, however far from it. @param {string} id @param {(id: string) => boolean} isOne @param {Graph} graph */
 function isLoadedWith(id, isOne, graph) {
