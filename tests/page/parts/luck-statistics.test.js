@@ -23,25 +23,6 @@ test('quartiles lie between the numbers in proportion, also when some are infini
   assert.deepEqual([median, high, most], [Infinity, Infinity, Infinity]);
 });
 
-test('random search is not compared with itself', () => {
-  for (const words of [en, ko])
-    for (const method of /** @type {const} */ (['ep', 'random'])) {
-      const survey = {
-        experiment: { evolution: { method } },
-        runs: [],
-        generations: 50,
-        summary: {
-          final: { median: 8, most: 9 },
-          finalRandom: { median: 8.5 },
-          randomWins: 0,
-          overtakes: 40,
-        },
-      };
-      const told = words.finding(/** @type {any} */ (survey));
-      assert.equal(told.includes('8.500'), method === 'ep', told);
-    }
-});
-
 test('where every seed comes to the same J, the axis has numbers that have room', () => {
   for (const cost of [7.75, 1e4, 0.003]) {
     const flat = { low: [cost], median: [cost], high: [cost] };
@@ -62,7 +43,11 @@ test('where every seed comes to the same J, the axis has numbers that have room'
 
 test('a line above the plot has an arrow at its name', () => {
   const ends = { low: [1], median: [1], high: [1], least: [1], most: [1] };
-  const survey = { generations: 0, summary: { evolution: ends, random: { ...ends, high: [2] } } };
+  const survey = {
+    experiment: experiment('velocity-limits'),
+    generations: 0,
+    summary: { evolution: ends, random: { ...ends, high: [2] } },
+  };
   const frame = { top: 20 };
   const y = (/** @type {number} */ cost) => Math.max(frame.top, 100 - 10 * cost);
   const named = (/** @type {number} */ cost) =>
@@ -113,10 +98,11 @@ test('as many drives are told of a search as the core counts, or none where each
 });
 
 test('where seeds have numbers of drives of their own, none is written in their place', () => {
-  const survey = /** @type {any} */ ({ runs: Array(20), milliseconds: 300 });
+  const usual = experiment('velocity-limits');
+  const survey = /** @type {any} */ ({ experiment: usual, runs: Array(20), milliseconds: 300 });
   for (const words of [en, ko]) {
-    assert.match(words.invitation(20, 50, 1020), /1.?020/);
-    assert.doesNotMatch(words.invitation(20, 50, null), /null|NaN|1.?020/);
+    assert.match(words.invitation(usual, 20, 50, 1020), /1.?020/);
+    assert.doesNotMatch(words.invitation(usual, 20, 50, null), /null|NaN|1.?020/);
     assert.match(words.surveyNote({ ...survey, drives: 1020 }), /20.*2 × 1.?020/);
     assert.match(words.surveyNote({ ...survey, drives: null }), /^\D*20\D+0\.3/);
   }

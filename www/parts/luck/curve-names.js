@@ -49,15 +49,17 @@ export function drawLineNames(context, axes, model, y) {
   drawName(context, { text, x: frame.left - 50, y: 8 });
 }
 
-/** Names at the ends of the lines, also of one that lies above the plot. @param {Pick<SeedSurvey, 'generations' | 'paper'> & { summary: Pick<SeedSurvey['summary'], 'evolution' | 'random'> }} survey @param {(cost: number) => number} y @param {Pick<Axes['frame'], 'top'>} frame */
-export function namesOf({ summary: { evolution, random }, generations: last, paper: { cost } }, y, { top }) {
+/** Names at the ends of the lines, also of one that lies above the plot. @param {Pick<SeedSurvey, 'experiment' | 'generations' | 'paper'> & { summary: Pick<SeedSurvey['summary'], 'evolution' | 'random'> }} survey @param {(cost: number) => number} y @param {Pick<Axes['frame'], 'top'>} frame */
+export function namesOf({ experiment, summary, generations: last, paper: { cost } }, y, { top }) {
+  const { evolution, random } = summary;
+  const own = words.isRandom(experiment) ? words.randomLine : words.evolutionLine;
   const nameAt = (/** @type {string} */ name, /** @type {number} */ at, /** @type {number} */ aside) => ({
     text: y(at) > top ? name : lab.above(name),
     y: y(at) + aside,
   });
   return [
-    nameAt(words.randomLine, random.high[last], -11),
-    { ...nameAt(words.evolutionLine, evolution.high[last], -11), token: '--ink', isStrong: true },
+    ...(own === words.randomLine ? [] : [nameAt(words.randomLine, random.high[last], -11)]),
+    { ...nameAt(own, evolution.high[last], -11), token: '--ink', isStrong: true },
     ...(Number.isFinite(cost) ? [nameAt(words.paperLine, cost, cost > random.high[last] ? -11 : 10)] : []),
   ];
 }

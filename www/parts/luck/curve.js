@@ -42,6 +42,9 @@ const columnTop = 22;
 /** Width of a column of dots: as much as the plot can give. @param {Size} size */
 const columnOf = ({ width }) => Math.round(Math.min(84, Math.max(58, 0.15 * width)));
 
+/** Random search is not beside itself. @param {SeedSurvey} survey */
+const columnsIn = ({ experiment }) => (words.isRandom(experiment) ? 1 : 2);
+
 /** @param {HTMLElement} root @param {{ onPoint: (index: number) => void, onChoose: (index: number) => void }} on */
 export function createSeedCurve(root, { onPoint, onChoose }) {
   /** @type {Column[]} */
@@ -73,7 +76,7 @@ export function createSeedCurve(root, { onPoint, onChoose }) {
 function axesOf(size, model) {
   const frame = frameIn(size, {
     top: columnTop,
-    right: model.survey ? 2 * (columnOf(size) + gap) : 112,
+    right: model.survey ? columnsIn(model.survey) * (columnOf(size) + gap) : 112,
   });
   return {
     frame,
@@ -119,9 +122,10 @@ function drawSurvey(context, axes, model) {
   within(context, frame, () => {
     if (survey) {
       const { random, evolution } = survey.summary;
-      drawBand(context, points(random.high), points(random.low), '--muted', 0.17);
+      const isBeside = columnsIn(survey) === 2;
+      if (isBeside) drawBand(context, points(random.high), points(random.low), '--muted', 0.17);
       drawBand(context, points(evolution.high), points(evolution.low), '--ink', 0.17);
-      drawCurve(context, points(random.median), { token: '--muted', width: 1.5, dash: [6, 4] });
+      if (isBeside) drawCurve(context, points(random.median), { token: '--muted', width: 1.5, dash: [6, 4] });
       drawCurve(context, points(evolution.median), { token: '--ink', width: 2.5 });
     }
     if (lab) drawCurve(context, points(lab.costs), { token: '--ink', width: 1, dash: [2, 3] });
@@ -159,11 +163,12 @@ export function rangeOf(model) {
   return [low - 0.1 * room, high + 0.04 * room];
 }
 
-/** The dots at the end of the curves: evolution's, then random search's. @param {Size} size @param {Axes} axes @param {SeedSurvey} survey @param {SeedCurveModel} model @returns {Column[]} */
-function columnsOf(size, axes, { summary }, model) {
+/** The dots at the end of the curves: evolution's, then random search's; or only those. @param {Size} size @param {Axes} axes @param {SeedSurvey} survey @param {SeedCurveModel} model @returns {Column[]} */
+function columnsOf(size, axes, survey, model) {
   const y = placeOf(axes, model);
   const column = columnOf(size);
-  return [summary.costs, summary.randomCosts].map((costs, i) => ({
+  const { costs: own, randomCosts } = survey.summary;
+  return [own, randomCosts].slice(0, columnsIn(survey)).map((costs, i) => ({
     left: axes.frame.right + gap + i * (column + gap),
     dots: stackDots(costs.map(y), diameterOf(costs.length), column),
   }));
@@ -178,7 +183,7 @@ function drawColumns(context, columns, index) {
       along,
     ]);
     if (index >= 0) drawRing(context, left + dots.away[index], dots.along[index]);
-    const text = isOwn ? words.evolutionHead : words.randomHead;
+    const text = isOwn && columns.length > 1 ? words.evolutionHead : words.randomHead;
     drawName(context, { text, x: left - 3, y: 8, token: isOwn ? '--ink' : '--muted', isStrong: isOwn });
   }
 }

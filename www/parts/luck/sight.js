@@ -34,7 +34,12 @@ export function sight(state, index, fresh, on) {
   const result = surveyOf(state);
   const finding = result
     ? words.finding(result)
-    : words.invitation(luck.count, luck.generations, drivesOf(state.experiment, luck.generations));
+    : words.invitation(
+        state.experiment,
+        luck.count,
+        luck.generations,
+        drivesOf(state.experiment, luck.generations),
+      );
   return html`
     <div class="heading">
       <h2 id="luck-title">${texts.luckTitle}</h2>

@@ -4,6 +4,9 @@ import { fixed, powerOfTen as shortPower } from '../../../words/numbers.js';
 
 /** @typedef {'start' | 'goal' | 'limits' | 'settings'} Change */
 
+/** Random search, beside which there is none. @param {SeedSurvey['experiment']} experiment */
+export const isRandom = ({ evolution }) => evolution.method === 'random';
+
 export const costSymbol = 'J';
 
 /** @param {number} power */

@@ -1,7 +1,7 @@
 // Every word of the luck part.
 /** @import { SeedSurvey } from '../request.js' */
 /** @import { Change } from './common.js' */
-import { gainNames } from './common.js';
+import { gainNames, isRandom } from './common.js';
 import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 
 export * from './common.js';
@@ -34,15 +34,15 @@ export const countChoice = (count) => `${count} seeds`;
 export const generationsChoice = (generations) => `${generations} generations`;
 
 /** @param {SeedSurvey} survey */
-export const surveyNote = ({ runs, drives, milliseconds }) =>
-  `${countChoice(runs.length)}${drives === null ? '' : `, 2 × ${grouped(drives)} drives each,`} in ${milliseconds < 100 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)} s`}`;
+export const surveyNote = ({ experiment, runs, drives, milliseconds }) =>
+  `${countChoice(runs.length)}${drives === null ? '' : `, ${isRandom(experiment) ? '' : '2 × '}${grouped(drives)} drives each,`} in ${milliseconds < 100 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)} s`}`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `the lab: seed ${seed}, generation ${generation}`;
 
-/** What a press will do. @param {number} count @param {number} generations @param {number | null} drives */
-export const invitation = (count, generations, drives) =>
-  `One run is one throw of the dice. Run ${count} seeds: each evolves from other random robots for ${generations} generations, and beside it random search tries as many gains${drives === null ? '' : `, ${grouped(drives)} drives each`}.`;
+/** What a press will do. @param {SeedSurvey['experiment']} experiment @param {number} count @param {number} generations @param {number | null} drives */
+export const invitation = (experiment, count, generations, drives) =>
+  `One run is one throw of the dice. Run ${count} seeds: ${isRandom(experiment) ? `with each random search draws other robots for ${generations} generations` : `each evolves from other random robots for ${generations} generations, and beside it random search tries as many gains`}${drives === null ? '' : `, ${grouped(drives)} drives each`}.`;
 
 /** @param {number} progress @param {number} count */
 export const progressText = (progress, count) => `${Math.floor(progress * count)} of ${count} seeds`;
@@ -78,7 +78,7 @@ export function finding({ experiment, runs, generations, summary }) {
   const { final, finalRandom, randomWins, overtakes } = summary;
   const evolution = `After ${generations} generations half of the ${runs.length} seeds have J ${costText(final.median)} or lower, the unluckiest ${costText(final.most)}.`;
   // It is what is beside it.
-  if (experiment.evolution.method === 'random') return evolution;
+  if (isRandom(experiment)) return evolution;
   const random = `Random search with as many drives ends at ${costText(finalRandom.median)} (median) and is better for ${seedsText(randomWins)}`;
   const isThere = overtakes > 0 && overtakes < generations;
   return `${evolution} ${random}${isThere ? `; evolution’s median is there at generation ${overtakes}` : ''}.`;

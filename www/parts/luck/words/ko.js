@@ -1,7 +1,7 @@
 // Every word of the luck part, in Korean.
 /** @import { SeedSurvey } from '../request.js' */
 /** @import { Change } from './common.js' */
-import { gainNames } from './common.js';
+import { gainNames, isRandom } from './common.js';
 import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
@@ -35,15 +35,15 @@ export const countChoice = (count) => `시드 ${count}개`;
 export const generationsChoice = (generations) => `${generations}세대`;
 
 /** @param {SeedSurvey} survey */
-export const surveyNote = ({ runs, drives, milliseconds }) =>
-  `${countChoice(runs.length)}${drives === null ? '' : `, 각각 주행 2 × ${grouped(drives)}회`}, ${milliseconds < 100 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)}초`}`;
+export const surveyNote = ({ experiment, runs, drives, milliseconds }) =>
+  `${countChoice(runs.length)}${drives === null ? '' : `, 각각 주행 ${isRandom(experiment) ? '' : '2 × '}${grouped(drives)}회`}, ${milliseconds < 100 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)}초`}`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `실험실: 시드 ${seed}, ${generation}세대`;
 
-/** What a press will do. @param {number} count @param {number} generations @param {number | null} drives */
-export const invitation = (count, generations, drives) =>
-  `한 번의 실행은 주사위를 한 번 던진 것과 같습니다. 시드 ${count}개를 실행해 보십시오. 시드마다 다른 무작위 로봇이 ${generations}세대 동안 진화하고, 무작위 탐색도 같은 수의 이득을 시험합니다${drives === null ? '' : `(각각 주행 ${grouped(drives)}회)`}.`;
+/** What a press will do. @param {SeedSurvey['experiment']} experiment @param {number} count @param {number} generations @param {number | null} drives */
+export const invitation = (experiment, count, generations, drives) =>
+  `한 번의 실행은 주사위를 한 번 던진 것과 같습니다. 시드 ${count}개를 실행해 보십시오. ${isRandom(experiment) ? `시드마다 무작위 탐색이 ${generations}세대 동안 다른 로봇을 뽑습니다` : `시드마다 다른 무작위 로봇이 ${generations}세대 동안 진화하고, 무작위 탐색도 같은 수의 이득을 시험합니다`}${drives === null ? '' : `(각각 주행 ${grouped(drives)}회)`}.`;
 
 /** @param {number} progress @param {number} count */
 export const progressText = (progress, count) => `시드 ${count}개 중 ${Math.floor(progress * count)}개`;
@@ -70,7 +70,7 @@ export function finding({ experiment, runs, generations, summary }) {
   const { final, finalRandom, randomWins, overtakes } = summary;
   const evolution = `${generations}세대 뒤, 시드 ${runs.length}개 중 절반의 J는 ${costText(final.median)} 이하이고, 가장 운 나쁜 시드의 J는 ${costText(final.most)}입니다.`;
   // It is what is beside it.
-  if (experiment.evolution.method === 'random') return evolution;
+  if (isRandom(experiment)) return evolution;
   const isThere = overtakes > 0 && overtakes < generations;
   const overtaken = isThere
     ? ` 진화의 중앙값은 ${overtakes}세대에 이미 무작위 탐색의 중앙값에 이릅니다.`
