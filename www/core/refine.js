@@ -14,6 +14,8 @@ export function createRefining({ counts, compute, onResult, onFailure }) {
   let running = null;
   /** @type {{ spec: S, level: number } | null} */
   let done = null;
+  /** @type {S | null} */
+  let failed = null;
 
   /** @param {S} spec @param {number} level */
   const ask = async (spec, level) => {
@@ -25,8 +27,8 @@ export function createRefining({ counts, compute, onResult, onFailure }) {
       onResult(result);
     } catch (error) {
       if (running !== own || (error instanceof DOMException && error.name === 'AbortError')) return;
-      // Asked for no more: the picture stays, and the page says why.
-      done = { spec, level: last };
+      // Asked for no more, until it is retried: the picture stays, and the page says why.
+      failed = spec;
       onFailure(error);
     } finally {
       if (running === own) running = null;
@@ -36,11 +38,17 @@ export function createRefining({ counts, compute, onResult, onFailure }) {
   return {
     /** The same object as spec means the same picture. @param {S} spec @param {boolean} moving */
     follow(spec, moving) {
+      if (spec === failed) return;
       const level = done?.spec === spec ? done.level + 1 : 0;
       if (level > last || (level > 0 && moving)) return;
       // What is not the last is short and is let end, so that pictures keep coming while the goal is dragged.
       if (running && (running.spec === spec || running.level < last)) return;
       ask(spec, level);
+    },
+
+    /** What failed may be asked for once more. */
+    retry() {
+      failed = null;
     },
   };
 }

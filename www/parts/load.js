@@ -35,6 +35,7 @@ export function createParts(parts, tools, onLoaded) {
   const pages = new Map();
   /** @type {Map<string, Promise<void>>} */
   const loading = new Map();
+  let opened = '';
 
   /** @param {Part} part */
   async function load(part) {
@@ -62,6 +63,8 @@ export function createParts(parts, tools, onLoaded) {
 
     /** Loads the page of a part, unless that is done or under way. Resolves when it is there or cannot be. @param {string} name */
     open(name) {
+      if (name !== opened) pages.get(name)?.retry?.();
+      opened = name;
       const part = parts.find((one) => one.name === name);
       if (part && !loading.has(name)) loading.set(name, load(part));
       return loading.get(name);

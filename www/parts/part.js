@@ -15,6 +15,7 @@
  * @typedef {object} Page
  * @property {HTMLElement} element What it shows, which stands in the page since then.
  * @property {(state: State, scene: Scene) => void} draw At every change of the state, while it is open.
+ * @property {() => void} [retry] When it is opened again: what could not be computed may be asked for once more.
  * @property {(state: State, seconds: number) => void} [tick] At every frame, while it is open.
  * @property {(state: State) => ChosenDrives | null} [drives] What drives on the plane in the place of the population.
  */

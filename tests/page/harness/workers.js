@@ -18,3 +18,24 @@ export const holdWorkers = (page, most = 0) =>
 
 /** From now on they hear again what is asked then. @param {Page} page */
 export const releaseWorkers = (page) => page.evaluate(() => dispatchEvent(new Event('workers-hear')));
+
+/** From now on no worker can be started, and `window.refused` counts how often one was wanted. @param {Page} page */
+export const blockWorkers = (page) =>
+  page.evaluate(() => {
+    const { Worker } = window;
+    Object.assign(window, { refused: 0 });
+    window.Worker = /** @type {typeof Worker} */ (
+      /** @type {unknown} */ (
+        class {
+          constructor() {
+            /** @type {{ refused: number }} */ (/** @type {unknown} */ (window)).refused += 1;
+            throw new Error('blocked');
+          }
+        }
+      )
+    );
+    addEventListener('workers-start', () => Object.assign(window, { Worker }), { once: true });
+  });
+
+/** From now on they can. @param {Page} page */
+export const allowWorkers = (page) => page.evaluate(() => dispatchEvent(new Event('workers-start')));

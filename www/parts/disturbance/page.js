@@ -27,6 +27,7 @@ export function createPage(tools) {
 
   return {
     element,
+    retry: requests.retry,
     draw(state, scene) {
       const { tried, theme } = state;
       const { error, measured, message } = disturbanceSlice.of(state);
@@ -39,7 +40,7 @@ export function createPage(tools) {
           html`
             <div class="heading">
               <h2 id="disturbance-title">${words.texts.disturbanceTitle}</h2>
-              <p id="disturbance-note" class=${message ? 'field-error' : 'muted'}>${message ? words.failed(message) : words.kindText(tried)}</p>
+              <p id="disturbance-note" class=${message ? 'field-error' : 'muted'}>${message ? words.failed(message, measured !== null) : words.kindText(tried)}</p>
             </div>
             ${controlsOf(tried, error)} ${tableOf(measured && summaryOf(measured))}`,
           element,

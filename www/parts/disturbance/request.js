@@ -64,7 +64,7 @@ export function createRequests(engine, store) {
       update({ measured: { spec, runs, disturbed, calm }, message: '' });
     } catch (error) {
       isRunning = false;
-      // Asked for no more: what was measured last stays, and the page says why.
+      // Asked for no more, until it is retried: what was measured last stays, and the page says why.
       update({ message: messageOf(error) });
     }
   };
@@ -76,6 +76,10 @@ export function createRequests(engine, store) {
       asked = spec;
       isRunning = true;
       ask(spec);
+    },
+
+    retry() {
+      if (disturbanceSlice.of(store.get()).message) asked = null;
     },
   };
 }

@@ -68,6 +68,7 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
+    retry: requests.retry,
     draw(state, scene) {
       const model = modelOf();
       const { spec, cursor } = model;

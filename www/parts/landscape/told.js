@@ -12,7 +12,7 @@ import { countOutside } from './view.js';
 
 /** @param {LandscapeState} landscape @param {Spec} spec */
 export function noteText({ result, message }, spec) {
-  if (message) return words.failed(message);
+  if (message) return words.failed(message, result !== null);
   if (result?.spec !== spec) return words.computing;
   return words.drivesText(result.costs.length * spec.experiment.starts.length, result.milliseconds);
 }

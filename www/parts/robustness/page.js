@@ -42,6 +42,7 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
+    retry: requests.retry,
     draw(state, scene) {
       const { survey, heading, quantity, half, cursor, lit } = robustnessSlice.of(state);
       const spec = specOf(state, state.driver);

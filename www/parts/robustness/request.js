@@ -55,7 +55,7 @@ export function createSurveyRequests(engine, store) {
   const rival = createRefining({
     counts: [fine],
     compute,
-    onResult: (survey) => robustnessSlice.update(store, { rival: survey }),
+    onResult: (survey) => robustnessSlice.update(store, { rival: survey, message: '' }),
     onFailure,
   });
 
@@ -65,6 +65,11 @@ export function createSurveyRequests(engine, store) {
       own.follow(spec, moving);
       const { survey } = robustnessSlice.of(store.get());
       if (survey?.spec === spec && isFine(survey) && !moving) rival.follow(compared, false);
+    },
+
+    retry() {
+      own.retry();
+      rival.retry();
     },
   };
 }

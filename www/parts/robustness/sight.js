@@ -62,6 +62,9 @@ export function createSight(element, store) {
       return;
     const nameOf = (/** @type {State['driver']} */ driver) => lab.driverName(driver, generation, state.found);
     const follows = hasMovingReference(spec.experiment);
+    const compared = rival?.spec === rivalSpec ? rival.tally.share : null;
+    // Nobody waits for what could not be computed.
+    const isOver = own.message !== '' && compared === null;
     if (follows) ofSurvey = { share: words.none, summary: words.tracking, sides: '' };
     else if (survey?.spec === spec)
       ofSurvey = {
@@ -72,9 +75,7 @@ export function createSight(element, store) {
     const shown = {
       ...ofSurvey,
       note: noteText(own, spec),
-      rival: follows
-        ? ''
-        : words.rivalText(nameOf(comparisonDriver), rival?.spec === rivalSpec ? rival.tally.share : null),
+      rival: follows || isOver ? '' : words.rivalText(nameOf(comparisonDriver), compared),
       readout: readoutText(state, scene),
       ring: (spec.experiment.disturbance.kind === 'random' ? words.ownDraws : words.ring)(
         headings,
@@ -123,7 +124,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
 
 /** @param {RobustnessState} robustness @param {Spec} spec */
 function noteText({ survey, message }, spec) {
-  if (message) return words.failed(message);
+  if (message) return words.failed(message, survey !== null);
   if (survey?.spec !== spec) return words.computing;
   return words.startsText(survey.runs.arrived.length, survey.milliseconds);
 }

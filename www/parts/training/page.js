@@ -58,6 +58,7 @@ export function createPage({ engine, store, actions, paper }) {
 
   return {
     element,
+    retry: training.retry,
     draw(state, { driving }) {
       const sets = training.setsOf(state.experiment);
       const rows = rowsOf(state);
@@ -232,7 +233,9 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
             ? words.invitation(experiment.starts.length)
             : ep.result
               ? words.question(ep.result)
-              : words.driving
+              : message
+                ? ''
+                : words.driving
     }</p>
     ${tableOf(rows, spread, chosenOf(state), { unseen: unseenCount, own: experiment.starts.length, follows }, choose)}
     <div class="training-pictures picture" data-picture="training" data-name=${words.texts.trainingPicture}>

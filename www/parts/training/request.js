@@ -115,6 +115,7 @@ export function createTraining(engine, store, paper) {
   const attempts = createAttempts(update);
   /** @param {import('./state.js').Work} begun @param {Parameters<typeof attempts.begin>[0]} work */
   const begin = (begun, work) => {
+    given.retry();
     update({ begun });
     return attempts.begin(work);
   };
@@ -135,6 +136,8 @@ export function createTraining(engine, store, paper) {
 
   return {
     setsOf,
+
+    retry: given.retry,
 
     /** @param {State} state */
     follow(state) {

@@ -36,8 +36,9 @@ export const kindText = ({ kind, seed }) =>
     slip: 'δ1 and δ2 are added to v and ω, the same at every sample',
   })[kind];
 
-/** @param {string} message */
-export const failed = (message) => `These are the last that could be measured: ${message}`;
+/** @param {string} message @param {boolean} kept */
+export const failed = (message, kept) =>
+  `${kept ? 'These are the last that could be measured' : 'This could not be computed'}: ${message}`;
 
 /** @param {PartName} part */
 export const axisUnit = (part) => (unitOf[part] ? ` in ${unitOf[part]}` : '');

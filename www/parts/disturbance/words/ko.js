@@ -36,8 +36,9 @@ export const kindText = ({ kind, seed }) =>
     slip: 'v와 ω에 각각 δ1과 δ2를 더합니다. 모든 샘플에서 같습니다',
   })[kind];
 
-/** @param {string} message */
-export const failed = (message) => `마지막으로 계산된 결과입니다: ${message}`;
+/** @param {string} message @param {boolean} kept */
+export const failed = (message, kept) =>
+  `${kept ? '마지막으로 계산된 결과입니다' : '계산하지 못했습니다'}: ${message}`;
 
 /** @param {number} starts */
 export const startsText = (starts) => `다른 출발점 ${starts}개`;

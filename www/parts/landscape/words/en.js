@@ -27,8 +27,9 @@ export const drivesText = (drives, milliseconds) =>
 
 export const computing = 'the robots are driving …';
 
-/** @param {string} message */
-export const failed = (message) => `The landscape is the last that could be computed: ${message}`;
+/** @param {string} message @param {boolean} kept */
+export const failed = (message, kept) =>
+  `${kept ? 'The landscape is the last that could be computed' : 'This could not be computed'}: ${message}`;
 
 /** @param {string} who Empty for the cursor. @param {string} gains @param {Run} run @param {string} outcome @param {boolean} isOneOfMany J is from the first start, the map from all. */
 export const readout = (who, gains, run, outcome, isOneOfMany) =>

@@ -26,8 +26,9 @@ export const drivesText = (drives, milliseconds) => `주행 ${grouped(drives)}�
 
 export const computing = '로봇이 주행하고 있습니다…';
 
-/** @param {string} message */
-export const failed = (message) => `마지막으로 계산된 비용 지형입니다: ${message}`;
+/** @param {string} message @param {boolean} kept */
+export const failed = (message, kept) =>
+  `${kept ? '마지막으로 계산된 비용 지형입니다' : '계산하지 못했습니다'}: ${message}`;
 
 /** @param {string} who Empty for the cursor. @param {string} gains @param {Run} run @param {string} outcome @param {boolean} isOneOfMany J is from the first start, the map from all. */
 export const readout = (who, gains, run, outcome, isOneOfMany) =>

@@ -38,8 +38,9 @@ export const startsText = (starts, milliseconds) =>
 export const tracking = 'The reference moves: no drive ends by arriving.';
 export const computing = 'the robots are driving …';
 
-/** @param {string} message */
-export const failed = (message) => `The map could not be computed anew: ${message}`;
+/** @param {string} message @param {boolean} kept */
+export const failed = (message, kept) =>
+  `${kept ? 'The map could not be computed anew' : 'This could not be computed'}: ${message}`;
 
 /** What follows the share. @param {string} name */
 export const summary = (name) => `arrive with ${withArticle(name)}`;

@@ -38,8 +38,9 @@ export const startsText = (starts, milliseconds) =>
 export const tracking = '기준 자세가 움직이므로 도착으로 끝나는 주행이 없습니다.';
 export const computing = '로봇이 주행하고 있습니다…';
 
-/** @param {string} message */
-export const failed = (message) => `지도를 새로 계산하지 못했습니다: ${message}`;
+/** @param {string} message @param {boolean} kept */
+export const failed = (message, kept) =>
+  `${kept ? '지도를 새로 계산하지 못했습니다' : '계산하지 못했습니다'}: ${message}`;
 
 /** What follows the share. @param {string} name */
 export const summary = (name) => `도착: ${name}`;
