@@ -31,6 +31,14 @@ let wasmModule, wasmInstance, wasm = absent;`,
     'function __wbg_finalize_init(instance, module) {',
     'function __wbg_finalize_init(instance, module) {\n    if (wasm !== absent) return wasm;',
   ],
+  // What is no core is not kept, so that another can be loaded.
+  [
+    'wasm = instance.exports;\n    wasmModule = module;',
+    `if (typeof instance.exports.__wbindgen_start !== 'function' || typeof instance.exports.evaluate !== 'function')
+        throw new Error('ep-locomotion: what init() was given is not its core');
+    wasm = instance.exports;
+    wasmModule = module;`,
+  ],
   [
     '({module_or_path} = module_or_path)',
     'module_or_path = module_or_path.module ?? module_or_path.module_or_path',

@@ -60,7 +60,8 @@ const PARTIAL: &str = "\
  */
 export type PartialExperiment = {
   [K in keyof Experiment]?: K extends 'starts' ? readonly Partial<Posture>[] | Float64Array
-    : Experiment[K] extends unknown[] ? Experiment[K]
-    : Experiment[K] extends object ? Partial<Experiment[K]> : Experiment[K];
+    : Experiment[K] extends object ? {
+      readonly [F in keyof Experiment[K]]?: Experiment[K][F] extends unknown[] ? Readonly<Experiment[K][F]> : Experiment[K][F];
+    } : Experiment[K];
 };
 ";

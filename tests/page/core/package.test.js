@@ -146,6 +146,23 @@ test('a call before the core is ready says so, and init takes bytes by either na
   }
 });
 
+test('init takes the address of its file, and after what is no core another', async () => {
+  await install();
+  const several = `import init, { evaluate } from 'ep-locomotion';
+    const file = import.meta.resolve('ep-locomotion/ep_locomotion_bg.wasm');
+    const other = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0);
+    for (const module of [Uint8Array.of(1), other])
+      await init({ module }).catch((error) => console.log(error.message));
+    await init({ module: FILE });
+    console.log(evaluate({}, [1, 2, 3]).length);`;
+  for (const file of ['file', 'new URL(file)', 'Promise.resolve(file)', 'undefined']) {
+    await writeFile(join(project, 'several.js'), several.replace('FILE', file));
+    const printed = execFileSync(process.execPath, ['several.js'], { cwd: project, encoding: 'utf8' });
+    const [, said, count] = printed.trim().split('\n');
+    assert.deepEqual([said, count], ['ep-locomotion: what init() was given is not its core', '1'], file);
+  }
+});
+
 test('the types show no name of the inside of the core', async () => {
   await install();
   const types = await readFile(join(installed, 'pkg', 'ep_locomotion.d.ts'), 'utf8');

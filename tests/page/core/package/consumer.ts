@@ -45,6 +45,12 @@ exactly<number | null>()(e.limits.speed);
 exactly<[number, number, number]>()(e.weights.final);
 exactly<Experiment>()(experiment({ horizon: 5, goal: { x: 1 } }));
 
+const frozen = {
+  goal: { x: 3 },
+  weights: { final: [1, 1, 1] },
+  evolution: { initialRange: [0, 5] },
+} as const;
+exactly<Experiment>()(experiment(frozen));
 exactly<Experiment>()(experiment({ horizon: 5 }, 'acceleration-limits'));
 exactly<Experiment>()(experiment('acceleration-limits', { horizon: 5 }));
 exactly<LinkedRun>()(openLink('lab&seed=7'));
