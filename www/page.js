@@ -196,7 +196,7 @@ async function start(engine) {
   // At once, because the next frame may be late.
   show();
   followSurroundings(actions, show);
-  embed?.begin();
+  embed?.begin(address.problems);
   loop.request();
   /** After the first picture, which was asked for before this, of a run that has come as far as its link says or is being computed. */
   const sayReady = () => {

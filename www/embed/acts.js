@@ -16,9 +16,6 @@ export const sliceMilliseconds = 12;
 
 /** Of one message: whether a pause has ended it, and what is done once what it sets has begun. @typedef {{ isEnded: () => boolean, begun: () => void }} Turn */
 
-/** @type {Turn} */
-const alone = { isEnded: () => false, begun() {} };
-
 /**
  * @param {Parts} parts
  * @param {{ announce: () => void, remember: () => void, hasFailed: () => boolean }} figure It announces what is new, or remembers it as told, until the core has failed.
@@ -31,8 +28,9 @@ export function createActs({ engine, store, actions, links }, { announce, rememb
   };
 
   /** Lets a run begin, and come as far as its link says, without the frames of the page: where nobody sees it there are none. */
-  const arrive = async ({ isEnded } = alone) => {
+  const arrive = async (/** @type {Turn} */ { isEnded, begun }) => {
     await actions.whenIdle();
+    begun();
     while (store.get().catchingUp && store.get().evolving && !hasFailed() && !isEnded()) {
       const end = performance.now() + sliceMilliseconds;
       actions.evolve(() => performance.now() < end);
@@ -51,7 +49,6 @@ export function createActs({ engine, store, actions, links }, { announce, rememb
     if (store.get().experiment !== opened.experiment) throw new Error(store.get().message || words.givenUp);
     // It is the host's doing.
     remember();
-    turn.begun();
     await arrive(turn);
     actions.standAt(Number.POSITIVE_INFINITY);
     announce();

@@ -21,6 +21,7 @@
 import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
 import { frameName } from '../kit/host.js';
+import { createComplaints } from './complaints.js';
 import { sheet } from './element-style.js';
 import { isHeight, leastHeight, mostHeight, version } from './frame.js';
 import { allowed } from './frame-line.js';
@@ -49,18 +50,20 @@ class EpLocomotion extends HTMLElement {
 
   #root = this.attachShadow({ mode: 'open' });
   #frame = document.createElement('iframe');
-  #problem = document.createElement('p');
+  #complaints = createComplaints((message) => this.#tell('error', { message }));
   #questions = createQuestions();
   #isPlaced = false;
   /** How long what is in the frame may be silent: longer, once it has said that it is a figure. */
   #patience = longestSilence;
-  /** Whether a figure of any version is ready. */
+  /** Whether a figure of any version has spoken that can be asked. */
   #isHeard = false;
+  /** Whether it can be asked: its run may still be on its way. */
+  #hears = false;
   #isReady = false;
   /** Why no figure will answer. */
   #refusal = '';
   #wantedHeight = 0;
-  /** Of the figure that is ready: nobody else is heard in its place. @type {string | null} */
+  /** Of the figure that hears: nobody else is heard in its place. @type {string | null} */
   #origin = null;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #silence;
@@ -70,11 +73,10 @@ class EpLocomotion extends HTMLElement {
   constructor() {
     super();
     this.#root.adoptedStyleSheets = [sheet];
-    this.#problem.setAttribute('role', 'alert');
     this.#frame.name = frameName;
     this.#frame.allow = allowed;
     this.#frame.addEventListener('load', () => this.#listen(this.#patience));
-    this.#root.append(this.#problem);
+    this.#root.append(this.#complaints.element);
   }
 
   /** What the figure told last as a whole; read() asks for it anew. */
@@ -103,10 +105,7 @@ class EpLocomotion extends HTMLElement {
       this.#questions.giveUp(this.#words.replaced);
       this.#open();
     } else if (name === 'link') this.#follow();
-    else {
-      this.#complain('');
-      this.#dress();
-    }
+    else this.#dress();
   }
 
   /** @param {Setting} what */
@@ -134,7 +133,7 @@ class EpLocomotion extends HTMLElement {
   handleEvent({ source, origin, data }) {
     if (source !== this.#frame.contentWindow || typeof data?.ep !== 'number') return;
     if (this.#origin !== null && origin !== this.#origin) return;
-    if (data.type === 'loading') {
+    if (data.type === 'loading' && !data.hears) {
       // Also what is loaded anew in the same frame.
       this.#await(longestLoading);
       return this.#listen(longestLoading);
@@ -143,21 +142,26 @@ class EpLocomotion extends HTMLElement {
     clearTimeout(this.#silence);
     if (data.ep !== version) return this.#refuse(this.#words.otherVersion(data.ep, version));
     const { ep, type, id, ...told } = data;
+    if (type === 'loading') return this.#begin(origin);
     const question = this.#questions.take(id);
     if (type === 'height') {
       this.#wantedHeight = isHeight(told.height) ? told.height : 0;
       return this.#dress();
     }
     // Nobody has asked for it: so it begins badly, and says to whoever asks whether it goes on.
-    if (type === 'error' && id === undefined && !this.#isReady) {
-      this.#begin(origin);
-      return this.#complain(String(told.message));
+    const isBad = type === 'error' && id === undefined && !this.#isReady;
+    if (isBad || type === 'ready') {
+      // What is ready once more was loaded anew.
+      if (this.#isReady || !this.#hears) this.#begin(origin);
+      this.#isReady = true;
     }
-    if (type === 'ready') this.#begin(origin);
+    if (isBad) return this.#complaints.say('refusal', String(told.message));
     if (type === 'ready' || type === 'state') this.#state = told;
     if (type === 'error') question?.reject(new Error(told.message));
     else question?.resolve(told);
     if (events.includes(type)) this.#tell(type, told);
+    if (type === 'ready') this.#complaints.say('link', [told.problems ?? []].flat().join(' '));
+    if (type === 'state' && question?.message.type === 'set') this.#complaints.beginAnew();
   }
 
   get #words() {
@@ -172,7 +176,7 @@ class EpLocomotion extends HTMLElement {
 
   #open() {
     this.#close();
-    this.#complain('');
+    this.#complaints.beginAnew();
     this.#dress();
     const src = this.getAttribute('src') ?? 'index.html';
     const base = this.hasAttribute('src') ? document.baseURI : here;
@@ -204,6 +208,7 @@ class EpLocomotion extends HTMLElement {
   #await(longest) {
     this.#patience = longest;
     this.#isHeard = false;
+    this.#hears = false;
     this.#isReady = false;
     this.#refusal = '';
   }
@@ -222,16 +227,15 @@ class EpLocomotion extends HTMLElement {
   /** No figure will answer here, unless one begins all the same. @param {string} why */
   #refuse(why) {
     this.#refusal = why;
-    this.#complain(why);
+    this.#complaints.say('refusal', why);
     this.#questions.giveUp(why);
   }
 
   /** The figure can hear: now, or again when it was loaded anew. @param {string} origin */
   #begin(origin) {
-    this.#complain('');
-    this.#dress();
+    this.#complaints.say('refusal', '');
     this.#refusal = '';
-    this.#isReady = true;
+    this.#hears = true;
     this.#origin = origin;
     for (const message of this.#questions.open()) this.#post(message);
   }
@@ -240,8 +244,8 @@ class EpLocomotion extends HTMLElement {
   async #follow() {
     const figure = this.#frame.contentWindow;
     const said = await this.set({ link: this.#link }).then(({ problems }) => problems.join(' '), String);
-    // Another opens it by itself.
-    if (figure === this.#frame.contentWindow) this.#complain(said);
+    // Another opens it by itself; that no figure answers is said.
+    if (figure === this.#frame.contentWindow && !this.#refusal) this.#complaints.say('link', said);
   }
 
   /** @param {object} question @returns {Promise<Report>} */
@@ -249,7 +253,7 @@ class EpLocomotion extends HTMLElement {
     if (this.#refusal) return Promise.reject(new Error(this.#refusal));
     const { message, answer } = this.#questions.ask(question);
     this.#frame.loading = 'eager';
-    if (this.#isReady) this.#post(message);
+    if (this.#hears) this.#post(message);
     else if (this.#silence === undefined) this.#listen(longestLoading);
     return answer;
   }
@@ -271,14 +275,9 @@ class EpLocomotion extends HTMLElement {
     const text = this.getAttribute('height');
     const height = Number(text ?? this.#wantedHeight);
     const isWrong = text !== null && !isHeight(height);
-    if (isWrong) this.#complain(this.#words.noHeight(leastHeight, mostHeight, text.slice(0, 40)));
+    const wrong = isWrong ? this.#words.noHeight(leastHeight, mostHeight, text.slice(0, 40)) : '';
+    this.#complaints.say('height', wrong);
     this.#frame.style.height = height > 0 && !isWrong ? `${height}px` : '';
-  }
-
-  /** Says in sight what the page's author has wrong, or no longer. @param {string} message */
-  #complain(message) {
-    this.#problem.textContent = message && `<ep-locomotion>: ${message}`;
-    if (message) this.#tell('error', { message });
   }
 
   /** @param {string} type @param {object} detail */

@@ -12,8 +12,9 @@
 // What is told of a drive belongs to the rest of the state: where the robot cannot be driven, the answer is an error. They are
 // done and answered in the order in which they came. But what reads waits only until what was set before has begun, what is
 // refused here waits for nothing, and a pause ends what was asked before it, the answers to which tell how far that came.
-// To <ep-locomotion> the figure first says { type: 'loading' }, from loading.js, while the rest of it is still on its way.
-// By itself the figure says { type: 'ready' } with its state when it can be spoken to, { type: 'generation' } with the
+// To <ep-locomotion> the figure first says { type: 'loading' }, from loading.js, while the rest of it is still on its way, and
+// { type: 'loading', hears: true } once it can be asked. Its own link is the first thing that it does: by itself the figure says
+// { type: 'ready' } with its state once it has come as far as that says, or a pause has ended it, { type: 'generation' } with the
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height. A figure that
 // cannot be ready says { type: 'error', message } in its place; where the core has failed, each question is answered by that.
 // What its user does it tells as { type: 'drive', driver, gains, cost, arrived, finalTime, drives } when other gains drive,
@@ -28,7 +29,7 @@
 /** @import { Seen } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Store } from '../run/store.js' */
-/** @import { Problems } from './acts.js' */
+/** @import { Problems, Turn } from './acts.js' */
 /** @import { Said, Type } from './told.js' */
 import { isLost, messageOf } from '../words/errors.js';
 import { drivesOf } from '../run/state.js';
@@ -97,42 +98,49 @@ export function createMessages(parts, send) {
   /** Resolves once what was set last has begun, or was refused. */
   let hasBegun = Promise.resolve();
 
+  /** @param {(turn: Turn) => Promise<void>} act @param {boolean} begins Whether what reads waits until it has begun. */
+  function doInTurn(act, begins) {
+    asked += 1;
+    const own = asked;
+    let begun = () => {};
+    const beginning = new Promise((resolve) => (begun = () => resolve(undefined)));
+    if (begins) hasBegun = beginning;
+    return inOrder(() => act({ isEnded: () => paused > own, begun }).finally(begun));
+  }
+
   /** @template {Type} T @param {{ type: T, said: Said[T] }} message @param {object} named */
   function take({ type, said }, named) {
     if (type === 'read') {
       const begun = hasBegun;
       return reading(() => begun.then(() => answer(() => [], named)));
     }
-    asked += 1;
-    const own = asked;
     if (type === 'pause') {
-      paused = own;
+      paused = asked + 1;
       leaveOff();
     }
-    let begun = () => {};
-    const beginning = new Promise((resolve) => (begun = () => resolve(undefined)));
-    if (type === 'set') hasBegun = beginning;
-    const turn = { isEnded: () => paused > own, begun };
-    inOrder(() => answer(() => acts[type](said, turn), named).finally(begun));
+    return doInTurn((turn) => answer(() => acts[type](said, turn), named), type === 'set');
+  }
+
+  /** @param {readonly string[]} problems @param {Turn} turn */
+  async function begin(problems, turn) {
+    try {
+      send({ type: 'ready', ...(await reportOf(() => arrive(turn).then(() => problems))) });
+    } catch (error) {
+      if (isLost(error)) reportError(error);
+      // That it has failed is said.
+      if (hasFailed()) return;
+      refuse(error, {});
+    }
+    remember();
+    isReady = true;
+    announce();
   }
 
   return {
     announce,
 
-    /** Once the run is there. */
-    async ready() {
-      try {
-        send({ type: 'ready', ...(await reportOf(() => arrive().then(() => []))) });
-      } catch (error) {
-        if (isLost(error)) reportError(error);
-        // That it has failed is said.
-        if (hasFailed()) return;
-        refuse(error, {});
-      }
-      remember();
-      isReady = true;
-      announce();
-    },
+    /** Once the run is there, or as much of it as a pause has left. @param {readonly string[]} [problems] of its link */
+    ready: (problems = []) => doInTurn((turn) => begin(problems, turn), true),
 
     /** @param {unknown} message Whatever came. */
     hear(message) {
@@ -233,6 +241,7 @@ function inTurn() {
   };
   return (/** @type {() => Promise<void>} */ act) => {
     done = done.then(() => take(act));
+    return done;
   };
 }
 

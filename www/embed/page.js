@@ -5,7 +5,7 @@ import { noExercise } from '../run/exercise.js';
 import { caughtUp } from '../run/state.js';
 import { watch } from '../kit/memo.js';
 import { embed as words, texts } from '../words/index.js';
-import { addressOf } from '../kit/host.js';
+import { addressOf, isHeldByElement } from '../kit/host.js';
 import { version, wantedHeight } from './frame.js';
 import { createMessages } from './messages.js';
 import { idIn, isForFigure, shortError } from './told.js';
@@ -63,9 +63,11 @@ export function createEmbed(parts) {
   new ResizeObserver(tellHeight).observe(byId('exercise'));
 
   return {
-    /** Once the address is opened. */
-    async begin() {
-      await messages.ready();
+    /** Once the address is opened. @param {readonly string[]} problems What it has wrong. */
+    async begin(problems) {
+      const ready = messages.ready(problems);
+      if (isHeldByElement) post({ ep: version, type: 'loading', hears: true });
+      await ready;
       hasBegun = true;
       tellHeight();
     },

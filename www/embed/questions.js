@@ -2,7 +2,7 @@
 /** @import { Report } from './messages.js' */
 import { version } from './frame.js';
 
-/** @typedef {{ ep: number, id: number }} Message and what is asked. */
+/** @typedef {{ ep: number, id: number, type?: string }} Message and what is asked. */
 /** @typedef {{ message: Message, resolve: (report: Report) => void, reject: (reason: unknown) => void }} Question */
 
 export function createQuestions() {

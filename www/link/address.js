@@ -16,6 +16,9 @@ import { mostOfWho } from '../run/variant.js';
 import { link as words } from '../words/index.js';
 import { language, languageOfAddress } from '../words/language.js';
 
+/** The host's “back” is not for what happens within a frame. */
+const onward = isEmbedded ? 'replaceState' : 'pushState';
+
 /** In milliseconds, after which a change is written: browsers refuse an address that changes more often. */
 const pauses = { atRest: 400, evolving: 2000 };
 
@@ -50,8 +53,6 @@ function createLinkTo({ engine, store, links, firstPage }) {
 export function createAddress({ engine, store, actions, links, slices, firstPage }) {
   const { linkFor, linkNow, wayTo } = createLinkTo({ engine, store, links, firstPage });
   const changed = watch();
-  /** The host's “back” is not for what happens within a frame. */
-  const onward = isEmbedded ? 'replaceState' : 'pushState';
   /** The page is about to be loaded again, and what is laid beside its address stays there. */
   const away = { leaves: false };
   /** None where the address still tells of the run before. @type {string | null} */
@@ -65,7 +66,8 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     // The words are chosen when the page loads.
     if (spoken !== language) {
       const isThisRun = asked === other.pressed() || asked === linkFor(store.get(), spoken);
-      return speak({ store, actions, slices }, away, isThisRun, () => written ?? linkFor(store.get()));
+      speak({ store, actions, slices }, away, isThisRun, () => written ?? linkFor(store.get()));
+      return [];
     }
     written = asked;
     const { opened: run, problems } = links.openLink(asked || firstPage, engine, whoAsked());
@@ -74,6 +76,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     if (kept) goOnAs(kept, actions);
     actions.openLinked(opened, problems, newest);
     if (evolving && !store.get().catchingUp) actions.toggleEvolution();
+    return problems;
   };
 
   const write = () => {
@@ -103,9 +106,12 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   addEventListener('popstate', () => {
     if (location.hash.slice(1) !== written) open();
   });
-  open();
+  const problems = open();
 
   return {
+    /** What was wrong with the first link, in words. */
+    problems,
+
     /** Opens a link of this page, as if it had been followed. An exercise goes on. @param {string} link */
     go(link) {
       history[onward](null, '', `#${withExercise(link, store.get(), engine.experiment)}`);

@@ -3,33 +3,10 @@ import assert from 'node:assert/strict';
 import * as en from '../../../www/words/en/element.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
-import { ask, heardFrom, serveHost, within } from '../harness/host.js';
+import { ask, heardFrom, within } from '../harness/host.js';
 import { serve } from '../harness/server.js';
 import { withTrap } from '../harness/trap.js';
-
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
-/** Opens a page of another host with what stands in it. @param {Page} page @param {string} html @param {(address: string) => Promise<void>} body */
-async function inPage(page, html, body) {
-  const errors = `<script>
-    errors = [];
-    addEventListener('error', ({ message }) => errors.push(message));
-    addEventListener('unhandledrejection', ({ reason }) => errors.push(String(reason)));
-  </script>`;
-  const host = await serveHost(`${errors}${html}<script type="module" src="/dist/embed.js"></script>`);
-  try {
-    await page.visit(host.address);
-    await body(host.address);
-    assert.deepEqual(await page.evaluate(() => Reflect.get(window, 'errors')), []);
-  } finally {
-    await page.leave();
-    host.close();
-  }
-}
-
-/** @param {Page} page @param {string} id */
-const isReady = (page, id) =>
-  page.until(`${id} is ready`, (name) => Reflect.get(document.getElementById(name) ?? {}, 'state'), id);
+import { inPage, isReady } from './element.js';
 
 engineTest(
   'a figure that is removed while it computes leaves nothing behind, and begins anew',

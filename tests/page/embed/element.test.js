@@ -8,45 +8,7 @@ import * as en from '../../../www/words/en/element.js';
 import * as ko from '../../../www/words/ko/element.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, historyOf } from '../harness/core.js';
-import { serveHost } from '../harness/host.js';
-
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
-/** Opens a page of another host that has the element. @param {Page} page @param {string} html @param {(address: string) => Promise<void>} body */
-async function inPage(page, html, body) {
-  const host = await serveHost(`${html}<script type="module" src="/dist/embed.js"></script>`);
-  try {
-    await page.visit(host.address);
-    await body(host.address);
-  } finally {
-    await page.leave();
-    host.close();
-  }
-}
-
-/** Does something with an element of the page; what comes back goes as text, for one driver changes the last digit of some numbers. @param {Page} page @param {string} id @param {string} code an expression of the element, `it` */
-const use = async (page, id, code) =>
-  JSON.parse(
-    await page.evaluate(
-      async (name, text) => {
-        const it = document.getElementById(name);
-        const result = await new Function('it', `return (async () => ${text})()`)(it).catch(
-          (/** @type {Error} */ { message }) => ({ refused: message }),
-        );
-        return JSON.stringify(result ?? null);
-      },
-      id,
-      code,
-    ),
-  );
-
-/** What an element has in sight above its figure. @param {Page} page @param {string} id */
-const complaint = (page, id) =>
-  page.evaluate((name) => document.getElementById(name)?.shadowRoot?.querySelector('p')?.innerText, id);
-
-/** @param {Page} page @param {string} id */
-const isReady = (page, id) =>
-  page.until(`${id} is ready`, (name) => Reflect.get(document.getElementById(name) ?? {}, 'state'), id);
+import { complaint, inPage, isReady, use } from './element.js';
 
 engineTest('an element shows a figure, does what its page asks, and tells what comes of it', async (page) => {
   const html = `
@@ -215,7 +177,7 @@ pageTest('a figure says that it is on its way, and who says so is given time', a
     );
     assert.equal(await complaint(page, 'slow'), '');
     await isReady(page, 'own');
-    assert.deepEqual((await use(page, 'own', 'said')).slice(0, 2), ['loading', 'ready']);
+    assert.deepEqual((await use(page, 'own', 'said')).slice(0, 3), ['loading', 'loading', 'ready']);
     assert.equal(await complaint(page, 'own'), '');
   });
 });

@@ -264,3 +264,24 @@ test('of a run that goes on the drive is told with the generation that it belong
   assert.deepEqual([generation, generations, link], [2, 3, 'lab&v=1&seed=4&generation=2']);
   assert.deepEqual(drive.gains, statistics.best.gains);
 });
+
+test('a figure on its way to the generation of its link can be asked, and a pause ends it', async () => {
+  const { messages, asked, said } = figureOf({ link: `lab&v=1&seed=7&generation=${most}` });
+  const ready = messages.ready(['it was ignored']);
+  const { experiment: begun, generations } = await asked({ type: 'read' });
+  assert.equal(begun.evolution.seed, 7);
+  assert.ok(generations < most);
+  const open = ['step', 'read', 'pause'].map((type) => asked({ type }));
+  await Promise.all([ready, ...open]);
+  const told = said.filter(({ type, id }) => type !== 'generation' && id !== 1 && id !== 3);
+  assert.deepEqual(
+    told.map(({ type, id, problems, evolving }) => [type, id, problems, evolving]),
+    [
+      ['ready', undefined, ['it was ignored'], false],
+      ['state', 2, [], false],
+      ['state', 4, [], false],
+    ],
+  );
+  for (const one of told) assert.equal(one.generations, told[0].generations);
+  assert.ok(told[0].generations < most);
+});
