@@ -1,5 +1,6 @@
-// The first link of an element, which may ask for much, or be wrong, and what is said of the later ones.
+// The first link of an element, which may ask for much, or be wrong, what is said of the later ones, and what its page must allow.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import * as en from '../../../www/words/en/element.js';
 import { pageTest } from '../harness/browsers.js';
 import { complaint, inPage, isReady, use } from './element.js';
@@ -120,4 +121,21 @@ pageTest('what is wrong is said of each thing as long as it is wrong, and told o
       3,
     );
   });
+});
+
+pageTest('the policy that the document asks of a page is enough', async (page) => {
+  const document = await readFile(new URL('../../../docs/embedding.md', import.meta.url), 'utf8');
+  const [, policy = ''] = /^Content-Security-Policy: (.*your\.host.*)$/m.exec(document) ?? [];
+  assert.match(policy, /script-src.*frame-src/);
+  const { origin } = new URL(page.site.address);
+  const strict = "; style-src 'none'; require-trusted-types-for 'script'; trusted-types 'none'";
+  const html = (/** @type {string} */ value) => `
+    <meta http-equiv="Content-Security-Policy" content="${value}">
+    <ep-locomotion id="own" src="${page.site.address}" link="lab&amp;v=1&amp;seed=7"></ep-locomotion>`;
+  const allowed = policy.replaceAll('https://your.host', `'self' ${origin}`);
+  for (const more of ['', strict])
+    await inPage(page, html(allowed + more), async () => {
+      await isReady(page, 'own');
+      assert.equal(await complaint(page, 'own'), '');
+    });
 });

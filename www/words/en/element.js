@@ -6,7 +6,8 @@ export const label = 'Evolving a robot’s controller';
 export const noAddress = (src) => `src must be the address of the page, not “${src}”`;
 
 /** @param {string} address */
-export const silent = (address) => `no figure answers at ${address}: the files of dist/ must be there`;
+export const silent = (address) =>
+  `no figure answers at ${address}: the files of dist/ must be there, and the policy of this page must allow the frame (frame-src, Cross-Origin-Embedder-Policy)`;
 
 /** @param {number} found @param {number} own */
 export const otherVersion = (found, own) =>

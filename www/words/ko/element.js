@@ -7,7 +7,7 @@ export const noAddress = (src) => `src는 페이지의 주소여야 하며, 받�
 
 /** @param {string} address */
 export const silent = (address) =>
-  `${address}에서 그림이 응답하지 않습니다. dist/의 파일이 그곳에 있어야 합니다`;
+  `${address}에서 그림이 응답하지 않습니다. dist/의 파일이 그곳에 있어야 하고, 이 페이지의 정책(frame-src, Cross-Origin-Embedder-Policy)이 프레임을 허용해야 합니다`;
 
 /** @param {number} found @param {number} own */
 export const otherVersion = (found, own) =>
