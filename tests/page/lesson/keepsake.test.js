@@ -50,6 +50,7 @@ pageTest(
     await page.until('no step is in the address', () => /^#landscape(?!.*lesson=)/.test(location.hash));
     await page.driver.navigate().refresh();
     await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+    await page.until('it can be handed in', () => document.getElementById('hand-in'));
     await page.click('#hand-in');
     const receipt = await page.until(
       'the receipt',

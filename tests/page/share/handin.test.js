@@ -201,6 +201,7 @@ pageTest('what is still computed when the sheet is closed is not handed in', asy
     );
     await inFigure(async () => {
       await page.until('it computes', () => document.getElementById('computing')?.checkVisibility());
+      await page.until('it can be handed in', () => document.getElementById('hand-in'));
       await page.click('#hand-in');
       await page.until('the sheet waits', () => document.getElementById('handin-status'));
       await page.click('#handin-close');

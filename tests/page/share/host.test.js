@@ -32,6 +32,7 @@ pageTest('a hand-in tells its host J as it is judged', async (page) => {
   const link = `lab&v=1&goal.x=1&given=velocity-limits&drives=hand&gains=${gains}&task=x&aim=J%3C8.1&who=s1`;
   await inHost(page, frameOf(page, link, 800, 600), async () => {
     await within(page, 0, async () => {
+      await page.until('it can be handed in', () => document.getElementById('hand-in'));
       await page.click('#hand-in');
       await page.until('the receipt is there', () => document.getElementById('handin-text'));
     });
