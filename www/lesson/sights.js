@@ -1,4 +1,5 @@
 // Where there is no room for all of the figure beside the words, it shows one sight: the robot, what the step is about, or the gains. It stays over the words; in a frame it stands beside them sooner.
+import { byId } from '../kit/elements.js';
 import { createSegmented } from '../kit/segmented.js';
 import { parts } from '../parts/parts.js';
 import { lab } from '../words/index.js';
@@ -71,7 +72,9 @@ export function createSights(fieldset) {
     /** Shows what a question is about, now and in what it opens. @param {Sight} sight */
     look(sight) {
       wanted = sight;
-      if (!offered.includes(sight)) return;
+      // Who sees the robot already keeps what stands beside it.
+      const isSeen = sight === 'robot' && byId('plane').checkVisibility();
+      if (isSeen || !offered.includes(sight)) return;
       chosen = sight;
       draw();
       show();

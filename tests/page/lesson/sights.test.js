@@ -165,12 +165,22 @@ pageTest('on a telephone the figure turns to what a question, a try or a word op
     ['generation', '[data-try="lucky"]', 'part'],
     ['limits', '[data-try="raised"]', 'part'],
     ['stability', '[data-try="track"]', 'robot'],
+    ['law', '#quiz-beside .choice:first-child', 'robot'],
+    ['law', '#quiz-ahead .choice:first-child', 'robot'],
+    ...['onlyKx', 'onlyKt', 'onlyKy', 'all', 'stuck', 'shuffle'].map(
+      (name) => /** @type {const} */ (['law', `[data-try="${name}"]`, 'robot']),
+    ),
   ])) {
     await page.open(`#lesson&step=${step}`);
     assert.equal(await seen(), 'stage', step);
     await page.evaluate((one) => /** @type {HTMLElement} */ (document.querySelector(one)).click(), press);
     assert.equal(await seen(), sight, `${step} ${press}`);
   }
+  // Where the robot stands under the bars, both stay.
+  await page.resize(600, 900);
+  await page.open('#lesson&step=law');
+  await page.click('[data-try="shuffle"]');
+  assert.equal(await seen(), 'stage');
 });
 
 engineTest(
