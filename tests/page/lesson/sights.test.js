@@ -142,6 +142,24 @@ pageTest(
   },
 );
 
+pageTest('on a telephone the lines under the map stand under each other, each in full', async (page) => {
+  await page.resize(390, 844);
+  await page.open('#lesson&step=landscape');
+  const [lowest, readout] = await page.until('both are there', () => {
+    const lines = ['lowest', 'readout'].map((name) => document.getElementById(`landscape-${name}`));
+    return (
+      lines.every((line) => line?.textContent?.trim()) &&
+      lines.map((line) => {
+        const { top = 0, bottom = 0 } = line?.getBoundingClientRect() ?? {};
+        return { top, bottom, cut: (line?.scrollHeight ?? 0) - (line?.clientHeight ?? 0) };
+      })
+    );
+  });
+  assert.ok(readout.top >= lowest.bottom, `${readout.top}, ${lowest.bottom}`);
+  // An index may hang out below.
+  assert.ok(lowest.cut <= 4 && readout.cut <= 4, `${lowest.cut}, ${readout.cut}`);
+});
+
 pageTest('on a telephone each drive of a generation is as large as on a laptop', async (page) => {
   await page.resize(390, 844);
   await page.open('#lesson&step=generation');
