@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { pushesOf } from '../../../www/lesson/views/push-terms.js';
 import { law as step } from '../../../www/lesson/steps/law.js';
 import { law as words } from '../../../www/lesson/words/en/law.js';
+import { law as korean } from '../../../www/lesson/words/ko/law.js';
 import { signed } from '../../../www/words/numbers.js';
 import { pageTest } from '../harness/browsers.js';
 import { experiment, paperGains } from '../harness/core.js';
@@ -94,6 +95,20 @@ test('with all three it arrives, and what the law asks for is far beyond the lim
   const most = fastestOf(all);
   assert.ok(Math.abs(most.command.angular) > 1000);
   assert.equal(Math.abs(most.velocity.angular), 2 * Math.PI);
+});
+
+test('what the text tells of 3, 8, 5 is of the drive that its words open', () => {
+  const told = step.values?.(/** @type {any} */ ({ engine })) ?? {};
+  for (const { texts } of [words, korean]) {
+    const [, link] = /\]\((lab[^)]+)\)/.exec(texts.sideways) ?? [];
+    assert.ok(link, texts.sideways);
+    const { command, velocity, time } = fastestOf(seen(link).all);
+    const now = [command.angular, velocity.angular].map((turn) => Math.abs(turn));
+    assert.deepEqual(
+      [told.most, told.at, told.leaves],
+      [signed(now[0], 0), time.toFixed(2), signed(now[1], 2)],
+    );
+  }
 });
 
 test('beside the goal nothing moves without ky; with it the robot goes to and fro, and over', () => {
