@@ -2,6 +2,8 @@
 import assert from 'node:assert/strict';
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import { landscape as step } from '../../../www/lesson/steps/landscape.js';
+import { landscape as en } from '../../../www/lesson/words/en/landscape.js';
+import { landscape as ko } from '../../../www/lesson/words/ko/landscape.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
 import { driven, linkOf, opened, shownIn } from './links.js';
@@ -96,7 +98,7 @@ test('along ky the lowest point is at the border, behind which stands a wall', a
   assert.ok(outcome.wall.cost.total > outcome.middle.cost.total && outcome.wall.cost.penalty > 9);
 });
 
-test('most generations leave the best where it is; the paper’s gains lie in the valley', () => {
+test('most generations leave the best where it is; of the paper’s gains those of EP lie in the valley', () => {
   const { generation } = opened(tryOf('landscape', 'walked'));
   const evolution = new Evolution(own);
   let moves = 0;
@@ -109,7 +111,16 @@ test('most generations leave the best where it is; the paper’s gains lie in th
   assert.ok(moves > 10 && moves < generation / 2, `${moves} moves`);
   // It finds what there is to find.
   assert.ok(best < 1.001 * evaluate(own, [3.2, 0, 4.35])[0]);
-  assert.ok(evaluate(own, paperGains('velocity-limits', 'ep'))[0] < 1.05 * least);
+  // As they are, and where they stand on the map.
+  for (const onMap of [false, true]) {
+    const [ep, arbitrary] = /** @type {const} */ (['ep', 'arbitrary']).map((name) => {
+      const [kx, third, ktheta] = paperGains('velocity-limits', name);
+      return evaluate(own, [kx, onMap ? ky : third, ktheta])[0];
+    });
+    assert.ok(ep < 1.05 * least && arbitrary > 1.05 * least, `${ep}, ${arbitrary}`);
+  }
+  const said = [en, ko].map(({ notice }) => notice.at(-1) ?? '');
+  for (const text of said) assert.match(text, /EP.*(arbitrary|임의)/);
 });
 
 test('in the gorge the population is stuck, though J falls on', () => {

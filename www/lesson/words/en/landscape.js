@@ -51,7 +51,7 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
     'Most of the time the best stands still. Now and then an offspring lands on better ground, and the line jumps.',
     'The thin cross through a dot shows its step sizes σ. In the gorge they have shrunk to nothing: the robots see no way on, though {J} falls to the left.',
     'The dots have a {ky} of their own, so the colour under a dot is not quite its {J}.',
-    'The gains of the paper lie in this valley too, though the paper does not tell its weights.',
+    'The paper’s EP gains lie in the valley too, though the paper does not tell its weights. Its arbitrary gains do not.',
   ],
 };
 
