@@ -16,13 +16,13 @@ import {
 } from '../../kit/chart.js';
 import { pointIn } from '../../kit/map.js';
 import { remember } from '../../kit/memo.js';
-import { drawAxisNames, drawName, gutterOf, isNarrow } from '../../kit/names.js';
+import { drawAxisNames, drawName, isNarrow } from '../../kit/names.js';
 import { styles } from '../../run/pins.js';
 import { drawCosts } from './contest-costs.js';
 import { drivesOn, manySharesOf, sharesOf } from './contest-courses.js';
 import { drawEnds } from './contest-ends.js';
 import { createHandle } from './contest-handles.js';
-import { drawNamesAt, powersIn } from './contest-marks.js';
+import { drawNamesAt, gutterFor, powersIn } from './contest-marks.js';
 import words from './words/index.js';
 
 /** @typedef {{ contest: Contest | null, standings: Standings | null, budget: number, reading: LuckState['reading'], theme: number }} ContestChartModel */
@@ -65,7 +65,10 @@ const drivesUpTo = remember(drivesOn);
 
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {ContestChartModel} model @returns {Grips} */
 function draw(context, size, { contest, standings, budget, reading }) {
-  const whole = { ...frameIn(size, { top: 20, right: gutterOf(size) }), hasNames: !isNarrow(size) };
+  const whole = {
+    ...frameIn(size, { top: 20, right: gutterFor(context, size, standings) }),
+    hasNames: !isNarrow(size),
+  };
   const there = contest && standings?.lowest ? { contest, standings, lowest: standings.lowest.cost } : null;
   if (reading === 'ends' && there) return { target: drawEnds(context, whole, there), until: null };
   const drives = drivesUpTo(contest?.budget ?? budget);

@@ -1,9 +1,11 @@
 // What the pictures of a contest have in common: round distances, and the names at the ends of the lines.
 /** @import { Frame, Stroke } from '../../kit/chart.js' */
+/** @import { Size } from '../../kit/canvas.js' */
 /** @import { Standings } from './contest-summary.js' */
 import { drawCurve } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
-import { drawName, spreadBeside } from '../../kit/names.js';
+import { textFont } from '../../kit/fonts.js';
+import { drawName, gutterOf, isNarrow, spreadBeside } from '../../kit/names.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
 import words from './words/index.js';
@@ -24,6 +26,9 @@ export function powersIn([from, to], height = Infinity) {
 /** @param {readonly number[]} powers */
 export const powerNames = (powers) => powers.map((power) => words.powerOfTen(Math.round(Math.log10(power))));
 
+/** In pixels, from the end of a line to its name. */
+const aside = 8;
+
 /** A line from one side to the other. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {number} py @param {Stroke} stroke */
 export function drawLevel(context, { left, right }, py, stroke) {
   const ends = /** @type {const} */ ([
@@ -35,6 +40,15 @@ export function drawLevel(context, { left, right }, py, stroke) {
 }
 
 /** With room for names at its right. @typedef {Frame & { hasNames: boolean }} NamedFrame */
+
+/** The room that the names at the right need. @param {CanvasRenderingContext2D} context @param {Size} size @param {Standings | null} standings */
+export function gutterFor(context, size, standings) {
+  const usual = gutterOf(size);
+  if (isNarrow(size) || !standings) return usual;
+  context.font = textFont;
+  const widths = standings.lines.map(({ name }) => context.measureText(words.shortName(name)).width);
+  return Math.max(usual, ...widths.map((width) => aside + width + 6));
+}
 
 /** At the right edge; a line that is not there has no height. @param {CanvasRenderingContext2D} context @param {NamedFrame} frame @param {Standings} standings @param {readonly number[]} heights */
 export function drawNamesAt(context, frame, standings, heights) {
@@ -51,5 +65,5 @@ export function drawNamesAt(context, frame, standings, heights) {
   if (!frame.hasNames) return;
   spreadBeside(places, frame);
   for (const { text, y, style } of places)
-    drawName(context, { text, x: frame.right + 8, y, token: style.token });
+    drawName(context, { text, x: frame.right + aside, y, token: style.token });
 }

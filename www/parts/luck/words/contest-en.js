@@ -82,7 +82,7 @@ const shortNames = {
   random: 'random',
   de: 'DE',
   'cma-es-7': 'CMA-ES with 7',
-  'cma-es-7-mirror': 'mirrored CMA-ES with 7',
+  'cma-es-7-mirror': 'mirrored CMA-ES',
   'one-at-a-time': 'one at a time',
   hand: 'as by hand',
   'finite-differences': 'differences',

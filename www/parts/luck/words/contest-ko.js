@@ -75,8 +75,8 @@ const shortNames = {
   hand: '손으로 하듯',
   random: '무작위',
   de: 'DE',
-  'cma-es-7': 'CMA-ES, 7번',
-  'cma-es-7-mirror': 'CMA-ES, 7번, 뒤집기',
+  'cma-es-7': 'CMA-ES(7번)',
+  'cma-es-7-mirror': 'CMA-ES(뒤집기)',
 };
 
 /** @param {Contestant | null} name */
