@@ -4,9 +4,11 @@ import { contestOf } from '../../../www/parts/luck/contest-asked.js';
 import { standingsOf } from '../../../www/parts/luck/contest-summary.js';
 import { luckSlice } from '../../../www/parts/luck/state.js';
 import { contest as step, sideOf } from '../../../www/lesson/steps/contest.js';
+import { contest as en } from '../../../www/lesson/words/en/contest.js';
+import { contest as ko } from '../../../www/lesson/words/ko/contest.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution } from '../harness/core.js';
-import { engine, opened, shownIn } from './links.js';
+import { engine, evolved, opened, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
@@ -83,6 +85,15 @@ test('its ellipse has shrunk where J is not lowest; both remedies help', async (
   // As many drives as with twenty trials a generation.
   assert.ok(Math.abs((generation + 1) * 7 - 20 * 20) <= 10);
   const [, seven, mirrored, twenty] = (await ran(tryOf('contest', 'remedies')))();
+  // The two that the text opens show the same, after as many drives.
+  for (const { texts } of [en, ko]) {
+    const links = [...texts.ellipse.matchAll(/\]\((landscape[^)]+)\)/g)].slice(1).map(([, link]) => link);
+    const [mirror, more] = links.map(evolved);
+    for (const { experiment, generation } of [mirror, more])
+      assert.ok(Math.abs((generation + 1) * experiment.evolution.population - 4000) <= 10, links.join());
+    const [one, other] = [mirror, more].map(({ evolution }) => evolution.population()[0].cost);
+    assert.ok(other < one && one < 7.76, `${other}, ${one}`);
+  }
   assert.ok(mirrored.reached > 1.5 * seven.reached && twenty.reached > 1.5 * mirrored.reached);
 });
 
@@ -128,6 +139,31 @@ pageTest('what is predicted runs in sight, and is answered from what stands ther
   );
   assert.ok(cells.length === 2 && cells.every((cell) => String(why).includes(String(cell))), cells.join());
   assert.deepEqual(await page.problems(), []);
+});
+
+pageTest('the names at the curves of a contest stand there whole', async (page) => {
+  await page.resize(1280, 800);
+  await page.open('#lesson&step=contest');
+  await page.evaluate(() => {
+    const write = CanvasRenderingContext2D.prototype.fillText;
+    /** @type {Map<string, number>} */
+    const over = new Map();
+    Object.assign(window, { over });
+    CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+      const { width } = this.canvas.getBoundingClientRect();
+      over.set(text, x + this.measureText(text).width - width);
+      write.call(this, text, x, y);
+    };
+  });
+  await page.click('.try[data-try="remedies"]');
+  const over = await page.until('all four names', () => {
+    const now = /** @type {any} */ (window).over;
+    const names = [...document.querySelectorAll('#contest-table [scope="row"]')].map(
+      ({ textContent }) => textContent?.trim() ?? '',
+    );
+    return names.length === 4 && names.every((name) => now.has(name)) && names.map((name) => now.get(name));
+  });
+  for (const one of over) assert.ok(one <= 0, `${over}`);
 });
 
 pageTest('what is tried runs at once, whatever ran before', async (page) => {

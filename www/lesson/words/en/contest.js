@@ -22,7 +22,7 @@ function rankText({ comparison, count }, name) {
 
 export const contest = {
   texts: {
-    begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel of step 9 what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for a generation of one may cost ten times as many drives as that of another.
+    begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel of step 9 what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for a generation of one may cost ten times as many drives as that of another. The first contestant is the paper’s EP, *as in the lab*.
 
 Two things can be asked of a run: how low is {J} when the drives are used up, or *how many drives until {J} is below a target*? Here it is the second: 7.72, a quarter of a percent above the best that is known.`,
     read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would be as uneven. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
@@ -31,7 +31,7 @@ Two things can be asked of a run: how low is {J} when the drives are used up, or
     budget: `Drag the *vertical* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: a run that has not reached the target by then mostly never does. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
     ellipse: `Why does CMA-ES, the famous one, lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it follows the best three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a wall: below {ky} = 0 there is the penalty.
 
-There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=55), or [let it try twenty](landscape&x=kx&y=ky&evolution.method=cma-es&generation=19) before it decides. Which helps more? The last of the things to try lets them run. So was it the method that lost, or whoever set it up?`,
+There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=570), or [let it try twenty](landscape&x=kx&y=ky&evolution.method=cma-es&generation=199) before it decides. Both are shown after 4\u202f000 drives. Which helps more? The last of the things to try lets them run; there the one that tries twenty is called *CMA-ES* alone. So was it the method that lost, or whoever set it up?`,
     next: `One task, one start, three gains: what wins here need not win elsewhere. The contest counts how *soon* a search finds what the cost asks for. Whether the cost asks for the right thing, no contest tells.`,
   },
   quizzes: {
@@ -82,10 +82,10 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     rivals: {
       question:
         'Two rivals with the same drives: *differential evolution* (DE), which takes its steps from the differences between its robots, and *CMA-ES*, the most famous of all, which learns the shape of the valley, with the seven trials a generation that its authors advise. Which needs the fewest drives to 7.72 (ERT)?',
-      choices: ['The paper’s EP', 'DE', 'CMA-ES'],
+      choices: ['The paper’s EP', 'DE', 'CMA-ES with 7'],
       /** @param {{ lines: Row[] }} outcome */
       why: ({ lines: [ep, de, cma] }) =>
-        `ERT is ${ertText(ep)} for EP, ${ertText(de)} for DE and ${ertText(cma)} for CMA-ES. Runs that get below the target: ${reachedText(ep)}, ${reachedText(de)} and ${reachedText(cma)}.`,
+        `ERT is ${ertText(ep)} for EP, ${ertText(de)} for DE and ${ertText(cma)} for CMA-ES with 7. Runs that get below the target: ${reachedText(ep)}, ${reachedText(de)} and ${reachedText(cma)}.`,
     },
   },
   tries: {
@@ -93,7 +93,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     crossover: 'Three more parts: crossover, Cauchy steps, each child against its own parent',
     robots: 'Six, twenty or a hundred robots, to {J} = 7.8',
     hand: 'One gain after the other, as a hand does with sliders that end at 0; the same without that end; and a simplex',
-    remedies: 'CMA-ES and its remedies',
+    remedies: 'CMA-ES with 7, and its two remedies',
   },
   notice: [
     'Of the other three parts only crossover is better as far as *51 runs* can tell: robots trade gains *and* step sizes. The paper has none.',
