@@ -16,6 +16,7 @@ import { noTally } from '../../../www/lesson/state.js';
 import { taskText } from '../../../www/lesson/duel/tally.js';
 import { swarm } from '../../../www/lesson/words/en.js';
 import { duel as words } from '../../../www/lesson/words/en/duel.js';
+import { duel as korean } from '../../../www/lesson/words/ko/duel.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evaluate, seedRuns, shown } from '../harness/core.js';
 import { contest, engine, evolvedBest, yard } from './duel-task.js';
@@ -75,6 +76,9 @@ test('who has the lowest J wins', async () => {
   assert.equal(judge(driven([12.99]), round).passed, 40);
   assert.equal(judge(driven([7]), round).passed, null);
   assert.equal(lowestOf([]), Number.POSITIVE_INFINITY);
+  // The line under the table says when that is, however far both have gone on.
+  const verdict = judge(driven([30]), round);
+  for (const { duel } of [words, korean]) assert.match(duel.caption(verdict), /20.*420/);
   assert.deepEqual(scoreOf({ ...driven([12.5, 15]), rounds: [round, round] }), {
     you: 2,
     evolution: 0,

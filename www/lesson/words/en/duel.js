@@ -39,7 +39,8 @@ Then evolution has its turn: {=count} robots for {=generations} generations, {=g
     drivesAxis: 'trials',
     costSymbol: 'J',
     /** @param {Verdict} verdict */
-    caption: ({ seed, generation }) => `Seed ${seed}. Evolution is at generation ${generation}.`,
+    caption: ({ seed, generation, given }) =>
+      `Seed ${seed}. What counts is evolution’s generation ${generation}, after ${trialsText(given)}.`,
     /** @param {Verdict} verdict */
     sentence: (verdict) => who(verdict),
     later,

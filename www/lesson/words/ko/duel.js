@@ -39,7 +39,8 @@ export const duel = {
     drivesAxis: '시도',
     costSymbol: 'J',
     /** @param {Verdict} verdict */
-    caption: ({ seed, generation }) => `시드 ${seed}. 진화는 ${generation}세대.`,
+    caption: ({ seed, generation, given }) =>
+      `시드 ${seed}. 승부는 진화의 ${generation}세대, ${trialsText(given)}에서 가립니다.`,
     /** @param {Verdict} verdict */
     sentence: (verdict) => who(verdict),
     later,
