@@ -1,6 +1,7 @@
 // What a formula reads with the numbers of now.
 import assert from 'node:assert/strict';
 import { lawFormula, rateFormula, robustFormula } from '../../../www/lesson/formulas/formulas.js';
+import { stability } from '../../../www/lesson/words/en/stability.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { liveOf } from './live.js';
@@ -79,6 +80,33 @@ pageTest(
     const moved = await clock();
     await amounts();
     assert.equal(await clock(), moved);
+  },
+);
+
+pageTest(
+  'where numbers stand under the terms they are told of, and under another law why none do',
+  async (page) => {
+    await page.open('#lesson&step=stability');
+    await page.click('#cancel-press');
+    const { amounts, otherLaw } = stability.cancel;
+    for (const [law, isNumber, told, untold] of /** @type {const} */ ([
+      ['shim-kim', true, amounts, otherLaw],
+      ['kanayama', false, otherLaw, amounts],
+    ])) {
+      await page.evaluate((to) => {
+        location.hash = location.hash.replace(/&law=[^&]*|$/, `&law=${to}`);
+      }, law);
+      await page.until(
+        `the numbers of ${law}`,
+        (wanted) => {
+          const spans = [...document.querySelectorAll('#cancel li span')];
+          return spans.length === 7 && spans.every(({ textContent }) => (textContent !== '') === wanted);
+        },
+        isNumber,
+      );
+      const said = String(await page.text('.cancel-said'));
+      assert.ok(said.includes(told) && !said.includes(untold), said);
+    }
   },
 );
 

@@ -9,7 +9,7 @@ import { piecesOf } from '../formulas/notation.js';
 import { mathml, symbol } from '../formulas/symbols.js';
 
 /** @import { Block, Live, Tools } from '../page.js' */
-/** @typedef {{ cancel: { label: string, said: readonly string[], presses: readonly string[], again: string } }} CancelWords */
+/** @typedef {{ cancel: { label: string, said: readonly string[], amounts: string, otherLaw: string, presses: readonly string[], again: string } }} CancelWords */
 
 const presses = 3;
 
@@ -52,7 +52,7 @@ export function createCancel({ store, actions }, { cancel: words }) {
       );
       render(
         html`<ul class="cancel-terms" aria-label=${words.label} ?hidden=${pressed === 0}>${items}</ul>
-          <p class="cancel-said" role="status">${words.said[pressed]}</p>
+          <p class="cancel-said" role="status">${words.said[pressed]} ${pressed === 1 ? (isTheLaw ? words.amounts : words.otherLaw) : ''}</p>
           <button id="cancel-press" type="button" class="primary" @click=${press}>${words.presses[pressed] ?? words.again}</button>`,
         element,
       );

@@ -24,10 +24,12 @@ export const stability = {
     label: 'The terms of the rate of V, with what they come to now',
     said: [
       'Three terms, and a law of five. Put it in:',
-      'Seven terms. The number under each is what it comes to at the robot’s clock; move it, and they change. Two of them contain ky and a division by sin θₑ.',
+      'Seven terms. Two of them contain ky and a division by sin θₑ.',
       'The two are the same, once with plus and once with minus: gone, and the division with them. That is what the term of ω with ky is for.',
       'The two with xₑ yₑ go the same way: that is why kx stands in ω. Three squares are left.',
     ],
+    amounts: 'The number under each term is what it comes to at the robot’s clock; move it, and they change.',
+    otherLaw: 'Now Kanayama’s rule drives, so no number stands under the terms of (5).',
     presses: ['Put the law in', 'Strike out the two with ky', 'Strike out the two with kx'],
     again: 'Once more',
   },
