@@ -96,6 +96,13 @@ pageTest(
           document.querySelector('.push-strip')?.checkVisibility()
         );
       });
+      const over = await page.evaluate(() => {
+        const [hint, picture] = ['.push-strip p', '.strip-picture svg'].map((one) =>
+          /** @type {Element} */ (document.querySelector(one)).getBoundingClientRect(),
+        );
+        return hint.bottom - picture.top;
+      });
+      assert.ok(over <= 0, `at ${width} × ${height} the words lie ${over} px over the curves`);
     }
     await page.resize(390, 844);
     await page.until(

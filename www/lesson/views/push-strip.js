@@ -33,7 +33,7 @@ const symbols = /** @type {const} */ ({ linear: ['v', 'of-energy'], angular: ['Ï
 /** @param {Tools} tools @param {StripWords} words */
 export function createStrip({ actions, store }, words) {
   const picture = create('div', 'strip-picture');
-  const element = create('div', 'push-strip', picture);
+  const element = create('div', 'push-strip', create('p', 'muted', words.stripHint), picture);
   const sizeOf = followSize(picture, () => store.redraw());
   const changed = watch();
   const over = remember(
@@ -59,8 +59,7 @@ export function createStrip({ actions, store }, words) {
           </svg>
           <input id="push-clock" type="range" min="0" step="0.01" aria-label=${words.strip} aria-valuetext=${text}
             .max=${String(finalTime)} .value=${liveValue(String(time))}
-            @input=${(/** @type {{ target: HTMLInputElement }} */ { target }) => actions.scrub(target.valueAsNumber)}>
-          <p class="muted">${words.stripHint}</p>`,
+            @input=${(/** @type {{ target: HTMLInputElement }} */ { target }) => actions.scrub(target.valueAsNumber)}>`,
         picture,
       );
     },
