@@ -120,6 +120,29 @@ pageTest('drives that take long stand in the table once they are there', async (
   assert.deepEqual((await standings(page)).totals, totals(long));
 });
 
+pageTest('what the dots and the pale lines mean stands over the four drives', async (page) => {
+  for (const [width, height, hasGains] of /** @type {const} */ ([
+    [1280, 800, true],
+    [390, 844, false],
+  ])) {
+    await page.resize(width, height);
+    await page.open('#lesson&step=6');
+    const [isSaid, isGiven] = await page.until('the four drives', () => {
+      const [caption, gains] = ['caption', '.standing-head .muted'].map((one) =>
+        document.querySelector(`#standings ${one}`),
+      );
+      return caption?.textContent && [caption, gains].map((one) => one?.checkVisibility());
+    });
+    assert.deepEqual([isSaid, isGiven], [true, hasGains], `${width} × ${height}`);
+    const cut = await page.evaluate(
+      () =>
+        [...document.querySelectorAll('.standing')].filter((one) => one.scrollHeight > one.clientHeight)
+          .length,
+    );
+    assert.equal(cut, 0);
+  }
+});
+
 pageTest('weights in the lesson change J and the winner, and are those of the settings', async (page) => {
   await page.open('#lesson&step=6');
   assert.deepEqual(await standings(page), { totals: totals(usual), winner: 0, drives: 3 });
