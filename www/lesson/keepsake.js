@@ -3,6 +3,7 @@ import { withStorage } from '../kit/tab.js';
 import { language } from '../words/language.js';
 import { noProgress, noTally, progressSlice } from './state.js';
 
+/** @import { Engine } from '../core/engine.js' */
 /** @import { Store } from '../run/store.js' */
 /** @import { Answer, Progress } from './state.js' */
 
@@ -21,13 +22,17 @@ export function textOf({ answers, tally, duel }) {
   });
 }
 
-/** What a text says of it; nothing of it is trusted. @param {string} text @returns {Progress} */
-export function progressOf(text) {
+/** @param {unknown} gains */
+const areGains = (gains) => Array.isArray(gains) && gains.length === 3 && gains.every(Number.isFinite);
+
+/** What a text says of it; nothing of it is trusted. @param {string} text @param {Pick<Engine, 'experiment'>} engine @returns {Progress} */
+export function progressOf(text, engine) {
   const { answers, tally, duel } = JSON.parse(text);
   const isAnswer = (/** @type {Answer} */ one) =>
     Number.isInteger(one.choice) && Number.isInteger(one.right) && typeof one.why === 'string';
   const isDriven = (/** @type {{ costs: unknown }} */ one) =>
     Array.isArray(one.costs) && one.costs.every((cost) => cost === null || typeof cost === 'number');
+  const isBest = (/** @type {any} */ one) => !one || (areGains(one.gains) && Number.isFinite(one.cost));
   if (!Object.values(answers).every(isAnswer)) return noProgress;
   const heard = Object.entries(answers).map(([key, { choice, right, why, said }]) => [
     key,
@@ -39,8 +44,13 @@ export function progressOf(text) {
     ...noProgress,
     answers: Object.fromEntries(heard),
     tally:
-      isDriven(tally) && typeof tally.experiment === 'string' ? whole({ ...noTally, ...tally }) : noTally,
-    duel: duel && isDriven(duel) && duel.experiment ? whole({ ...duel, rounds: [] }) : null,
+      isDriven(tally) && typeof tally.experiment === 'string' && [tally.best, tally.lowest].every(isBest)
+        ? whole({ ...noTally, ...tally })
+        : noTally,
+    duel:
+      duel && isDriven(duel) && (duel.gains === null || areGains(duel.gains))
+        ? whole({ ...duel, experiment: engine.experiment(duel.experiment), rounds: [] })
+        : null,
   };
 }
 
@@ -62,27 +72,27 @@ export function createPlace(article, lesson) {
   };
 }
 
-/** What is kept; nothing where somebody else has written it. */
-function keptByNow() {
+/** What is kept; nothing where somebody else has written it. @param {Pick<Engine, 'experiment'>} engine */
+function keptByNow(engine) {
   const text = withStorage((storage) => storage.getItem(key));
   try {
-    return text && text.length <= mostCharacters ? progressOf(text) : noProgress;
+    return text && text.length <= mostCharacters ? progressOf(text, engine) : noProgress;
   } catch {
     return noProgress;
   }
 }
 
-/** Brings back what there was, and keeps what comes. @param {Store} store */
-export function createKeepsake(store) {
+/** Brings back what there was, and keeps what comes. @param {Store} store @param {Pick<Engine, 'experiment'>} engine */
+export function createKeepsake(store, engine) {
   let kept = progressSlice.of(store.get());
-  const before = keptByNow();
+  const before = keptByNow(engine);
   if (before !== noProgress && kept === noProgress) progressSlice.update(store, before);
   return {
     /** @param {Progress} progress */
     follow(progress) {
       if (progress === kept) return;
       // Other figures of the same tab keep their answers there too.
-      const answers = { ...keptByNow().answers };
+      const answers = { ...keptByNow(engine).answers };
       for (const name of Object.keys(kept.answers)) delete answers[name];
       Object.assign(answers, progress.answers);
       kept = progress;

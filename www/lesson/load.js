@@ -29,7 +29,7 @@ export function askForLesson(hash) {
 export function createLesson(tools) {
   const article = byId('lesson');
   // Answers belong to what is handed in, also where no step is open.
-  const keepsake = createKeepsake(tools.store);
+  const keepsake = createKeepsake(tools.store, tools.engine);
   /** @type {{ draw: (state: State, scene: Scene) => void } | null} */
   let lesson = null;
   /** @type {Promise<void> | null} */

@@ -5,6 +5,7 @@
 /** @import { Pin } from '../run/pins.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Slice } from '../run/store.js' */
+import { plainText } from '../kit/text.js';
 import { lastGeneration } from '../run/pace.js';
 import { styles } from '../run/pins.js';
 import { drivers, finds } from '../run/state.js';
@@ -19,7 +20,6 @@ import {
   posture,
   postureText,
   triple,
-  wellFormed,
   wholeNumber,
 } from './values.js';
 
@@ -141,5 +141,5 @@ function pinOf(text, slot, usual, engine) {
   const gains = triple(gainsText);
   const experiment = engine.experiment(withChanges(usual, changes));
   engine.check(experiment, gains);
-  return { slot, name: wellFormed(name.slice(0, 80)), experiment, gains };
+  return { slot, name: plainText(name.slice(0, 80)), experiment, gains };
 }

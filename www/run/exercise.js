@@ -2,11 +2,15 @@
 /** @import { Aim, Scale } from './aim.js' */
 /** @import { State } from './state.js' */
 /** @import { Varied } from './variant.js' */
+import { remember } from '../kit/memo.js';
+import { tidyText } from '../kit/text.js';
 
 /** @typedef {typeof groupNames[number]} Group Controls that are locked or hidden together. */
-/** @typedef {'free' | 'locked' | 'hidden'} Way */
+/** @typedef {typeof ways[number]} Way From the freest on. */
 /** Of the groups, what is in both is hidden; `vary`: what is drawn for each student. @typedef {{ task: string, locked: readonly Group[], hidden: readonly Group[], aim: Aim | null, scale: Scale | null, vary: readonly Varied[] }} Exercise */
 /** @typedef {{ open: boolean, draft: Exercise }} MakerState An exercise in the making, which the page shows as it will be. */
+
+const ways = /** @type {const} */ (['free', 'locked', 'hidden']);
 
 export const groupNames = /** @type {const} */ ([
   'gains',
@@ -37,15 +41,7 @@ export const firstMaker = { open: false, draft: noExercise };
 /** A task is read beside the figure: longer ones belong on a page of their own. In UTF-16 units, as fields count them. */
 export const mostOfTask = 300;
 
-/** In one line, without what is no text or turns text around. @param {string} text */
-export const tidyTask = (text) =>
-  text
-    .replace(/\p{Cs}|[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/gu, '')
-    .replace(/[\p{Cc}\s]+/gu, ' ')
-    .trim();
-
-/** The exercise that the page shows: the link's, or the one in the making. @param {Pick<State, 'exercise' | 'maker'>} state */
-export const shownExercise = ({ exercise, maker }) => (maker.open ? maker.draft : exercise);
+export const tidyTask = tidyText;
 
 /** As the exercise says. @param {Exercise} exercise @param {Group} group @returns {Way} */
 const wayGiven = ({ locked, hidden }, group) =>
@@ -67,6 +63,20 @@ export function withWay(exercise, group, way) {
     groupNames.filter((name) => (name === group ? way : wayGiven(exercise, name)) === wanted);
   return { ...exercise, locked: inOrder('locked'), hidden: inOrder('hidden') };
 }
+
+/** What is locked or hidden by either is so by both. */
+const both = remember((/** @type {Exercise} */ exercise, /** @type {Exercise} */ draft) =>
+  groupNames.reduce(
+    (made, group) => withWay(made, group, stricter(wayGiven(exercise, group), wayGiven(draft, group))),
+    draft,
+  ),
+);
+
+/** @param {Way} one @param {Way} other @returns {Way} */
+const stricter = (one, other) => ways[Math.max(ways.indexOf(one), ways.indexOf(other))];
+
+/** The exercise that the page shows: the link's, or the one in the making, which frees nothing of the link's. @param {Pick<State, 'exercise' | 'maker'>} state */
+export const shownExercise = ({ exercise, maker }) => (maker.open ? both(exercise, maker.draft) : exercise);
 
 /** There is something to do, and so something to hand in. @param {Exercise} exercise */
 export const asksSomething = ({ task, aim, vary }) =>

@@ -3,13 +3,16 @@ import assert from 'node:assert/strict';
 import { createKeepsake } from '../../../www/lesson/keepsake.js';
 import { noProgress, progressSlice } from '../../../www/lesson/state.js';
 import { createStore } from '../../../www/run/store.js';
+import { createEngine } from '../harness/core.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
+
+const engine = createEngine();
 
 /** A figure of the tab, in which questions are answered. */
 function figure() {
   const store = createStore(/** @type {any} */ ({ slices: {} }), () => {});
-  const { follow } = createKeepsake(store);
+  const { follow } = createKeepsake(store, engine);
   return {
     answered: () => Object.keys(progressSlice.of(store.get()).answers).sort(),
     /** @param {Record<string, number>} given */

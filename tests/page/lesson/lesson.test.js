@@ -103,18 +103,22 @@ test('what the tab keeps is read back, and nothing else is believed', () => {
     },
     tally: { ...noTally, experiment: '{}', drives: 2, costs: [9, Number.POSITIVE_INFINITY] },
   };
-  const back = progressOf(textOf(progress));
+  const back = progressOf(textOf(progress), engine);
   assert.deepEqual(back.answers, { 'drive.bolder': progress.answers['drive.bolder'] });
   assert.deepEqual(back.tally, progress.tally);
   const wrong = { answers: { a: { choice: 'x' } }, tally: noTally, duel: null };
-  assert.equal(progressOf(JSON.stringify(wrong)), noProgress);
+  assert.equal(progressOf(JSON.stringify(wrong), engine), noProgress);
   const duel = lockedIn(progress.tally, engine.experiment('velocity-limits'));
   // What was said in another language is kept for who comes back to it.
   const answers = { 'drive.bolder': { ...progress.answers['drive.bolder'], said: 'xx' } };
-  const other = progressOf(textOf({ ...progress, answers, duel }));
+  const other = progressOf(textOf({ ...progress, answers, duel }), engine);
   assert.deepEqual(other, { ...noProgress, answers, tally: progress.tally, duel });
-  const odd = progressOf(JSON.stringify({ answers: {}, tally: { costs: ['x'] }, duel: { costs: 1 } }));
-  assert.deepEqual([odd.tally, odd.duel], [noTally, null]);
+  const read = (/** @type {object} */ kept) =>
+    progressOf(JSON.stringify({ answers: {}, tally: noTally, duel: null, ...kept }), engine);
+  assert.deepEqual(read({ tally: { costs: ['x'] }, duel: { costs: 1 } }), noProgress);
+  assert.deepEqual(read({ tally: { ...progress.tally, best: { gains: [1], cost: 1 } } }), noProgress);
+  assert.deepEqual(read({ duel: { ...duel, gains: 3 } }), noProgress);
+  assert.throws(() => read({ duel: { ...duel, experiment: { evolution: null } } }));
 });
 
 test('there are at least twelve questions, and words for all that a step shows', () => {

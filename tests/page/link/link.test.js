@@ -148,6 +148,11 @@ test('every key of a link is read as it is written', () => {
   assert.equal(linkOf(linked(opened), experiment), written);
 });
 
+test('the name of a pin turns nothing around', () => {
+  const { pins } = open('curves&v=1&pin1=A%E2%80%AEevil%01~10,10,10').opened;
+  assert.equal(pins[0].name, 'Aevil ');
+});
+
 test('every angle may be in degrees', () => {
   const { opened, problems } = open('lab&v=1&goal.theta=90deg&start=0,0,45deg&tolerance.heading=180deg');
   assert.deepEqual(problems, []);

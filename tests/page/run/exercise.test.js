@@ -1,6 +1,14 @@
 // What an exercise locks and hides, without a browser.
 import assert from 'node:assert/strict';
-import { firstMaker, groupNames, noExercise, tidyTask, wayOf, withWay } from '../../../www/run/exercise.js';
+import {
+  firstMaker,
+  groupNames,
+  noExercise,
+  shownExercise,
+  tidyTask,
+  wayOf,
+  withWay,
+} from '../../../www/run/exercise.js';
 import { groupOf, guarded } from '../../../www/run/guard.js';
 import { withExercise } from '../../../www/link/link.js';
 import { nobody } from '../../../www/run/variant.js';
@@ -78,6 +86,21 @@ test('what is locked or hidden does nothing but say so, whichever control asks f
         assert.deepEqual([done, refusals], [isRefused ? 0 : 1, isSaid ? 1 : 0], `${way} ${group}: ${name}`);
       }
     }
+});
+
+test('an exercise in the making frees nothing of the one that is open', () => {
+  const exercise = {
+    ...noExercise,
+    task: 'x',
+    locked: /** @type {const} */ (['gains']),
+    hidden: /** @type {const} */ (['paper']),
+  };
+  const draft = { ...noExercise, task: 'y', locked: /** @type {const} */ (['paper', 'run']) };
+  const shown = (/** @type {boolean} */ open) => shownExercise({ exercise, maker: { open, draft } });
+  assert.deepEqual(shown(true), { ...draft, locked: ['gains', 'run'], hidden: ['paper'] });
+  assert.equal(shown(false), exercise);
+  // It is the same until something else is.
+  assert.equal(shown(true), shown(true));
 });
 
 test('what a lecturer locks while it runs is paused, for nobody could pause it then', () => {

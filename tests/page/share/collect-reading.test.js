@@ -144,11 +144,32 @@ test('what was made to hold the page is a row as others are', async () => {
     [`${mark}\n${full('handin=~')}\n${link}`, [link]],
     [`${mark}<p>${link} lab&v=1 <a ${full("href='x' ")}`, [link]],
     [`${full(', ')}x ${site}#${link}`, [link]],
+    // Nor is it a thing of an engine's stack.
+    [`${site}#lab&v=1&seed=${full('!')}a`, [null]],
+    [`${site}#lab&v=1&seed=7${full('!')}`, ['lab&v=1&seed=7']],
   ]))
     assert.deepEqual(
       (await reader.read(text)).map((entry) => entry.link),
       links,
     );
+});
+
+test('no name turns around what stands beside it, and no cell falls apart, wherever tables are divided', async () => {
+  const { text } = await handedIn('s1', [3.3, 0, 4.5]);
+  const given = [
+    ['Full name', 'constructor', 'Online text'],
+    ['Lee\u202eeel\u0007 12', 'a;-2+3', text],
+  ];
+  const [entry] = await reader.read(Papa.unparse(given));
+  assert.equal(entry.name, 'Leeeel 12');
+  const row = { entry, checked: null, problem: /** @type {const} */ ('none'), same: [] };
+  const other = { ...row, entry: { ...entry, ident: {} } };
+  const file = csvOf([row, other], site);
+  assert.match(file, /,"a;-2\+3",/);
+  assert.deepEqual(
+    Papa.parse(file.trim()).data.map((cells) => /** @type {string[]} */ (cells)[1]),
+    ['constructor', 'a;-2+3', ''],
+  );
 });
 
 test('a column of the platform is no formula, and there are not too many', async () => {

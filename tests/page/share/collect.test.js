@@ -218,6 +218,10 @@ test('a class is checked at once: twins are named, variants drawn, evolved gains
     ['holds', 'broken'],
   );
   assert.deepEqual(varied.rows[0].checked?.differs, []);
+  // Nothing is drawn for nobody.
+  const [nobodys] = (await checkAll(`${vary}&drives=hand&gains=${good}`, vary)).rows;
+  assert.equal(nobodys.checked?.judged, null);
+  assert.match(remarksOf(nobodys, [nobodys]).join(), /not judged: it has no name/);
 
   const free = exercise.replace('seed,', '');
   const evolved = await receipt(`${free}&seed=9&generation=30&who=s4`);

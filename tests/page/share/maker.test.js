@@ -52,6 +52,16 @@ pageTest(
         return task.value;
       }, text);
     assert.equal(await typed('New'), 'New');
+    // What the open one locks stays so, and it is said how to set it.
+    await page.focus('#maker-run-free');
+    await page.press(' ');
+    await page.until(
+      'it is free in the draft',
+      () => !/lock=/.test(/** @type {HTMLInputElement} */ (document.getElementById('maker-link')).value),
+    );
+    assert.match(await page.text('#maker-within'), /open the whole page first/);
+    assert.match(await page.text('#exercise-locks'), /Locked by this link: running evolution/);
+    assert.equal(await (await page.element('#run')).isEnabled(), false);
     await page.press(Key.ESCAPE);
     await page.until('it is closed', () => !document.getElementById('maker-task')?.checkVisibility());
     await page.click('#keep-button');

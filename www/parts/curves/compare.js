@@ -8,6 +8,7 @@ import { live } from 'lit-html/directives/live.js';
 import { byId } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
 import { createSwatch } from '../../kit/swatch.js';
+import { tidyText } from '../../kit/text.js';
 import { gainsOf } from '../../run/drivers.js';
 import { fieldPath, valueAt } from '../../run/paths.js';
 import { styles } from '../../run/pins.js';
@@ -28,7 +29,7 @@ export function createComparison(root, { engine, store, actions, paper }) {
   /** @type {PinEvents} */
   const on = {
     onName(slot, text) {
-      const name = text.trim();
+      const name = tidyText(text);
       if (name === '') return say(words.nameNeeded);
       actions.renamePin(slot, name);
       say('');

@@ -1,6 +1,7 @@
 // What was handed in, found in whatever a learning platform gives: tables, online texts with their HTML, files, links. Nothing is
 // believed here, and nothing of it becomes markup.
 import { createTurns } from '../../kit/loop.js';
+import { tidyText } from '../../kit/text.js';
 import { mostCharacters } from '../../link/link.js';
 import { mark } from '../handin/mark.js';
 import { fromRow, partsOf, tableIn } from './columns.js';
@@ -59,7 +60,7 @@ const hrefIn = (tag) => /\bhref=["']([^"'<>]*)["']/i.exec(tag)?.[1] ?? '';
 const countOf = (text, what) => text.split(what).length - 1;
 
 /** @param {string} text */
-const beginning = (text) => text.replace(/\s+/g, ' ').trim().slice(0, 80);
+const beginning = (text) => tidyText(text).slice(0, 80);
 
 /** A receipt to its last digits, without what a text has behind them; null if they are not there. @param {string} link */
 function wholeIn(link) {
@@ -69,7 +70,12 @@ function wholeIn(link) {
 }
 
 /** A link without a receipt, without what ends a sentence or a bracket. A task may end so too. @param {string} link */
-const withoutEnd = (link) => (/&task=[^&]*$/.test(link) ? link : link.replace(/[^\w%-]+$/, ''));
+function withoutEnd(link) {
+  if (/&task=[^&]*$/.test(link)) return link;
+  let end = link.length;
+  while (end > 0 && !/[\w%-]/.test(link[end - 1])) end -= 1;
+  return link.slice(0, end);
+}
 
 /** A line that ends with the digits of a receipt. @param {string} line */
 const endsReceipt = (line) => /^handin=\S*~[\da-f]{8}$/.test(line.slice(line.lastIndexOf('handin=')));
@@ -128,7 +134,12 @@ export function createReader(pages) {
   /** @param {string} text @param {string} name @param {Entry['ident']} [ident] @returns {Entry} */
   function entryOf(text, name, ident = {}) {
     const said = beginning(saidIn(text.slice(0, 2000)));
-    const about = { name: name.slice(0, mostOfName), ident, text: said, isReceipt: text.includes(mark) };
+    const about = {
+      name: tidyText(name).slice(0, mostOfName),
+      ident,
+      text: said,
+      isReceipt: text.includes(mark),
+    };
     if (text.length > mostOfOne) return { ...about, link: null, why: 'long' };
     const link = linkIn(text);
     if (link === null) return { ...about, link, why: 'none' };

@@ -45,6 +45,9 @@ export async function recompute(tools, run, entry, given, { signal, turn }) {
   // Of what was cut or changed nobody knows what it was.
   const isUsable = worth !== 'broken';
   const lacksDrives = isUsable && made === null && aim !== null && aim.drives !== null;
+  // What is drawn is drawn for a name.
+  const lacksWho = vary.length > 0 && who === '';
+  const mayJudge = isUsable && !lacksDrives && !lacksWho;
   return {
     who,
     run,
@@ -56,8 +59,8 @@ export async function recompute(tools, run, entry, given, { signal, turn }) {
     minutes: told?.minutes ?? null,
     isTold: drives === null,
     lacksDrives,
-    judged:
-      aim && isUsable && !lacksDrives ? judged(aim, scale, { value: there.value, drives: made ?? 0 }) : null,
+    lacksWho,
+    judged: aim && mayJudge ? judged(aim, scale, { value: there.value, drives: made ?? 0 }) : null,
     worth,
     told: told?.cost ?? null,
     differs: differencesOf(engine, run, given, asGiven),

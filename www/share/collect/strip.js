@@ -39,7 +39,7 @@ function contentOf(rows, readable, index, on) {
   const button = (id, text, to) =>
     html`<button id=${id} type="button" aria-disabled=${String(to === undefined)} @click=${() => to !== undefined && on.open(to)}>${text}</button>`;
   return html`
-    <p role="status"><b>${nameOf(row) || words.rowNumber(index)}</b> · ${saidOf(row).join(' · ')}
+    <p role="status"><b><bdi>${nameOf(row) || words.rowNumber(index)}</bdi></b> · ${saidOf(row).join(' · ')}
       ${remarks.length > 0 ? html`<span class="muted">${remarks.join('; ')}</span>` : nothing}
       <span class="muted">${texts.stripBack}</span></p>
     <div class="bar">

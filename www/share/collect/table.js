@@ -38,13 +38,14 @@ export const nameOf = ({ entry, checked }) => entry.name || checked?.who || '';
 export function remarksOf(row, rows) {
   const { entry, checked, problem, same } = row;
   if (!checked) return [words.problemText(entry.text, problem)];
-  const { worth, told, lacksDrives, differs, cost, own } = checked;
+  const { worth, told, lacksWho, lacksDrives, differs, cost, own } = checked;
   const others = same.slice(0, mostTwins + 1).filter((i) => rows[i] !== row);
   const twins = others.slice(0, mostTwins).map((i) => ({ number: i + 1, name: nameOf(rows[i]) }));
   return [
     ...(worth === 'holds'
       ? []
       : [worth === 'otherResult' ? words.otherResult(told ?? Number.NaN) : words.worths[worth]]),
+    ...(lacksWho ? [words.lacksWho] : []),
     ...(lacksDrives ? [words.lacksDrives] : []),
     ...(differs.length > 0 ? [words.differs(differs)] : []),
     ...(own === cost || Number.isNaN(own) ? [] : [words.ownCost(words.numberText(own))]),
@@ -140,7 +141,10 @@ const formula = /^[=+@\t\r]|^-(?!\d+(?:\.\d+)?(?:e[+-]?\d+)?$)/;
 export function csvOf(rows, page) {
   const names = [...new Set(rows.flatMap(({ entry }) => Object.keys(entry.ident)))];
   /** @type {readonly CsvColumn[]} */
-  const idents = names.map((name) => [name, ({ entry }) => entry.ident[name]]);
+  const idents = names.map((name) => [
+    name,
+    ({ entry }) => (Object.hasOwn(entry.ident, name) ? entry.ident[name] : ''),
+  ]);
   /** @type {readonly CsvColumn[]} */
   const gains = ['kx', 'ky', 'ktheta'].map((name, i) => [
     name,
@@ -165,6 +169,8 @@ export function csvOf(rows, page) {
   ];
   const fields = columns.map(([head]) => head);
   const data = rows.map((row) => columns.map(([, cellOf]) => cellOf(row)));
+  // Some programs divide at these too.
+  const quotes = (/** @type {unknown} */ cell) => /[;\t]/.test(String(cell));
   // Spreadsheets know by the mark that it is UTF-8.
-  return `\ufeff${Papa.unparse({ fields, data }, { escapeFormulae: formula })}\r\n`;
+  return `\ufeff${Papa.unparse({ fields, data }, { escapeFormulae: formula, quotes })}\r\n`;
 }

@@ -52,8 +52,7 @@ function createDrafts() {
 /** @param {SheetTools} tools */
 export function createMaker({ engine, store, actions, links, paper }) {
   const panel = createPanel('maker', 'settings maker');
-  let status = '';
-  let [linkNow, linkSaid] = ['', ''];
+  let [status, linkNow, linkSaid] = ['', '', ''];
   const draftNow = () => store.get().maker.draft;
   const change = (/** @type {Partial<Exercise>} */ patch) =>
     actions.makeExercise({ draft: { ...draftNow(), ...patch } });
@@ -85,6 +84,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
   // Closed as it begins, it gives no focus back.
   openChanged(false);
   const changed = watch();
+  const asked = () => [aim.typed(), preview.chosen(), packaging.asks()];
   return {
     open() {
       status = '';
@@ -109,7 +109,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
       if (link !== linkSaid) status = '';
       const isRefused = state.page === withoutAnswer && asksSomething(draft);
       const easy = easyOf(state, draft);
-      if (changed(draft, link, status, aim.typed(), preview.chosen(), packaging.asks(), isRefused, easy)) {
+      if (changed(state.exercise, draft, link, status, ...asked(), isRefused, easy)) {
         const addresses = {
           link: addressOf(location.href, link, false),
           frame: frameOf(state, link, preview.chosen() ?? undefined),
@@ -118,7 +118,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
           panelOf(draft, isRefused ? null : addresses, aim.typed().error !== '', status, {
             ...on,
             fields: aim.fields(draft, easy.length > 0 ? easyNote(easy) : nothing),
-            preview: preview.choice(),
+            preview: [withinOf(state.exercise), preview.choice()],
             packaging: packaging.template(link, draft),
           }),
           panel,
@@ -196,6 +196,10 @@ const panelOf = (draft, addresses, isWrong, status, on) => html`
     }
     <p id="maker-status" class="muted" role="status">${status}</p>
   </div>`;
+
+/** @param {Exercise} exercise That is open. */
+const withinOf = ({ locked, hidden }) =>
+  locked.length + hidden.length > 0 ? html`<p id="maker-within">${texts.makerWithin}</p>` : nothing;
 
 /** @param {readonly Driver[]} easy */
 const easyNote = (easy) => {

@@ -43,6 +43,7 @@ export const texts = {
   makerTitle: 'Make an exercise',
   makerHelp:
     'The page shows at once what your students will see. Nothing is secret: they can open the whole page.',
+  makerWithin: 'What the open exercise locks or hides stays so here: to set it, open the whole page first.',
   makerTask: 'Your task',
   makerLink: 'Link to the exercise',
   makerCopyLink: 'Copy link',

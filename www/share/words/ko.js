@@ -44,6 +44,8 @@ export const texts = {
   makerTitle: '과제 만들기',
   makerHelp:
     '학생이 보게 될 모습이 페이지에 바로 나타납니다. 비밀은 아닙니다. 학생도 전체 페이지를 열 수 있습니다.',
+  makerWithin:
+    '열려 있는 과제에서 잠그거나 숨긴 것은 여기서도 그대로입니다. 바꾸려면 먼저 전체 페이지를 여십시오.',
   makerTask: '과제 내용',
   makerLink: '과제 링크',
   makerCopyLink: '링크 복사',

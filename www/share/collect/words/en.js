@@ -74,6 +74,7 @@ export const worths = {
   none: 'a link without a receipt',
 };
 
+export const lacksWho = 'not judged: it has no name or number, for which the exercise is drawn';
 export const lacksDrives = 'not judged: nobody knows how many drives it took';
 
 /** @param {number} told */

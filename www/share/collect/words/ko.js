@@ -74,6 +74,7 @@ export const worths = {
   none: '“제출물 만들기”를 거치지 않은 링크',
 };
 
+export const lacksWho = '이름이나 학번이 없어 과제가 정해지지 않았으므로 판정하지 않음';
 export const lacksDrives = '주행 횟수를 알 수 없어 판정하지 않음';
 
 /** @param {number} told */

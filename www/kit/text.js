@@ -1,0 +1,10 @@
+// Text that comes from others.
+
+/** Without what is no text, ends lines or turns around what stands beside it. @param {string} text */
+export const plainText = (text) =>
+  text
+    .replace(/\p{Cs}|[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\ufffe\uffff]/gu, '')
+    .replace(/\p{Cc}/gu, ' ');
+
+/** The same in one line. @param {string} text */
+export const tidyText = (text) => plainText(text).replace(/\s+/g, ' ').trim();
