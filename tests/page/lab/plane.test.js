@@ -245,6 +245,7 @@ pageTest(
             handle.dispatchEvent(
               new PointerEvent(type, {
                 pointerId: 1,
+                buttons: type === 'pointerup' ? 0 : 1,
                 bubbles: true,
                 clientX: left + width / 2 + part * right,
                 clientY: top + height / 2 + part * down,
