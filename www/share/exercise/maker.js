@@ -163,6 +163,9 @@ const parkedInLab = (engine, { pins, exercise, student }) => ({
   parts: {},
 });
 
+/** What says why nothing is handed out. @param {boolean} isWrong */
+const whyNot = (isWrong) => (isWrong ? 'maker-status maker-aim-error' : nothing);
+
 /**
  * @param {Exercise} draft @param {{ link: string, frame: string } | null} addresses None where it could not be handed in. @param {boolean} isWrong What is typed is not what the link has. @param {string} status
  * @param {Record<'fields' | 'preview' | 'packaging', unknown> & Record<'close' | 'copyLink' | 'copyFrame' | 'toLab', () => void> & { choose: (group: Group, way: Way) => void, type: (event: Event) => void }} on
@@ -186,15 +189,15 @@ const panelOf = (draft, addresses, isWrong, status, on) => html`
     ${
       addresses
         ? html`<input id="maker-link" type="text" readonly aria-label=${texts.makerLink} .value=${addresses.link} @focus=${selectAll}>
-          <button id="maker-copy-link" type="button" class="primary" .disabled=${isWrong} @click=${on.copyLink}>${texts.makerCopyLink}</button>
+          <button id="maker-copy-link" type="button" class="primary" .disabled=${isWrong} aria-describedby=${whyNot(isWrong)} @click=${on.copyLink}>${texts.makerCopyLink}</button>
           <input id="maker-frame" type="text" readonly aria-label=${texts.makerFrame} .value=${addresses.frame} @focus=${selectAll}>
-          <button id="maker-copy-frame" type="button" .disabled=${isWrong} @click=${on.copyFrame}>${texts.makerCopyFrame}</button>
-          <fieldset class="around" .disabled=${isWrong}>${on.packaging}</fieldset>
+          <button id="maker-copy-frame" type="button" .disabled=${isWrong} aria-describedby=${whyNot(isWrong)} @click=${on.copyFrame}>${texts.makerCopyFrame}</button>
+          <fieldset class="around" .disabled=${isWrong} aria-describedby=${whyNot(isWrong)}>${on.packaging}</fieldset>
           ${isOnDisk() ? html`<p id="maker-disk" class="muted">${texts.makerOnDisk}</p>` : nothing}`
         : html`<p id="maker-refused" class="field-error" role="alert">${texts.makerPark}</p>
           <button id="maker-to-lab" type="button" class="primary" @click=${on.toLab}>${texts.makerToLab}</button>`
     }
-    <p id="maker-status" class="muted" role="status">${status}</p>
+    <p id="maker-status" class="muted" role="status">${isWrong && addresses ? texts.makerWrong : status}</p>
   </div>`;
 
 /** @param {Exercise} exercise That is open. */

@@ -59,6 +59,8 @@ export const texts = {
   makerVary: 'Drawn for each student from their number',
   makerUneven:
     'What J can be reached differs then from student to student. Ask for a J that all can reach, or for parking.',
+  makerWrong: 'Nothing is copied or saved as long as a field above is wrong.',
+  makerTurned: 'The better result has fewer points here: exchange the two values if that is not meant.',
   makerPaperInLesson: 'The lesson tells the paper’s gains: it is hidden with them.',
   makerPark:
     'What is tried in Park cannot be handed in. The lab has the same 32 starts, the sliders and evolution.',
@@ -180,7 +182,7 @@ export const countText = (count, most) => `${count} of at most ${most} character
 
 /** @typedef {typeof import('../../run/aim.js').most} Most */
 
-/** @param {Exclude<import('../exercise/aim-fields.js').Fields['kind'], 'none'>} kind @param {Most} most */
+/** @param {Exclude<import('../exercise/asked.js').Fields['kind'], 'none'>} kind @param {Most} most */
 export const wrongValue = (kind, most) =>
   ({
     cost: `The value of J must be a number above 0 and at most ${most.cost}, for instance 8.1.`,
@@ -192,9 +194,24 @@ export const wrongValue = (kind, most) =>
 export const wrongDrives = (most) =>
   `The number of drives must be a whole number from 1 to ${most.drives}, or nothing.`;
 
-/** @param {Most} most */
-export const wrongPoints = (most) =>
-  `Points need all four: 0 to ${most.points} points at one value, and at another value. Or leave all four empty.`;
+/** Where they are not all there. */
+export const lacksPoints =
+  'Points need all four: points at one value, and at another value. Or leave all four empty.';
+
+/** @param {number} i @param {Most} most */
+export const wrongPoints = (i, most) => `${pointsLabel(i)} must be a number from 0 to ${most.points}.`;
+
+/** @param {number} i @param {import('../../run/aim.js').Wanted} wanted @param {Most} most */
+export const wrongAt = (i, wanted, most) =>
+  `${pointsAtLabel(i)} must be ${
+    wanted.kind === 'cost'
+      ? `a J from 0 to ${most.cost}`
+      : wanted.kind === 'parks'
+        ? `a number of starts from 0 to ${wanted.of}`
+        : 'a share from 0 to 1, for instance 0.3 or 30 %'
+  }.`;
+
+export const sameAt = 'The second value must be another than the first.';
 
 /** @type {Readonly<Record<'none' | 'cost' | 'parks' | 'unseen', string>>} */
 export const aims = {

@@ -61,6 +61,8 @@ export const texts = {
   makerVary: '학번에 따라 학생마다 다르게',
   makerUneven:
     '그러면 도달할 수 있는 J가 학생마다 다릅니다. 모두가 도달할 수 있는 J로 하거나 주차를 기준으로 하십시오.',
+  makerWrong: '위의 칸을 바로잡으면 복사하거나 저장할 수 있습니다.',
+  makerTurned: '더 좋은 결과의 점수가 더 낮습니다. 의도한 것이 아니면 두 값을 서로 바꾸십시오.',
   makerPaperInLesson: '수업에는 논문의 이득이 나오므로 함께 숨깁니다.',
   makerPark:
     '주차에서 해 본 것은 제출할 수 없습니다. 실험실에도 같은 출발점 32개와 슬라이더, 진화가 있습니다.',
@@ -183,7 +185,7 @@ export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;
 
 /** @typedef {typeof import('../../run/aim.js').most} Most */
 
-/** @param {Exclude<import('../exercise/aim-fields.js').Fields['kind'], 'none'>} kind @param {Most} most */
+/** @param {Exclude<import('../exercise/asked.js').Fields['kind'], 'none'>} kind @param {Most} most */
 export const wrongValue = (kind, most) =>
   ({
     cost: `J의 기준값은 0보다 크고 ${most.cost} 이하인 수여야 합니다. 예: 8.1`,
@@ -194,9 +196,23 @@ export const wrongValue = (kind, most) =>
 /** @param {Most} most */
 export const wrongDrives = (most) => `주행 횟수는 1부터 ${most.drives}까지의 정수이거나 비어 있어야 합니다.`;
 
-/** @param {Most} most */
-export const wrongPoints = (most) =>
-  `점수는 네 칸을 모두 채워야 합니다. 서로 다른 두 값에서 0점부터 ${most.points}점까지입니다. 또는 네 칸을 모두 비우십시오.`;
+/** Where they are not all there. */
+export const lacksPoints = '점수는 네 칸을 모두 채워야 합니다. 또는 네 칸을 모두 비우십시오.';
+
+/** @param {number} i @param {Most} most */
+export const wrongPoints = (i, most) => `${pointsLabel(i)}는 0부터 ${most.points}까지의 수여야 합니다.`;
+
+/** @param {number} i @param {import('../../run/aim.js').Wanted} wanted @param {Most} most */
+export const wrongAt = (i, wanted, most) =>
+  `${pointsAtLabel(i)}은 ${
+    wanted.kind === 'cost'
+      ? `0부터 ${most.cost}까지의 J여야 합니다.`
+      : wanted.kind === 'parks'
+        ? `출발점 수로, 0부터 ${wanted.of}까지여야 합니다.`
+        : '0부터 1까지의 비율이어야 합니다. 예: 0.3 또는 30%'
+  }`;
+
+export const sameAt = '둘째 값은 첫째 값과 달라야 합니다.';
 
 /** @type {Readonly<Record<'none' | 'cost' | 'parks' | 'unseen', string>>} */
 export const aims = {

@@ -1,0 +1,89 @@
+// What is typed in the maker of an aim and its points, read in the unit of what is asked for.
+/** @import { Exercise } from '../../run/exercise.js' */
+/** @import { Wanted } from '../../run/aim.js' */
+import { aimOf, scaleOf } from '../../link/exercise.js';
+import { number, numberText } from '../../link/values.js';
+import { most } from '../../run/aim.js';
+import words from '../words/index.js';
+
+/** As they are typed; `points`: a value, the points at it, another value, the points at that. @typedef {{ kind: 'none' | 'cost' | 'parks' | 'unseen', value: string, drives: string, points: readonly string[] }} Fields */
+
+/** How an aim of each kind begins in a link. */
+export const heads = { cost: 'J<', parks: 'parks:', unseen: 'unseen:' };
+
+/** In the order of what is typed, and of a link. */
+export const pointIds = ['maker-at-0', 'maker-points-0', 'maker-at-1', 'maker-points-1'];
+
+/** Which field is wrong, by its id, and why. */
+export class WrongField extends Error {
+  /** @param {string} field @param {string} why */
+  constructor(field, why) {
+    super(why);
+    this.field = field;
+  }
+}
+
+/** What is wrong is said in the words of the field that it is in. @template T @param {string} field @param {string} why @param {() => T} read */
+function orSay(field, why, read) {
+  try {
+    return read();
+  } catch {
+    throw new WrongField(field, why);
+  }
+}
+
+/** As links have it: nine tenths, for who types 90 %. @param {string} text */
+const shareOf = (text) => (text.endsWith('%') ? numberText(number(text.slice(0, -1)) / 100) : text);
+
+/** A number within what there can be. @param {string} text @param {number} highest */
+function upTo(text, highest) {
+  const value = number(text);
+  if (value < 0 || value > highest) throw new Error();
+  return value;
+}
+
+/** A value at which there are points, as the aim itself is typed. @param {Wanted} wanted @param {string} text */
+function measuredIn(wanted, text) {
+  if (wanted.kind === 'cost') return upTo(text, most.cost);
+  if (wanted.kind === 'unseen') return upTo(shareOf(text), 1);
+  return upTo(text.endsWith(`/${wanted.of}`) ? text.slice(0, text.indexOf('/')) : text, wanted.of);
+}
+
+/** @param {Wanted} wanted @param {readonly string[]} points */
+function scaleIn(wanted, points) {
+  if (points.every((text) => text === '')) return null;
+  const read = points.map((text, at) => {
+    if (text === '') return null;
+    const i = at >> 1;
+    return at % 2 === 0
+      ? orSay(pointIds[at], words.wrongAt(i, wanted, most), () => measuredIn(wanted, text))
+      : orSay(pointIds[at], words.wrongPoints(i, most), () => upTo(text, most.points));
+  });
+  if (read.includes(null)) throw new WrongField(pointIds[read.indexOf(null)], words.lacksPoints);
+  const [a, p, b, q] = read.map((value) => numberText(value ?? 0));
+  return orSay(pointIds[2], words.sameAt, () => scaleOf(`${a}:${p},${b}:${q}`));
+}
+
+/** @param {Fields} fields @returns {Pick<Exercise, 'aim' | 'scale'>} */
+export function asked({ kind, ...fields }) {
+  if (kind === 'none') return { aim: null, scale: null };
+  const [value, drives] = [fields.value.trim(), fields.drives.trim()];
+  const wanted = orSay('maker-value', words.wrongValue(kind, most), () => {
+    const text = `${heads[kind]}${kind === 'unseen' ? shareOf(value) : value}`;
+    aimOf(text);
+    return text;
+  });
+  const aim = orSay('maker-budget', words.wrongDrives(most), () =>
+    aimOf(drives ? `${wanted};drives<=${drives}` : wanted),
+  );
+  const points = fields.points.map((text) => text.trim());
+  return { aim, scale: scaleIn(aim.wanted, points) };
+}
+
+/** What is better has fewer points. @param {Pick<Exercise, 'aim' | 'scale'>} exercise */
+export function isTurned({ aim, scale }) {
+  if (!aim || !scale) return false;
+  const [[a, b], [p, q]] = [scale.values, scale.points];
+  const isHigherBetter = aim.wanted.kind !== 'cost';
+  return p !== q && (b > a === q > p) !== isHigherBetter;
+}
