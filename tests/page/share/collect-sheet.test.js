@@ -1,7 +1,7 @@
 // What a lecturer sees of the sheet on which hand-ins are checked: room, focus, pins, and what is no longer true.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
-import { cells, checked, openSheet, paste } from './hand-in-sheet.js';
+import { cells, checked, openSheet, paste, stripSays } from './hand-in-sheet.js';
 import { exercise, handedIn, site } from './hand-ins.js';
 
 pageTest(
@@ -212,3 +212,38 @@ pageTest(
     assert.match(await page.text('#collect-status'), /^2 hand-ins .* 2 more have a remark/);
   },
 );
+
+pageTest('a hand-in that is opened takes the focus to what came of it, and to the next one', async (page) => {
+  const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+  const plain = link.split('&handin=')[0];
+  const names = ['Ann', 'Bob', 'Cid'];
+  await openSheet(page);
+  await paste(
+    page,
+    names.map((name, i) => `${name}, ${site}#${plain.replace('3.3,', `${3 + i / 10},`)}`).join('\n'),
+  );
+  await page.click('#collect-check');
+  await checked(page, names.length);
+  /** What has the focus, and what is said of it. @param {string} name @param {string} id */
+  const isTold = async (name, id) => {
+    await stripSays(page, new RegExp(`^${name} · `));
+    await page.until(`${id} has the focus`, (wanted) => document.activeElement?.id === wanted, id);
+    assert.ok(
+      await page.evaluate((whose) => {
+        const about = document.activeElement?.getAttribute('aria-describedby') ?? '';
+        return document.getElementById(about)?.textContent?.trim().startsWith(whose);
+      }, name),
+    );
+  };
+  await page.focus('[aria-label="Open the run of Ann"]');
+  await page.press(Key.ENTER);
+  await isTold('Ann', 'strip-after');
+  await page.press(Key.ENTER);
+  await isTold('Bob', 'strip-after');
+  await page.press(Key.ENTER);
+  await isTold('Cid', 'strip-after');
+  await page.focus('#strip-before');
+  await page.press(Key.ENTER);
+  await isTold('Bob', 'strip-before');
+  assert.deepEqual(await page.problems(), []);
+});

@@ -7,7 +7,7 @@ import { measure } from '../../../www/share/handin/measure.js';
 import { isWhole, receiptOf } from '../../../www/share/handin/receipt.js';
 import words from '../../../www/share/handin/words/index.js';
 import { experiment, paper } from '../harness/core.js';
-import { pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { engine, exercise, opened } from './hand-ins.js';
 
@@ -111,3 +111,30 @@ pageTest(
     }
   },
 );
+
+pageTest('in Park the aim stays in sight, with what is said of it and the way to the lab', async (page) => {
+  const aim = () => page.evaluate(() => document.getElementById('aim')?.innerText ?? '');
+  const away = () => page.evaluate(() => document.getElementById('aim-away')?.innerText ?? '');
+  await page.open('#lab&v=1&task=Park.&aim=parks:28/32;drives<=100&points=16:0,32:10');
+  await page.until('it can be handed in', () => document.getElementById('hand-in'));
+  assert.equal(await away(), '');
+  await page.click('#page-park');
+  await page.until('it is told', () => document.getElementById('aim-away'));
+  assert.equal(await aim(), 'parks from 28 of 32 starts, within 100 drives');
+  assert.match(await away(), /^What is tried in Park is not handed in\./);
+  assert.equal(await page.evaluate(() => document.getElementById('hand-in')), null);
+  await page.focus('#aim-to-lab');
+  await page.press(Key.ENTER);
+  await page.until('it goes on in the lab', () => document.activeElement?.id === 'hand-in');
+  assert.equal(await page.evaluate(() => document.body.dataset.open), 'lab');
+  assert.equal(await away(), '');
+  // Before anything is drawn, too; and no way where the exercise has none.
+  await page.open('#park&v=1&aim=J<9&vary=goal&lock=parts');
+  await page.until('it is told', () => document.getElementById('aim-away'));
+  assert.equal(await aim(), 'J below 9');
+  assert.equal(await page.evaluate(() => document.querySelector('#work-who, #aim-to-lab')), null);
+  await page.open('#park&v=1&hide=settings');
+  await page.until('it is locked', () => document.getElementById('exercise-locks')?.textContent);
+  assert.deepEqual([await aim(), await away()], ['', '']);
+  assert.deepEqual(await page.problems(), []);
+});

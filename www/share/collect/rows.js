@@ -5,6 +5,7 @@
 /** @import { Sheet } from '../../kit/sheet.js' */
 /** @import { Column } from './words/common.js' */
 import { download } from '../../kit/download.js';
+import { byId } from '../../kit/elements.js';
 import { addressOf } from '../../kit/host.js';
 import { noExercise } from '../../run/exercise.js';
 import { isFull, pinOf, styles } from '../../run/pins.js';
@@ -49,7 +50,10 @@ export function createRowEvents({ store, actions, open, keepPlace }, sheet, view
       const { rows, order, opened } = viewNow();
       const { checked } = rows[index];
       if (!checked) return;
+      // From one to the next the focus stays where it is pressed.
+      const next = document.activeElement?.closest('#collect-strip button')?.id ?? 'strip-after';
       sheet.dialog.close();
+      const focused = document.activeElement;
       const { pins, work } = store.get();
       const { run } = checked;
       if (opened?.since !== work.since) keepPlace(run);
@@ -58,7 +62,10 @@ export function createRowEvents({ store, actions, open, keepPlace }, sheet, view
       update({ first: place - (place % mostRows) });
       actions.whenIdle().then(() => {
         const { experiment, work } = store.get();
-        if (experiment === run.experiment) update({ opened: { index, since: work.since } });
+        if (experiment !== run.experiment) return;
+        update({ opened: { index, since: work.since } });
+        // Unless one has gone elsewhere meanwhile.
+        if ([focused, document.body].includes(document.activeElement)) byId(next).focus();
       });
     },
 

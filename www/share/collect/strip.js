@@ -37,9 +37,9 @@ function contentOf(rows, readable, index, on) {
   const remarks = remarksOf(row, rows);
   /** @param {string} id @param {string} text @param {number | undefined} to */
   const button = (id, text, to) =>
-    html`<button id=${id} type="button" aria-disabled=${String(to === undefined)} @click=${() => to !== undefined && on.open(to)}>${text}</button>`;
+    html`<button id=${id} type="button" aria-describedby="strip-said" aria-disabled=${String(to === undefined)} @click=${() => to !== undefined && on.open(to)}>${text}</button>`;
   return html`
-    <p role="status"><b><bdi>${nameOf(row) || words.rowNumber(index)}</bdi></b> · ${saidOf(row).join(' · ')}
+    <p id="strip-said" role="status"><b><bdi>${nameOf(row) || words.rowNumber(index)}</bdi></b> · ${saidOf(row).join(' · ')}
       ${remarks.length > 0 ? html`<span class="muted">${remarks.join('; ')}</span>` : nothing}
       <span class="muted">${texts.stripBack}</span></p>
     <div class="bar">

@@ -99,9 +99,10 @@ function contentOf({ exercise, student: { who } }, typed, handed, status, on) {
   <div class="bar handin-name">
     <label for="handin-who">${texts.whoLabel}</label>
     <input id="handin-who" type="text" maxlength=${mostOfWho} autocomplete="off" autofocus .value=${live(typed)}
-      .readOnly=${isDrawn} title=${isDrawn ? texts.whoDrawn : ''} @input=${on.type} @keydown=${onEnter(on.name)}>
+      .readOnly=${isDrawn} aria-describedby=${isDrawn ? 'handin-drawn' : nothing} @input=${on.type} @keydown=${onEnter(on.name)}>
     <button id="handin-make" type="button" @click=${on.name} class=${handed ? '' : 'primary'}>${texts.make}</button>
   </div>
+  ${isDrawn ? html`<p id="handin-drawn" class="muted">${texts.whoDrawn}</p>` : nothing}
   ${
     handed
       ? html`<div class="bar">

@@ -11,6 +11,7 @@ import { watch } from '../../kit/memo.js';
 import { onEnter } from '../../kit/templates.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
+import { isFree } from '../../run/guard.js';
 import { asksSomething, shownExercise, tidyTask } from '../../run/exercise.js';
 import { drivesOf, noTrial } from '../../run/state.js';
 import { mostOfWho } from '../../run/variant.js';
@@ -98,10 +99,11 @@ export function createWork(tools, root) {
       const { apart } = ownNow(state);
       const needsWho = exercise.vary.length > 0 && (state.student.who === '' || state.maker.open);
       if (!drawn(exercise, state.student, known, said, drives, isOpen, isOnItsWay, apart, needsWho)) return;
-      const hasBegun = document.activeElement?.closest('.work-who') && !needsWho;
+      const hadFocus = root.contains(document.activeElement);
       render(
         html`${said ? html`<p class="work-said ${said.isGood ? '' : 'bad'}" role="status">${said.text}</p>` : nothing}
-          ${exercise.aim && isOpen ? aimLine(exercise, needsWho || said?.isGood === false ? null : known, drives) : nothing}
+          ${aimLine(exercise, !isOpen || needsWho || said?.isGood === false ? null : known, drives)}
+          ${asksSomething(exercise) && !isOpen ? awayLine(isFree(state, 'parts') && (() => actions.openPage('lab'))) : nothing}
           ${needsWho && isOpen ? whoForm(begin, state.maker.open) : nothing}
           ${
             isOpen && !needsWho
@@ -111,7 +113,9 @@ export function createWork(tools, root) {
           ${isOpen && !needsWho ? apartLine(apart, exercise.aim !== null, actions.backToExercise) : nothing}`,
         root,
       );
-      if (hasBegun) byId('hand-in')?.focus();
+      // What was pressed may be gone.
+      if (hadFocus && !root.contains(document.activeElement))
+        /** @type {HTMLElement | null} */ (root.querySelector('#hand-in, #work-who'))?.focus();
     },
   };
 }
@@ -143,6 +147,11 @@ function aimLine({ aim, scale }, known, drives) {
     <span class="aim-mark"><span aria-hidden="true">${isMet ? '✓' : '○'}</span> <span role="status">${words.metText(isMet)}</span></span>
     ${now.map(([name, text]) => html`<span class="muted aim-${name}">${text}</span> `)}</p>`;
 }
+
+/** That nothing is handed in of what is tried here, and the way to where it is, if it is open. @param {false | (() => void)} toLab */
+const awayLine = (toLab) => html`
+  <p id="aim-away" class="aim-apart"><span>${texts.away}</span>
+    ${toLab ? html`<button id="aim-to-lab" type="button" class="link" @click=${toLab}>${texts.toLab}</button>` : nothing}</p>`;
 
 /** That the run is not as the exercise has it, in which it is judged all the same, and the way back; where nothing is judged, one may go one's own way, as far as that is open. @param {readonly Thing[]} apart @param {boolean} isJudged @param {() => void} back */
 function apartLine(apart, isJudged, back) {

@@ -29,6 +29,8 @@ export const texts = {
   computing: 'Computing …',
   made: 'The receipt is made.',
   counts: 'What counts is the exercise as it was given.',
+  away: 'What is tried in Park is not handed in.',
+  toLab: 'Go on in the lab',
   backToExercise: 'Back to the exercise as given',
 };
 
