@@ -135,6 +135,42 @@ test('what a teacher wrote is nobody’s hand-in, in any language, wherever it s
   assert.equal(other.link, mine.link);
 });
 
+test('of who handed nothing in, a grading table of Moodle says nothing that they would have written', async () => {
+  const { text, link } = await handedIn('s1', [3.3, 0, 4.5]);
+  // With their cells where nothing is handed in, and whether they are the student's.
+  /** @type {readonly (readonly [english: string, korean: readonly string[], cell: string, isTheirs: boolean])[]} */
+  const columns = [
+    ['Identifier', ['식별자'], '참가자 12345', true],
+    ['Full name', ['전체 이름', '사용자 성명', '성명'], '김하나', false],
+    ['ID number', ['id 번호', 'ID 번호', '학번'], '20231234', true],
+    ['Username', ['사용자 아이디'], 'hana', true],
+    ['Email address', ['이메일 주소', '이메일', '전자우편 주소'], 'hana@x.org', true],
+    ['Status', ['상태'], '제출이 없습니다.', false],
+    ['Grade', ['성적'], '', false],
+    ['Maximum grade', ['최대 성적'], '100.00', false],
+    ['Grade can be changed', ['Grade can be changed'], '예', false],
+    ['Last modified (submission)', ['마지막 수정됨(제출)'], '-', false],
+    ['Online text', ['온라인 텍스트'], '', false],
+    ['Last modified (grade)', ['마지막 수정됨(성적)'], '-', false],
+    ['Feedback comments', ['피드백 코멘트'], '', false],
+  ];
+  const heads = [0, 1, 2].map((i) => columns.map(([, korean]) => korean[i % korean.length]));
+  for (const head of [columns.map(([english]) => english), ...heads]) {
+    const cells = columns.map(([, , cell]) => cell);
+    const written = columns.map(([english, , cell]) => (english === 'Online text' ? text : cell));
+    const entries = await reader.read(Papa.unparse([head, cells, written]));
+    const own = Object.fromEntries(columns.flatMap(([, , cell, is], i) => (is ? [[head[i], cell]] : [])));
+    assert.deepEqual(
+      entries.map((entry) => [entry.name, entry.ident, entry.link]),
+      [
+        ['김하나', own, null],
+        ['김하나', own, link],
+      ],
+    );
+    assert.equal(entries[0].text, '', head.join());
+  }
+});
+
 test('what was made to hold the page is a row as others are', async () => {
   const { link } = await handedIn('s1', [3.3, 0, 4.5]);
   // Whatever looks twice at such a text looks for minutes.

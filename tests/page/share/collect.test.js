@@ -67,6 +67,11 @@ test('a receipt is found in its text, as a link, in HTML, in a table, in a folde
     ['leekim_LATE_12345_67890_text.html', 'leekim'],
     ['leekim_12345_text.html', 'leekim'],
     ['leekim_LATE_12345_link.html', 'leekim'],
+    ['student2_12348_999_hand-in.txt', 'student2'],
+    ['student2_LATE_12348_999_hand-in.txt', 'student2'],
+    ['학생2_12348_text.html', '학생2'],
+    // A day is nobody's name.
+    ['2026_11_26_hand-in.txt', '2026_11_26_hand-in'],
     ['hand-in-s1.txt', 'hand-in-s1'],
   ])
     assert.equal(nameOfFile(path), name);

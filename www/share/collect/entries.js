@@ -232,7 +232,7 @@ function ownerOf(path) {
   const parts = path.split('/');
   const moodle = parts.map((part) => /^(.+?)_(\d+)_assignsubmission_/.exec(part)).find(Boolean);
   const file = parts[parts.length - 1].replace(/\.\w+$/, '');
-  const canvas = /^(\D+?)_(?:LATE_)?(\d+)_(?:\d+_|(?:text|link)$)/.exec(file);
+  const canvas = /^(\D+?|[^_]*\p{L}[^_]*)_(?:LATE_)?(\d+)_(?:\d+_|(?:text|link)$)/u.exec(file);
   const [, name, number] = moodle ?? canvas ?? ['', file, ''];
   return { name, number };
 }
