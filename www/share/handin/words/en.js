@@ -30,7 +30,7 @@ export const texts = {
   made: 'The receipt is made.',
   counts: 'What counts is the exercise as it was given.',
   away: 'What is tried in Park is not handed in.',
-  toLab: 'Go on in the lab',
+  toLab: 'To the lab',
   backToExercise: 'Back to the exercise as given',
 };
 
