@@ -72,6 +72,17 @@ export function createEvolutionBar(root, actions) {
   };
 }
 
+/** Where that bar is not in sight, what runs is paused in the head. @param {HTMLElement} button @param {Actions} actions */
+export function createPauseButton(button, { pauseEvolution }) {
+  button.addEventListener('click', pauseEvolution);
+  return {
+    /** @param {boolean} evolving */
+    draw(evolving) {
+      button.hidden = !evolving || document.getElementById('run')?.checkVisibility() !== false;
+    },
+  };
+}
+
 /** @param {EvolutionBarModel & { kind: Until['kind'] }} model @param {Actions} actions @param {{ onKind: (event: Event) => void, onValue: () => void }} on */
 function evolutionBar(model, actions, { onKind, onValue }) {
   const { open, evolving, timeline, newest, pace, kind, until, untilError, note } = model;

@@ -45,13 +45,6 @@ export function createDraw(views, engine, paper, inSight, turn) {
     placeWords(view, scene, ends.start, ends.goal, pays && !isSmall(view), solid, dashed);
   };
 
-  /** @param {State} state @returns {Record<string, () => void>} */
-  const headOf = (state) => ({
-    message: () => showMessage(state.message),
-    pages: () => views.pages.draw(state.page, state.lesson, state.population.length),
-    preset: () => views.preset.draw(asked(state).preset),
-  });
-
   /** @param {State} state @param {Scene} scene @returns {Record<string, () => void>} */
   const labOf = (state, scene) => {
     const { driver, experiment, history, generation, population, preset, robot, speed } = state;
@@ -100,10 +93,18 @@ export function createDraw(views, engine, paper, inSight, turn) {
 
   /** @param {State} state @param {Scene} scene */
   return (state, scene) => {
-    const due = { ...headOf(state), ...(inSight.lab(state) && labOf(state, scene)) };
+    const due = { ...headOf(views, state), ...(inSight.lab(state) && labOf(state, scene)) };
     for (const [name, drawOne] of Object.entries(due)) turn(name, drawOne);
   };
 }
+
+/** What stands above all parts. @param {Views} views @param {State} state @returns {Record<string, () => void>} */
+const headOf = (views, state) => ({
+  message: () => showMessage(state.message),
+  pages: () => views.pages.draw(state.page, state.lesson, state.population.length),
+  pauseButton: () => views.pauseButton.draw(state.evolving),
+  preset: () => views.preset.draw(asked(state).preset),
+});
 
 /** The words that stand in a corner of the plane. */
 const placeWords = remember(

@@ -1,6 +1,6 @@
 // The elements of the page, each given to the view that draws in it.
 /** @import { Actions } from '../run/actions/actions.js' */
-import { createEvolutionBar, createRobotBar } from './bars.js';
+import { createEvolutionBar, createPauseButton, createRobotBar } from './bars.js';
 import { createCost } from './cost.js';
 import { createCurve } from './fitness.js';
 import { byId, write } from '../kit/elements.js';
@@ -66,6 +66,7 @@ export function createViews(store, actions, pages, onLesson) {
       (curve) => labSlice.update(store, { curve }),
     ),
     evolutionBar: createEvolutionBar(byId('evolving'), actions),
+    pauseButton: createPauseButton(byId('pause-evolution'), actions),
     gains: createGains(byId('gains'), byId('gains-note'), {
       onSlide: actions.slideGain,
       onSlid: actions.driveAgain,

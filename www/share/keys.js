@@ -28,8 +28,7 @@ export function createKeys(openChecks) {
     sheet.draw(html`
       <p class="muted">${texts.keysEverywhere}</p>
       <dl id="keys-list" class="keys-list">${[
-        // Of what an exercise hides there is none.
-        ...words.single.filter(([, , id]) => document.getElementById(id)),
+        ...words.single.filter(([, , id]) => buttonOf(id)),
         ...words.focused,
       ].map(([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`)}</dl>
       <label class="check"><input id="keys-single" type="checkbox" .checked=${areAllowed}
@@ -51,12 +50,16 @@ export function createKeys(openChecks) {
     if (event.key === '?') open();
     else if (areAllowed) {
       const found = words.single.find(([key]) => key === letterOf(event));
-      const button = found && byId(found[2]);
-      // What is not in sight is not pressed.
-      if (button?.checkVisibility() && !button.closest('[inert]')) button.click();
+      if (found) buttonOf(found[2])?.click();
     }
   });
 }
+
+/** What a key presses: what is not in sight is not pressed. @param {string} id */
+const buttonOf = (id) =>
+  /** @type {HTMLElement[]} */ ([...document.querySelectorAll(`#${id}, [data-key-of="${id}"]`)]).find(
+    (button) => button.checkVisibility() && !button.closest('[inert]'),
+  );
 
 /** The Latin letter of a key, also where it writes Korean. @param {KeyboardEvent} event */
 const letterOf = ({ key, code }) =>

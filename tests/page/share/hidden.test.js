@@ -33,6 +33,7 @@ const controls = {
   run: [
     ['lab', '#run, #one-generation, #one-back, #timeline, #until, #pace, #reset'],
     ['generation', '#generation-step button, #run'],
+    ['curves', '#pause-evolution'],
     ['training', '#training-evolve'],
     ['luck', '#luck-run'],
     ['luck&luck=contest', '#contest-run'],

@@ -165,6 +165,35 @@ pageTest('a key presses only what is in sight', async (page) => {
   assert.deepEqual(await readEvolution(page), expected(0));
 });
 
+pageTest('where evolution goes on away from its bar, “r” and a button in the head pause it', async (page) => {
+  const canPause = () =>
+    page.evaluate(() => document.getElementById('pause-evolution')?.checkVisibility() === true);
+  const listed = async () => {
+    await page.press('?');
+    const keys = await page.evaluate(() =>
+      [...document.querySelectorAll('#keys-list dt')].map(({ textContent }) => textContent),
+    );
+    await page.press(Key.ESCAPE);
+    return keys.includes('r');
+  };
+  await page.open();
+  await page.setPace(0.01);
+  for (const part of ['curves', 'robustness', 'training', 'disturbance', 'luck', 'park']) {
+    await page.press('r');
+    assert.deepEqual([await canPause(), await listed()], [false, true], 'the bar of evolution is there');
+    await page.click(`#page-${part}`);
+    await page.until('the part is open', (name) => document.body.dataset.open === name, part);
+    assert.deepEqual([await canPause(), await listed()], [true, true], part);
+    if (part === 'curves') await page.click('#pause-evolution');
+    else await page.press('r');
+    assert.deepEqual([await canPause(), await listed()], [false, false], part);
+    await page.press('r');
+    await page.click('#page-lab');
+    await page.until('the lab is open', () => document.body.dataset.open === 'lab');
+    assert.equal((await stateOf(page)).evolving, false, part);
+  }
+});
+
 engineTest('where a key writes Korean, it is known by its place', async (page) => {
   await page.evaluate(() => {
     document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'ㅜ', code: 'KeyN', bubbles: true }));

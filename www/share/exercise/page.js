@@ -63,7 +63,7 @@ const own = {
     lock: `#handles, #restore-postures, ${ends} ${fields}, #settings-preset`,
     hide: `#handles, #postures .hint, ${ends}, #settings-preset`,
   },
-  run: { lock: '#evolution-clock, #evolution-pace', hide: '#evolving' },
+  run: { lock: '#evolution-clock, #evolution-pace, #pause-evolution', hide: '#evolving, #pause-evolution' },
   seed: {
     lock: `#new-seed, ${seed} ${fields}, #settings-preset`,
     hide: `#new-seed, ${seed}, #settings-preset`,

@@ -23,6 +23,7 @@ export const texts = {
   curveTitle: 'Fitness curve',
   generationWord: 'generation',
   evolutionClock: 'Clock of evolution',
+  pauseEvolution: 'Pause evolution',
   oneGeneration: '1 generation',
   oneBack: '1 generation back',
   timeline: 'Generation',

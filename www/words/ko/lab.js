@@ -22,6 +22,7 @@ export const texts = {
   curveTitle: '적합도 곡선',
   generationWord: '세대',
   evolutionClock: '진화의 시간',
+  pauseEvolution: '진화 멈춤',
   oneGeneration: '한 세대 진행',
   oneBack: '한 세대 뒤로',
   timeline: '세대',
