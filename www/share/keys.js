@@ -29,6 +29,7 @@ export function createKeys(openChecks) {
       <p class="muted">${texts.keysEverywhere}</p>
       <dl id="keys-list" class="keys-list">${[
         ...words.single.filter(([, , id]) => buttonOf(id)),
+        ...(isTurnable() ? words.turning.filter(([, , id]) => buttonOf(id)) : []),
         ...words.focused,
       ].map(([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`)}</dl>
       <label class="check"><input id="keys-single" type="checkbox" .checked=${areAllowed}
@@ -47,6 +48,11 @@ export function createKeys(openChecks) {
     if (isEmbedded && event.target === document.body) return;
     if (event.target instanceof Element && event.target.matches('input[type="text"], textarea, select'))
       return;
+    const turned = words.turning.find(([key]) => key === event.key);
+    if (turned && event.target === document.body && isTurnable() && buttonOf(turned[2])) {
+      event.preventDefault();
+      buttonOf(turned[2])?.click();
+    }
     if (event.key === '?') open();
     else if (areAllowed) {
       const found = words.single.find(([key]) => key === letterOf(event));
@@ -60,6 +66,9 @@ const buttonOf = (id) =>
   /** @type {HTMLElement[]} */ ([...document.querySelectorAll(`#${id}, [data-key-of="${id}"]`)]).find(
     (button) => button.checkVisibility() && !button.closest('[inert]'),
   );
+
+/** Where there is more of the page above or below, its keys scroll, as everywhere. */
+const isTurnable = () => document.documentElement.scrollHeight <= innerHeight;
 
 /** The Latin letter of a key, also where it writes Korean. @param {KeyboardEvent} event */
 const letterOf = ({ key, code }) =>

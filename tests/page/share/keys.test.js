@@ -3,6 +3,8 @@ import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
 import { read, readEvolution } from '../harness/reading.js';
 
+import { shownOn } from '../parts/generation-page.js';
+
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
 const expected = (/** @type {number} */ generation) => ({
@@ -192,6 +194,31 @@ pageTest('where evolution goes on away from its bar, “r” and a button in the
     await page.until('the lab is open', () => document.body.dataset.open === 'lab');
     assert.equal((await stateOf(page)).evolving, false, part);
   }
+});
+
+pageTest('a presenter’s clicker goes from phase to phase where nothing else is meant', async (page) => {
+  const phaseAfter = async (/** @type {string} */ key) => {
+    await page.press(key);
+    return (await shownOn(page)).phase;
+  };
+  await page.resize(1440, 900);
+  await page.open('#generation&v=1&generation=1&phase=parents');
+  await page.until('the phases are there', () => document.getElementById('generation-next'));
+  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'mutation');
+  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'drive');
+  assert.equal(await phaseAfter(Key.PAGE_UP), 'mutation');
+  await page.press('?');
+  assert.match(await page.text('#keys-list'), /PageDown/);
+  await page.press(Key.ESCAPE);
+  // A slider has these keys too.
+  await page.focus('#timeline');
+  assert.equal(await phaseAfter(Key.PAGE_DOWN), (await shownOn(page)).phase);
+  // And a page that is longer than the window scrolls.
+  await page.open('#generation&v=1&generation=1&phase=mutation');
+  await page.resize(500, 400);
+  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'mutation');
+  await page.press('?');
+  assert.doesNotMatch(await page.text('#keys-list'), /PageDown/);
 });
 
 engineTest('where a key writes Korean, it is known by its place', async (page) => {

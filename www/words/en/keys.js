@@ -17,6 +17,13 @@ export const single = [
   ['s', 'settings', 'settings-button'],
 ];
 
+/** What a presenter’s clicker presses, as long as nothing has the focus. */
+/** @type {typeof single} */
+export const turning = [
+  ['PageDown', 'the next phase of the generation, where nothing has the focus', 'generation-next'],
+  ['PageUp', 'the phase before', 'generation-back'],
+];
+
 /** Keys of what has the focus. */
 /** @type {readonly (readonly [keys: string, meaning: string])[]} */
 export const focused = [

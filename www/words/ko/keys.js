@@ -16,6 +16,12 @@ export const single = [
   ['s', '설정', 'settings-button'],
 ];
 
+/** What a presenter’s clicker presses, as long as nothing has the focus. @type {typeof single} */
+export const turning = [
+  ['PageDown', '세대의 다음 단계(선택한 것이 없을 때)', 'generation-next'],
+  ['PageUp', '이전 단계', 'generation-back'],
+];
+
 /** Keys of what has the focus. @type {readonly (readonly [keys: string, meaning: string])[]} */
 export const focused = [
   ['← → ↑ ↓', '선택한 것을 움직임: 슬라이더, 출발, 목표, 지도의 커서'],
