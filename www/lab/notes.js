@@ -6,6 +6,7 @@ import { createSwatch } from '../kit/swatch.js';
 import { differenceOf, styles } from '../run/pins.js';
 import { isTracking } from '../core/reference.js';
 import { html, render } from 'lit-html';
+import { announce, settlingMilliseconds } from './announcer.js';
 import { byId, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings, pins as pinWords } from '../words/index.js';
@@ -22,7 +23,6 @@ export function createNotes({ onRestore }) {
   const bestChanged = watch();
   const handChanged = watch();
   const planeText = byId('plane-text');
-  const say = createAnnouncer(byId('announcer'));
 
   return {
     /** @param {NotesModel} model */
@@ -62,11 +62,12 @@ export function createNotes({ onRestore }) {
         );
       if (historyChanged(history))
         byId('curve').setAttribute('aria-label', strings.curveLabel(history[0], history[history.length - 1]));
-      if (bestChanged(history[generation])) say(strings.announcement(history[generation]));
+      if (bestChanged(history[generation])) announce('lab', strings.announcement(history[generation]));
       // What is said of a run elsewhere on the page is not said twice.
       const isByHand = driver === 'hand' && found === 'hand' && !chosen && !tried;
       if (handChanged(isByHand && driving) && isByHand)
-        say(
+        announce(
+          'lab',
           `J ${strings.costText(driving.cost.total)}, ${strings.outcomeText(driving)}`,
           settlingMilliseconds,
         );
@@ -121,28 +122,4 @@ function othersText({ others, chosen }, population) {
   return chosen
     ? chosen.othersText(others.length, arrived)
     : strings.othersText({ others: others.length, population, arrived });
-}
-
-const pauseMilliseconds = 2000;
-/** After the last step of a slider. */
-const settlingMilliseconds = 1000;
-
-/** Speaks the newest sentence, at most every two seconds, or once no other has come for as long as it is to wait. @param {HTMLElement} region */
-function createAnnouncer(region) {
-  let newest = '';
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let timer;
-  const speak = () => {
-    timer = undefined;
-    if (region.textContent === newest) return;
-    region.textContent = newest;
-    timer = setTimeout(speak, pauseMilliseconds);
-  };
-  return (/** @type {string} */ sentence, wait = 0) => {
-    newest = sentence;
-    if (wait > 0) {
-      clearTimeout(timer);
-      timer = setTimeout(speak, wait);
-    } else if (timer === undefined) speak();
-  };
 }

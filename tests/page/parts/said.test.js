@@ -75,19 +75,93 @@ pageTest('the pictures of training say from where a robot drives, and whether it
   );
 });
 
+/** What a part says in words of what drives. @type {[link: string, id: string][]} */
+const readouts = [
+  ['landscape', 'landscape-readout'],
+  ['robustness', 'robustness-readout'],
+  ['curves&view=stability', 'stability-note'],
+  ['disturbance', 'remains-text'],
+];
+
 pageTest(
-  'while evolution walks over the landscape, its gains are not said one after the other',
+  'what evolution makes of a readout is said when it pauses, not generation by generation',
   async (page) => {
-    await page.open('#landscape');
-    const isSaid = () => document.getElementById('landscape-readout')?.getAttribute('aria-live');
-    await page.until('the map is there', isSaid);
-    assert.equal(await page.evaluate(isSaid), 'polite');
-    await page.click('#run');
-    assert.equal(await page.evaluate(isSaid), 'off');
-    await page.click('#run');
-    assert.equal(await page.evaluate(isSaid), 'polite');
+    for (const [link, id] of readouts) {
+      await page.open(`#lab&v=1`);
+      await page.click('#run');
+      await page.click(`#page-${link.split('&')[0]}`);
+      if (link.includes('stability')) await page.click('#curves-view-stability');
+      const textOf = (/** @type {string} */ id) => document.getElementById(id)?.textContent?.trim() ?? '';
+      const first = await page.until('it is there', textOf, id);
+      await listen(page);
+      await page.until(
+        'it is another',
+        (id, before) => {
+          const text = document.getElementById(id)?.textContent?.trim();
+          return text && text !== before;
+        },
+        id,
+        first,
+      );
+      const generic = (await heard(page)).filter((text) => !/^Generation/.test(text));
+      assert.deepEqual(generic, [], link);
+    }
   },
 );
+
+/** Holds what waits for a second, until `settle` is called. @param {Page} page */
+const hold = (page) =>
+  page.evaluate(() => {
+    const { setTimeout: begin, clearTimeout: end } = window;
+    /** @type {Map<number, () => void>} */
+    const held = new Map();
+    Object.assign(window, {
+      setTimeout: (
+        /** @type {() => void} */ act,
+        /** @type {number} */ wait,
+        /** @type {unknown[]} */ ...given
+      ) => {
+        if (wait !== 1000) return begin(act, wait, ...given);
+        held.set(-1 - held.size, act);
+        return -held.size;
+      },
+      clearTimeout: (/** @type {number} */ timer) => (held.delete(timer) ? undefined : end(timer)),
+      settle: () => {
+        for (const act of held.values()) act();
+        held.clear();
+      },
+    });
+  });
+
+pageTest('what a slider makes of a readout is said once the hand rests', async (page) => {
+  for (const [link, id] of readouts) {
+    await page.open(`#${link}${link.includes('&') ? '' : '&v=1'}&drives=hand&gains=3,6,1`);
+    const before = await page.until(
+      'it is there',
+      (id) => document.getElementById(id)?.textContent?.trim(),
+      id,
+    );
+    await listen(page);
+    await hold(page);
+    await page.focus('#slider-kx');
+    await page.press(...Array(6).fill(Key.ARROW_RIGHT));
+    const said = await page.until(
+      'it is another',
+      (id, before) => {
+        const text = document.getElementById(id)?.textContent?.trim() ?? '';
+        return document.querySelector('[aria-busy="true"]') === null && text !== before && text;
+      },
+      id,
+      before,
+    );
+    assert.deepEqual(await heard(page), [], link);
+    await page.evaluate(() =>
+      /** @type {{ settle: () => void }} */ (/** @type {unknown} */ (window)).settle(),
+    );
+    const after = await heard(page);
+    assert.deepEqual([after.length, after[0]?.includes(said)], [1, true], `${link}: ${after} / ${said}`);
+  }
+});
 
 pageTest('a slider says its value with the unit, once, and is no slider twice', async (page) => {
   await page.open('#park');

@@ -3,6 +3,7 @@
 import './style.css';
 import './places.css';
 import { html, render } from 'lit-html';
+import { createTeller } from '../../lab/announcer.js';
 import { remember, watch } from '../../kit/memo.js';
 import words from './words/index.js';
 import { createSection } from '../section.js';
@@ -22,6 +23,7 @@ export function createPage(tools) {
   const controlsOf = createControls(tools);
   const summaryOf = remember(summarize);
   const changed = watch();
+  const tell = createTeller('disturbance');
   /** @type {ReturnType<typeof createPlots> | null} */
   let plots = null;
 
@@ -46,6 +48,7 @@ export function createPage(tools) {
           element,
         );
       }
+      tell(measured ? words.summaryText(summaryOf(measured)) : '', state.evolving);
       plots ??= createPlots(element, store.redraw);
       const time = Math.min(state.robot.time, scene.driving.finalTime);
       if (measured) plots.draw({ measured, time, theme });

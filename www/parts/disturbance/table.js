@@ -29,7 +29,7 @@ export const tableOf = (summary) => html`
     </thead>
     <tbody id="remains-rows">${parts.map((part) => rowOf(part, summary))}</tbody>
   </table>
-  <p id="remains-text" class="remains-text" aria-live="polite">${summary && words.summaryText(summary)}</p>`;
+  <p id="remains-text" class="remains-text">${summary && words.summaryText(summary)}</p>`;
 
 /** Until there is a summary nothing speaks against them. @param {Summary | null} summary */
 const hasSets = (summary) => summary === null || words.isPromised(summary);

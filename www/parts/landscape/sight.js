@@ -7,6 +7,7 @@
 /** @import { LandscapeState } from './state.js' */
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
+import { createTeller } from '../../lab/announcer.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { watch } from '../../kit/memo.js';
 import { checkOf, selectOf } from '../fields.js';
@@ -29,28 +30,24 @@ const choices = [false, true].flatMap((log) =>
 export function createSight(element, store, lowestIn) {
   const on = createEvents(store);
   const changed = watch();
+  const tell = createTeller('landscape');
   /** @param {State} state @param {Spec} spec @param {Run | null} run @param {Triple} gains @param {readonly { gains: Triple }[]} points */
   return (state, spec, run, gains, points) => {
     const own = landscapeSlice.of(state);
     const isTyping = document.activeElement?.id === 'landscape-third';
     const { driver, evolving, found, generation, pins, handGains, population } = state;
     const seen = [own, spec, run, population, driver, evolving, found, generation, pins, handGains, isTyping];
-    if (changed(...seen))
-      render(
-        sight(
-          own,
-          {
-            spec,
-            isTyping,
-            evolving,
-            legend: legendOf(state, spec, points),
-            readout: run ? readoutOf(state, spec, run, gains) : '',
-            lowest: lowestIn(state),
-          },
-          on,
-        ),
-        element,
-      );
+    if (!changed(...seen)) return;
+    const shown = {
+      spec,
+      isTyping,
+      evolving,
+      legend: legendOf(state, spec, points),
+      readout: run ? readoutOf(state, spec, run, gains) : '',
+      lowest: lowestIn(state),
+    };
+    render(sight(own, shown, on), element);
+    tell(shown.readout, evolving || own.cursor !== null);
   };
 }
 
@@ -107,7 +104,7 @@ function sight(landscape, { spec, isTyping, evolving, readout, lowest, legend },
     </div>
     <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
     <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${withSymbols(lowestText(lowest))}` : nothing}</p>
-    <p id="landscape-readout" class="readout" aria-live=${evolving ? 'off' : 'polite'} aria-atomic="true">${withSymbols(readout)}</p>`;
+    <p id="landscape-readout" class="readout" aria-live=${landscape.cursor && !evolving ? 'polite' : 'off'} aria-atomic="true">${withSymbols(readout)}</p>`;
 }
 
 /** The gain's letter in its colour, as in formulas. @param {typeof lab.gains[number]} gain */

@@ -9,6 +9,7 @@ import { listed } from '../../kit/segmented.js';
 import { halves, robustnessSlice } from './state.js';
 import { segmentedOf, selectOf } from '../fields.js';
 import { hasMovingReference } from '../../core/reference.js';
+import { createTeller } from '../../lab/announcer.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { areShown } from './drives.js';
 import { robustnessTable } from './table.js';
@@ -30,11 +31,12 @@ import {
 
 const { texts } = words;
 
-/** @typedef {{ note: string, share: string, summary: string, sides: string, rival: string, readout: string, ring: string }} Texts */
+/** @typedef {{ note: string, share: string, summary: string, sides: string, rival: string, readout: string, isRead: boolean, ring: string }} Texts */
 
 /** What stands around the map, drawn when it is another. @param {HTMLElement} element @param {Store} store */
 export function createSight(element, store) {
   const changed = watch();
+  const tell = createTeller('robustness');
   /** Until there is a new survey, the old number stands with its own name. */
   let ofSurvey = { share: '', summary: '', sides: '' };
   const update = (/** @type {Partial<RobustnessState>} */ patch) => robustnessSlice.update(store, patch);
@@ -52,13 +54,12 @@ export function createSight(element, store) {
   /** @param {State} state @param {Scene} scene @param {Spec} spec @param {Spec} rivalSpec */
   return (state, scene, spec, rivalSpec) => {
     const own = robustnessSlice.of(state);
-    const { survey, rival } = own;
-    const { generation } = state;
+    const { survey, rival, cursor } = own;
+    const { generation, evolving } = state;
     const { comparisonDriver, driving } = scene;
     const { start } = endsOf(state);
-    if (
-      !changed(own, spec, rivalSpec, state.driver, state.found, generation, comparisonDriver, driving, start)
-    )
+    const { driver, found } = state;
+    if (!changed(own, spec, rivalSpec, driver, found, generation, evolving, comparisonDriver, driving, start))
       return;
     const nameOf = (/** @type {State['driver']} */ driver) => lab.driverName(driver, generation, state.found);
     const follows = hasMovingReference(spec.experiment);
@@ -77,12 +78,14 @@ export function createSight(element, store) {
       note: noteText(own, spec),
       rival: follows || isOver ? '' : words.rivalText(nameOf(comparisonDriver), compared),
       readout: readoutText(state, scene),
+      isRead: cursor !== null && !evolving,
       ring: (spec.experiment.disturbance.kind === 'random' ? words.ownDraws : words.ring)(
         headings,
         areShown(spec.experiment),
       ),
     };
     render(sight(own, shown, on), element);
+    tell(shown.readout, evolving || cursor !== null);
   };
 }
 
@@ -119,7 +122,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
     </div>
     <p class="survey-ring">${shown.ring}</p>
     <p id="robustness-sides" class="visually-hidden">${shown.sides}</p>
-    <p id="robustness-readout" class="readout" aria-live="polite">${shown.readout}</p>`;
+    <p id="robustness-readout" class="readout" aria-live=${shown.isRead ? 'polite' : 'off'}>${shown.readout}</p>`;
 }
 
 /** @param {RobustnessState} robustness @param {Spec} spec */

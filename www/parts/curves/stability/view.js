@@ -7,6 +7,7 @@ import { html, render } from 'lit-html';
 import { checkOf } from '../../fields.js';
 import { formula } from '../../../kit/formula.js';
 import { once, remember, watch } from '../../../kit/memo.js';
+import { createTeller } from '../../../lab/announcer.js';
 import { showTable } from '../../../lab/table-sheet.js';
 import { sampleBefore } from '../../../lab/track.js';
 import words from './words/index.js';
@@ -46,6 +47,7 @@ export function createStability(root, tools) {
     onTable: () => showTable(shown && stabilityTable(shown.name, shown.driving)),
   };
   const changed = watch();
+  const tell = createTeller('stability');
 
   return {
     draw(state, { experiment, gains, compared }, { name, time }) {
@@ -58,6 +60,7 @@ export function createStability(root, tools) {
       shown = { name, driving };
       if (changed(driving, law, sample, texts, isLog))
         render(contentOf({ driving, law, sample, ...texts, isLog }, on), root);
+      tell(texts.note, state.evolving);
       const comparison = comparisonOf(compared.experiment, compared.gains);
       const pinned = pinnedOf(pins);
       picture().draw({ driving, law, comparison, pins, pinned, isLog, theme }, time);
@@ -73,7 +76,7 @@ const contentOf = ({ driving, law, sample, label, note, isLog }, { onLog, onTabl
     <canvas id="stability-cursor" aria-hidden="true"></canvas>
   </div>
   <div class="stability-foot">
-    <p id="stability-note" class="muted" aria-live="polite">${note}</p>
+    <p id="stability-note" class="muted">${note}</p>
     ${checkOf('stability-log', words.texts.stabilityLog, isLog, onLog, { more: 'muted' })}
     <button id="stability-table" type="button" class="link muted" @click=${onTable}>${words.texts.stabilityTable}</button>
   </div>`;
