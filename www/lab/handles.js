@@ -18,6 +18,8 @@ import { lab as strings } from '../words/index.js';
 
 const turn = Math.PI / 36;
 const fineTurn = Math.PI / 180;
+/** Metres, as the core has it. */
+const farthest = 1000;
 
 /** @param {HTMLElement} root @param {HandleEvents} events */
 export function createHandles(root, events) {
@@ -47,6 +49,13 @@ function createHandle(end, part, current, events) {
   button.id = `${end}-${part}`;
   button.className = `handle ${part}`;
   const name = end === 'start' ? strings.startName : strings.goalName;
+  // Nothing is pressed here, and of what is no button the arrow keys reach the page.
+  button.setAttribute('role', 'slider');
+  const isHeading = part === 'heading';
+  const far = isHeading ? 180 : farthest;
+  button.setAttribute('aria-label', isHeading ? strings.headingLabel(name) : strings.positionLabel(name));
+  button.setAttribute('aria-valuemin', String(-far));
+  button.setAttribute('aria-valuemax', String(far));
   drag(button, end, part, current, events);
 
   // A key that is held is one gesture, like a drag.
@@ -58,7 +67,7 @@ function createHandle(end, part, current, events) {
   button.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey) return;
     const posture = events.postureOf(end);
-    const moved = part === 'heading' ? turnedByKey(posture, event) : movedByKey(posture, event);
+    const moved = isHeading ? turnedByKey(posture, event) : movedByKey(posture, event);
     if (!moved) return;
     event.preventDefault();
     isKeyHeld = true;
@@ -74,14 +83,15 @@ function createHandle(end, part, current, events) {
     /** @param {HandlesModel} model */
     draw(model) {
       const posture = model[end];
-      const { px, py } =
-        part === 'heading'
-          ? knobOf(model.view, posture)
-          : { px: model.view.screenX(posture.x), py: model.view.screenY(posture.y) };
+      const { px, py } = isHeading
+        ? knobOf(model.view, posture)
+        : { px: model.view.screenX(posture.x), py: model.view.screenY(posture.y) };
       button.style.transform = `translate(${px}px, ${py}px) translate(-50%, -50%)`;
+      const { x, theta } = posture;
+      button.setAttribute('aria-valuenow', String(isHeading ? (theta * 180) / Math.PI : x));
       button.setAttribute(
-        'aria-label',
-        part === 'heading' ? strings.headingLabel(name, posture) : strings.positionLabel(name, posture),
+        'aria-valuetext',
+        isHeading ? strings.degrees(theta) : strings.postureText(posture),
       );
     },
   };

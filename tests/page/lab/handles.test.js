@@ -25,3 +25,34 @@ pageTest(
     assert.deepEqual((await goal()).slice(0, 2), [1.125, 2.1]);
   },
 );
+
+pageTest(
+  'start and goal are sliders, which say where they stand, and keep what they are called',
+  async (page) => {
+    await page.open('#lab');
+    const said = (/** @type {string} */ id) =>
+      page.evaluate((id) => {
+        const { role, ariaLabel, ariaValueText, ariaValueNow } = /** @type {Element} */ (
+          document.getElementById(id)
+        );
+        return { role, ariaLabel, ariaValueText, ariaValueNow: Number(ariaValueNow) };
+      }, id);
+    for (const end of ['start', 'goal'])
+      for (const part of ['position', 'heading']) {
+        const id = `${end}-${part}`;
+        const before = await said(id);
+        assert.equal(before.role, 'slider', id);
+        await page.focus(`#${id}`);
+        await page.press(Key.ARROW_RIGHT);
+        const after = await said(id);
+        assert.equal(after.ariaLabel, before.ariaLabel, id);
+        const text = await page.text(`#${end}-text`);
+        assert.ok(
+          after.ariaValueText && text.includes(after.ariaValueText),
+          `${after.ariaValueText}: ${text}`,
+        );
+        const step = part === 'heading' ? -5 : 0.1;
+        assert.ok(Math.abs(after.ariaValueNow - before.ariaValueNow - step) < 1e-6, id);
+      }
+  },
+);

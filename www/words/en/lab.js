@@ -3,7 +3,7 @@
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
 import { counted } from './counted.js';
-import { costText, degrees, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
+import { costText, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './computing.js';
@@ -167,13 +167,13 @@ export const goalName = 'Goal';
 export const referenceName = 'reference';
 export const restorePostures = 'Back to the paper’s';
 
-/** @param {string} name @param {Posture} posture */
-export const positionLabel = (name, posture) =>
-  `${name} at ${postureText(posture)}. Arrow keys move it by 0.1 m, with Alt by 0.01 m; Shift with Left or Right turns it by 5°.`;
+/** @param {string} name */
+export const positionLabel = (name) =>
+  `${name}. Arrow keys move it by 0.1 m, with Alt by 0.01 m; Shift with Left or Right turns it by 5°.`;
 
-/** @param {string} name @param {Posture} posture */
-export const headingLabel = (name, posture) =>
-  `Heading of the ${name.toLowerCase()}, ${degrees(posture.theta)}. Left and Right turn it by 5°, with Alt by 1°.`;
+/** @param {string} name */
+export const headingLabel = (name) =>
+  `Heading of the ${name.toLowerCase()}. Left and Right turn it by 5°, with Alt by 1°.`;
 
 export const planeLabel = 'The plane, with the robots driving from start to goal';
 

@@ -2,7 +2,7 @@
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
-import { costText, degrees, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
+import { costText, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './computing.js';
@@ -163,13 +163,12 @@ export const goalName = '목표';
 export const referenceName = '기준 자세';
 export const restorePostures = '논문의 자세로';
 
-/** @param {string} name @param {Posture} posture */
-export const positionLabel = (name, posture) =>
-  `${name} 위치: ${postureText(posture)}. 화살표 키로 0.1 m씩, Alt와 함께 0.01 m씩 옮깁니다. Shift와 왼쪽·오른쪽 화살표로 5°씩 돌립니다.`;
+/** @param {string} name */
+export const positionLabel = (name) =>
+  `${name} 위치. 화살표 키로 0.1 m씩, Alt와 함께 0.01 m씩 옮깁니다. Shift와 왼쪽·오른쪽 화살표로 5°씩 돌립니다.`;
 
-/** @param {string} name @param {Posture} posture */
-export const headingLabel = (name, posture) =>
-  `${name} 방향각: ${degrees(posture.theta)}. 왼쪽·오른쪽 화살표로 5°씩, Alt와 함께 1°씩 돌립니다.`;
+/** @param {string} name */
+export const headingLabel = (name) => `${name} 방향각. 왼쪽·오른쪽 화살표로 5°씩, Alt와 함께 1°씩 돌립니다.`;
 
 export const planeLabel = '출발점에서 목표로 로봇이 주행하는 평면';
 
