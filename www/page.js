@@ -39,6 +39,10 @@ import { showTable } from './lab/table-sheet.js';
 /** Not what arrow keys move. */
 const pressable = 'a, button:not(:disabled, .handle)';
 
+/** Of the lesson, or of the open part. @param {State} state */
+const headingOf = ({ lesson, page }) =>
+  lesson ? '#lesson-title' : page === 'lab' ? '#instrument h2' : `#${page}-title`;
+
 /** To the questions of the lesson. @param {State} state */
 const answersOf = (state) => progressSlice.of(state).answers;
 
@@ -124,7 +128,7 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
       turn('embed', () => embed?.draw(state));
       turn('share', () => share.draw(state));
       turn('pins', () => pinButton.draw(state, scene));
-      keepFocus();
+      keepFocus(headingOf(now));
     },
   };
 }

@@ -1,30 +1,47 @@
 // Where the focus goes when what was pressed goes away by it.
 
-/** To be called once the page is drawn: if what was pressed last is gone, and the focus with it, the next one has it. @param {string} selector Of all that may have it. */
+/** To be called once the page is drawn, with the heading of what is open: if what was pressed last is gone, and the focus with it, the next one has it, or what was opened by it. @param {string} selector Of all that may have it. */
 export function createFocusKeeper(selector) {
   /** What was pressed, and what it stands in, from within. @type {Element[]} */
   let path = [];
+  let open = '';
+  let isElsewhere = false;
   const follow = () => {
     path = [];
     for (let at = document.activeElement; at && at !== document.body; at = at.parentElement) path.push(at);
   };
   const forget = () => {
     path = [];
+    isElsewhere = false;
   };
   addEventListener('click', follow);
   for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, forget, true);
 
-  return () => {
+  /** @param {string} heading A selector. */
+  return (heading) => {
+    isElsewhere ||= heading !== open;
+    open = heading;
     const [pressed] = path;
     if (!pressed || pressed.checkVisibility()) return;
     const { activeElement } = document;
-    const place = path.find((one) => one.isConnected) ?? document.body;
-    forget();
     // Whoever frames the page keeps the focus that is there.
-    if ((activeElement !== pressed && activeElement !== document.body) || !document.hasFocus()) return;
+    if ((activeElement !== pressed && activeElement !== document.body) || !document.hasFocus())
+      return forget();
+    const place = path.find((one) => one.isConnected) ?? document.body;
     const isNext = (/** @type {Element} */ one) =>
-      one.checkVisibility() && place.compareDocumentPosition(one) & Node.DOCUMENT_POSITION_FOLLOWING;
-    const all = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(selector));
-    [...all].find(isNext)?.focus({ preventScroll: true });
+      place.compareDocumentPosition(one) & Node.DOCUMENT_POSITION_FOLLOWING;
+    const next = isElsewhere ? undefined : shown(selector).find(isNext);
+    const [title] = shown(heading);
+    // What is opened may still be loading.
+    if (!next && !title) return;
+    if (!next) title.tabIndex = -1;
+    forget();
+    (next ?? title).focus({ preventScroll: true });
   };
 }
+
+/** @param {string} selector */
+const shown = (selector) =>
+  /** @type {HTMLElement[]} */ ([...document.querySelectorAll(selector)]).filter((one) =>
+    one.checkVisibility(),
+  );

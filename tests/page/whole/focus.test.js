@@ -1,6 +1,7 @@
 // What is pressed by the keyboard keeps the focus, or hands it on, when it has nothing more to do.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
+import { counted, slide } from '../parts/parking.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -53,4 +54,24 @@ pageTest('a button that goes away by being pressed hands the focus on', async (p
     await page.until(`${id} is gone`, (gone) => !document.getElementById(gone)?.checkVisibility(), id);
     assert.equal(await focused(page), next);
   }
+});
+
+pageTest('a way from one part to another leads to the heading of what it opens', async (page) => {
+  const leadsTo = async (/** @type {string} */ way, /** @type {string} */ id) => {
+    await press(page, way);
+    await page.until(
+      `the focus is on ${id}`,
+      (wanted) => document.activeElement?.id === wanted && document.activeElement.matches('h2'),
+      id,
+    );
+  };
+  await page.open('#lesson&step=15');
+  await leadsTo('#lesson a[href^="#park"]', 'park-title');
+  await slide(page, 'kx', 4);
+  await page.click('#park-evolve');
+  await counted(page);
+  await leadsTo('#park-lesson', 'lesson-title');
+  await page.click('#page-park');
+  await page.until('Park is open', () => document.getElementById('park-lab')?.checkVisibility());
+  await leadsTo('#park-lab', 'cost-title');
 });
