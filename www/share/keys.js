@@ -27,11 +27,9 @@ export function createKeys(openChecks) {
   const fill = () =>
     sheet.draw(html`
       <p class="muted">${texts.keysEverywhere}</p>
-      <dl id="keys-list" class="keys-list">${[
-        ...words.single.filter(([, , id]) => buttonOf(id)),
-        ...(isTurnable() ? words.turning.filter(([, , id]) => buttonOf(id)) : []),
-        ...words.focused,
-      ].map(([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`)}</dl>
+      <dl id="keys-list" class="keys-list">${[...words.single.filter(buttonOf), ...words.focused].map(
+        ([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`,
+      )}</dl>
       <label class="check"><input id="keys-single" type="checkbox" .checked=${areAllowed}
         @change=${allow}> <span>${texts.keysSingle}</span></label>
       <p class="sheet-foot"><button id="keys-checks" type="button" @click=${check}>${opening.texts.checksButton}</button></p>`);
@@ -48,27 +46,31 @@ export function createKeys(openChecks) {
     if (isEmbedded && event.target === document.body) return;
     if (event.target instanceof Element && event.target.matches('input[type="text"], textarea, select'))
       return;
-    const turned = words.turning.find(([key]) => key === event.key);
-    if (turned && event.target === document.body && isTurnable() && buttonOf(turned[2])) {
-      event.preventDefault();
-      buttonOf(turned[2])?.click();
-    }
     if (event.key === '?') open();
     else if (areAllowed) {
-      const found = words.single.find(([key]) => key === letterOf(event));
-      if (found) buttonOf(found[2])?.click();
+      const found = words.single.find(([key]) => key.toLowerCase() === letterOf(event));
+      const button = found && buttonOf(found);
+      if (!button || (scrolls(found) && event.target !== document.body)) return;
+      if (scrolls(found)) event.preventDefault();
+      button.click();
     }
   });
 }
 
-/** What a key presses: what is not in sight is not pressed. @param {string} id */
-const buttonOf = (id) =>
-  /** @type {HTMLElement[]} */ ([...document.querySelectorAll(`#${id}, [data-key-of="${id}"]`)]).find(
-    (button) => button.checkVisibility() && !button.closest('[inert]'),
-  );
+/** @typedef {typeof words.single[number]} Row */
 
-/** Where there is more of the page above or below, its keys scroll, as everywhere. */
-const isTurnable = () => document.documentElement.scrollHeight <= innerHeight;
+/** What is no letter scrolls, as everywhere, where there is more of the page above or below. @param {Row} row */
+const scrolls = ([key]) => key.length > 1;
+
+/** What a key presses: what is not in sight is not pressed. @param {Row} row */
+function buttonOf(row) {
+  const { scrollHeight } = document.documentElement;
+  if (scrolls(row) && scrollHeight > innerHeight) return undefined;
+  const [, , id] = row;
+  /** @type {NodeListOf<HTMLElement>} */
+  const all = document.querySelectorAll(`#${id}, [data-key-of="${id}"]`);
+  return [...all].find((button) => button.checkVisibility() && !button.closest('[inert]'));
+}
 
 /** The Latin letter of a key, also where it writes Korean. @param {KeyboardEvent} event */
 const letterOf = ({ key, code }) =>

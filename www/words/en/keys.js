@@ -7,21 +7,16 @@ export const texts = {
   keysEverywhere: 'Every button, slider and picture is also reached by Tab.',
 };
 
-/** Single keys: what they press. */
+/** Single keys: what they press. Those of a presenter’s clicker do where nothing has the focus. */
 /** @type {readonly (readonly [key: string, meaning: string, id: string])[]} */
 export const single = [
   ['r', 'run evolution, or pause it', 'run'],
   ['n', '1 generation', 'one-generation'],
   ['b', '1 generation back', 'one-back'],
   ['p', 'let the robots drive, or hold them', 'play'],
-  ['s', 'settings', 'settings-button'],
-];
-
-/** What a presenter’s clicker presses, as long as nothing has the focus. */
-/** @type {typeof single} */
-export const turning = [
   ['PageDown', 'the next phase of the generation, where nothing has the focus', 'generation-next'],
   ['PageUp', 'the phase before', 'generation-back'],
+  ['s', 'settings', 'settings-button'],
 ];
 
 /** Keys of what has the focus. */

@@ -7,19 +7,15 @@ export const texts = {
   keysEverywhere: '모든 버튼, 슬라이더, 그림은 Tab 키로도 옮겨 갈 수 있습니다.',
 };
 
-/** Single keys: what they press. @type {readonly (readonly [key: string, meaning: string, id: string])[]} */
+/** Single keys: what they press. Those of a presenter’s clicker do where nothing has the focus. @type {readonly (readonly [key: string, meaning: string, id: string])[]} */
 export const single = [
   ['r', '진화 시작 또는 멈춤', 'run'],
   ['n', '한 세대 진행', 'one-generation'],
   ['b', '한 세대 뒤로', 'one-back'],
   ['p', '로봇 주행 또는 멈춤', 'play'],
-  ['s', '설정', 'settings-button'],
-];
-
-/** What a presenter’s clicker presses, as long as nothing has the focus. @type {typeof single} */
-export const turning = [
   ['PageDown', '세대의 다음 단계(선택한 것이 없을 때)', 'generation-next'],
   ['PageUp', '이전 단계', 'generation-back'],
+  ['s', '설정', 'settings-button'],
 ];
 
 /** Keys of what has the focus. @type {readonly (readonly [keys: string, meaning: string])[]} */
