@@ -20,6 +20,9 @@ function showMore(nav) {
   nav.classList.toggle('more-after', hidden > 1);
 }
 
+/** Of the window, which names first what is open. @param {string} name */
+export const titleOf = (name) => `${name} · ${strings.texts.pageTitle}`;
+
 /** Of those that name the pages they belong to. @param {Iterable<Element>} elements @param {string} page */
 export function showOn(elements, page) {
   for (const element of elements)
@@ -52,6 +55,8 @@ export function createPages(pages, nav, tagline, onOpen, onLesson) {
     draw(open, lesson, population) {
       if (!changed(open, lesson, population)) return;
       document.body.dataset.open = open;
+      // A step of the lesson has its own, once it is there.
+      if (!lesson) document.title = titleOf(strings.pages[open]);
       tagline.textContent = lesson ? lessonWords.tagline : strings.taglines(population)[open];
       const current = lesson ? 'lesson' : open;
       render(

@@ -9,7 +9,7 @@ import { createPlace } from './keepsake.js';
 import { settle } from './questions/settle.js';
 import { createSights, figureOf } from './sights.js';
 import { steps } from './steps.js';
-import { texts } from '../words/index.js';
+import { titleOf } from '../lab/navigation.js';
 import { createStage, stageOf } from './stage.js';
 import { createTally } from './duel/tally.js';
 import './views/error-posture.css';
@@ -66,7 +66,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       const figure = figureOf(step, state);
       if (headChanged(lesson, state.page, figure, place)) {
         document.body.toggleAttribute('data-lesson', lesson > 0);
-        document.title = step ? `${nameOf(lesson)} · ${texts.pageTitle}` : texts.pageTitle;
+        if (step) document.title = titleOf(nameOf(lesson));
         document.body.dataset.figure = figure;
         article.hidden = !step;
         sights.open(step, state.page, figure, place);

@@ -265,7 +265,11 @@ pageTest('the focus and the title of the page go with the step', async (page) =>
   await stands(`4 ${en.titles.stability}`, 'lesson-step');
   await page.click('#page-lab');
   await page.until('the lesson is closed', () => document.getElementById('lesson')?.hidden);
-  assert.equal(await usual(), english.lab.texts.pageTitle);
+  const { pages, texts } = english.lab;
+  assert.equal(await usual(), `${pages.lab} · ${texts.pageTitle}`);
+  await page.click('#page-curves');
+  await page.until('the curves are open', () => document.body.dataset.open === 'curves');
+  assert.equal(await usual(), `${pages.curves} · ${texts.pageTitle}`);
 });
 
 engineTest('a symbol that is pointed at lights up in formula and picture', async (page) => {
