@@ -64,7 +64,10 @@ export function createPaperTable({ engine }, words) {
       ]);
     }
     // Who is in it, or has scrolled it, stays there.
-    box.replaceChildren(tableOf('lesson-table', words.head, rows));
+    const table = tableOf('lesson-table', words.head, rows);
+    // It stands right below the heading of its step.
+    table.setAttribute('aria-labelledby', 'lesson-title');
+    box.replaceChildren(table);
   };
   return {
     element,
@@ -96,6 +99,7 @@ export function createChoicesTable({ engine }, words) {
   const rows = texts.map((row) => row.map((text) => create('span', '', ...inline(text, String))));
   const table = tableOf('lesson-table choices-table', words.choicesHead, rows);
   const element = create('section', '', create('h3', '', words.choicesTitle), scrolling(table));
+  table.setAttribute('aria-label', words.choicesTitle);
   return { element, draw() {} };
 }
 

@@ -13,7 +13,8 @@ export const tableOf = (summary) => html`
     data-name=${texts.disturbancePicture} aria-hidden="true">
     ${Object.entries(words.legend).map(([name, text]) => (name === 'set' && !hasSets(summary) ? nothing : html`<li class=${name}>${text}</li>`))}
   </ul>
-  <table id="remains" class="remains${summary ? '' : ' unmeasured'}" data-picture="disturbance">
+  <table id="remains" class="remains${summary ? '' : ' unmeasured'}" data-picture="disturbance"
+    aria-labelledby="disturbance-title remains-caption">
     <thead>
       <tr>
         <th id="remains-caption" class="remains-caption" scope="col" rowspan="2">${summary && words.captionText(summary.seconds)}</th>

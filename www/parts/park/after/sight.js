@@ -9,6 +9,7 @@ import { styled, valueIn } from '../../../kit/templates.js';
 import { lab } from '../../../words/index.js';
 import { isDone } from '../breeding.js';
 import { mineOf } from './walk.js';
+import park from '../words/index.js';
 import words from './words/index.js';
 
 /** @param {Model} model @param {Bred} found */
@@ -63,7 +64,7 @@ export function comparison(model, found, onWalk) {
     /** @type {number | null} */ parked,
   ) =>
     html`<tr><th scope="row">${name}</th>${triple.map((gain, i) => html`<td class=${lab.gains[i].id}>${words.gain(gain)}</td>`)}<td>${parked === null ? '–' : words.share(parked, count)}</td></tr>`;
-  return html`<table class="park-table">
+  return html`<table class="park-table" aria-label=${`${park.sliders}: ${words.bestByHand}, ${words.evolved}`}>
     <thead><tr><td></td>${lab.gains.map(({ letter, index }) => html`<th scope="col"><i>${letter}</i><sub>${index}</sub></th>`)}<th scope="col">${words.parkedColumn}</th></tr></thead>
     <tbody>${row(words.bestByHand, mineOf(model, model.gains), best?.parked ?? null)}${row(words.evolved, found.gains, found.parked)}</tbody>
   </table>
