@@ -5,12 +5,13 @@
 /** @import { Store } from '../run/store.js' */
 /** @import { Slice } from '../run/store.js' */
 /** @import { Links } from './link.js' */
+import { tidyText } from '../kit/text.js';
 import { canLoad, isEmbedded, leaving } from '../kit/host.js';
 import { takeAlong, takeUp } from './crossing.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { inLanguage, withExercise } from './link.js';
 import { watch } from '../kit/memo.js';
-import { isEmpty, tidyTask } from '../run/exercise.js';
+import { isEmpty } from '../run/exercise.js';
 import { asked, caughtUp } from '../run/state.js';
 import { mostOfWho } from '../run/variant.js';
 import { link as words } from '../words/index.js';
@@ -207,7 +208,7 @@ function createWays(linkTo) {
 }
 
 /** Who works here, where the address says so before its #, as learning platforms write it. */
-const whoAsked = () => tidyTask(new URLSearchParams(location.search).get('who') ?? '').slice(0, mostOfWho);
+const whoAsked = () => tidyText(new URLSearchParams(location.search).get('who') ?? '').slice(0, mostOfWho);
 
 /** Where an address is: the part, and the step of the lesson. @typedef {{ page: string, lesson: number }} Place */
 

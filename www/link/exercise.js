@@ -5,17 +5,10 @@
 /** @import { Exercise } from '../run/exercise.js' */
 /** @import { Prepared } from '../run/prepared.js' */
 /** @import { Key, Linked } from './keys.js' */
+import { tidyText } from '../kit/text.js';
 import { most } from '../run/aim.js';
 import { lastGeneration } from '../run/pace.js';
-import {
-  asksSomething,
-  groupNames,
-  isEmpty,
-  isHiddenWithPaper,
-  mostOfTask,
-  tidyTask,
-  wayOf,
-} from '../run/exercise.js';
+import { asksSomething, groupNames, isEmpty, isHiddenWithPaper, mostOfTask, wayOf } from '../run/exercise.js';
 import { nothingPrepared, preparedIn, unreachable } from '../run/prepared.js';
 import { drivers, presets, spentOf } from '../run/state.js';
 import { drawnFor, mostOfWho, undrawn, variedNames } from '../run/variant.js';
@@ -48,9 +41,9 @@ export const exerciseKeys = [
   severalKey('hide', 'hidden', groupNames),
   {
     key: 'task',
-    text: ({ exercise }) => tidyTask(exercise.task) || null,
+    text: ({ exercise }) => tidyText(exercise.task) || null,
     read(opened, text) {
-      const task = tidyTask(text);
+      const task = tidyText(text);
       if (task.length > mostOfTask) throw new Error(words.longTask(mostOfTask, task.length));
       return asking(opened, { task });
     },
@@ -70,7 +63,7 @@ export const exerciseKeys = [
     key: 'who',
     text: ({ exercise, student }) => (isEmpty(exercise) ? null : student.who || null),
     read(opened, text) {
-      const who = tidyTask(text);
+      const who = tidyText(text);
       if (who.length > mostOfWho) throw new Error(words.longTask(mostOfWho, who.length));
       return { ...opened, student: { ...opened.student, who } };
     },

@@ -41,8 +41,6 @@ export const firstMaker = { open: false, draft: noExercise };
 /** A task is read beside the figure: longer ones belong on a page of their own. In UTF-16 units, as fields count them. */
 export const mostOfTask = 300;
 
-export const tidyTask = tidyText;
-
 /** As the exercise says. @param {Exercise} exercise @param {Group} group @returns {Way} */
 const wayGiven = ({ locked, hidden }, group) =>
   hidden.includes(group) ? 'hidden' : locked.includes(group) ? 'locked' : 'free';
@@ -80,7 +78,7 @@ export const shownExercise = ({ exercise, maker }) => (maker.open ? both(exercis
 
 /** There is something to do, and so something to hand in. @param {Exercise} exercise */
 export const asksSomething = ({ task, aim, vary }) =>
-  tidyTask(task) !== '' || aim !== null || vary.length > 0;
+  tidyText(task) !== '' || aim !== null || vary.length > 0;
 
 /** @param {Exercise} exercise */
 export const isEmpty = (exercise) =>

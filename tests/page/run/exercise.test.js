@@ -1,11 +1,11 @@
 // What an exercise locks and hides, without a browser.
+import { tidyText } from '../../../www/kit/text.js';
 import assert from 'node:assert/strict';
 import {
   firstMaker,
   groupNames,
   noExercise,
   shownExercise,
-  tidyTask,
   wayOf,
   withWay,
 } from '../../../www/run/exercise.js';
@@ -24,7 +24,7 @@ test('a task is one line of text, whatever was written', () => {
     ['<b>bold</b> 🤖 과제', '<b>bold</b> 🤖 과제'],
     ['\n\u2028 \u00a0', ''],
   ];
-  for (const [written, shown] of rows) assert.equal(tidyTask(written), shown);
+  for (const [written, shown] of rows) assert.equal(tidyText(written), shown);
 });
 
 test('each group of controls is free, locked or hidden, and says so in a fixed order', () => {

@@ -3,6 +3,7 @@
 /** @import { Group } from '../../run/exercise.js' */
 /** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
+import { tidyText } from '../../kit/text.js';
 import { byId } from '../../kit/elements.js';
 import { isEmbedded } from '../../kit/host.js';
 import { once, watch } from '../../kit/memo.js';
@@ -13,15 +14,7 @@ import { exercise as words } from '../../words/index.js';
 import { afterWords } from '../../words/pick.js';
 import { load as loadHandIn } from '../handin/words/load.js';
 import { load as loadWords } from '../words/load.js';
-import {
-  asksSomething,
-  groupNames,
-  isEmpty,
-  noExercise,
-  shownExercise,
-  tidyTask,
-  wayOf,
-} from '../../run/exercise.js';
+import { asksSomething, groupNames, isEmpty, noExercise, shownExercise, wayOf } from '../../run/exercise.js';
 import { caughtUp } from '../../run/state.js';
 import { createAway } from './away.js';
 import { keepFromLinks, lock, lockAgain } from './locks.js';
@@ -147,7 +140,7 @@ export function createExercise({ places, ...tools }) {
       if (!changed(exercise, state.student.handin)) return;
       document.body.toggleAttribute('data-exercise', asksSomething(exercise));
       section.hidden = isEmpty(exercise) && state.student.handin === '';
-      task.textContent = tidyTask(exercise.task);
+      task.textContent = tidyText(exercise.task);
       label.hidden = task.textContent === '';
       task.hidden = label.hidden;
       const named = (/** @type {import('../../run/exercise.js').Way} */ way) =>

@@ -1,6 +1,7 @@
 // The sheet on which an exercise is handed in: who it is, once, and then the receipt.
 /** @import { Receipt } from './receipt.js' */
 /** @import { WorkTools } from './work.js' */
+import { tidyText } from '../../kit/text.js';
 import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { copy } from '../../kit/copy.js';
@@ -8,7 +9,6 @@ import { download } from '../../kit/download.js';
 import { isEmbedded } from '../../kit/host.js';
 import { createSheet } from '../../kit/sheet.js';
 import { onEnter, selectAll } from '../../kit/templates.js';
-import { tidyTask } from '../../run/exercise.js';
 import { mostOfWho } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
 import { handedAddress } from '../frame-text.js';
@@ -65,7 +65,7 @@ export function createHandInSheet(tools) {
     },
     name() {
       const field = /** @type {HTMLInputElement} */ (document.getElementById('handin-who'));
-      const who = tidyTask(field.value);
+      const who = tidyText(field.value);
       if (!who) return field.focus();
       typed = who;
       actions.setWho(who);

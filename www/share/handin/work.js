@@ -5,6 +5,7 @@
 /** @import { Measured } from './measure.js' */
 /** @import { Thing } from './own.js' */
 /** @import { HandedIn } from './sheet.js' */
+import { tidyText } from '../../kit/text.js';
 import { html, nothing, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
@@ -12,7 +13,7 @@ import { onEnter } from '../../kit/templates.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { isFree } from '../../run/guard.js';
-import { asksSomething, shownExercise, tidyTask } from '../../run/exercise.js';
+import { asksSomething, shownExercise } from '../../run/exercise.js';
 import { drivesOf, noTrial } from '../../run/state.js';
 import { mostOfWho } from '../../run/variant.js';
 import { messageOf } from '../../words/errors.js';
@@ -82,7 +83,7 @@ export function createWork(tools, root) {
   };
 
   const begin = () => {
-    const who = tidyTask(/** @type {HTMLInputElement} */ (byId('work-who')).value);
+    const who = tidyText(/** @type {HTMLInputElement} */ (byId('work-who')).value);
     if (who) actions.setWho(who);
   };
 

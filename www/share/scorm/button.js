@@ -1,9 +1,9 @@
 // The button that writes an exercise as a package for learning platforms. Where the page cannot read its own file, as from a disk,
 // it asks for it.
 /** @import { Exercise } from '../../run/exercise.js' */
+import { tidyText } from '../../kit/text.js';
 import { html, nothing } from 'lit-html';
 import { download } from '../../kit/download.js';
-import { tidyTask } from '../../run/exercise.js';
 import { digitsOf } from '../../kit/hash.js';
 import { messageOf } from '../../words/errors.js';
 import { language } from '../../words/language.js';
@@ -37,7 +37,7 @@ export function createPackaging(say) {
 
   /** @param {string} link @param {Exercise} draft @param {Uint8Array} oneFile */
   async function write(link, draft, oneFile) {
-    const task = tidyTask(draft.task);
+    const task = tidyText(draft.task);
     const title = task.length > mostOfTitle ? `${task.slice(0, mostOfTitle)}…` : task || texts.scormTitle;
     const { mostOfLink, packageOf } = await import('./package.js');
     const zip = await packageOf(link, oneFile, { language, title, ...scorm.sentences });
