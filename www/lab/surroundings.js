@@ -21,6 +21,9 @@ export function followSurroundings(actions, show) {
   ]))
     addEventListener(name, () => {
       document.documentElement.toggleAttribute('data-printing', prints);
+      // What is not on the screen was not drawn, or long ago.
+      for (const picture of document.querySelectorAll('canvas, .picture > svg'))
+        picture.toggleAttribute('data-unseen', prints && !picture.checkVisibility());
       redraw();
     });
 }

@@ -12,19 +12,34 @@ const paper = 680;
 /** As high as a sheet of Letter between its margins, the lower of the two. */
 const sheet = 960;
 
-/** From now on the rules for paper hold on the screen, where one can look. @param {Page} page */
-const asOnPaper = (page) =>
-  page.evaluate(() => {
-    let found = 0;
-    const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
-    for (const rule of rules)
-      if (rule instanceof CSSMediaRule && rule.media.mediaText === 'print') {
-        rule.media.mediaText = 'all';
-        found += 1;
-      } else if (rule instanceof CSSMediaRule && rule.media.mediaText === 'screen')
-        rule.media.mediaText = 'not all';
-    return found;
-  });
+/** From now on the rules for paper hold on the screen, where one can look. */
+const turnToPaper = () => {
+  dispatchEvent(new Event('beforeprint'));
+  let found = 0;
+  const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
+  for (const rule of rules)
+    if (rule instanceof CSSMediaRule && rule.media.mediaText === 'print') {
+      rule.media.mediaText = 'all';
+      found += 1;
+    } else if (rule instanceof CSSMediaRule && rule.media.mediaText.startsWith('screen'))
+      rule.media.mediaText = 'not all';
+  return found;
+};
+const asOnPaper = (/** @type {Page} */ page) => page.evaluate(turnToPaper);
+
+/** What is seen on paper before anything is drawn again, as a printer waits for no frame. @template T @param {Page} page @param {() => T} look @returns {Promise<T>} */
+const printed = (page, look) =>
+  page.driver.executeScript(`(${turnToPaper})();
+    for (const sheet of document.styleSheets)
+      for (const rule of sheet.cssRules)
+        if (rule.media?.mediaText.startsWith('(min-width: 1')) rule.media.mediaText = 'not all';
+    return (${look})();`);
+
+/** What is drawn and seen, by its place among all. @param {Page} page */
+const canvasesIn = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('main canvas')].flatMap((canvas, i) => (canvas.checkVisibility() ? i : [])),
+  );
 
 /** Of those parts of which more is to be seen than their names open. @type {Readonly<Record<string, readonly string[]>>} */
 const more = {
@@ -46,7 +61,10 @@ for (const link of pageNames.flatMap(linksOf))
     async (page) => {
       const [part] = link.split('&');
       await page.open(`#${link}`);
+      const before = await canvasesIn(page);
       assert.ok((await asOnPaper(page)) > 0);
+      const after = await canvasesIn(page);
+      assert.ok(after.length >= before.length, `${after} of ${before}`);
       await page.resize(paper, 900);
       await page.until('everything is drawn', () =>
         [...document.querySelectorAll('canvas')].every(
@@ -170,6 +188,7 @@ pageTest(
   'a step on paper has its plane, a bowl that leaves room for the words, and the terms they ask to put in',
   async (page) => {
     for (const step of ['drive', 'law', 'stability']) {
+      await page.resize(1280, 900);
       await page.open(`#lesson&step=${step}`);
       await asOnPaper(page);
       await page.resize(paper, 900);
@@ -195,6 +214,64 @@ pageTest(
     }
   },
 );
+
+pageTest('a step on paper has the pictures that it has on the screen, whole, and no others', async (page) => {
+  for (const [width, height, steps] of /** @type {const} */ ([
+    [1280, 900, ['limits', 'cost', 'generation', 'sigma', 'duel', 'contest', 'task']],
+    [390, 844, ['limits', 'cost']],
+  ]))
+    for (const step of steps) {
+      await page.resize(width, height);
+      await page.open(`#lesson&step=${step}`);
+      await page.until(
+        'its pictures',
+        (isOfStage) => {
+          const all = [...document.querySelectorAll('main canvas')].filter((one) => one.checkVisibility());
+          const drawn = all.every((one) => /** @type {HTMLCanvasElement} */ (one).height !== 150);
+          return drawn && (!isOfStage || document.querySelector('.stage > *'));
+        },
+        !['contest', 'task'].includes(step),
+      );
+      const before = await canvasesIn(page);
+      const seen = await printed(page, () => {
+        const plane = /** @type {HTMLElement} */ (document.getElementById('plane'));
+        const all = [...document.querySelectorAll('main canvas')].filter((one) => one.checkVisibility());
+        return {
+          all: [...document.querySelectorAll('main canvas')].flatMap((one, i) =>
+            all.includes(one) ? i : [],
+          ),
+          isPlaneLeft: plane.checkVisibility() && !plane.querySelector('canvas')?.checkVisibility(),
+          names: document.querySelectorAll('.standing-name').length,
+          shown: [...document.querySelectorAll('.standing-name')].filter((one) => one.checkVisibility())
+            .length,
+          pictures: all.map((one) => {
+            const canvas = /** @type {HTMLCanvasElement} */ (one);
+            const [box, place] = [canvas, /** @type {Element} */ (canvas.parentElement)].map((element) =>
+              element.getBoundingClientRect(),
+            );
+            return {
+              name: canvas.id || canvas.parentElement?.className,
+              isChart: canvas.matches('.chart > *'),
+              cut: box.bottom - place.bottom,
+              height: box.height,
+              larger: (box.width * devicePixelRatio) / canvas.width,
+              shape: box.width / box.height / (canvas.width / canvas.height),
+              fit: getComputedStyle(canvas).objectFit,
+            };
+          }),
+        };
+      });
+      assert.deepEqual(seen.all, before, step);
+      assert.equal(seen.isPlaneLeft, false, step);
+      assert.equal(seen.shown, seen.names, step);
+      for (const { name, isChart, cut, height: high, larger, shape, fit } of seen.pictures) {
+        const told = `${step} ${width}: ${name}, ${high} px high, ${cut} px cut, ${larger} as large`;
+        assert.ok(cut < 2 && high > 20, told);
+        assert.ok(!isChart || larger < 1.05, told);
+        assert.ok(fit === 'contain' || Math.abs(shape - 1) < 0.05, told);
+      }
+    }
+});
 
 engineTest(
   'what is drawn gets the colours of paper before it is printed, and its own again',

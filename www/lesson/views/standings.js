@@ -106,7 +106,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
         return html`<tr class=${i === winner ? 'standing wins' : 'standing'}>
           <td class="standing-picture">${pictures[i].element}</td>
           <th class="standing-head" scope="row">
-            <button class="standing-name" type="button" data-entrant=${name} aria-pressed=${name === driving} .disabled=${!run}
+            <button class="standing-name on-paper" type="button" data-entrant=${name} aria-pressed=${name === driving} .disabled=${!run}
               @click=${() => drive(name)}>${name === 'gentle' ? words.gentle : driverText(driverOf(name))}</button
             ><span class="muted">${text}</span>
             <div class="standing-bar" aria-hidden="true">${segmentsOf(run, dearest)}</div>
