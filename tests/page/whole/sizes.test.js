@@ -56,6 +56,62 @@ pageTest('with letters twice as large nothing leads out of a telephone’s width
   }
 });
 
+pageTest('with letters twice as large nothing lies on anything else beside the plane', async (page) => {
+  await page.resize(1280, 800);
+  await page.open('#training');
+  await page.evaluate(() => {
+    document.documentElement.style.fontSize = '200%';
+  });
+  const [aside] = await excess(page);
+  assert.ok(aside <= 0, `Training: ${aside} px`);
+  const overlaps = await page.evaluate(() => {
+    const boxes = ['head', 'controls', 'finding', 'table', 'pictures'].flatMap((name) => {
+      const selector = name === 'head' ? '.training > .heading' : `.training-${name}`;
+      const element = document.querySelector(selector);
+      const inner = name === 'pictures' ? [...(element?.children ?? [])] : [];
+      return [element, ...inner].map((one) => ({ name, box: one?.getBoundingClientRect() }));
+    });
+    return boxes.flatMap((a, i) =>
+      boxes.slice(i + 1).flatMap((b) => {
+        if (a.name === b.name || !a.box || !b.box) return [];
+        const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+        const high = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+        return wide > 1 && high > 1 ? `${a.name} on ${b.name}` : [];
+      }),
+    );
+  });
+  assert.deepEqual(overlaps, []);
+});
+
+pageTest('with letters twice as large no choice of the contest cuts its words', async (page) => {
+  await page.resize(1280, 800);
+  await page.open('#luck&luck=contest');
+  const cut = await page.evaluate(() => {
+    document.documentElement.style.fontSize = '200%';
+    const selects = [...document.querySelectorAll('.contestants select')];
+    return selects.map((one) => one.clientHeight / Number.parseFloat(getComputedStyle(one).fontSize));
+  });
+  assert.ok(cut.length > 0);
+  for (const lines of cut) assert.ok(lines >= 1.15, `${lines} of a letter’s height`);
+});
+
+pageTest('on a large screen the plane has the height that is there', async (page) => {
+  for (const [width, height] of /** @type {const} */ ([
+    [2560, 1440],
+    [3840, 2160],
+  ])) {
+    await page.resize(width, height);
+    for (const part of ['lab', 'generation', 'landscape']) {
+      await page.open(`#${part}`);
+      assert.deepEqual(await excess(page), [0, 0], `${part} at ${width} × ${height}`);
+      const below = await page.evaluate(
+        () => innerHeight - Number(document.getElementById('plane')?.getBoundingClientRect().bottom),
+      );
+      assert.ok(below < 0.15 * height, `${part} at ${width} × ${height}: ${below} px below the plane`);
+    }
+  }
+});
+
 pageTest('the links to the parts and the plane stay where they are from part to part', async (page) => {
   for (const link of ['#lab', '#lab&v=1&lang=ko']) {
     await page.open(link);
