@@ -109,5 +109,10 @@ pageTest(
       'there is no room for it on a telephone',
       () => !document.querySelector('.push-strip')?.checkVisibility(),
     );
+    const scrolled = await page.evaluate(() => {
+      const stage = /** @type {HTMLElement} */ (document.querySelector('#stage'));
+      return stage.scrollHeight - stage.clientHeight;
+    });
+    assert.ok(scrolled <= 1, `the bars can be scrolled by ${scrolled} px`);
   },
 );
