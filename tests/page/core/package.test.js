@@ -1,13 +1,11 @@
-// The npm package: packed, installed into an empty project without a network, and used there as its readers would.
+// The npm package, used as its readers would.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { cp, mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import { join, sep } from 'node:path';
-import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
-import { npm, top } from '../../../.tasks/run.mjs';
+import { top } from '../../../.tasks/run.mjs';
 import { openLink } from '../../../src/link.js';
 import { pageNames } from '../../../www/parts/parts.js';
 import { noStep, unknownPart } from '../../../www/words/en/link.js';
@@ -15,26 +13,7 @@ import { engineTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, simulate, version, wasm } from '../harness/core.js';
 import { onceOnly, test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
-
-const project = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
-after(() => rm(project, { recursive: true }));
-const installed = join(project, 'node_modules', 'ep-locomotion');
-const manifest = JSON.parse(await readFile(join(top, 'package.json'), 'utf8'));
-
-/** Installs the package; what comes back is the example of its README. */
-const install = onceOnly(async () => {
-  await writeFile(join(project, 'package.json'), '{ "type": "module" }');
-  // The core is built already.
-  await npm(['pack', '--ignore-scripts', '--silent', '--pack-destination', project], { keepColours: false });
-  await npm(
-    [
-      ...['install', '--prefix', project, '--offline', '--no-audit', '--no-fund', '--silent'],
-      join(project, `ep-locomotion-${manifest.version}.tgz`),
-    ],
-    { keepColours: false },
-  );
-  return /```js\n(.*?)```/s.exec(await readFile(join(installed, 'README.md'), 'utf8'))?.[1] ?? '';
-});
+import { install, installed, manifest, printedBy, project } from './package/installed.js';
 
 const writePages = onceOnly(async () => {
   await writePage('plain', '../node_modules/ep-locomotion/pkg/ep_locomotion.js');
@@ -124,9 +103,7 @@ test('every file tells the same version', async () => {
 });
 
 test("under Node the README's example prints the core's numbers", async () => {
-  await writeFile(join(project, 'example.js'), await install());
-  const printed = execFileSync(process.execPath, [join(project, 'example.js')], { encoding: 'utf8' });
-  assert.deepEqual(printed.trim().split('\n'), expectedLines());
+  assert.deepEqual(await printedBy(await install()), expectedLines());
 });
 
 test('a call before the core is ready says so, and init takes bytes by either name', async () => {
@@ -139,10 +116,8 @@ test('a call before the core is ready says so, and init takes bytes by either na
     await init({ NAME: bytes });
     console.log(evaluate({}, [1, 2, 3]).length);`;
   for (const name of ['module', 'module_or_path']) {
-    await writeFile(join(project, 'early.js'), early.replace('NAME', name));
-    const printed = execFileSync(process.execPath, ['early.js'], { cwd: project, encoding: 'utf8' });
     const said = 'ep-locomotion: call init() and wait for it before anything else';
-    assert.deepEqual(printed.trim().split('\n'), [said, said, '1']);
+    assert.deepEqual(await printedBy(early.replace('NAME', name)), [said, said, '1']);
   }
 });
 
@@ -156,9 +131,7 @@ test('init takes the address of its file, and after what is no core another', as
     await init({ module: FILE });
     console.log(evaluate({}, [1, 2, 3]).length);`;
   for (const file of ['file', 'new URL(file)', 'Promise.resolve(file)', 'undefined']) {
-    await writeFile(join(project, 'several.js'), several.replace('FILE', file));
-    const printed = execFileSync(process.execPath, ['several.js'], { cwd: project, encoding: 'utf8' });
-    const [, said, count] = printed.trim().split('\n');
+    const [, said, count] = await printedBy(several.replace('FILE', file));
     assert.deepEqual([said, count], ['ep-locomotion: what init() was given is not its core', '1'], file);
   }
 });
@@ -179,9 +152,7 @@ test('the package reads links of the page', async () => {
     const links = ['https://a.host/ep/index.html#curves&amp;v=1&preset=acceleration-limits&seed=7&horizon=5&gains=3,0.1,5&drives=hand&t=1.5',
       'lab&goal.theta=90deg&sampleTime=0.001&limits.speed=off&gains=1,2&horizn=3', ''];
     console.log(JSON.stringify(links.map(openLink)));`;
-  await writeFile(join(project, 'reading.js'), reading);
-  const printed = execFileSync(process.execPath, ['reading.js'], { cwd: project, encoding: 'utf8' });
-  const [first, second, third] = JSON.parse(printed);
+  const [first, second, third] = JSON.parse((await printedBy(reading))[0]);
   const usual = experiment('velocity-limits');
   const changed = experiment('acceleration-limits', { horizon: 5, evolution: { seed: 7 } });
   const { preset, part, gains, drives, others, problems } = first;

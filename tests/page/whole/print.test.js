@@ -4,6 +4,7 @@ import { lab } from '../../../www/words/index.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { samples } from '../parts/samples.js';
 import { bred, counted, slide } from '../parts/parking.js';
+import { asOnPaper, canvasesIn, printed } from './on-paper.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -11,35 +12,6 @@ import { bred, counted, slide } from '../parts/parking.js';
 const paper = 680;
 /** As high as a sheet of Letter between its margins, the lower of the two. */
 const sheet = 960;
-
-/** From now on the rules for paper hold on the screen, where one can look. */
-const turnToPaper = () => {
-  dispatchEvent(new Event('beforeprint'));
-  let found = 0;
-  const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
-  for (const rule of rules)
-    if (rule instanceof CSSMediaRule && rule.media.mediaText === 'print') {
-      rule.media.mediaText = 'all';
-      found += 1;
-    } else if (rule instanceof CSSMediaRule && rule.media.mediaText.startsWith('screen'))
-      rule.media.mediaText = 'not all';
-  return found;
-};
-const asOnPaper = (/** @type {Page} */ page) => page.evaluate(turnToPaper);
-
-/** What is seen on paper before anything is drawn again, as a printer waits for no frame. @template T @param {Page} page @param {() => T} look @returns {Promise<T>} */
-const printed = (page, look) =>
-  page.driver.executeScript(`(${turnToPaper})();
-    for (const sheet of document.styleSheets)
-      for (const rule of sheet.cssRules)
-        if (rule.media?.mediaText.startsWith('(min-width: 1')) rule.media.mediaText = 'not all';
-    return (${look})();`);
-
-/** What is drawn and seen, by its place among all. @param {Page} page */
-const canvasesIn = (page) =>
-  page.evaluate(() =>
-    [...document.querySelectorAll('main canvas')].flatMap((canvas, i) => (canvas.checkVisibility() ? i : [])),
-  );
 
 /** Of those parts of which more is to be seen than their names open. @type {Readonly<Record<string, readonly string[]>>} */
 const more = {
