@@ -226,7 +226,9 @@ pageTest(
       await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
       isThere = false;
       await page.click('#language');
-      assert.match(await page.text('#message'), /other language cannot be loaded now/);
+      await page.until('it is said', () =>
+        /other language cannot be loaded now/.test(document.getElementById('message')?.textContent ?? ''),
+      );
       await page.until('it has its address again', () => location.hash === '#lab&v=1&seed=3');
       await page.click('#one-generation');
       await page.until('what changes is written', () => location.hash.endsWith('&generation=1'));
