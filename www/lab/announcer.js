@@ -36,9 +36,9 @@ export function createTeller(who) {
   let last = null;
   return (/** @type {string} */ text, /** @type {boolean} */ isQuiet) => {
     const before = last;
-    if (text === before || (isQuiet && before !== null)) return;
+    if (text === (before ?? '') || (isQuiet && before !== null)) return;
     last = text;
-    // What is there from the beginning is read in its place.
+    // What is there from the beginning, once it has words, is read in its place.
     if (before !== null && text !== '') announce(who, text, settlingMilliseconds);
   };
 }

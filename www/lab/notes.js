@@ -23,6 +23,7 @@ export function createNotes({ onRestore }) {
   const bestChanged = watch();
   const handChanged = watch();
   const planeText = byId('plane-text');
+  let isDrawn = false;
 
   return {
     /** @param {NotesModel} model */
@@ -63,14 +64,15 @@ export function createNotes({ onRestore }) {
       if (historyChanged(history))
         byId('curve').setAttribute('aria-label', strings.curveLabel(history[0], history[history.length - 1]));
       if (bestChanged(history[generation])) announce('lab', strings.announcement(history[generation]));
-      // What is said of a run elsewhere on the page is not said twice.
+      // What is said of a run elsewhere on the page is not said twice, and what is there from the beginning is read in its place.
       const isByHand = driver === 'hand' && found === 'hand' && !chosen && !tried;
-      if (handChanged(isByHand && driving) && isByHand)
+      if (handChanged(isByHand && driving) && isByHand && isDrawn)
         announce(
           'lab',
           `J ${strings.costText(driving.cost.total)}, ${strings.outcomeText(driving)}`,
           settlingMilliseconds,
         );
+      isDrawn = true;
     },
   };
 }

@@ -1,6 +1,7 @@
 // What a part has computed, and what keys lead to in its pictures, is said to who cannot see it.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
+import { serve } from '../harness/server.js';
 import { link, openContest, runContest } from './contest-page.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -109,59 +110,73 @@ pageTest(
   },
 );
 
-/** Holds what waits for a second, until `settle` is called. @param {Page} page */
-const hold = (page) =>
-  page.evaluate(() => {
-    const { setTimeout: begin, clearTimeout: end } = window;
-    /** @type {Map<number, () => void>} */
-    const held = new Map();
-    Object.assign(window, {
-      setTimeout: (
-        /** @type {() => void} */ act,
-        /** @type {number} */ wait,
-        /** @type {unknown[]} */ ...given
-      ) => {
-        if (wait !== 1000) return begin(act, wait, ...given);
-        held.set(-1 - held.size, act);
-        return -held.size;
-      },
-      clearTimeout: (/** @type {number} */ timer) => (held.delete(timer) ? undefined : end(timer)),
-      settle: () => {
-        for (const act of held.values()) act();
-        held.clear();
-      },
-    });
+/** In the page: holds what waits for a second, until `settle` is called. */
+function hold() {
+  const { setTimeout: begin, clearTimeout: end } = window;
+  /** @type {Map<number, () => void>} */
+  const held = new Map();
+  Object.assign(window, {
+    setTimeout: (
+      /** @type {() => void} */ act,
+      /** @type {number} */ wait,
+      /** @type {unknown[]} */ ...given
+    ) => {
+      if (wait !== 1000) return begin(act, wait, ...given);
+      held.set(-1 - held.size, act);
+      return -held.size;
+    },
+    clearTimeout: (/** @type {number} */ timer) => (held.delete(timer) ? undefined : end(timer)),
+    settle: () => {
+      for (const act of held.values()) act();
+      held.clear();
+    },
   });
+}
 
-pageTest('what a slider makes of a readout is said once the hand rests', async (page) => {
-  for (const [link, id] of readouts) {
-    await page.open(`#${link}${link.includes('&') ? '' : '&v=1'}&drives=hand&gains=3,6,1`);
-    const before = await page.until(
-      'it is there',
-      (id) => document.getElementById(id)?.textContent?.trim(),
-      id,
-    );
-    await listen(page);
-    await hold(page);
-    await page.focus('#slider-kx');
-    await page.press(...Array(6).fill(Key.ARROW_RIGHT));
-    const said = await page.until(
-      'it is another',
-      (id, before) => {
-        const text = document.getElementById(id)?.textContent?.trim() ?? '';
-        return document.querySelector('[aria-busy="true"]') === null && text !== before && text;
-      },
-      id,
-      before,
-    );
-    assert.deepEqual(await heard(page), [], link);
-    await page.evaluate(() =>
-      /** @type {{ settle: () => void }} */ (/** @type {unknown} */ (window)).settle(),
-    );
-    const after = await heard(page);
-    assert.deepEqual([after.length, after[0]?.includes(said)], [1, true], `${link}: ${after} / ${said}`);
-  }
-});
+/** What is said once the hand rests. @param {Page} page */
+const settled = async (page) => {
+  await page.evaluate(() => /** @type {{ settle: () => void }} */ (/** @type {unknown} */ (window)).settle());
+  return heard(page);
+};
+
+/** The text of an element once nothing is computed any more, if it is another. @param {Page} page @param {string} id @param {string} [before] */
+const rested = (page, id, before = '') =>
+  page.until(
+    'it is there, and rests',
+    (id, before) => {
+      const text = document.getElementById(id)?.textContent?.trim() ?? '';
+      return document.querySelector('[aria-busy="true"]') === null && text !== before && text;
+    },
+    id,
+    before,
+  );
+
+pageTest(
+  'what a slider makes of a readout is said once the hand rests, what is there at first not',
+  async (page) => {
+    const site = await serve(undefined, { before: `(${hold})()` });
+    try {
+      for (const [link, id] of readouts) {
+        await page.leave();
+        await page.visit(
+          `${site.address}#${link}${link.includes('&') ? '' : '&v=1'}&drives=hand&gains=3,6,1`,
+        );
+        const before = await rested(page, id);
+        await listen(page);
+        assert.deepEqual(await settled(page), [], `opening ${link}`);
+        await page.focus('#slider-kx');
+        await page.press(...Array(6).fill(Key.ARROW_RIGHT));
+        const said = await rested(page, id, before);
+        assert.deepEqual(await heard(page), [], link);
+        const after = await settled(page);
+        assert.deepEqual([after.length, after[0]?.includes(said)], [1, true], `${link}: ${after} / ${said}`);
+      }
+    } finally {
+      await page.leave();
+      await site.close();
+    }
+  },
+);
 
 pageTest('a slider says its value with the unit, once, and is no slider twice', async (page) => {
   await page.open('#park');
