@@ -71,6 +71,12 @@ export function ticksOn(scale, space, { factors = [1, 2, 2.5, 5], least = 0 } = 
   return Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * step);
 }
 
+/** Round numbers on an upright axis; closer where else one alone would not tell how far apart they are. @param {Scale} scale */
+export function levelsOn(scale) {
+  const ticks = ticksOn(scale, 32);
+  return ticks.length > 1 ? ticks : ticksOn(scale, 14);
+}
+
 /** Whole numbers, as generations are. @param {Scale} scale */
 export const wholeTicks = (scale) => ticksOn(scale, 56, { factors: [1, 2, 5], least: 1 });
 

@@ -11,7 +11,7 @@ import {
   drawUpright,
   frameIn,
   pointsOf,
-  ticksOn,
+  levelsOn,
   within,
 } from '../kit/chart.js';
 import { extentOf } from '../kit/extent.js';
@@ -39,7 +39,7 @@ function drawCosts(context, size, model) {
     x: generationScale(history, frame),
     y: scaleLinear(costRange(model), [frame.bottom, frame.top]),
   };
-  drawGridOverWholes(context, axes, ticksOn(axes.y, 32));
+  drawGridOverWholes(context, axes, levelsOn(axes.y));
   const lines = [
     { token: '--muted', width: 1.5, costs: columns.median },
     { token: '--ink', width: 2.5, costs: columns.best },

@@ -16,7 +16,7 @@ import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
-import { isSmall, namesIn } from './plane-names.js';
+import { isSmall, namesIn, widthOf } from './plane-names.js';
 import { drawRobots } from './robots.js';
 import { emptyKite, inMetres, kite, referenceOf, sizes, trace } from './track.js';
 
@@ -58,12 +58,15 @@ function drawGrid(context, view, names) {
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const low = view.world(0, view.height);
   const high = view.world(view.width, 0);
+  const heights = multiples(low.y, high.y, step);
+  // No number leads out of the picture.
+  const edge = 4 + Math.max(30, ...heights.map((y) => widthOf(strings.fixed(y, digits))));
   take(context, { token: '--hairline', width: 1 });
   setLettering(context, { align: 'center', baseline: 'alphabetic' });
   context.beginPath();
   for (const x of multiples(low.x, high.x, step)) {
     const px = Math.round(view.screenX(x)) + 0.5;
-    if (px < 44) continue;
+    if (px < edge + 10) continue;
     context.moveTo(px, 0);
     context.lineTo(px, view.height - 28);
     const isNamed = names.some((name) => Math.abs(name.px - px) < 40 && name.py > view.height - 34);
@@ -71,12 +74,12 @@ function drawGrid(context, view, names) {
       context.fillText(`${strings.fixed(x, digits)} m`, px, view.height - 10);
   }
   setLettering(context, { align: 'right' });
-  for (const y of multiples(low.y, high.y, step)) {
+  for (const y of heights) {
     const py = Math.round(view.screenY(y)) + 0.5;
     if (py > view.height - 32) continue;
-    context.moveTo(44, py);
+    context.moveTo(edge + 10, py);
     context.lineTo(view.width, py);
-    if (py > 12) context.fillText(strings.fixed(y, digits), 34, py);
+    if (py > 12) context.fillText(strings.fixed(y, digits), edge, py);
   }
   context.stroke();
 }

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { scaleLinear } from 'd3-scale';
-import { pointsOf, sameDigits, ticksOn } from '../../../www/kit/chart.js';
+import { levelsOn, pointsOf, sameDigits, ticksOn } from '../../../www/kit/chart.js';
 import { extentOf, largest, outlineOf } from '../../../www/kit/extent.js';
 import { labelHeight, spread, standingFree } from '../../../www/kit/names.js';
 import { test } from '../harness/once.js';
@@ -169,6 +169,14 @@ test('the numbers of an axis are their ticks, however near together these are', 
   );
   assert.deepEqual(sameDigits([0, 0.25, 0.5]), ['0.00', '0.25', '0.50']);
   assert.deepEqual(sameDigits([0, 20, 40]), ['0', '20', '40']);
+});
+
+test('where a picture is low the numbers of its axis stand closer, before one stands alone', () => {
+  const low = scaleLinear([8.7, 11.5], [54, 0]);
+  assert.deepEqual(ticksOn(low, 32), [10]);
+  assert.deepEqual(levelsOn(low), [9, 10, 11]);
+  const high = scaleLinear([8.7, 11.5], [300, 0]);
+  assert.deepEqual(levelsOn(high), ticksOn(high, 32));
 });
 
 test('numbers of an axis do not touch: the first of them stays, and so does each that has room', () => {

@@ -7,7 +7,7 @@ import {
   drawUpright,
   frameIn,
   pointsOf,
-  ticksOn,
+  levelsOn,
   within,
 } from '../../kit/chart.js';
 import { drawAxisNames, drawName, spreadBeside } from '../../kit/names.js';
@@ -49,7 +49,7 @@ function drawDuel(context, size, duel, words) {
     x: scaleLinear([0, shownDrives(duel)], [frame.left, frame.right]),
     y: scaleLinear(costRange(duel), [frame.bottom, frame.top]),
   };
-  drawGridOverWholes(context, axes, ticksOn(axes.y, 32));
+  drawGridOverWholes(context, axes, levelsOn(axes.y));
   const columns = columnsOf(duel);
   const drives = columns[0].map((_, i) => i + 1);
   within(context, frame, () => {

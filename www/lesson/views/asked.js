@@ -13,6 +13,8 @@ import {
 } from '../../kit/chart.js';
 import { create } from '../../kit/elements.js';
 import { strongFont, textFont } from '../../kit/fonts.js';
+import { fillTextWithHalo } from '../../kit/canvas.js';
+import { colour } from '../../kit/palette.js';
 import { setLettering } from '../../kit/lettering.js';
 import { fixed, powerOfTen } from '../../words/numbers.js';
 
@@ -53,7 +55,7 @@ export function createAsked(_tools, { asked: words }) {
     context.font = strongFont;
     const { run, limits } = model;
     const isLimited = limits.speed !== null || limits.turnRate !== null;
-    const signs = `─ ${words.asked}   ━ ${words.done}${isLimited ? `   ╌ ${words.limit}` : ''}`;
+    const signs = `── ${words.asked}   ━━ ${words.done}${isLimited ? `   ╌╌ ${words.limit}` : ''}`;
     const widthOf = (/** @type {string} */ text) => context.measureText(text).width;
     // Where the first name leaves them no room they stand above it.
     const head = widthOf(words.linear) + widthOf(signs) + left + right > size.width ? 20 : 0;
@@ -165,10 +167,13 @@ function namePeak(context, { frame, x, y }, { asked, limit, token }, times) {
   setLettering(context, { token, font: textFont, align: 'left', baseline: 'alphabetic' });
   const { width } = context.measureText(text);
   const isUp = asked[at] > 0;
-  context.fillText(
+  // The line of the limit may be near.
+  fillTextWithHalo(
+    context,
     text,
     Math.min(x(times[at]) + 6, frame.right - width),
     isUp ? Math.max(y(asked[at]) - 4, frame.top + 10) : Math.min(y(asked[at]) + 13, frame.bottom - 2),
+    { fill: colour(token), halo: colour('--paper') },
   );
 }
 

@@ -5,10 +5,12 @@ import { watch } from '../../kit/memo.js';
 import { namesOfRuns } from '../../lab/notes.js';
 import { legendRooms } from '../../lab/plane-corners.js';
 import { meet, namesIn, roomOf } from '../../lab/plane-names.js';
+import { sizes } from '../../lab/track.js';
 import { endsOf } from '../../run/state.js';
 import { symbolInText } from '../formulas/symbols.js';
 
 /** @import { Sample } from '../../core/engine.js' */
+/** @import { View } from '../../kit/transform.js' */
 /** @import { Room } from '../../lab/plane-names.js' */
 /** @import { Live } from '../page.js' */
 
@@ -39,8 +41,12 @@ export function createErrorPosture(root) {
       const view = createView(box, size);
       const { marks, ahead } = errorOn(view, sample);
       const { solid, dashed } = namesOfRuns({ ...state, scene });
-      const taken = [...namesIn(view, endsOf(state), scene.driving, false).map(roomOf)];
-      taken.push(...legendRooms([solid, dashed]));
+      const ends = endsOf(state);
+      const taken = [
+        ...namesIn(view, ends, scene.driving, false).map(roomOf),
+        ...legendRooms([solid, dashed]),
+      ];
+      taken.push(...[sample.posture, ends.start, ends.goal].map((posture) => arrowIn(view, posture)));
       const at = marks.map(({ places, seen }) => (seen ? freeOf(size, places, taken) : places[0]));
       const lines = terms.map(([name, colour], i) => {
         const path = marks[i].seen ? marks[i].path : '';
@@ -62,6 +68,12 @@ export function createErrorPosture(root) {
   };
 }
 
+/** @param {View} view @param {{ x: number, y: number }} posture @returns {Room} */
+function arrowIn(view, { x, y }) {
+  const [px, py, half] = [view.screenX(x), view.screenY(y), sizes.robot];
+  return { left: px - half, right: px + half, top: py - half, bottom: py + half };
+}
+
 /** Within the plane. @param {number} at @param {number} end */
 const clamp = (at, end) => Math.max(16, Math.min(end - 16, at));
 
@@ -74,7 +86,7 @@ function freeOf(size, places, taken) {
   return at;
 }
 
-/** The marks of x_e, y_e and θ_e, and the two directions between which θ_e lies. @param {import('../../kit/transform.js').View} view @param {Sample} sample */
+/** The marks of x_e, y_e and θ_e, and the two directions between which θ_e lies. @param {View} view @param {Sample} sample */
 function errorOn(view, { posture, reference, error }) {
   const at = (/** @type {number} */ x, /** @type {number} */ y) =>
     /** @type {At} */ ([view.screenX(x), view.screenY(y)]);
@@ -109,7 +121,7 @@ function lineOf(from, to, third) {
   };
   return {
     path: `M${from}L${to}`,
-    places: [18, -18, -30, 44].map(beside),
+    places: [20, -20, 32, -32, 44].map(beside),
     seen: length > 4,
   };
 }

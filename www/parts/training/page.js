@@ -211,7 +211,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <p id="training-status" class="training-status" role="status">${status.join(' ')}</p>
     </div>
     <div class="bar training-controls">
-      <button id="training-evolve" type="button" class=${runs ? '' : 'primary'} @click=${unlessDouble(evolve)}>${
+      <button id="training-evolve" type="button" class=${runs ? '' : 'primary'} data-other=${words.evolveAll} @click=${unlessDouble(evolve)}>${
         runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll
       }</button>
       ${selectOf('training-generations', texts.trainingGenerations, lengthChoices, generations, (chosen) => update({ generations: chosen }))}

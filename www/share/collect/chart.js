@@ -13,6 +13,7 @@ import {
   line,
   sameDigits,
   take,
+  levelsOn,
   ticksOn,
   within,
 } from '../../kit/chart.js';
@@ -181,7 +182,7 @@ const createGainsPlane = (root) =>
     const domains = [across, up].map((gain) => reach(points.map(({ gains }) => gains[gain])));
     const x = scaleLinear(padded(domains[0]), [frame.left, frame.right]).clamp(true);
     const y = scaleLinear(padded(domains[1]), [frame.bottom, frame.top]).clamp(true);
-    const ticks = { x: ticksOn(x, 64), y: ticksOn(y, 32) };
+    const ticks = { x: ticksOn(x, 64), y: levelsOn(y) };
     drawGrid(context, { frame, x, y }, ticks, sameDigits(ticks.y));
     drawNumbersBelow(context, x, frame.bottom, ticks.x, sameDigits(ticks.x));
     for (const { gains, kind } of points) {
