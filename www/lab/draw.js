@@ -13,7 +13,7 @@ import { isReached, pausesAt } from '../run/pace.js';
 import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
 import { namesOfRuns } from './notes.js';
-import { placeOfName, isLeftForPostures } from './plane-corners.js';
+import { placeOfName, placeOfPostures } from './plane-corners.js';
 import { isSmall } from './plane-names.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
@@ -109,13 +109,17 @@ const headOf = (views, state) => ({
 /** The words that stand in a corner of the plane. */
 const placeWords = remember(
   /** @param {View} view @param {Scene} scene @param {Posture} start @param {Posture} goal @param {boolean} isPaid @param {string} solid @param {string} dashed */
-  (view, { driving, comparison, pins }, start, goal, isPaid, solid, dashed) => {
+  (view, { driving, comparison, pins, others }, start, goal, isPaid, solid, dashed) => {
     const standing = { view, ends: { start, goal }, runs: [driving, comparison, ...pins], isPaid };
     const { corner, raised } = placeOfName(standing, solid, dashed);
     const legend = byId('legend');
     legend.dataset.corner = corner;
     legend.style.setProperty('--raised', `${raised}px`);
-    byId('postures').classList.toggle('left', isLeftForPostures(standing));
+    const { side, under } = placeOfPostures(standing, 2 + Math.min(1, others.length) + pins.length);
+    const postures = byId('postures');
+    postures.classList.toggle('left', side === 'left');
+    postures.classList.toggle('under', under !== null);
+    postures.style.setProperty('--under', `${under}px`);
   },
 );
 

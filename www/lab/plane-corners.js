@@ -63,7 +63,7 @@ function passing({ view, runs }, { left, right, top, bottom }) {
   return count;
 }
 
-/** The first that meets nothing, else the one that meets least. @param {Standing} all @param {readonly Place[]} places */
+/** The first that meets nothing, else the one that meets least. @template {Place} P @param {Standing} all @param {readonly P[]} places */
 function emptiest(all, places) {
   const things = standing(all);
   let best = { place: places[0], met: Number.POSITIVE_INFINITY, passed: 0 };
@@ -125,16 +125,25 @@ export function placeOfName(all, first, text) {
   ]);
 }
 
-/** Whether the postures stand on the left, below. @param {Standing} all */
-export function isLeftForPostures(all) {
+/** Where the postures stand: below, or under the legend of so many lines, on the right or on the left. @param {Standing} all @param {number} lines @returns {{ side: 'left' | 'right', under: number | null }} */
+export function placeOfPostures(all, lines) {
   const { width, height } = all.view;
-  const bottom = height - postures.bottom;
-  /** @param {string} corner @param {number} left @returns {Place} */
-  const place = (corner, left) => ({
-    corner,
-    raised: 0,
-    room: { left, right: left + postures.width, top: bottom - postures.height, bottom },
-  });
-  const right = place('right', width - postures.right - postures.width);
-  return emptiest(all, [right, place('left', postures.left)]) !== right;
+  const below = height - postures.bottom - postures.height;
+  const under = edge.top + lines * line + 6;
+  const sides = { right: width - postures.right - postures.width, left: postures.left };
+  const places = [below, under].flatMap((top) =>
+    /** @type {const} */ (['right', 'left']).map((side) => ({
+      corner: side,
+      raised: below - top,
+      side,
+      under: top === below ? null : under,
+      room: {
+        left: sides[side],
+        right: sides[side] + postures.width,
+        top,
+        bottom: top + postures.height,
+      },
+    })),
+  );
+  return emptiest(all, places);
 }
