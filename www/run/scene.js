@@ -65,7 +65,7 @@ function createOthers(drive) {
 }
 
 /** @param {Experiment} experiment @param {Trial} trial @returns {Experiment} */
-const tried = (experiment, trial) =>
+export const tried = (experiment, trial) =>
   trial === noTrial
     ? experiment
     : {

@@ -74,11 +74,11 @@ export function createKeep(tools, sheet) {
     const { signal } = reading;
     say(words.reading);
     try {
-      const { opened, generations } = await openRunFile(await file.text(), engine, links, signal);
+      const { opened, generations, hasDrive } = await openRunFile(await file.text(), engine, links, signal);
       if (signal.aborted) return;
       tools.keepPlace(opened);
       tools.open(opened, [], generations);
-      start(words.opened(file.name, generations));
+      start(words.opened(file.name, generations, hasDrive));
     } catch (error) {
       if (!signal.aborted) show(words.notOpened(file.name, messageOf(error)));
     }
@@ -139,6 +139,13 @@ function createSaving(tools, dialog, address, say) {
   };
   const saveCsv = (/** @type {string} */ what, /** @type {string} */ content) =>
     download(`${name()}-${what}.csv`, 'text/csv', content);
+  const saveRun = () => {
+    const state = store.get();
+    const { experiment, gains, driving, chosen } = sceneOf(state);
+    const drive = chosen ? undefined : { gains, cost: driving.cost.total };
+    const content = runFile(state, engine, links, drive);
+    download(`${name()}-drive-${fingerprintOf(experiment, gains)}.json`, 'application/json', content);
+  };
   const saveDrive = () => {
     const { experiment, gains, driving } = sceneOf(store.get());
     const about = [...origin(), ...driveOrigin(experiment, gains, driving)];
@@ -146,9 +153,9 @@ function createSaving(tools, dialog, address, say) {
     saveCsv(`drive-${fingerprintOf(experiment, gains)}`, table);
   };
   return {
-    saveRun: () => download(`${name()}.json`, 'application/json', runFile(store.get(), engine, links)),
     saveGenerations: () => saveCsv('generations', generationsCsv(store.get(), origin())),
     /** A long drive is read by a worker. */
+    saveRun: () => whenThere(orSay(saveRun, say), () => dialog.open),
     saveDrive: () => whenThere(orSay(saveDrive, say), () => dialog.open),
     /** @param {Picture} picture @param {typeof kinds[number]} kind */
     async savePicture(picture, [ending, type, write]) {

@@ -1,9 +1,11 @@
 // A run as a file: its link, which is all that is needed to make it again, and what it came to, which proves that it is.
-/** @import { Engine, Experiment, Statistics } from '../core/engine.js' */
+/** @import { Engine, Experiment, Statistics, Triple } from '../core/engine.js' */
 /** @import { Linked } from '../link/keys.js' */
 /** @import { Links } from '../link/link.js' */
 /** @import { Opened } from '../run/actions/page.js' */
+import { gainsOf } from '../run/drivers.js';
 import { lastGeneration } from '../run/pace.js';
+import { tried } from '../run/scene.js';
 import words from './words/index.js';
 
 const format = 'ep-locomotion run';
@@ -11,8 +13,10 @@ const version = 1;
 /** No run's file is near as large: what is larger is not read. */
 const mostCharacters = 50_000_000;
 
-/** @param {Linked & { history: Statistics[] }} state @param {Engine} engine @param {Links} links */
-export function runFile(state, engine, links) {
+/** What drives on screen, and the J that it comes to from there. @typedef {{ gains: Triple, cost: number }} Drive */
+
+/** @param {Linked & { history: Statistics[] }} state @param {Engine} engine @param {Links} links @param {Drive} [drive] If the link alone says whose it is. */
+export function runFile(state, engine, links, drive) {
   const newest = state.history.length - 1;
   const content = {
     format,
@@ -21,6 +25,7 @@ export function runFile(state, engine, links) {
     link: links.linkOf(state, engine.experiment),
     hash: engine.hash(),
     generations: newest,
+    drive,
     experiment: state.experiment,
     statistics: state.history,
   };
@@ -30,7 +35,7 @@ export function runFile(state, engine, links) {
 /**
  * Reads a run, and makes it again to see that it comes to the same. Throws an Error that says what is wrong with the file.
  * @param {string} text @param {Engine} engine @param {Links} links @param {AbortSignal} [signal]
- * @returns {Promise<{ opened: Opened, generations: number }>}
+ * @returns {Promise<{ opened: Opened, generations: number, hasDrive: boolean }>} Older files say nothing of the drive.
  */
 export async function openRunFile(text, engine, links, signal) {
   const content = parse(text);
@@ -55,11 +60,25 @@ export async function openRunFile(text, engine, links, signal) {
   const isTold = (/** @type {any} */ one, /** @type {number} */ i) =>
     cameTo(one?.best?.cost, best[i]) && cameTo(one?.median, median[i]);
   if (!statistics.every(isTold)) throw new Error(words.changedFile('statistics'));
-  return { opened, generations };
+  const hasDrive = content.drive !== undefined;
+  if (hasDrive) await checkDrive(content.drive, opened, statistics[opened.generation].best, engine, signal);
+  return { opened, generations, hasDrive };
 }
 
 /** JSON knows no infinity. @param {unknown} told @param {number} found */
 const cameTo = (told, found) => told === found || (told === null && !Number.isFinite(found));
+
+/** @param {any} told @param {Opened} opened @param {Statistics['best']} best As the file tells it. @param {Engine} engine @param {AbortSignal} [signal] */
+async function checkDrive(told, { experiment, trial, ...run }, best, engine, signal) {
+  if (!Array.isArray(told?.gains)) throw new Error(words.damagedFile('drive'));
+  const gains = gainsOf({ ...run, population: [best] }, run.driver, engine.paper());
+  const [said, found] = [told.gains, gains].map((one) => JSON.stringify(one));
+  if (said !== found) throw new Error(words.otherGains(said, found));
+  const driven = tried(experiment, trial);
+  const alone = { ...driven, starts: driven.starts.slice(0, 1) };
+  const [cost] = await engine.surveys.costs([[alone, gains]], { signal });
+  if (!cameTo(told.cost, cost)) throw new Error(words.otherCost(JSON.stringify(told.cost), cost));
+}
 
 /** Also where the file was written before some field was there. @param {any} told @param {Experiment} found @param {Engine} engine */
 function isSame(told, found, engine) {

@@ -13,7 +13,7 @@ import { links as pageLinks } from '../../../www/lesson/links.js';
 import { mostCharacters } from '../../../www/link/link.js';
 import { places } from '../../../www/parts/parts.js';
 import { isEmpty } from '../../../www/run/exercise.js';
-import { experiment, simulateAll } from '../harness/core.js';
+import { experiment, paper, simulateAll } from '../harness/core.js';
 import { anyExperiment, linkText, mutated } from './arbitrary.js';
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -48,14 +48,16 @@ function frozen(value) {
 const engine = /** @type {Engine} */ (
   /** @type {unknown} */ ({
     experiment: (/** @type {any} */ given) => presets.get(given) ?? experiment(given),
+    paper,
     // Whether gains can be driven shows at the first sample.
     check: (/** @type {Experiment} */ from, /** @type {readonly number[]} */ gains) =>
       simulateAll({ ...from, horizon: from.sampleTime }, [...gains]),
     surveys: {
       evolve: async (/** @type {Experiment} */ from, /** @type {number} */ generations) => ({
         hash: hashOf(from, generations),
-        history: { best: [], median: [] },
+        history: { best: Array(generations + 1).fill(1), median: Array(generations + 1).fill(1) },
       }),
+      costs: async (/** @type {unknown[]} */ robots) => robots.map(() => 1),
     },
   })
 );
@@ -121,7 +123,12 @@ const anyLink = mutated(fc.oneof(linkText, fc.constantFrom(...links)));
 /** A run's file, as the page writes it. @param {string} link @param {number} generations */
 function fileOf(link, generations) {
   const { opened } = openLink(link, engine);
-  const history = Array.from({ length: generations + 1 }, (_, generation) => ({ generation }));
+  const best = { gains: [1, 1, 1], cost: 1 };
+  const history = Array.from({ length: generations + 1 }, (_, generation) => ({
+    generation,
+    best,
+    median: 1,
+  }));
   const { parts, ...run } = { ...opened, generation: Math.min(opened.generation, generations) };
   return runFile(
     /** @type {any} */ ({ ...run, slices: parts, history }),
@@ -131,6 +138,7 @@ function fileOf(link, generations) {
       hash: () => hashOf(opened.experiment, generations),
     },
     pageLinks,
+    { gains: opened.driver === 'hand' && opened.handGains ? opened.handGains : [1, 1, 1], cost: 1 },
   );
 }
 /** With another value of one of its fields, or without it. */
@@ -146,6 +154,7 @@ const changedFile = fc
       'generations',
       'statistics',
       'experiment',
+      'drive',
       '__proto__',
       'toString',
     ),

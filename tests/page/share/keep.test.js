@@ -1,90 +1,16 @@
 import assert from 'node:assert/strict';
-import { openRunFile, runFile } from '../../../www/share/run-file.js';
+import { runFile } from '../../../www/share/run-file.js';
 import { links } from '../../../www/lesson/links.js';
-import { lastGeneration } from '../../../www/run/pace.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
-import { Evolution, evolve, experiment, Simulation } from '../harness/core.js';
-import { test } from '../harness/once.js';
+import { evolve, experiment } from '../harness/core.js';
 import { openGroup, openSettings } from '../harness/panel.js';
 import { readEvolution } from '../harness/reading.js';
 import { saved } from '../harness/saved.js';
+import { evolved } from './evolved.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../harness/core.js').Experiment} Experiment */
-/** @typedef {import('../../../www/core/engine.js').Engine} Engine */
-/** @typedef {Parameters<typeof runFile>[0]} Kept */
 
 const velocityLimits = experiment('velocity-limits');
-
-/** An evolution, and what the page knows of it. @param {Experiment} from @param {number} generations */
-function evolved(from, generations) {
-  const evolution = new Evolution(from);
-  const history = [evolution.statistics()];
-  while (history.length <= generations) history.push(evolution.step());
-  const engine = /** @type {Engine} */ (
-    /** @type {unknown} */ ({
-      experiment,
-      version: () => '0.1.0',
-      hash: () => evolution.hash(),
-      check: (/** @type {Experiment} */ from, /** @type {number[]} */ gains) =>
-        new Simulation(from, gains).free(),
-      surveys: {
-        async evolve(/** @type {Experiment} */ e, /** @type {number} */ count) {
-          const { engine: again, state } = evolved(e, count);
-          const [best, median] = [
-            state.history.map((one) => one.best.cost),
-            state.history.map((one) => one.median),
-          ];
-          return { hash: again.hash(), history: { best, median } };
-        },
-      },
-    })
-  );
-  const { parts, ...run } = links.openLink('lab', engine).opened;
-  /** @type {Kept} */
-  const state = { ...run, slices: parts, experiment: from, generation: 3, history };
-  return { engine, state };
-}
-
-test('a file holds the run: opened again it is the same', async () => {
-  const { engine, state } = evolved(experiment({ evolution: { seed: 9 } }), 5);
-  const { opened, generations } = await openRunFile(runFile(state, engine, links), engine, links);
-  assert.equal(generations, 5);
-  assert.equal(opened.generation, 3);
-  assert.deepEqual(opened.experiment, state.experiment);
-});
-
-test('a file that is damaged or foreign is refused with the reason', async () => {
-  const { engine, state } = evolved(velocityLimits, 4);
-  const good = JSON.parse(runFile(state, engine, links));
-  const rows = /** @type {const} */ ([
-    ...['', '{', 'null', '[1, 2]'].map((text) => /** @type {const} */ ([text, /no run/])),
-    [JSON.stringify({ ...good, format: 'other' }), /no run/],
-    [JSON.stringify({ ...good, version: 2 }), /version 2.*version 1/],
-    [JSON.stringify({ ...good, link: 5 }), /link, hash/],
-    [JSON.stringify({ ...good, link: 'lab&goal.x=1e9' }), /goal\.x/],
-    [JSON.stringify({ ...good, generations: -1 }), /generations/],
-    [JSON.stringify({ ...good, generations: 1e9 }), /generations/],
-    [JSON.stringify({ ...good, generations: 2 }), /generations/],
-    [
-      JSON.stringify({
-        ...good,
-        generations: lastGeneration + 1,
-        statistics: Array(lastGeneration + 2).fill(0),
-      }),
-      /generations/,
-    ],
-    [JSON.stringify({ ...good, link: good.link.replace('lab', 'lab&seed=2') }), /was changed/],
-    [JSON.stringify({ ...good, experiment: { ...good.experiment, horizon: 9 } }), /experiment in it is not/],
-    [
-      JSON.stringify({ ...good, statistics: good.statistics.with(2, { ...good.statistics[2], median: 1 }) }),
-      /statistics in it is not/,
-    ],
-    [runFile(state, engine, links).slice(0, 300), /to its end/],
-  ]);
-  for (const [text, reason] of rows)
-    await assert.rejects(openRunFile(text, engine, links), { message: reason }, text.slice(0, 60));
-});
 
 /** Opens a file as if it had been chosen. @param {Page} page @param {string} name @param {string} text */
 async function choose(page, name, text) {
@@ -129,7 +55,10 @@ engineTest('a run is saved, and opened again as it was', async (page) => {
 
   await page.open();
   await page.click('#keep-button');
-  assert.match(await choose(page, 'mine.json', text), /“mine.json” is open: all 6 generations/);
+  assert.match(
+    await choose(page, 'mine.json', text),
+    /“mine.json” is open: all 6 generations, and the drive, came out/,
+  );
   await page.click('#keep-close');
   assert.deepEqual(await readEvolution(page), before);
   assert.equal(

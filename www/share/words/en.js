@@ -124,6 +124,14 @@ export const damagedLink = (problems) => `it is damaged. ${problems.join(' ')}`;
 export const otherHash = (said, found) =>
   `it says that its evolution has the fingerprint ${said}, but it has ${found}: the file was changed.`;
 
+/** @param {string} said @param {string} found */
+export const otherGains = (said, found) =>
+  `it says that its robot drives with the gains ${said}, but it drives with ${found}: the file was changed.`;
+
+/** @param {string} said @param {number} found */
+export const otherCost = (said, found) =>
+  `it says that J of its drive is ${said}, but it is ${found}: the file was changed.`;
+
 /** @param {string} field */
 export const changedFile = (field) => `${field} in it is not that of its run: the file was changed.`;
 
@@ -136,9 +144,9 @@ export const reading = 'The file is read, and its run made again. Closing this g
 /** @param {string} name @param {string} reason */
 export const notOpened = (name, reason) => `“${name}” was not opened: ${reason}`;
 
-/** @param {string} name @param {number} generations */
-export const opened = (name, generations) =>
-  `“${name}” is open: all ${generations} generations came out as they were saved.`;
+/** @param {string} name @param {number} generations @param {boolean} hasDrive */
+export const opened = (name, generations, hasDrive) =>
+  `“${name}” is open: all ${generations} generations${hasDrive ? ', and the drive,' : ''} came out as they were saved.`;
 
 /** What of the lab is on screen, by its data-picture; parts name their own. @type {Readonly<Record<string, string>>} */
 export const pictures = {

@@ -127,6 +127,14 @@ export const damagedLink = (problems) => `파일이 손상되었습니다. ${pro
 export const otherHash = (said, found) =>
   `파일에 적힌 진화의 지문은 ${said}, 실제 지문은 ${found}입니다. 파일이 바뀌었습니다.`;
 
+/** @param {string} said @param {string} found */
+export const otherGains = (said, found) =>
+  `파일에 적힌 주행의 게인은 ${said}, 실제 게인은 ${found}입니다. 파일이 바뀌었습니다.`;
+
+/** @param {string} said @param {number} found */
+export const otherCost = (said, found) =>
+  `파일에 적힌 주행의 J는 ${said}, 실제 J는 ${found}입니다. 파일이 바뀌었습니다.`;
+
 /** @param {string} field */
 export const changedFile = (field) => `${field} 항목이 실험과 다릅니다. 파일이 바뀌었습니다.`;
 
@@ -139,9 +147,9 @@ export const reading = '파일을 읽고 그 실험을 다시 계산하는 중�
 /** @param {string} name @param {string} reason */
 export const notOpened = (name, reason) => `“${name}” 파일을 열지 못했습니다: ${reason}`;
 
-/** @param {string} name @param {number} generations */
-export const opened = (name, generations) =>
-  `“${name}” 파일을 열었습니다. ${generations}세대까지 모두 저장한 것과 같습니다.`;
+/** @param {string} name @param {number} generations @param {boolean} hasDrive */
+export const opened = (name, generations, hasDrive) =>
+  `“${name}” 파일을 열었습니다. ${generations}세대까지의 진화${hasDrive ? '와 주행이' : '가'} 모두 저장한 것과 같습니다.`;
 
 /** What of the lab is on screen, by its data-picture; parts name their own. @type {Readonly<Record<string, string>>} */
 export const pictures = {
