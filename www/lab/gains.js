@@ -34,6 +34,8 @@ export function createGains(root, note, events) {
 /** Where a slider's thumb is caught at 0, as a share of its length: a few pixels, for a hand cannot hit one. */
 const detent = 0.01;
 
+const shown = (/** @type {number} */ value) => strings.typed(value, 3);
+
 /**
  * @param {{ id: string, name: string, letter: string, index: string }} gain @param {number} index @param {GainEvents} events
  * @param {string} [unit]
@@ -46,6 +48,7 @@ export function createRow(gain, index, events, unit = '') {
   let typing = false;
   // Keys go step by step, and need no help.
   let held = false;
+  let current = 0;
   const on = {
     hold: () => {
       held = true;
@@ -61,6 +64,14 @@ export function createRow(gain, index, events, unit = '') {
     },
     input: () => {
       typing = true;
+    },
+    /** What is copied whole has all its digits, of which the field shows three. */
+    copy: (/** @type {ClipboardEvent} */ event) => {
+      const field = /** @type {HTMLInputElement} */ (event.target);
+      const isWhole = field.selectionStart === 0 && field.selectionEnd === field.value.length;
+      if (!isWhole || field.value !== shown(current)) return;
+      event.clipboardData?.setData('text/plain', String(current));
+      event.preventDefault();
     },
     blur: () => {
       typing = false;
@@ -79,7 +90,8 @@ export function createRow(gain, index, events, unit = '') {
         `${(100 * (Math.min(Math.max(at, low), high) - low)) / (high - low)}%`;
       const from = styled('--from', percent(Math.min(0, value)));
       const to = styled('--to', percent(Math.max(0, value)));
-      const text = strings.typed(value, 3);
+      const text = shown(value);
+      current = value;
       const before = /** @type {HTMLInputElement | null} */ (row.querySelector('[type="text"]'));
       const isStale = !message && !typing && before?.value !== text;
       render(
@@ -92,7 +104,7 @@ export function createRow(gain, index, events, unit = '') {
           <input id="gain-${id}" type="text" inputmode=${keysFor(true)} autocomplete="off" spellcheck="false"
             aria-label=${strings.gainInputLabel(gain.name)} aria-describedby="gain-${id}-error"
             aria-invalid=${String(message !== '')} .value=${isStale ? live(text) : noChange}
-            @input=${on.input} @blur=${on.blur} @change=${on.change} @focus=${selectAll}>
+            @input=${on.input} @copy=${on.copy} @blur=${on.blur} @change=${on.change} @focus=${selectAll}>
           ${unit ? html`<span class="muted">${unit}</span>` : nothing}
           <p id="gain-${id}-error" class="field-error" role="alert" .hidden=${message === ''}>${message}</p>`,
         row,

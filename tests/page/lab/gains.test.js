@@ -55,6 +55,37 @@ const complaint = (page, gain) =>
     };
   }, gain);
 
+pageTest('a gain is copied with all its digits, and pasted it drives to the same J', async (page) => {
+  await page.open('#lab&generation=100');
+  const { gains } = evolve(velocityLimits, 100);
+  /** What is copied of a field, of which that is selected. @param {string} gain @param {number} [from] */
+  const copied = (gain, from = 0) =>
+    page.evaluate(
+      (id, start) => {
+        const field = /** @type {HTMLInputElement} */ (document.getElementById(`gain-${id}`));
+        field.focus();
+        if (start > 0) field.setSelectionRange(start, field.value.length);
+        const clipboardData = new DataTransfer();
+        const event = new ClipboardEvent('copy', { clipboardData, cancelable: true, bubbles: true });
+        // What nobody gives it, it copies as it always does.
+        return field.dispatchEvent(event) ? String(getSelection()) : clipboardData.getData('text/plain');
+      },
+      gain,
+      from,
+    );
+  const texts = [await copied('kx'), await copied('ky'), await copied('ktheta')];
+  assert.deepEqual(texts, gains.map(String));
+  assert.notEqual(await copied('ky', 2), texts[1], 'a part of it');
+  for (const [i, gain] of ['kx', 'ky', 'ktheta'].entries()) await type(page, `gain-${gain}`, texts[i]);
+  const { driver, cost } = await readDriver(page);
+  assert.deepEqual(
+    { driver, cost },
+    { driver: 'hand', cost: shown(simulate(velocityLimits, gains).cost.total) },
+  );
+  await type(page, 'gain-ky', '6.97e-5');
+  assert.equal(await copied('ky'), '0.0000697');
+});
+
 pageTest('each driver shows its gains and their J', async (page) => {
   const evolved = evolve(velocityLimits);
   assert.deepEqual(await readDriver(page), { driver: 'evolved', ...evolved.shown });
