@@ -18,7 +18,7 @@ const [line, sample, widest] = [20, 28, 192];
 /** Its letters are larger than those on canvases. */
 const larger = 14 / 13;
 /** The room of the two postures in words. */
-const postures = { width: 210, height: 72, left: 56, right: 16, bottom: 36 };
+const postures = { width: 240, height: 72, left: 56, right: 16, bottom: 36 };
 
 /** Around a point. @param {number} px @param {number} py @param {number} radius @returns {Room} */
 const around = (px, py, radius) => ({

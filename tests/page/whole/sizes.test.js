@@ -209,3 +209,27 @@ async function untilGeneration(page) {
   });
   await page.until('its field', () => document.getElementById('until-value')?.checkVisibility());
 }
+
+pageTest('for a finger every text button is as high as other controls', async (page) => {
+  await page.resize(390, 844);
+  for (const link of ['lab', 'lab&v=1&goal.x=1.5&lang=ko', 'generation&v=1&phase=ranking&generation=2']) {
+    await page.open(`#${link}`);
+    const heights = await page.evaluate(() => {
+      /** The styles for a finger hold here too. @param {CSSRuleList} rules */
+      const apply = (rules) => {
+        for (const rule of rules) {
+          if (rule instanceof CSSMediaRule && /pointer: coarse/.test(rule.conditionText))
+            rule.media.mediaText = 'all';
+          if (rule instanceof CSSGroupingRule) apply(rule.cssRules);
+        }
+      };
+      for (const sheet of document.styleSheets) apply(sheet.cssRules);
+      return Array.from(document.querySelectorAll('.link'), (button) => [
+        button.id || button.textContent,
+        button.checkVisibility() ? button.getBoundingClientRect().height : 44,
+      ]);
+    });
+    assert.ok(heights.length > 0);
+    for (const [name, height] of heights) assert.ok(Number(height) >= 44, `${name}: ${height} px in ${link}`);
+  }
+});

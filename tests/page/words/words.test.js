@@ -55,6 +55,12 @@ test('how small a population may be with a method Korean says without an English
     );
 });
 
+test('a J below the large one stands in one line with what it belongs to', () => {
+  for (const { lab } of [en, ko])
+    for (const note of [lab.costNote(lab.driverName('paper-ep', 0, 'hand'), 7.935), lab.meanNote(2, 7.935)])
+      assert.match(note, /[^ ]\u00a07\.935$/);
+});
+
 test('Korean has the words of English, and none of them is English', () => {
   const [english, korean] = [en, ko].map((words) => new Map(textsOf(words, '')));
   assert.deepEqual([...korean.keys()].sort(), [...english.keys()].sort());

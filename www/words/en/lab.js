@@ -133,10 +133,10 @@ export const outcomeText = (run) =>
   })[run.outcome];
 
 /** @param {string} name @param {number} cost */
-export const costNote = (name, cost) => `${name} here: ${costText(cost)}`;
+export const costNote = (name, cost) => `${name} here:\u00a0${costText(cost)}`;
 
 /** @param {number} starts @param {number} cost */
-export const meanNote = (starts, cost) => `mean over all ${starts} starts: ${costText(cost)}`;
+export const meanNote = (starts, cost) => `mean over all ${starts} starts:\u00a0${costText(cost)}`;
 
 /** @param {number} value */
 export const partText = (value) => (value < 100 ? fixed(value, 2) : costText(value));
@@ -165,7 +165,7 @@ export const dragHint = 'drag or turn them';
 export const startName = 'Start';
 export const goalName = 'Goal';
 export const referenceName = 'reference';
-export const restorePostures = 'Back to the paper’s';
+export const restorePostures = 'Back to the paper’s start and goal';
 
 /** @param {string} name */
 export const positionLabel = (name) =>

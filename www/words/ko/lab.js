@@ -128,10 +128,10 @@ export const outcomeText = (run) =>
   })[run.outcome];
 
 /** @param {string} name @param {number} cost */
-export const costNote = (name, cost) => `같은 조건, ${name}: ${costText(cost)}`;
+export const costNote = (name, cost) => `같은 조건, ${name}:\u00a0${costText(cost)}`;
 
 /** @param {number} starts @param {number} cost */
-export const meanNote = (starts, cost) => `출발점 ${starts}개 모두의 평균: ${costText(cost)}`;
+export const meanNote = (starts, cost) => `출발점 ${starts}개 모두의 평균:\u00a0${costText(cost)}`;
 
 /** @param {number} value */
 export const partText = (value) => (value < 100 ? fixed(value, 2) : costText(value));
