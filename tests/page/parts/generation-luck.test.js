@@ -95,6 +95,21 @@ test('who is chosen is one of the others only where it drives among them', () =>
   assert.equal(ko.othersText(anatomyOf(5), 'drive', others), '자손 로봇 20대, 16대 도착');
 });
 
+test('whatever the method, Korean counts robots as robots, and none that is left twice', () => {
+  const others = { drawn: 19, all: 19, arrived: 16 };
+  for (const method of /** @type {const} */ (['de', 'random'])) {
+    const settings = { ...velocityLimits.evolution, method };
+    const evolution = new Evolution({ ...velocityLimits, evolution: settings });
+    evolution.step();
+    const anatomy = dissect(evolution.record(1), settings);
+    for (const number of anatomy.all.keys())
+      assert.doesNotMatch(ko.fateText(anatomy, number), /(?<!로봇 )20대/);
+    const told = (/** @type {boolean} */ isAmong) =>
+      ko.othersText(anatomy, 'survivors', { ...others, isAmong });
+    assert.deepEqual([told(true), told(false)], ['나머지 로봇 19대, 16대 도착', '남은 로봇 19대, 16대 도착']);
+  }
+});
+
 test('in a ranking the names of the two whom luck told apart cover no mark, and stand at their own', () => {
   const size = { width: 528, height: 245 };
   for (const seed of [1, 2, 3, 4, 5])

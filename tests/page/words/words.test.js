@@ -55,6 +55,22 @@ test('how small a population may be with a method Korean says without an English
     );
 });
 
+test('what a Korean refusal demands has its large numbers in groups, and what was typed stays as it was', () => {
+  const rows = /** @type {const} */ ([
+    [{ limits: { speed: 9999999 } }, /: 허용되는 값은 0 이상 1,000,000 m\/s 이하.*입력값: 9999999\.$/],
+    [{ evolution: { seed: -1 } }, /0 이상 4,294,967,295 이하의 정수/],
+    [{ sampleTime: 0 }, /0\.00001 이상/],
+  ]);
+  for (const [wrong, told] of rows)
+    assert.throws(
+      () => experiment(wrong),
+      ({ message }) => {
+        assert.match(said(message), told);
+        return true;
+      },
+    );
+});
+
 test('a J below the large one stands in one line with what it belongs to', () => {
   for (const { lab } of [en, ko])
     for (const note of [lab.costNote(lab.driverName('paper-ep', 0, 'hand'), 7.935), lab.meanNote(2, 7.935)])

@@ -1,4 +1,5 @@
 // What the core, the workers and the browser say when something is refused or fails, in Korean.
+import { grouped } from './numbers.js';
 
 /** What the core demands, as it says it, and the same in Korean. @type {readonly (readonly [RegExp, string])[]} */
 const demands = [
@@ -25,11 +26,14 @@ const demands = [
   ],
 ];
 
+/** Whole numbers of five digits and more, in groups as elsewhere. @param {string} text */
+const inGroups = (text) => text.replace(/(?<![\d.])\d{5,}(?![\d.])/g, (digits) => grouped(Number(digits)));
+
 /** @param {string} expected */
 function demanded(expected) {
   if (/^'.+' or '.+'$/.test(expected)) return `${expected.replaceAll(' or ', ', ')} 가운데 하나`;
   const found = demands.find(([pattern]) => pattern.test(expected));
-  return found ? expected.replace(...found) : expected;
+  return inGroups(found ? expected.replace(...found) : expected);
 }
 
 /** @type {readonly (readonly [RegExp, (...parts: string[]) => string])[]} */

@@ -84,7 +84,7 @@ export function othersText({ method }, phase, { drawn, all, isAmong, arrived }) 
   const kind =
     method === 'ep'
       ? { parents: '부모 로봇', mutation: '부모 로봇', drive: '자손 로봇', survivors: '생존 로봇' }
-      : { parents: '로봇', mutation: '로봇', drive: '시험 로봇', survivors: '남은 로봇' };
+      : { parents: '로봇', mutation: '로봇', drive: '시험 로봇', survivors: isAmong ? '로봇' : '남은 로봇' };
   const these = isAmong ? '나머지 ' : '';
   const who = phase === 'tournament' ? '상대 로봇' : `${these}${phase === 'ranking' ? '로봇' : kind[phase]}`;
   const told = drawn < all ? `${who} ${all}대 중 ${drawn}대` : `${who} ${all}대`;
@@ -166,8 +166,8 @@ export const moreBouts = (rest) => `그 밖에 ${rest}전`;
 /** @param {Anatomy} anatomy @param {number} number */
 export function fateText({ ranks, staying, record, all, method }, number) {
   const rank = ranks[number] + 1;
-  if (method === 'random') return `${staying}대 중 ${rank}위`;
-  if (method !== 'ep') return rank > staying ? '버려짐' : `남음(${staying}대 중 ${rank}위)`;
+  if (method === 'random') return `로봇 ${staying}대 중 ${rank}위`;
+  if (method !== 'ep') return rank > staying ? '버려짐' : `남음(로봇 ${staying}대 중 ${rank}위)`;
   if (rank > staying) return `탈락(로봇 ${all.length}대 중 ${rank}위)`;
   return `생존(${record.generation + 1}세대의 부모 ${rank})`;
 }
