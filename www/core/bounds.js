@@ -11,6 +11,10 @@ const bout = 4;
 const individual = 300;
 const number = 40;
 
+/** The core's SMALL_TURN: where the reference turns so far in a sample, each robot drives alone, and a sample takes so many times as long. */
+const farTurn = 1 / 14;
+const alone = 8;
+
 /** In samples: what workers may be asked for at one press, which takes two of them about half an hour. */
 const mostOfSurvey = 5e11;
 
@@ -26,8 +30,10 @@ export const samplesOfRobot = (experiment) => experiment.starts.length * samples
 
 /** One generation. @param {Experiment} experiment */
 function workOfGeneration(experiment) {
-  const { population, opponents } = experiment.evolution;
-  return population * (samplesOfRobot(experiment) + 2 * opponents * bout + individual);
+  const { evolution, referenceVelocity, sampleTime } = experiment;
+  const { population, opponents } = evolution;
+  const times = Math.abs(referenceVelocity.angular) * sampleTime >= farTurn ? alone : 1;
+  return population * (times * samplesOfRobot(experiment) + 2 * opponents * bout + individual);
 }
 
 /** Whether evolution goes on in a worker. @param {Experiment} experiment */

@@ -51,6 +51,19 @@ test('a record is that of the run which is asked for, also once another has begu
   }
 });
 
+test('where the reference turns so far in a sample that robots drive alone, a generation is long eight times as early', () => {
+  const turning = (/** @type {number} */ angular, /** @type {number} */ population) => ({
+    ...evolving({ population, opponents: 1 }),
+    referenceVelocity: { linear: 0.5, angular },
+  });
+  // The usual sample time is 0.01 s, and a robot drives 1000 samples.
+  for (const angular of [7, -7, 0]) assert.ok(!isLongEvolution(turning(angular, 1000)), `${angular} rad/s`);
+  for (const angular of [7.2, -7.2]) {
+    assert.ok(isLongEvolution(turning(angular, 1000)), `${angular} rad/s`);
+    assert.ok(!isLongEvolution(turning(angular, 170)), `${angular} rad/s`);
+  }
+});
+
 test('what is usual is done at once, what is heavy is not', () => {
   for (const preset of /** @type {const} */ (['velocity-limits', 'acceleration-limits'])) {
     const own = experiment(preset);
