@@ -15,10 +15,10 @@ import { caughtUp } from '../run/state.js';
 import { messageOf, orSay } from '../words/errors.js';
 import { opening } from '../words/index.js';
 import { createTask, inLab, linkInLab } from '../parts/park/task.js';
+import { inSight } from '../parts/parts.js';
 import { driveCsv, driveOrigin, generationsCsv } from './csv.js';
 import { fingerprintOf } from './code/fingerprint.js';
 import { createMaker } from './exercise/maker.js';
-import { withoutAnswer } from './handin/work.js';
 import { frameOf, frames, handedAddress, isOnDisk } from './frame-text.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
 import { pngOf } from './png.js';
@@ -124,7 +124,7 @@ export function createKeep(tools, sheet) {
 function parkedOf(tools) {
   const { engine, store } = tools;
   const state = store.get();
-  if (state.page !== withoutAnswer) return null;
+  if (inSight.lab(state)) return null;
   const run = inLab(state, createTask(engine).experiment);
   return { run, link: run && linkInLab(state, run, tools) };
 }

@@ -15,6 +15,7 @@ import { watch } from '../../kit/memo.js';
 import { choicesOf, listed } from '../../kit/segmented.js';
 import { closeButton, selectAll, valueIn } from '../../kit/templates.js';
 import { createTask, preset as parkPreset } from '../../parts/park/task.js';
+import { inSight } from '../../parts/parts.js';
 import {
   asksSomething,
   groupNames,
@@ -30,7 +31,6 @@ import { nobody, undrawn } from '../../run/variant.js';
 import { createPanel } from '../../settings/panel.js';
 import { exercise as exerciseWords, lab } from '../../words/index.js';
 import { frameOf, isOnDisk } from '../frame-text.js';
-import { withoutAnswer } from '../handin/work.js';
 import { createAimFields } from './aim-fields.js';
 import { createEasy } from './easy.js';
 import { createPreview } from './preview.js';
@@ -107,7 +107,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
       linkNow = link;
       // What was said of another exercise is not true of this one.
       if (link !== linkSaid) status = '';
-      const isRefused = state.page === withoutAnswer && asksSomething(draft);
+      const isRefused = asksSomething(draft) && !inSight.lab(state);
       const easy = easyOf(state, draft);
       if (changed(state.exercise, draft, link, status, ...asked(), isRefused, easy)) {
         const addresses = {

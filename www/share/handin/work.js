@@ -12,6 +12,7 @@ import { watch } from '../../kit/memo.js';
 import { onEnter } from '../../kit/templates.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
+import { inSight } from '../../parts/parts.js';
 import { isFree } from '../../run/guard.js';
 import { asksSomething, shownExercise } from '../../run/exercise.js';
 import { drivesOf, noTrial } from '../../run/state.js';
@@ -25,9 +26,6 @@ import './work.css';
 import words from './words/index.js';
 
 const { texts } = words;
-
-/** In its own sliders the parking place has gains of its own, which no link carries. */
-export const withoutAnswer = 'park';
 
 /** @typedef {import('../../parts/part.js').Tools & { answersOf: (state: State) => import('./receipt.js').Answers, onHandIn: (handed: HandedIn) => void }} WorkTools */
 
@@ -94,7 +92,8 @@ export function createWork(tools, root) {
       follow(state, scene);
       const said = verdict.of(state);
       const drives = drivesSince(said, drivesOf(state));
-      const isOpen = asksSomething(exercise) && state.page !== withoutAnswer;
+      // What is handed in drives in the lab: a part alone on the page has gains of its own.
+      const isOpen = asksSomething(exercise) && inSight.lab(state);
       // A run that is made again is handed in once it is all there.
       const isOnItsWay = state.catchingUp !== null;
       const { apart } = ownNow(state);
