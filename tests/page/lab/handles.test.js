@@ -1,6 +1,7 @@
 // Start and goal in the hand.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
+import { fields } from '../harness/core.js';
 
 pageTest(
   'what is moved alone becomes whole centimetres, what is turned alone whole degrees',
@@ -37,6 +38,16 @@ pageTest(
         );
         return { role, ariaLabel, ariaValueText, ariaValueNow: Number(ariaValueNow) };
       }, id);
+    const range = fields().find(({ path }) => path === 'goal.x');
+    assert.deepEqual(
+      await page.evaluate(() => {
+        const { ariaValueMin, ariaValueMax } = /** @type {Element} */ (
+          document.getElementById('goal-position')
+        );
+        return [Number(ariaValueMin), Number(ariaValueMax)];
+      }),
+      [range?.min, range?.max],
+    );
     for (const end of ['start', 'goal'])
       for (const part of ['position', 'heading']) {
         const id = `${end}-${part}`;
