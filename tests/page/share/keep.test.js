@@ -68,6 +68,38 @@ engineTest('a run is saved, and opened again as it was', async (page) => {
   assert.deepEqual(await page.problems(), []);
 });
 
+pageTest(
+  'a drive by hand is saved too: each has a file of its own, and a changed one is refused',
+  async (page) => {
+    const links = ['gains=3.0594,0.0001,4.1385&drives=hand', 'drives=paper-ep', 'drives=hand&gains=3,1,5'];
+    /** @type {string[]} */
+    const texts = [];
+    /** @type {string[]} */
+    const names = [];
+    for (const link of links) {
+      await page.open(`#lab&v=1&${link}`);
+      await page.evaluate(() => {
+        /** @this {HTMLAnchorElement} */
+        HTMLAnchorElement.prototype.click = function () {
+          document.title = this.download;
+        };
+      });
+      await page.click('#keep-button');
+      texts.push(await saved(page, '#keep-save'));
+      names.push(await page.evaluate(() => document.title));
+    }
+    assert.equal(new Set(names).size, links.length, names.join());
+    for (const name of names) assert.match(name, /^robot-seed-1-generation-0-drive-[0-9a-f]{8}\.json$/);
+    const [{ drive }, by] = [texts[0], texts[2]].map((text) => JSON.parse(text));
+    assert.deepEqual(drive.gains, [3.0594, 0.0001, 4.1385]);
+    assert.match(
+      await choose(page, 'hand.json', JSON.stringify({ ...by, drive })),
+      /“hand.json” was not opened: it says that its robot drives with the gains .*, but it drives with \[3,1,5\]/,
+    );
+    assert.match(await choose(page, 'mine.json', texts[0]), /all 0 generations, and the drive, came out/);
+  },
+);
+
 pageTest('a long run is opened at the generation that was shown when it was saved', async (page) => {
   const many = { ...velocityLimits, evolution: { ...velocityLimits.evolution, population: 1000 } };
   const { engine, state } = evolved(many, 150);
