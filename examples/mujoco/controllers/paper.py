@@ -48,6 +48,8 @@ def error(pose, goal):
 
 def wrap(angle):
     """The same angle, in (-pi, pi]."""
+    if not math.isfinite(angle):
+        return math.nan
     return angle - 2 * math.pi * math.ceil((angle - math.pi) / (2 * math.pi))
 
 
@@ -57,8 +59,8 @@ def inverse(s):
 
 
 def clamp(value, low, high):
-    """The value, within low and high."""
-    return max(low, min(high, value))
+    """The value, within low and high; NaN stays NaN."""
+    return low if value < low or math.isnan(low) else min(value, high)
 
 
 # the drive of the page

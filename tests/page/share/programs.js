@@ -127,7 +127,7 @@ export const runners = {
 };
 
 /** A folder that is there as long as it is used. @template T @param {(folder: string) => T | Promise<T>} use */
-async function inFolder(use) {
+export async function inFolder(use) {
   const folder = mkdtempSync(join(tmpdir(), 'ep-locomotion-'));
   try {
     return await use(folder);

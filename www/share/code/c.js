@@ -112,7 +112,7 @@ static real inverse(real s)
 const clamp = (words) => `${said(words.clamp)}
 static real clamp(real value, real low, real high)
 {
-    return fmax(low, fmin(high, value));
+    return value < low || isnan(low) ? low : value > high ? high : value;
 }
 `;
 

@@ -64,7 +64,7 @@ end
 
 function [xe, ye, te] = error_posture(pose, goal)
 ${said(words.error[law])}
-d = goal - pose;
+d = goal(:)' - pose(:)';
 s = sin(${isPaper ? 'goal' : 'pose'}(3)); c = cos(${isPaper ? 'goal' : 'pose'}(3));
 xe = c * d(1) + s * d(2);
 ye = -s * d(1) + c * d(2);
@@ -99,7 +99,11 @@ end
 /** @param {Words['comments']} words */
 const clamp = (words) => `function value = clamp(value, low, high)
 ${said(words.clamp)}
-value = max(low, min(high, value));
+if value < low || isnan(low)
+    value = low;
+elseif value > high
+    value = high;
+end
 end
 `;
 

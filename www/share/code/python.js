@@ -68,6 +68,8 @@ def error(pose, goal):
 
 def wrap(angle):
     ${doc(words.wrap)}
+    if not math.isfinite(angle):
+        return math.nan
     return angle - 2 * math.pi * math.ceil((angle - math.pi) / (2 * math.pi))
 
 
@@ -94,7 +96,7 @@ const inverse = (words) => `def inverse(s):
 /** @param {Words['comments']} words */
 const clamp = (words) => `def clamp(value, low, high):
     ${doc(words.clamp)}
-    return max(low, min(high, value))
+    return low if value < low or math.isnan(low) else min(value, high)
 `;
 
 /** @param {Pieces} pieces @param {Words['comments']} words */

@@ -80,6 +80,6 @@ export const comments = {
   drive: 'Drives as the page does, and gives t_f, the cost J (9) and the last pose.',
   goalMoves: 'the goal moves as well',
   diverged: 'it left the finite numbers',
-  clamp: 'The value, within low and high.',
+  clamp: 'The value, within low and high; NaN stays NaN.',
   handle: 'The controller alone:',
 };

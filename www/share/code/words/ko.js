@@ -81,6 +81,6 @@ export const comments = {
   drive: '페이지와 똑같이 달리고, t_f와 비용 J (9), 마지막 자세를 돌려줍니다.',
   goalMoves: '목표도 움직임',
   diverged: '유한한 수의 범위를 벗어남',
-  clamp: 'low와 high 사이로 제한한 값입니다.',
+  clamp: 'low와 high 사이로 제한한 값입니다. NaN은 NaN으로 둡니다.',
   handle: '제어기만 쓰려면:',
 };
