@@ -22,9 +22,14 @@ const plain = new Map([
   ['Float64Array', 'List[float]'],
   ['Uint8Array', 'List[bool]'],
 ]);
+/** Fields of whole numbers, which JavaScript has no type for. */
+const whole = [
+  ...['seed', 'seeds', 'population', 'opponents', 'generation', 'generations', 'donors', 'wins', 'ranking'],
+  ...['survivors', 'corners', 'rows', 'part', 'count', 'headings', 'drives'],
+];
 /** Python takes more for gains than JavaScript. */
-const gains = `#: Three gains (kx, ky, kθ), or rows of three: at most a million in one call.
-Gains = Union[Sequence[float], Sequence[Sequence[float]], "Array"]
+const gains = `#: Three gains (kx, ky, kθ), or rows of three: at most a million in one call, and fewer where each takes long to drive.
+Gains = Union[Sequence[float], Sequence[Sequence[float]], Array]
 `;
 
 const head = `"""What goes into the core, and what comes back, as dicts.
@@ -37,10 +42,20 @@ from __future__ import annotations
 from typing import Any, List, Literal, Optional, Protocol, Sequence, TypedDict, Union
 
 
-class Array(Protocol):
+class Listed(Protocol):
     """An array of numpy, a series of pandas and the like."""
 
     def tolist(self) -> Any: ...
+
+
+class Table(Protocol):
+    """A table of pandas and the like."""
+
+    def to_numpy(self) -> Any: ...
+
+
+#: Numbers of numpy, pandas and the like.
+Array = Union[Listed, Table]
 `;
 
 const comment = String.raw`(?: *\/\*\*((?:(?!\*\/)[^])*)\*\/\n)?`;
@@ -79,7 +94,7 @@ function read(text) {
           about: said(told),
           name,
           isOptional: optional !== undefined,
-          type: pythonOf(kind),
+          type: pythonOf(whole.includes(name) ? kind.replaceAll('number', 'int') : kind),
         })),
       });
   return { dicts, aliases };
@@ -90,7 +105,8 @@ function pythonOf(type) {
   if (/^'/.test(type)) return `Literal[${type.replaceAll("'", '"').replaceAll(' |', ',')}]`;
   if (type.endsWith(' | null')) return `Optional[${pythonOf(type.slice(0, -' | null'.length))}]`;
   if (type.endsWith('[]')) return `List[${pythonOf(type.slice(0, -2))}]`;
-  return type.startsWith('[') ? 'Sequence[float]' : (plain.get(type) ?? type);
+  if (type.startsWith('[')) return type.includes('int') ? 'Sequence[int]' : 'Sequence[float]';
+  return plain.get(type) ?? type;
 }
 
 /** @param {string} name @param {string} base @param {readonly string[]} about @param {readonly Field[]} fields */
@@ -122,6 +138,12 @@ function partialsOf(dicts) {
   const named = (/** @type {string} */ name) => /** @type {Dict} */ (dicts.find((one) => one.name === name));
   const { fields } = named('Experiment');
   const inner = [...new Set(fields.map(({ type }) => type).filter(named))];
+  /** In place of a whole part stands any of its fields. @param {string} type */
+  const given = (type) => {
+    if (type === 'List[Posture]')
+      return `Union[Sequence[Union[Posture, PartialPosture, Sequence[float], Array]], Array]`;
+    return inner.includes(type) ? `Union[${type}, Partial${type}]` : type;
+  };
   const partial = (/** @type {string} */ name, /** @type {readonly Field[]} */ own) =>
     classOf(
       `Partial${name}`,
@@ -133,7 +155,7 @@ function partialsOf(dicts) {
     ...inner.map((name) => partial(name, named(name).fields)),
     partial(
       'Experiment',
-      fields.map((one) => (inner.includes(one.type) ? { ...one, type: `Partial${one.type}` } : one)),
+      fields.map((one) => ({ ...one, type: given(one.type) })),
     ),
   ];
 }

@@ -19,15 +19,15 @@ The core computes here, without a browser, with the same bits as in the page:
 from __future__ import annotations
 
 from importlib.metadata import version as _version
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from . import types
 from ._core import InternalError, ask as _ask
 from ._evolution import Evolution
 from ._task import Task, evaluate, experiment, simulate
 
 if TYPE_CHECKING:
     from ._widget import EpLocomotion as EpLocomotion
-    from .types import Circle, Field, Grid, PaperResult, Posture, WordField
 
 __all__ = [
     "EpLocomotion",
@@ -46,32 +46,32 @@ __all__ = [
 __version__ = _version("ep-locomotion")
 
 
-def fields() -> list[Field]:
+def fields() -> list[types.Field]:
     """Every number of an experiment with its unit and range."""
     return _ask("fields")
 
 
-def word_fields() -> list[WordField]:
+def word_fields() -> list[types.WordField]:
     """Every field of an experiment that is one of a few words, with the words."""
     return _ask("word_fields")
 
 
-def paper() -> list[PaperResult]:
+def paper() -> list[types.PaperResult]:
     """The results that the paper prints."""
     return _ask("paper")
 
 
-def starts_on_circle(circle: Circle) -> list[Posture]:
+def starts_on_circle(circle: types.Circle) -> list[types.Posture]:
     """Start postures evenly on a circle, each with a random heading: ``{"x", "y", "radius", "count", "seed"}``."""
     return _ask("starts_on_circle", circle)
 
 
-def starts_on_grid(grid: Grid) -> list[Posture]:
+def starts_on_grid(grid: types.Grid) -> list[types.Posture]:
     """Start postures at every position of a grid: ``{"x": {"from", "to", "count"}, "y": …, "headings"}``."""
     return _ask("starts_on_grid", grid)
 
 
-def __getattr__(name: str):
+def __getattr__(name: str) -> Any:
     # The widget wants anywidget, which computing does not.
     if name == "EpLocomotion":
         from ._widget import EpLocomotion
@@ -80,5 +80,5 @@ def __getattr__(name: str):
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return sorted([*globals(), "EpLocomotion"])

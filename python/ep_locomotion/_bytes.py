@@ -14,6 +14,8 @@ _NULL, _FALSE, _TRUE, _NUMBER, _TEXT, _COLUMN, _FLAGS, _LIST, _OBJECT, _OTHER, _
 
 #: An experiment goes four deep.
 _DEEPEST = 60
+_POSTURE = ("x", "y", "theta")
+_GAINS = ("kx", "ky", "ktheta")
 #: A million gain triples take 24 MB.
 _LARGEST = 1 << 26
 
@@ -43,8 +45,7 @@ def request(name, given):
 
 
 def encoded(value, depth=_DEEPEST):
-    """A value in bytes. Arrays of numpy, series of pandas and the like count as the lists that they are; rows of three numbers
-    go side by side, as start postures may."""
+    """A value in bytes. Arrays of numpy, series of pandas and the like count as the lists that they are."""
     if depth == 0:
         raise ValueError("what is given must be nested less deeply")
     if value is None:
@@ -58,19 +59,59 @@ def encoded(value, depth=_DEEPEST):
     if isinstance(value, str):
         return _text(_TEXT, value)
     if isinstance(value, Mapping):
-        fields = ((_text(b"", str(name)), encoded(field, depth - 1)) for name, field in value.items())
+        fields = ((_text(b"", str(name)), _encoded_field(name, field, depth - 1)) for name, field in value.items())
         return _counted(_OBJECT, len(value), *itertools.chain.from_iterable(fields))
-    if hasattr(value, "to_numpy"):
-        value = value.to_numpy()
-    if hasattr(value, "tolist"):
-        is_table = getattr(value, "ndim", 1) == 2 and value.shape[1] == 3
-        value = value.tolist()
-        numbers = list(itertools.chain.from_iterable(value)) if is_table else []
-        if is_table and _are_numbers(numbers):
-            return _column(numbers)
+    value = _listed(value)
     if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
         return _counted(_LIST, len(value), *(encoded(one, depth - 1) for one in value))
     return _text(_OTHER, type(value).__name__)
+
+
+def _listed(value):
+    if hasattr(value, "to_numpy"):
+        value = value.to_numpy()
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def _encoded_field(name, value, depth):
+    if name == "starts":
+        return _encoded_starts(value, depth)
+    return encoded(_in_order(value, _GAINS) if name == "gains" else value, depth)
+
+
+def _encoded_starts(value, depth):
+    """Rows of three numbers go side by side."""
+    rows = _rows(value, _POSTURE)
+    if rows and all(isinstance(row, (list, tuple)) and len(row) == 3 for row in rows):
+        numbers = list(itertools.chain.from_iterable(rows))
+        if _are_numbers(numbers):
+            return _column(numbers)
+    return encoded(value if rows is None else rows, depth)
+
+
+def _rows(value, names):
+    """What stands in a list or a table, each row by these names where it has them; of anything else None."""
+    value = _listed(_in_order(value, names))
+    if not isinstance(value, (list, tuple)):
+        return None
+    return [row if isinstance(row, (list, tuple)) else _listed(_in_order(row, names)) for row in value]
+
+
+def _in_order(value, names):
+    """A table whose columns, or a series whose labels, have these names, with them in this order; what has other names goes
+    by place."""
+    labels = getattr(value, "columns", getattr(getattr(value, "dtype", None), "names", None))
+    labels = getattr(value, "index", None) if labels is None else labels
+    # A list has an index too, which is a method.
+    if not isinstance(labels, Iterable):
+        return value
+    labels = [label if isinstance(label, str) else None for label in labels]
+    if sorted(map(str, labels)) == sorted(names):
+        return value[list(names)]
+    if any(label in names and label != name for label, name in zip(labels, names)):
+        found = ", ".join(map(str, labels))
+        raise ValueError(f"names must be {', '.join(names)}, in any order, or all be others, but were {found}")
+    return value
 
 
 def _number(value):
@@ -96,6 +137,7 @@ def _column(numbers):
 def encoded_gains(gains):
     """Gain triples in bytes, and what becomes of the numbers that come back, one for each triple."""
     numpy = sys.modules.get("numpy")
+    gains = _in_order(gains, _GAINS)
     if hasattr(gains, "to_numpy"):
         gains = gains.to_numpy()
     if numpy is not None and isinstance(gains, numpy.ndarray):
@@ -108,6 +150,7 @@ def encoded_gains(gains):
     if not isinstance(gains, Iterable) or isinstance(gains, (str, bytes, Mapping)):
         raise ValueError(_wrong(f"of type {type(gains).__name__}"))
     rows = gains.tolist() if hasattr(gains, "tolist") else list(gains)
+    rows = [row if isinstance(row, (float, list, tuple)) else _in_order(row, _GAINS) for row in rows]
     if not any(_is_row(row) for row in rows):
         if rows and len(rows) != 3:
             raise ValueError(_wrong(f"an array of {len(rows)}"))

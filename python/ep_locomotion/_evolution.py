@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import operator
-from typing import TYPE_CHECKING, Any
+from typing import Any, Optional
 
 from ._bytes import decoded, encoded
 from ._core import Instance, ask
-
-if TYPE_CHECKING:
-    from ._task import Given
-    from .types import Experiment, GenerationRecord, Individual, Statistics
+from ._task import Given
+from .types import Experiment, GenerationRecord, Individual, Statistics
 
 
 class Evolution:
@@ -19,7 +17,7 @@ class Evolution:
     The same experiment gives the same bits as in the page, in Node and natively: ``hash()`` says so.
     """
 
-    def __init__(self, experiment: Given):
+    def __init__(self, experiment: Given) -> None:
         self._given = encoded(ask("experiment", experiment) if isinstance(experiment, str) else experiment)
         self._begin(0)
 
@@ -64,15 +62,15 @@ class Evolution:
             answer = self._advance()
         return decoded(answer)
 
-    def statistics(self, generation: int | None = None) -> Statistics:
+    def statistics(self, generation: Optional[int] = None) -> Statistics:
         """One generation in short; the newest if left out."""
         return self._call("statistics", generation)
 
-    def record(self, generation: int | None = None) -> GenerationRecord:
+    def record(self, generation: Optional[int] = None) -> GenerationRecord:
         """One generation in full: parents, offspring, opponents, wins, who survives; the newest if left out."""
         return self._call("record", generation)
 
-    def population(self, generation: int | None = None) -> list[Individual]:
+    def population(self, generation: Optional[int] = None) -> list[Individual]:
         """The population that a generation left, best ranked first; the newest if left out."""
         return self._call("population", generation)
 

@@ -3,33 +3,30 @@
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, Any, Sequence, overload
+from typing import Any, Optional, Sequence, Union, overload
 
 from ._bytes import decoded, encoded, encoded_gains
 from ._core import Instance, ask
+from .types import (
+    Array,
+    Experiment,
+    Gains,
+    Landscape,
+    PartialExperiment,
+    Preset,
+    Robustness,
+    Run,
+    Stability,
+    StartGrid,
+    Trial,
+    Trials,
+)
 
-if TYPE_CHECKING:
-    from typing import Union
-
-    from .types import (
-        Array,
-        Experiment,
-        Gains,
-        Landscape,
-        PartialExperiment,
-        Preset,
-        Robustness,
-        Run,
-        Stability,
-        StartGrid,
-        Trial,
-        Trials,
-    )
-
-    Given = Union[Preset, Experiment, PartialExperiment]
+Given = Union[Preset, Experiment, PartialExperiment]
+Triple = Union[Sequence[float], Array]
 
 
-def experiment(given: Given = "velocity-limits", changes: PartialExperiment | None = None) -> Experiment:
+def experiment(given: Given = "velocity-limits", changes: Optional[PartialExperiment] = None) -> Experiment:
     """A whole experiment: the preset of this name, or the one that these fields make of ``velocity-limits``.
 
     ``changes`` are fields that are to be other than there. A field that is unknown, of a wrong type or out of its range is
@@ -44,7 +41,7 @@ class Task:
     A task has a core of its own: tasks in several threads compute side by side.
     """
 
-    def __init__(self, experiment: Given):
+    def __init__(self, experiment: Given) -> None:
         self._given = encoded(ask("experiment", experiment) if isinstance(experiment, str) else experiment)
         self._begin()
 
@@ -79,7 +76,7 @@ class Task:
         given, answer = encoded_gains(gains)
         return answer(self._call("evaluate", given))
 
-    def simulate(self, gains: Sequence[float] | Array, start: int = 0) -> Run:
+    def simulate(self, gains: Triple, start: int = 0) -> Run:
         """Drives one robot from ``starts[start]`` to the end of its run: a dict of lists with one value a sample, and J."""
         return self._call("simulate", encoded_gains(gains)[0], encoded(start))
 
@@ -91,11 +88,11 @@ class Task:
         """How a robot fares from many starts: ``{"gains": …, "x": {"from": …, "to": …, "count": …}, "y": …, "headings": …}``."""
         return self._call("robustness", encoded(grid))
 
-    def fares(self, gains: Sequence[float] | Array) -> Robustness:
+    def fares(self, gains: Triple) -> Robustness:
         """How one robot fares from each of the experiment's starts: J, t_f and whether it arrives."""
         return self._call("fares", encoded_gains(gains)[0])
 
-    def stability(self, gains: Sequence[float] | Array, start: int = 0) -> Stability:
+    def stability(self, gains: Triple, start: int = 0) -> Stability:
         """The Lyapunov function of one run from ``starts[start]``: what the law promises, and what becomes of that."""
         return self._call("stability", encoded_gains(gains)[0], encoded(start))
 
@@ -132,6 +129,6 @@ def evaluate(experiment: Given, gains: Gains) -> Any:
     return _task(experiment).evaluate(gains)
 
 
-def simulate(experiment: Given, gains: Sequence[float] | Array, start: int = 0) -> Run:
+def simulate(experiment: Given, gains: Triple, start: int = 0) -> Run:
     """One run: ``Task(experiment).simulate(gains, start)``."""
     return _task(experiment).simulate(gains, start)

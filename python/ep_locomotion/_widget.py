@@ -12,8 +12,12 @@ The figure, in the browser, does the computing: a widget must be shown, and what
 ended. Nothing is asked of any network.
 """
 
+from __future__ import annotations
+
 import gzip
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import anywidget
 import traitlets
@@ -23,6 +27,11 @@ from ._evolution import row, whole_number
 from ._task import experiment as whole_experiment
 
 _here = Path(__file__).parent
+
+
+def _plain(given, whole):
+    """The fields that were given, as the core read them: a browser knows no numpy."""
+    return {name: _plain(one, whole[name]) if isinstance(one, Mapping) else whole[name] for name, one in given.items()}
 
 
 class EpLocomotion(anywidget.AnyWidget):
@@ -39,12 +48,12 @@ class EpLocomotion(anywidget.AnyWidget):
     state = traitlets.Dict(help="What the figure answered last: the whole experiment, the drive, the hash …").tag(sync=True)
     error = traitlets.Unicode(help="What was wrong with what was set last; empty if nothing.").tag(sync=True)
 
-    def __init__(self, **given):
+    def __init__(self, **given: Any) -> None:
         for name in given:
             self._refuse_unknown(name)
         super().__init__(**given)
 
-    def __setattr__(self, name, value):
+    def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_"):
             self._refuse_unknown(name)
         super().__setattr__(name, value)
@@ -56,13 +65,11 @@ class EpLocomotion(anywidget.AnyWidget):
 
     @traitlets.validate("experiment")
     def _refuse_wrong(self, proposal):
-        if proposal.value:
-            try:
-                whole_experiment(proposal.value)
-            except ImportError:
-                # Without wasmtime the page says it.
-                pass
-        return proposal.value
+        try:
+            return _plain(proposal.value, whole_experiment(proposal.value))
+        except ImportError:
+            # Without wasmtime the page says it.
+            return proposal.value
 
     @traitlets.validate("gains")
     def _three_numbers(self, proposal):
@@ -73,11 +80,11 @@ class EpLocomotion(anywidget.AnyWidget):
         self._wanted = 0
         self._statistics = []
 
-    def step(self, generations=1):
+    def step(self, generations: int = 1) -> None:
         """Evolves so many generations more than there are."""
         self._wanted = max(self._wanted, len(self._statistics) - 1) + whole_number(generations)
 
     @property
-    def history(self):
+    def history(self) -> list[dict[str, Any]]:
         """Every generation so far as one dict, with the numbers of the page's own CSV, as ``Evolution.history`` has it."""
         return [row(one) for one in self._statistics]

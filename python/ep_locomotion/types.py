@@ -8,10 +8,20 @@ from __future__ import annotations
 from typing import Any, List, Literal, Optional, Protocol, Sequence, TypedDict, Union
 
 
-class Array(Protocol):
+class Listed(Protocol):
     """An array of numpy, a series of pandas and the like."""
 
     def tolist(self) -> Any: ...
+
+
+class Table(Protocol):
+    """A table of pandas and the like."""
+
+    def to_numpy(self) -> Any: ...
+
+
+#: Numbers of numpy, pandas and the like.
+Array = Union[Listed, Table]
 
 
 #: The control law: how the commanded velocity follows from the error posture.
@@ -35,8 +45,8 @@ Outcome = Literal["arrived", "horizon", "diverged"]
 Motion = Literal["begin", "reflection", "expansion", "outside-contraction", "inside-contraction", "shrink"]
 #: One of the three gains.
 Gain = Literal["kx", "ky", "ktheta"]
-#: Three gains (kx, ky, kθ), or rows of three: at most a million in one call.
-Gains = Union[Sequence[float], Sequence[Sequence[float]], "Array"]
+#: Three gains (kx, ky, kθ), or rows of three: at most a million in one call, and fewer where each takes long to drive.
+Gains = Union[Sequence[float], Sequence[Sequence[float]], Array]
 #: How the paper found its gains: by evolutionary programming, or as "arbitrarily selected positive values".
 PaperMethod = Literal["ep", "arbitrary"]
 
@@ -141,7 +151,7 @@ class Disturbance(TypedDict):
     #: ε2 or the slip, in rad/s.
     angular: float
     #: Seed of the random kind.
-    seed: float
+    seed: int
 
 
 class EvolutionSettings(TypedDict):
@@ -149,11 +159,11 @@ class EvolutionSettings(TypedDict):
 
     #: N: the parents of evolutionary programming, the draws of random search in a generation, the members of
     #: differential evolution (at least 4), λ of CMA-ES (at least 2). The other methods go from one point to the next.
-    population: float
+    population: int
     #: q, the number of opponents that each solution meets in the tournament.
-    opponents: float
+    opponents: int
     #: The seed of all draws.
-    seed: float
+    seed: int
     #: The interval from which the first gains are drawn.
     initialRange: Sequence[float]
     #: The first σ of every gain, or the floor where that is larger; of other methods the first step.
@@ -288,7 +298,7 @@ class Statistics(TypedDict):
     """One generation in short."""
 
     #: The generation's number.
-    generation: float
+    generation: int
     #: Drives since the start, one for each individual and start posture. ``trials``, and whoever compares methods, counts
     #: an individual once, from however many starts it drives.
     evaluations: float
@@ -308,7 +318,7 @@ class GenerationRecord(TypedDict):
     """
 
     #: The generation's number.
-    generation: float
+    generation: int
     #: The survivors of the generation before.
     parents: List[Individual]
     #: One offspring of each parent, in their order; of other methods than evolutionary programming, whatever was tried.
@@ -317,21 +327,21 @@ class GenerationRecord(TypedDict):
     mutations: List[Mutation]
     #: For each offspring the numbers of the other parents it was made with: with whom its parent was crossed, or a, b and c of
     #: a + F (b − c) in differential evolution. Empty where a method crosses nothing.
-    donors: List[List[float]]
+    donors: List[List[int]]
     #: What each mutation began with, where parents are crossed; the mutants a + F (b − c) of differential evolution, before
     #: they are crossed; else empty.
     bases: List[Individual]
     #: The distribution from which CMA-ES drew the offspring; null for other methods.
     ellipse: Optional[Ellipse]
     #: For each of the 2N solutions, whom it met in the tournament; empty without one.
-    opponents: List[List[float]]
+    opponents: List[List[int]]
     #: For each of the 2N solutions, how many bouts it won.
-    wins: List[float]
+    wins: List[int]
     #: All of them, best ranked first: most wins first, then lower J, then lower number. Without a tournament those that
     #: survive come first, each part by J.
-    ranking: List[float]
+    ranking: List[int]
     #: Those that survive, best ranked first.
-    survivors: List[float]
+    survivors: List[int]
     #: What the method went by, besides its population.
     plan: Plan
     #: What it goes by in the next generation.
@@ -366,7 +376,7 @@ class Plan(TypedDict):
     #: The move of Nelder and Mead's simplex.
     motion: Optional[Motion]
     #: Its four corners by their places in the population, best first; empty where a simplex begins.
-    corners: List[float]
+    corners: List[int]
     #: The distribution from which CMA-ES draws.
     ellipse: Optional[Ellipse]
     #: By how much the trials of CMA-ES will move its mean, the best first; those after them do not count.
@@ -399,10 +409,10 @@ class Landscape(_Landscape, total=False):
     """The cells of a landscape of J over two gains."""
 
     #: The rows [first, end) to compute; all when left out.
-    rows: Sequence[float]
+    rows: Sequence[int]
 
 
-_Axis = TypedDict("_Axis", {"gain": "Gain", "from": "float", "to": "float", "count": "float"})
+_Axis = TypedDict("_Axis", {"gain": "Gain", "from": "float", "to": "float", "count": "int"})
 
 
 class Axis(_Axis, total=False):
@@ -420,17 +430,17 @@ class _Grid(TypedDict):
     #: Metres.
     y: Range
     #: How many headings at each position.
-    headings: float
+    headings: int
 
 
 class Grid(_Grid, total=False):
     """Start postures at every position of a grid, with ``headings`` headings each, evenly around the circle from 0."""
 
     #: The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y.
-    part: Sequence[float]
+    part: Sequence[int]
 
 
-Range = TypedDict("Range", {"from": "float", "to": "float", "count": "float"})
+Range = TypedDict("Range", {"from": "float", "to": "float", "count": "int"})
 
 
 class LawTerms(TypedDict):
@@ -474,14 +484,14 @@ class _StartGrid(TypedDict):
     #: Metres.
     y: Range
     #: How many headings at each position.
-    headings: float
+    headings: int
 
 
 class StartGrid(_StartGrid, total=False):
     """The starts of a grid, and the gains of the robot that drives from them."""
 
     #: The starts [first, end) to drive from; all when left out, in the order of ``Grid``.
-    part: Sequence[float]
+    part: Sequence[int]
 
 
 class Robustness(TypedDict):
@@ -499,9 +509,9 @@ class SeedRuns(TypedDict):
     """Which seeds [first, end) to run, and for how many generations."""
 
     #: The seeds [first, end); the last of all, 2³² − 1, cannot be among them.
-    seeds: Sequence[float]
+    seeds: Sequence[int]
     #: How many generations.
-    generations: float
+    generations: int
 
 
 class SeedRun(TypedDict):
@@ -520,16 +530,16 @@ class Trials(TypedDict):
     """Which seeds [first, end) to run, and with how many drives each."""
 
     #: The seeds [first, end); the last of all, 2³² − 1, cannot be among them.
-    seeds: Sequence[float]
+    seeds: Sequence[int]
     #: How many drives; one from several start postures counts once.
-    drives: float
+    drives: int
 
 
 class Trial(TypedDict):
     """How a search with one seed came down."""
 
     #: The seed.
-    seed: float
+    seed: int
     #: At which drives, counted from 1, the best J fell.
     drives: List[float]
     #: To what it fell then.
@@ -627,9 +637,9 @@ class Circle(TypedDict):
     #: How far they are from it.
     radius: float
     #: How many.
-    count: float
+    count: int
     #: The seed of their headings.
-    seed: float
+    seed: int
 
 
 class Field(TypedDict):
@@ -720,15 +730,15 @@ class PartialDisturbance(TypedDict, total=False):
     kind: DisturbanceKind
     linear: float
     angular: float
-    seed: float
+    seed: int
 
 
 class PartialEvolutionSettings(TypedDict, total=False):
     """Any fields of ``EvolutionSettings``."""
 
-    population: float
-    opponents: float
-    seed: float
+    population: int
+    opponents: int
+    seed: int
     initialRange: Sequence[float]
     initialSigma: float
     method: Method
@@ -744,13 +754,13 @@ class PartialExperiment(TypedDict, total=False):
     """Any fields of ``Experiment``."""
 
     law: Law
-    starts: List[Posture]
-    goal: PartialPosture
-    referenceVelocity: PartialVelocity
+    starts: Union[Sequence[Union[Posture, PartialPosture, Sequence[float], Array]], Array]
+    goal: Union[Posture, PartialPosture]
+    referenceVelocity: Union[Velocity, PartialVelocity]
     sampleTime: float
     horizon: float
-    limits: PartialLimits
-    tolerance: PartialTolerance
-    weights: PartialWeights
-    disturbance: PartialDisturbance
-    evolution: PartialEvolutionSettings
+    limits: Union[Limits, PartialLimits]
+    tolerance: Union[Tolerance, PartialTolerance]
+    weights: Union[Weights, PartialWeights]
+    disturbance: Union[Disturbance, PartialDisturbance]
+    evolution: Union[EvolutionSettings, PartialEvolutionSettings]

@@ -28,7 +28,7 @@ def wrong(value, kind, path):
             yield f"{path} is {type(value).__name__}, not {kind}"
         for i, one in enumerate(value if isinstance(value, list) else []):
             yield from wrong(one, given[0], f"{path}[{i}]")
-    elif not isinstance(value, (int, float) if kind is float else kind) or (kind is float and isinstance(value, bool)):
+    elif type(value) is not kind:
         yield f"{path} is {value!r}, not {kind}"
 
 

@@ -27,7 +27,38 @@ def plain(value):
     return value
 
 
-names = {"ep": ep, "numpy": numpy, "math": math, "json": json}
+class Series:
+    """What of a series of pandas is asked for."""
+
+    def __init__(self, **values):
+        self.index = list(values)
+        self._values = values
+
+    def __getitem__(self, names):
+        return type(self)(**{name: self._values[name] for name in names})
+
+    def __len__(self):
+        return len(self._values)
+
+    def __iter__(self):
+        return iter(self._values.values())
+
+    def to_numpy(self):
+        return list(self)
+
+
+class Frame(Series):
+    """What of a table of pandas is asked for; its columns are lists."""
+
+    @property
+    def columns(self):
+        return self.index
+
+    def to_numpy(self):
+        return list(map(list, zip(*super().to_numpy())))
+
+
+names = {"Frame": Frame, "Series": Series, "ep": ep, "numpy": numpy, "math": math, "json": json}
 for line in sys.stdin:
     asked = json.loads(line)
     names["given"] = asked["given"]

@@ -6,6 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { areBuilt, python } from '../../../.tasks/examples.mjs';
 import { pythonTypes, target } from '../../../.tasks/python-types.mjs';
 import { test } from '../harness/once.js';
+import { valuesFrom } from './python.js';
 
 const program = fileURLToPath(new URL('agree.py', import.meta.url));
 
@@ -49,4 +50,19 @@ test('what Python is given back has the fields that its types name, and no other
   assert.equal(answers.length, rows.length);
   assert.equal(answers.pop().length, 1);
   assert.deepEqual(answers.flat(), []);
+});
+
+test('what functions and methods take and give can be asked of them', { skip }, () => {
+  const names = ['evaluate', 'experiment', 'fields', 'simulate', 'starts_on_grid', 'word_fields'];
+  const methods = [
+    'Task.evaluate',
+    'Task.trials',
+    'Evolution.__init__',
+    'Evolution.step',
+    'EpLocomotion.step',
+  ];
+  const asked = [...names, ...methods].map((name) => ({
+    expression: `list(__import__('typing').get_type_hints(ep.${name}))[-1]`,
+  }));
+  assert.deepEqual(new Set(valuesFrom(asked)), new Set(['return']));
 });

@@ -1,0 +1,81 @@
+// Tables whose columns have names, and rows that have none.
+import assert from 'node:assert/strict';
+import { areBuilt } from '../../../.tasks/examples.mjs';
+import * as core from '../harness/core.js';
+import { test } from '../harness/once.js';
+import { askPython, valuesFrom } from './python.js';
+
+const options = { skip: !areBuilt() && 'npm test builds the wheel where Python is' };
+
+test(
+  'columns that are named as the gains are, or the parts of a posture, may stand in any order',
+  options,
+  () => {
+    const [cost] = core.evaluate({}, [3, 0.1, 5]);
+    const axes =
+      "'x': {'gain': 'kx', 'from': 3, 'to': 3, 'count': 1}, 'y': {'gain': 'ky', 'from': 0.1, 'to': 0.1, 'count': 1}";
+    const costs = valuesFrom(
+      [
+        'ep.evaluate({}, Frame(ktheta=[5], kx=[3], ky=[0.1]))[0]',
+        'ep.evaluate({}, Frame(kx=[3], ky=[0.1], ktheta=[5]))[0]',
+        'ep.evaluate({}, Frame(first=[3], second=[0.1], third=[5]))[0]',
+        'ep.evaluate({}, Series(ktheta=5, kx=3, ky=0.1))',
+        'ep.evaluate({}, [Series(ktheta=5, kx=3, ky=0.1)])[0]',
+        "ep.simulate({}, Series(ktheta=5, kx=3, ky=0.1))['cost']['total']",
+        `ep.Task({}).landscape({${axes}, 'gains': Series(ktheta=5, kx=3, ky=0.1)})[0]`,
+      ].map((expression) => ({ expression })),
+    );
+    assert.deepEqual(costs, Array(costs.length).fill(cost));
+    const starts = [
+      'Frame(theta=[3], x=[1], y=[2])',
+      'Frame(a=[1], b=[2], c=[3])',
+      '[Series(theta=3, x=1, y=2)]',
+      ...(valuesFrom([{ expression: 'numpy is None' }])[0]
+        ? []
+        : ["numpy.array([(3, 1, 2)], dtype=[('theta', float), ('x', float), ('y', float)])"]),
+    ].map((given) => ({ expression: `ep.Task({'starts': ${given}}).experiment['starts']` }));
+    assert.deepEqual(valuesFrom(starts), Array(starts.length).fill([{ x: 1, y: 2, theta: 3 }]));
+  },
+);
+
+test('names of which one is known, but stands elsewhere, are refused', options, () => {
+  const answers = askPython([
+    { expression: 'ep.evaluate({}, Series(ktheta=5, kx=3, k=0.1))' },
+    { expression: "ep.Task({'starts': Frame(heading=[3], x=[1], y=[2])})" },
+  ]);
+  assert.deepEqual(
+    answers.map(({ message }) => message),
+    [
+      'names must be kx, ky, ktheta, in any order, or all be others, but were ktheta, kx, k',
+      'names must be x, y, theta, in any order, or all be others, but were heading, x, y',
+    ],
+  );
+});
+
+test('start postures may be rows of three numbers', options, () => {
+  const rows = ['[[0, 1, 2], [3, 4, 5.0]]', '((0, 1, 2), [3, 4, 5])'];
+  const values = valuesFrom(
+    rows.map((starts) => ({ expression: `ep.Task({'starts': ${starts}}).experiment['starts']` })),
+  );
+  const postures = [
+    { x: 0, y: 1, theta: 2 },
+    { x: 3, y: 4, theta: 5 },
+  ];
+  assert.deepEqual(values, [postures, postures]);
+  const [mixed] = askPython([{ expression: "ep.Task({'starts': [[0, 0, 0], {'x': 1}]})" }]);
+  assert.equal(mixed.message, 'starts[0] must be an object, but was an array of 3');
+});
+
+test('a figure is given the plain values of an experiment', options, () => {
+  const [value] = valuesFrom([
+    {
+      expression:
+        "ep.EpLocomotion(experiment={'starts': Frame(theta=[3], x=[1], y=[2]), 'goal': {'x': 3}, 'limits': {'speed': None}}).experiment",
+    },
+  ]);
+  assert.deepEqual(value, {
+    starts: [{ x: 1, y: 2, theta: 3 }],
+    goal: { x: 3 },
+    limits: { speed: null },
+  });
+});
