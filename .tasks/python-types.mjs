@@ -28,7 +28,7 @@ const whole = [
   ...['survivors', 'corners', 'rows', 'part', 'count', 'headings', 'drives'],
 ];
 /** Python takes more for gains than JavaScript. */
-const gains = `#: Three gains (kx, ky, kθ), or rows of three: at most a million in one call, and fewer where each takes long to drive.
+const gains = `#: Three gains (kx, ky, kθ), or rows of three: at most a million in one call, fewer where drives are long.
 Gains = Union[Sequence[float], Sequence[Sequence[float]], Array]
 `;
 

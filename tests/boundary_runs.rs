@@ -85,13 +85,13 @@ fn a_simulation_steps_through_the_same_run() {
     let x = Float64Array::from(get(&run, "x")).to_vec();
     let mut robot = Simulation::new(e, gains(EP), 0.into()).expect("a robot");
     for x in &x {
-        let sample = robot.step();
+        let sample = robot.step(JsValue::UNDEFINED).expect("a sample");
         assert_eq!(number(&sample, "posture.x"), *x);
         for name in ["command", "velocity", "reference", "error", "lyapunov", "lyapunovRate"] {
             assert!(!get(&sample, name).is_undefined(), "{name}");
         }
     }
-    let last = robot.step();
+    let last = robot.step(JsValue::UNDEFINED).expect("a sample");
     assert_eq!(
         (number(&last, "posture.x"), get(&last, "arrived")),
         (x[x.len() - 1], JsValue::TRUE)
@@ -102,7 +102,7 @@ fn a_simulation_steps_through_the_same_run() {
 fn an_evolution_tells_its_generations() {
     let mut evolution = Evolution::new(js("{}")).expect("a run");
     for generation in 1..=5 {
-        let statistics = evolution.step();
+        let statistics = evolution.step(JsValue::UNDEFINED).expect("a generation");
         assert_eq!(number(&statistics, "generation"), f64::from(generation));
         assert_eq!(number(&statistics, "evaluations"), f64::from(20 * (generation + 1)));
     }

@@ -74,7 +74,7 @@ fn seeds_are_counted_by_what_each_keeps() {
     let setting = lasting(0.01, |e| e.evolution.population = 1);
     assert_refused(
         seed_runs(&setting, [0, 150_000_000], 0),
-        "the number of drives must be at most 1000000 with 1 start and 1 samples a run, but was 300000000",
+        "the number of drives of all seeds together must be at most 1000000 with 1 start and 1 samples a run, but was 300000000",
     );
     assert_refused(
         seed_runs(&setting, [0, 104_207], 0),
@@ -86,7 +86,7 @@ fn seeds_are_counted_by_what_each_keeps() {
     );
     assert_refused(
         seed_runs(&setting, [0, 1], LAST_GENERATION),
-        "the number of drives must be at most 1000000 with 1 start and 1 samples a run, but was 1073741824",
+        "the number of drives of all seeds together must be at most 1000000 with 1 start and 1 samples a run, but was 1073741824",
     );
     // Without a seed there is nothing to go through, not even generations.
     assert_eq!(seed_runs(&setting, [7, 7], LAST_GENERATION).map(|runs| runs.len()), Ok(0));

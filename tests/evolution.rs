@@ -275,6 +275,18 @@ fn a_generation_that_is_not_there_is_refused() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn many_generations_at_once_are_as_many_steps() {
+    let (mut one, mut other) = (evolved(experiment(3), 0), evolved(experiment(3), 7));
+    assert_eq!(one.advance(7), Ok(other.newest()));
+    assert_eq!(one.advance(1), Ok(other.step()));
+    assert_eq!((one.generation(), one.hash()), (8, other.hash()));
+    // 20 robots for 1000 samples each.
+    let message = one.advance(20_001).expect_err("refused").to_string();
+    assert!(message.starts_with("generations must be at most 20000 with 1 start"), "{message}");
+    assert_eq!(one.generation(), 8);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn a_population_of_one_still_evolves() {
     let mut lonely = experiment(8);
     lonely.evolution.population = 1;

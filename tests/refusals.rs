@@ -269,4 +269,6 @@ fn the_presets_are_in_every_range() {
         Preset::find("no-limits"),
         "experiment must be 'velocity-limits' or 'acceleration-limits', but was 'no-limits'",
     );
+    let long = Preset::find(&"x".repeat(100_000)).expect_err("refused").to_string();
+    assert!(long.ends_with("xxx…'") && long.len() < 200, "{long}");
 }

@@ -178,7 +178,7 @@ fn what_cannot_run_is_refused_by_name() {
     );
     assert_refused(
         trials(&setting, [0, 52], 8000),
-        "the number of drives must be at most 400000 with 1 start and 1000 samples a run, but was 416000",
+        "the number of drives of all seeds together must be at most 400000 with 1 start and 1000 samples a run, but was 416000",
     );
     assert_eq!(trials(&setting, [5, 5], 10).map(|trials| trials.len()), Ok(0));
 }

@@ -171,7 +171,7 @@ fn wrong_surveys_are_refused_by_name() {
     );
     assert_refused(
         seed_runs(&setting, [0, 1000], 200),
-        "the number of drives must be at most 400000 with 1 start and 1000 samples a run, \
+        "the number of drives of all seeds together must be at most 400000 with 1 start and 1000 samples a run, \
          but was 8040000",
     );
     assert_refused(

@@ -45,7 +45,7 @@ Outcome = Literal["arrived", "horizon", "diverged"]
 Motion = Literal["begin", "reflection", "expansion", "outside-contraction", "inside-contraction", "shrink"]
 #: One of the three gains.
 Gain = Literal["kx", "ky", "ktheta"]
-#: Three gains (kx, ky, kθ), or rows of three: at most a million in one call, and fewer where each takes long to drive.
+#: Three gains (kx, ky, kθ), or rows of three: at most a million in one call, fewer where drives are long.
 Gains = Union[Sequence[float], Sequence[Sequence[float]], Array]
 #: How the paper found its gains: by evolutionary programming, or as "arbitrarily selected positive values".
 PaperMethod = Literal["ep", "arbitrary"]

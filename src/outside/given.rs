@@ -2,6 +2,7 @@
 
 use crate::run::{Experiment, Preset, Setting};
 use crate::schema::{Allowed, Input, Place, Result, Source, refused};
+use crate::search::LAST_GENERATION;
 use crate::study::Evolution;
 
 /// The given experiment, completed with the fields of the preset that it was made from, or else of the usual one.
@@ -56,6 +57,16 @@ pub fn start<S: Source>(setting: &Setting, given: &S) -> Result<u32> {
     let start = number(given, "start")?;
     setting.start_indices().check("start", start)?;
     Ok(start as u32)
+}
+
+/// How many steps to take; one if it is left out.
+pub fn steps<S: Source>(given: &S, name: &str) -> Result<u32> {
+    if !given.is_given() {
+        return Ok(1);
+    }
+    let steps = number(given, name)?;
+    Allowed::whole(1, LAST_GENERATION).check(name, steps)?;
+    Ok(steps as u32)
 }
 
 /// The number of a generation; the newest if it is left out.

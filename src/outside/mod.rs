@@ -8,7 +8,7 @@ mod declarations;
 
 pub use calls::*;
 pub use declarations::declarations;
-pub use given::{completed, experiment, generation, number, setting, start, usual};
+pub use given::{completed, experiment, generation, number, setting, start, steps, usual};
 
 #[cfg(target_arch = "wasm32")] // natively there is no boundary
 pub(crate) use calls::calls;

@@ -118,7 +118,7 @@ impl From<Gains> for Triples {
 
 impl Plain for Triples {
     fn typescript(types: &mut Types) -> String {
-        let about = "Three gains (kx, ky, kθ), or such triples one after the other: at most a million in one call.";
+        let about = "Three gains (kx, ky, kθ), or such triples one after the other: at most a million in one call, fewer where drives are long.";
         types.alias("Gains", &[about], "Float64Array | readonly number[]")
     }
 

@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_4, PI, TAU};
 use super::cost::Weights;
 use super::experiment::{Experiment, Tolerance};
 use crate::robot::{Disturbance, Gains, Law, Limits, Posture, Velocity};
-use crate::schema::{InvalidInput, Result, record, words};
+use crate::schema::{InvalidInput, Result, quoted, record, words};
 use crate::search::{BelowZero, EvolutionSettings, Method, Selection, Step};
 
 words! {
@@ -80,7 +80,7 @@ impl Preset {
     /// The preset with this name; the error says which there are.
     pub fn find(name: &str) -> Result<Self> {
         Self::named(name)
-            .ok_or_else(|| InvalidInput::new("experiment", Self::expected(), format!("'{name}'")))
+            .ok_or_else(|| InvalidInput::new("experiment", Self::expected(), quoted(name)))
     }
 
     /// The experiment, with every field filled in.

@@ -46,6 +46,12 @@ impl Experiment {
         self.check_work(what, count, self.starts.len(), self.work_of_a_solution())
     }
 
+    /// The same for so many generations of a search.
+    pub(crate) fn check_generations(&self, count: u32) -> Result<()> {
+        let each = self.work_of_a_solution() * f64::from(self.evolution.most_solutions());
+        self.check_work("generations", count.into(), self.starts.len(), each)
+    }
+
     /// Refuses a search if one of its generations takes more than [`MAX_WORK`] samples.
     pub(super) fn check_generation(&self) -> Result<()> {
         let (count, starts) = (f64::from(self.evolution.most_solutions()), self.starts.len());

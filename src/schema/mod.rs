@@ -35,5 +35,5 @@ pub use types::{Declared, Types};
 
 pub(crate) use input::{check_field, field_rows, read_field, read_whole, unranged};
 pub(crate) use record::{record, told};
-pub(crate) use source::{read_object, refused, too_many};
+pub(crate) use source::{quoted, read_object, refused, too_many};
 pub(crate) use words::words;

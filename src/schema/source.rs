@@ -139,7 +139,7 @@ pub(crate) fn read_object<S: Source>(
 }
 
 /// The beginning of a text in quotation marks.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let shown: String = text.chars().take(40).collect();
     if shown.len() < text.len() { format!("'{shown}…'") } else { format!("'{shown}'") }
 }

@@ -70,6 +70,17 @@ impl Evolution {
         self.newest()
     }
 
+    /// Evolves so many generations, at least one; the error says how many one call may have. One is never refused.
+    pub fn advance(&mut self, generations: u32) -> Result<Statistics> {
+        if generations > 1 {
+            self.setting.experiment().check_generations(generations)?;
+        }
+        for _ in 1..generations {
+            self.append();
+        }
+        Ok(self.step())
+    }
+
     /// The newest generation in short.
     pub fn newest(&self) -> Statistics {
         self.statistics[self.statistics.len() - 1]

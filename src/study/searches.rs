@@ -12,7 +12,8 @@ const BYTES_OF_A_ROW: f64 = size_of::<[f64; 2]>() as f64;
 /// Refuses so many searches, each with so many drives, if they take too long, or if what they keep takes too much memory:
 /// their solutions, and in the end columns of two numbers for each of so many rows.
 pub(super) fn check_searches(setting: &Setting, count: f64, drives: f64, rows: f64) -> Result<()> {
-    setting.experiment().check_solutions("the number of drives", drives * count)?;
+    let all = "the number of drives of all seeds together";
+    setting.experiment().check_solutions(all, drives * count)?;
     let e = &setting.experiment().evolution;
     let solutions = f64::from(e.population.max(e.most_solutions())) * BYTES_OF_A_SOLUTION;
     let beside = solutions + BYTES_OF_AN_OBJECT;

@@ -380,7 +380,7 @@ export interface Axis {
 }
 /** One of the three gains. */
 export type Gain = 'kx' | 'ky' | 'ktheta';
-/** Three gains (kx, ky, kθ), or such triples one after the other: at most a million in one call. */
+/** Three gains (kx, ky, kθ), or such triples one after the other: at most a million in one call, fewer where drives are long. */
 export type Gains = Float64Array | readonly number[];
 /** Start postures at every position of a grid, with `headings` headings each, evenly around the circle from 0. */
 export interface Grid {

@@ -145,10 +145,22 @@ impl Simulation {
         Ok(Self { setting, state })
     }
 
-    /// The robot now; then it moves on by one sample, unless its run has ended.
+    /// The robot now; then it moves on by one sample, unless its run has ended. With a number it does so that often, and gives
+    /// the last.
     #[wasm_bindgen(unchecked_return_type = "Sample")]
-    pub fn step(&mut self) -> JsValue {
-        plain(&self.state.step(&self.setting))
+    pub fn step(
+        &mut self,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] samples: JsValue,
+    ) -> Result<JsValue> {
+        let mut samples = outside::steps(&Given::of(samples), "samples")?;
+        loop {
+            let sample = self.state.step(&self.setting);
+            samples -= 1;
+            // A run that has ended stays where it is.
+            if samples == 0 || sample.outcome.is_some() {
+                return Ok(plain(&sample));
+            }
+        }
     }
 }
 
@@ -178,10 +190,13 @@ impl Evolution {
         self.0.most_driven_again()
     }
 
-    /// Evolves one generation.
+    /// Evolves one generation, or so many; the newest in short.
     #[wasm_bindgen(unchecked_return_type = "Statistics")]
-    pub fn step(&mut self) -> JsValue {
-        plain(&self.0.step())
+    pub fn step(
+        &mut self,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] generations: JsValue,
+    ) -> Result<JsValue> {
+        Ok(plain(&self.0.advance(outside::steps(&Given::of(generations), "generations")?)?))
     }
 
     /// One generation in short; the newest if left out.
