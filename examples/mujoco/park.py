@@ -98,6 +98,8 @@ def main():
     drives = []
     for path in asked.controllers:
         controller = load(path)
+        if not hasattr(controller, "POSITION"):
+            raise SystemExit(f"{path.name} follows a goal that moves, and never parks.")
         has_parked, time, poses = park(controller)
         on_page = controller.drive()[0]
         here = f"parks in {time:.2f} s" if has_parked else f"does not park within {time:g} s"

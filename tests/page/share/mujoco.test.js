@@ -1,7 +1,7 @@
 // The example in MuJoCo: its controllers are what the page exports, and a robot with mass parks with those that are good.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { controllerFiles, folder } from '../../../.tasks/controllers.mjs';
 import { python as examplesPython } from '../../../.tasks/examples.mjs';
@@ -10,8 +10,13 @@ import { links } from '../../../www/lesson/links.js';
 import { createEngine, paper } from '../harness/core.js';
 import { gainsOf } from '../../../www/run/drivers.js';
 import { test } from '../harness/once.js';
+import { controllerOf } from '../../../www/share/code/controller.js';
+import { python as writePython } from '../../../www/share/code/python.js';
+import { comments } from '../../../www/share/code/words/en.js';
+import { inFolder, runners } from './programs.js';
 
 const files = controllerFiles();
+const anyPython = runners.python.program;
 const python = [examplesPython, 'python3', 'python'].find(
   (program) => ask(program, ['-c', 'import mujoco']) !== null,
 );
@@ -37,6 +42,25 @@ test("a controller's link opens its drive", () => {
     );
     assert.deepEqual([...gainsOf(state, opened.driver, paper())], [...gains]);
   }
+});
+
+test('of a controller whose goal moves the example says that it never parks', {
+  skip: !anyPython && 'there is no Python',
+}, () => {
+  const { drive, experiment } = createEngine();
+  const from = experiment({ law: 'kanayama', referenceVelocity: { linear: 0.5, angular: 0 } });
+  const moving = controllerOf(drive, from, [3, 1, 4], { version: '1', link: '' });
+  // The goal is looked at before anything is simulated.
+  const run = `
+import runpy, sys, types
+sys.modules.setdefault("mujoco", types.ModuleType("mujoco"))
+sys.argv = ["park.py", "moving.py"]
+runpy.run_path(${JSON.stringify(join(top, 'examples/mujoco/park.py'))}, run_name="__main__")`;
+  return inFolder((cwd) => {
+    writeFileSync(join(cwd, 'moving.py'), writePython({ ...moving, name: 'moving' }, comments));
+    const { stderr, status } = spawnSync(String(anyPython), ['-B', '-c', run], { cwd, encoding: 'utf8' });
+    assert.deepEqual([stderr.trim(), status], ['moving.py follows a goal that moves, and never parks.', 1]);
+  });
 });
 
 test('in MuJoCo the gains of the paper and of evolution park, 10, 10, 10 under acceleration limits do not', {
