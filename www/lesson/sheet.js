@@ -13,12 +13,14 @@ import { inline } from './prose.js';
 /** Of the window for all that is shown to a class, while the notes stay here. */
 const shownWindow = 'ep-shown';
 
+/** What it shows without these notes: for students no address leads to the answers. @param {string} link */
+const addressOfItem = (link) => addressOf(location.href, hrefOf(link, 0).slice(1), false);
+
 /** Opens an item there; a frame need not be allowed to open any. @param {string} link @param {string} text */
 function apartLink(link, text) {
   if (isEmbedded) return nothing;
   // A whole address, for what begins with # the lesson opens within this page.
-  const address = addressOf(location.href, hrefOf(link, 0).slice(1), false);
-  return html`<a class="sheet-apart" href=${address} target=${shownWindow}>${text}</a>`;
+  return html`<a class="sheet-apart" href=${addressOfItem(link)} target=${shownWindow}>${text}</a>`;
 }
 
 /** Prints this sheet alone. @param {HTMLElement} sheet */
@@ -50,7 +52,7 @@ export const sheet = (name, items, half = 'all') => ({
         link !== null &&
         html`<a class="sheet-link" href=${href(link)} data-try=${`${name}-${item}`}>${words.show}</a>
           ${apartLink(link, words.showApart)}
-          <span class="address">${addressOf(location.href, href(link).slice(1), false)}</span>`;
+          <a class="address" href=${addressOfItem(link)}>${words.show}: ${addressOfItem(link)}</a>`;
       return html`<li><p>${inline(text, href)}</p>${anchor || nothing}${half === 'all' && seen ? muted(seen) : nothing}</li>`;
     });
     const element = create('section', 'sheet-list');

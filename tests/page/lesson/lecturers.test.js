@@ -14,6 +14,7 @@ import {
   simulate,
   startsOnCircle,
 } from '../harness/core.js';
+import { asOnPaper } from '../whole/on-paper.js';
 import { driven, opened } from './links.js';
 import { test } from '../harness/once.js';
 
@@ -239,6 +240,24 @@ pageTest(
       await driver.close();
     } finally {
       await driver.switchTo().window(own);
+    }
+  },
+);
+
+pageTest(
+  'the addresses on a printed sheet lead to what it sets up, not to the lecturers’ page',
+  async (page) => {
+    await page.open('#lesson&step=lecturers');
+    await asOnPaper(page);
+    const links = await page.evaluate(() =>
+      [
+        .../** @type {NodeListOf<HTMLAnchorElement>} */ (document.querySelectorAll('.sheet-list li > a')),
+      ].flatMap((link) => (link.checkVisibility() ? [[link.href, link.textContent ?? '']] : [])),
+    );
+    assert.ok(links.length > 20);
+    for (const [href, text] of links) {
+      assert.doesNotMatch(href, /lesson=lecturers/);
+      assert.ok(text.endsWith(href), `${text} for ${href}`);
     }
   },
 );
