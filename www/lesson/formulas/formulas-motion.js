@@ -1,5 +1,7 @@
 // How the robot and its errors move, and what becomes of V when the law is put in.
+import { lawTerms } from '../../core/rules.js';
 
+/** @import { Triple } from '../../core/engine.js' */
 /** @import { Formula } from './notation.js' */
 
 /** (2) @type {Formula} */
@@ -39,10 +41,15 @@ export const rateTerms = [
   { text: `− ${cross}`, pair: 'kx', of: 'x' },
 ];
 
-/** What the seven terms come to. @param {readonly [number, number, number]} gains @param {{ x: number, y: number, theta: number }} error */
-export function rateAmounts([kx, ky, kt], { x, y, theta }) {
+/** What the seven terms come to, of what the law asks for where its division is guarded, too. @param {Triple} gains @param {{ x: number, y: number, theta: number }} error */
+export function rateAmounts(gains, error) {
+  const { x, y, theta } = error;
+  if (![x, y, theta].every(Number.isFinite)) return rateTerms.map(() => Number.NaN);
+  const { kx, ky, ktheta } = lawTerms({ law: 'shim-kim' }, gains, error).command;
   const [s, c] = [Math.sin(theta), Math.cos(theta)];
-  const steep = (ky * x * y ** 3 * c) / s;
-  const cross = kx * x * y * s * c;
-  return [-kx * x * x * c * c, steep, cross, -ky * y ** 4, -kt * s * s, -steep, -cross];
+  const [ahead, aside] = [-x * c, y * s];
+  return [
+    ...[ahead * kx.linear, ahead * ky.linear, aside * kx.linear, aside * ky.linear],
+    ...[ktheta, ky, kx].map(({ angular }) => -s * angular),
+  ];
 }

@@ -63,11 +63,16 @@ export function createCancel({ store, actions }, { cancel: words }) {
 /** Whether the clock stands where a drive ends: there nearly all terms are zero. @param {Live} live */
 const isOver = ({ at, samples }) => at === samples.length - 1;
 
+/** The core is asked no oftener: the page would stand still. */
+const mostMoments = 2000;
+
 /** When both pairs that cancel weigh much. @param {Live} live */
 function weightiestAt({ samples, gains }) {
   const weightOf = (/** @type {Live['sample']} */ { error }) => {
     const [, steep, cross] = rateAmounts(gains, error);
     return Math.min(Math.abs(steep), Math.abs(cross));
   };
-  return samples.map((one) => one).reduce((most, one) => (weightOf(one) > weightOf(most) ? one : most)).time;
+  const every = Math.ceil(samples.length / mostMoments);
+  const moments = samples.map((one) => one).filter((_, i) => i % every === 0);
+  return moments.reduce((most, one) => (weightOf(one) > weightOf(most) ? one : most)).time;
 }
