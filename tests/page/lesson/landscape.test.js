@@ -171,3 +171,25 @@ pageTest('the text has the numbers of the map, and follows the population', asyn
     assert.equal(told, `${(100 * floor).toFixed(0)},10`, link);
   }
 });
+
+pageTest('on a telephone J of the robot that is pressed on the map is read in sight of it', async (page) => {
+  for (const [width, height] of [
+    [390, 844],
+    [375, 667],
+    [600, 900],
+  ]) {
+    await page.resize(width, height);
+    await page.open('#lesson&step=landscape');
+    await page.until('the map is there', () => document.getElementById('landscape-lowest')?.textContent);
+    await page.click('#landscape-map');
+    await page.until('what is pressed is driven', () => location.hash.includes('drives=hand'));
+    const [map, readout, pane] = await page.evaluate(() =>
+      ['#landscape-map', '#landscape-readout', '.readings'].map((one) => {
+        const { top, bottom } = /** @type {Element} */ (document.querySelector(one)).getBoundingClientRect();
+        return { top, bottom };
+      }),
+    );
+    const seen = JSON.stringify({ width, map, readout, pane });
+    assert.ok(map.top >= pane.top && readout.top >= map.bottom && readout.bottom <= pane.bottom, seen);
+  }
+});

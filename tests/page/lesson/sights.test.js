@@ -155,7 +155,7 @@ pageTest('on a telephone the lines under the map stand under each other, each in
       })
     );
   });
-  assert.ok(readout.top >= lowest.bottom, `${readout.top}, ${lowest.bottom}`);
+  assert.ok(lowest.top >= readout.bottom, `${lowest.top}, ${readout.bottom}`);
   // An index may hang out below.
   assert.ok(lowest.cut <= 4 && readout.cut <= 4, `${lowest.cut}, ${readout.cut}`);
 });
