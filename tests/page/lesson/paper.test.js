@@ -1,9 +1,12 @@
 import assert from 'node:assert/strict';
 import { paper as step } from '../../../www/lesson/steps/paper.js';
 import { asPrinted } from '../../../www/lesson/printed.js';
+import { paper as en } from '../../../www/lesson/words/en/paper.js';
+import { paper as ko } from '../../../www/lesson/words/ko/paper.js';
+import { costText } from '../../../www/words/en/numbers.js';
 import { evolve, experiment, paper, paperGains, simulate } from '../harness/core.js';
 import { engine } from './links.js';
-import { answered } from './live.js';
+import { answered, liveOf, toldBy } from './live.js';
 import { driven, opened } from './links.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
@@ -57,6 +60,20 @@ test('taken literally, with the commanded velocity, J is what the page says', as
   );
   const { outcome } = await answered('paper', 'literal');
   assert.deepEqual([outcome.right, outcome.literal], [2, printed[1]]);
+});
+
+test('what J would be as printed is told only after the question that asks it', async () => {
+  const { printed } = await toldBy(step, liveOf(step.link));
+  assert.equal(printed.split('; ')[1], costText(asPrinted({ engine, paper: paper() }, 1)));
+  for (const { texts } of [en, ko]) {
+    const telling = Object.entries(texts).filter(([, text]) => text.includes('{=printed}'));
+    assert.equal(telling.length, 1);
+    for (const [name] of telling)
+      assert.deepEqual(
+        step.blocks.flatMap((block) => (block.kind === 'text' && block.name === name ? block.after : [])),
+        ['literal'],
+      );
+  }
 });
 
 test('in degrees the path alone costs more than the printed J, in the other order', () => {

@@ -1,5 +1,6 @@
 // The paper's numbers beside ours, and what lies between them.
 import { largest } from '../../kit/extent.js';
+import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { asPrinted } from '../printed.js';
 import { createChoicesTable, createPaperTable } from '../views/paper-table.js';
@@ -17,6 +18,9 @@ function runOf({ engine, paper }, row) {
 
 /** @param {Live} live */
 const costsOf = (live) => live.paper.map((_, row) => runOf(live, row).cost.total);
+
+/** With the commanded velocity in the energy. @param {Live} live */
+const printedOf = (live) => live.paper.map((_, row) => asPrinted(live, row));
 
 /** @type {Step} */
 export const paper = {
@@ -38,6 +42,7 @@ export const paper = {
     { kind: 'view', create: createPaperTable, isText: true },
     { kind: 'text', name: 'order' },
     { kind: 'view', create: createChoicesTable, isText: true },
+    { kind: 'text', name: 'printed', after: 'literal' },
     tries([
       ['speed', 'curves&preset=acceleration-limits&drives=paper-ep&tolerance.speed=0.05'],
       ['horizon', 'lab&horizon=3&tolerance.position=0&tolerance.heading=0&generation=100'],
@@ -61,6 +66,7 @@ export const paper = {
       paperAcceleration: fixed(live.paper[3].cost / live.paper[2].cost, 2),
       swing: `${fixed(swing, 0)}°`,
       lowest: fixed(costs[0], 3),
+      printed: printedOf(live).map(lab.costText).join('; '),
     };
   },
 };

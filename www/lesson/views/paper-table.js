@@ -1,6 +1,5 @@
 // What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
 import { create } from '../../kit/elements.js';
-import { asPrinted } from '../printed.js';
 import { inline } from '../prose.js';
 import { lab } from '../../words/index.js';
 import { degreesText, fixed, postureText } from '../../words/numbers.js';
@@ -91,11 +90,8 @@ export function createPaperTable({ engine }, words) {
 export function createChoicesTable({ engine }, words) {
   const e = engine.experiment('velocity-limits');
   const a = engine.experiment('acceleration-limits');
-  const printed = engine
-    .paper()
-    .map((_, row) => lab.costText(asPrinted({ engine, paper: engine.paper() }, row)));
   /** @type {string[][]} */
-  const texts = words.choices({ ...textsOf(e, a), printed });
+  const texts = words.choices(textsOf(e, a));
   const rows = texts.map((row) => row.map((text) => create('span', '', ...inline(text, String))));
   const table = tableOf('lesson-table choices-table', words.choicesHead, rows);
   const element = create('section', '', create('h3', '', words.choicesTitle), scrolling(table));
