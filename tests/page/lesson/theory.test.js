@@ -5,7 +5,7 @@ import { stability as words } from '../../../www/lesson/words/en/stability.js';
 import { stability as ko } from '../../../www/lesson/words/ko/stability.js';
 import { paperGains, simulate } from '../harness/core.js';
 import { driven, engine, linkOf, opened, samples } from './links.js';
-import { answered } from './live.js';
+import { answered, liveOf, toldBy } from './live.js';
 import { test } from '../harness/once.js';
 
 /** Every sample of the robot by hand or of the paper's EP gains. @param {string} link */
@@ -64,6 +64,16 @@ test('Kanayama’s rule stops beside a goal at rest and never turns, but follows
   }
 });
 
+test('where a try of the theory has the limits on, its words say so', () => {
+  for (const block of stability.blocks)
+    if (block.kind === 'tries')
+      for (const [name, link] of block.tries) {
+        const isLimited = opened(link).experiment.limits.speed !== null;
+        for (const { tries } of [words, ko])
+          assert.equal(/limits|제한/.test(/** @type {any} */ (tries)[name]), isLimited, name);
+      }
+});
+
 test('from another start V rises at times; with kθ below zero the robot does not arrive', () => {
   assert.ok(risesOf(linkOf(stability, 'other')) > 0);
   assert.equal(driven(linkOf(stability, 'negativeTurn')).arrived, false);
@@ -120,6 +130,13 @@ test('on the goal, turned by 180°, it is a saddle: V rises sideways and falls b
     assert.ok(V(d, 0, Math.PI) > 2 && V(0, d, Math.PI) > 2);
     assert.ok(V(0, 0, Math.PI + d) < 2);
   }
+});
+
+test('the turn rate of the paper is told as 2π, as the later steps do', async () => {
+  const { w } = await toldBy(limits, liveOf(limits.link));
+  const { turnRate } = opened(limits.link).experiment.limits;
+  assert.equal(turnRate, 2 * Math.PI);
+  assert.equal(w, `2π (${turnRate.toFixed(3)})`);
 });
 
 test('the robot of the paper drives at full speed for most of its way', () => {

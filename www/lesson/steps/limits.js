@@ -122,11 +122,12 @@ export const limits = {
     const usual = live.engine.experiment('velocity-limits');
     const { free, limited } = epOf(live.engine, live.paper[0].gains);
     const { commandLinear, commandAngular } = limited.run;
+    const turnRate = usual.limits.turnRate ?? 0;
     return {
       askedV: fixed(largest(commandLinear.map(Math.abs)), 1),
       askedW: fixed(largest(commandAngular.map(Math.abs)), 1),
       v: fixed(usual.limits.speed ?? 0, 1),
-      w: fixed(usual.limits.turnRate ?? 0, 1),
+      w: `${fixed(turnRate / Math.PI, 0)}π (${fixed(turnRate, 3)})`,
       rises: String(free.rises),
       samples: String(free.samples),
     };

@@ -58,7 +58,7 @@ export const stability = {
     }),
     tries([
       ['other', `curves&view=stability&drives=hand&gains=3,1,5&${unlimited}&start=-1,-1,180deg`, 'part'],
-      ['negativeTurn', 'curves&view=stability&drives=hand&gains=3,1,-2'],
+      ['negativeTurn', `curves&view=stability&drives=hand&gains=3,1,-2&${unlimited}`],
       ['track', 'curves&view=stability&drives=hand&gains=3,1,5&referenceVelocity.linear=0.5', 'robot'],
       [
         'kanayamaTracks',

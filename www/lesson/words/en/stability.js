@@ -62,8 +62,8 @@ export const stability = {
   tries: {
     other: 'Another start: now {V} rises at times, though the proof forbids it',
     negativeTurn: '{kt} below zero: −2',
-    track: 'A goal that drives away at 0.5 m/s: the law follows it',
-    kanayamaTracks: 'Kanayama’s rule with the same moving goal: it follows, too',
+    track: 'A goal that drives away at 0.5 m/s, with the speed limits on: the law follows it',
+    kanayamaTracks: 'Kanayama’s rule with the same moving goal and limits: it follows, too',
   },
   notice: [
     'The two terms with {ky} cancel only where sin {te} is not 0. Where it is 0 and {ye} is not, the law has no value, and what our program puts in its place can raise {V} at once: [such a start](curves&view=stability&drives=hand&gains=3,8,5&start=2,1,45deg&limits.speed=off&limits.turnRate=off).',

@@ -57,8 +57,8 @@ export const stability = {
   tries: {
     other: '다른 출발점: 증명과 달리 {V}가 이따금 커진다',
     negativeTurn: '{kt}를 0보다 작게: −2',
-    track: '0.5 m/s로 달아나는 목표: 법칙이 따라간다',
-    kanayamaTracks: '같은 목표를 Kanayama의 규칙으로: 역시 따라간다',
+    track: '0.5 m/s로 달아나는 목표, 속도 제한을 켜고: 법칙이 따라간다',
+    kanayamaTracks: '같은 목표와 속도 제한에서 Kanayama의 규칙으로: 역시 따라간다',
   },
   notice: [
     '{ky}가 든 두 항은 sin {te}가 0이 아닐 때만 소거됩니다. sin {te}가 0인데 {ye}가 0이 아니면 법칙에는 값이 없고, 이 페이지가 대신 쓰는 값은 {V}를 단번에 키울 수 있습니다. [그런 출발점](curves&view=stability&drives=hand&gains=3,8,5&start=2,1,45deg&limits.speed=off&limits.turnRate=off)을 열어 보십시오.',
