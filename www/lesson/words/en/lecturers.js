@@ -48,7 +48,7 @@ export const lecturers = {
         },
         training: {
           text: '*8 min.* Evolve on many starts: press “Evolve all three”.',
-          seen: 'On starts never seen, gains evolved on many starts arrive more often than those evolved on one.',
+          seen: 'With this seed, gains evolved on many starts arrive more often from starts never seen than those evolved on one. *15 seeds* shows how much of it is luck.',
         },
         close: {
           text: '*9 min.* And when the ground pushes? Theorem 2 says where {V} must still fall; how near the robot then comes, and when, it does not say.',
@@ -115,7 +115,7 @@ export const lecturers = {
           seen: 'J agrees within one percent, {kx} and {kt} differ by more than a tenth: the valley is flat. {ky} is near 0 each time.',
         },
         population: {
-          text: 'Six robots instead of twenty: how many drives until J is below 7.8? Then sixty.',
+          text: 'Six robots instead of twenty: how many drives until J is below 7.8? Then a hundred.',
           seen: 'With this seed the small population needs fewer drives. One seed proves nothing: run [the contest](luck&luck=contest&contestants=n-6,n-100&seeds=51&budget=4000&target=7.8). There 51 runs cannot tell six from twenty; a hundred need twice as many drives.',
         },
         kanayama: {
@@ -128,7 +128,7 @@ export const lecturers = {
         },
         unseen: {
           text: 'How often do gains arrive from 1000 starts they have never seen: evolved on one start, on a circle, on a grid, the paper’s, the arbitrary ones? Explain the order.',
-          seen: 'Those evolved on one start and the paper’s are the worst: that start never asked for {ky}.',
+          seen: 'With this seed those evolved on one start and the paper’s EP gains are the worst: that start never asked for {ky}. One seed proves nothing: press *15 seeds*. The circle is better than the one start with each of them; the grid is not: with seed 7 it is the worst of all.',
         },
       },
     },
@@ -136,8 +136,8 @@ export const lecturers = {
       title: 'Questions for an exam',
       items: {
         negative: {
-          text: 'In V̇ = −kx xₑ² cos² θₑ − ky yₑ⁴ − kθ sin² θₑ, let ky be below zero. Which errors can then grow?',
-          seen: 'The second part becomes positive: V grows wherever it outweighs the other two, however small yₑ is, once xₑ and θₑ have faded. So the robot may be driven away sideways. Both theorems need all three gains above zero.',
+          text: 'In {Vdot} = −{kx} {xe}² cos² {te} − {ky} {ye}⁴ − {kt} sin² {te}, let {ky} be below zero. Which errors can then grow?',
+          seen: 'The second part becomes positive: {V} grows wherever it outweighs the other two, however small {ye} is, once {xe} and {te} have faded. So the robot may be driven away sideways. Both theorems need all three gains above zero.',
         },
         best: {
           text: 'Why can the best J of the paper’s EP never rise from one generation to the next?',
@@ -152,7 +152,7 @@ export const lecturers = {
           seen: 'Not that they are the best: short steps survive because they spoil little, wherever the search stands. A lower bound for σ, a restart or a larger population keeps the search alive.',
         },
         ky: {
-          text: 'Evolution sends ky to zero. Is the robot better without this term?',
+          text: 'Evolution sends {ky} to zero. Is the robot better without this term?',
           seen: 'From the one start that was driven, yes. From other starts it then stops beside the goal. The cost never asked for them.',
         },
         compare: {
