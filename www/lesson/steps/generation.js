@@ -15,8 +15,8 @@ import { path } from '../path.js';
 /** @import { Anatomy } from '../../parts/generation/record.js' */
 /** @import { Step } from '../steps.js' */
 
-/** The two whose fates the first question is about: offspring 6 and parent 12 of generation 1. */
-export const question = { better: 25, worse: 11 };
+/** The two whose fates the first question is about: offspring 11 and 9 of generation 1. The figure names another such pair. */
+export const question = { better: 30, worse: 28 };
 
 /** @type {Step} */
 export const generation = {
@@ -31,7 +31,7 @@ export const generation = {
     { kind: 'text', name: 'drive' },
     { kind: 'text', name: 'rule' },
     quiz('luck', {
-      shows: 'generation&generation=1&phase=ranking&individual=25',
+      shows: 'generation&generation=1&phase=ranking&individual=30',
       sight: 'part',
       order: [1, 0, 3, 2],
       answer(live) {

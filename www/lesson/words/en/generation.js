@@ -29,11 +29,11 @@ export const generation = {
   fate: (name, fate) => `${name[0].toUpperCase()}${name.slice(1)} ${fate}.`,
   quizzes: {
     luck: {
-      question: 'In generation 1 offspring 6 drives better than parent 12. Which of the two stays?',
-      choices: ['Only offspring 6', 'Only parent 12', 'Both', 'Neither'],
+      question: 'In generation 1 offspring 11 drives better than offspring 9. Which of the two stays?',
+      choices: ['Only offspring 11', 'Only offspring 9', 'Both', 'Neither'],
       /** @param {{ better: Fate, worse: Fate, bouts: number }} outcome */
       why: ({ better, worse, bouts }) =>
-        `Offspring 6 has J ${costText(better.cost)} and wins ${better.wins} of ${bouts}: it ${better.stays ? 'stays' : 'falls'}. Parent 12 has J ${costText(worse.cost)} and wins ${worse.wins}: it ${worse.stays ? 'stays' : 'falls'}. By J alone they are number ${better.place} and number ${worse.place}. What counts is wins, and these depend on whom one meets.`,
+        `Offspring 11 has J ${costText(better.cost)} and wins ${better.wins} of ${bouts}: it ${better.stays ? 'stays' : 'falls'}. Offspring 9 has J ${costText(worse.cost)} and wins ${worse.wins}: it ${worse.stays ? 'stays' : 'falls'}. By J alone they are number ${better.place} and number ${worse.place}. What counts is wins, and these depend on whom one meets.`,
     },
     best: {
       question: 'And the very best robot: can the best J get worse from one generation to the next?',

@@ -29,11 +29,11 @@ export const generation = {
   fate: (name, fate) => `${name}: ${fate}.`,
   quizzes: {
     luck: {
-      question: '1세대에서 자손 6은 부모 12보다 잘 주행합니다. 둘 가운데 누가 남습니까?',
-      choices: ['자손 6만', '부모 12만', '둘 다', '둘 다 탈락'],
+      question: '1세대에서 자손 11은 자손 9보다 잘 주행합니다. 둘 가운데 누가 남습니까?',
+      choices: ['자손 11만', '자손 9만', '둘 다', '둘 다 탈락'],
       /** @param {{ better: Fate, worse: Fate, bouts: number }} outcome */
       why: ({ better, worse, bouts }) =>
-        `자손 6의 J는 ${costText(better.cost)}, 성적은 ${bouts}전 ${better.wins}승으로 ${fateOf(better)}입니다. 부모 12의 J는 ${costText(worse.cost)}, 성적은 ${worse.wins}승으로 ${fateOf(worse)}입니다. J로는 ${better.place}위와 ${worse.place}위입니다. 그러나 생존은 승수로 정하고, 승수는 누구를 만나느냐에 달려 있습니다.`,
+        `자손 11의 J는 ${costText(better.cost)}, 성적은 ${bouts}전 ${better.wins}승으로 ${fateOf(better)}입니다. 자손 9의 J는 ${costText(worse.cost)}, 성적은 ${worse.wins}승으로 ${fateOf(worse)}입니다. J로는 ${better.place}위와 ${worse.place}위입니다. 그러나 생존은 승수로 정하고, 승수는 누구를 만나느냐에 달려 있습니다.`,
     },
     best: {
       question: '그렇다면 가장 좋은 로봇은 어떻습니까? 세대가 바뀌면서 최소 J가 나빠질 수 있습니까?',
