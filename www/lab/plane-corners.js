@@ -6,7 +6,7 @@ import { referenceOf, sizes } from './track.js';
 import { strongFont } from '../kit/fonts.js';
 import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
-import { meet, namesIn, roomOf, widthOf } from './plane-names.js';
+import { around, meet, namesIn, roomOf, widthOf } from './plane-names.js';
 import { strayOf } from './robots.js';
 
 /** At an edge, so far above the corner below. @typedef {{ corner: string, raised: number, room: Room }} Place */
@@ -19,14 +19,6 @@ const [line, sample, widest] = [20, 28, 192];
 const larger = 14 / 13;
 /** The room of the two postures in words. */
 const postures = { width: 240, height: 72, left: 56, right: 16, bottom: 36 };
-
-/** Around a point. @param {number} px @param {number} py @param {number} radius @returns {Room} */
-const around = (px, py, radius) => ({
-  left: px - radius,
-  right: px + radius,
-  top: py - radius,
-  bottom: py + radius,
-});
 
 /** Start and goal with their names and knobs, the robots at rest, and how far outside one is. @param {Standing} standing @returns {Room[]} */
 function standing({ view, ends, runs, isPaid }) {

@@ -3,6 +3,7 @@
 /** @import { View } from '../kit/transform.js' */
 import { textFont } from '../kit/fonts.js';
 import { once } from '../kit/memo.js';
+import { knobOf } from '../kit/transform.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {{ text: string, px: number, py: number, align: CanvasTextAlign }} PostureName */
@@ -64,3 +65,20 @@ export function roomOf({ text, px, py, align }) {
 
 /** @param {Room} a @param {Room} b */
 export const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+/** Around a point. @param {number} px @param {number} py @param {number} radius @returns {Room} */
+export const around = (px, py, radius) => ({
+  left: px - radius,
+  right: px + radius,
+  top: py - radius,
+  bottom: py + radius,
+});
+
+/** Whether words there would lie on what turns a start or a goal: its knob, or the line that leads there. @param {View} view @param {readonly Posture[]} ends @param {Room} room */
+export const isOnHandle = (view, ends, room) =>
+  ends.some((end) => {
+    const { px, py } = knobOf(view, end);
+    const [x, y] = [view.screenX(end.x), view.screenY(end.y)];
+    const line = [0.2, 0.4, 0.6, 0.8].map((part) => around(x + part * (px - x), y + part * (py - y), 1));
+    return [around(px, py, 6), ...line].some((one) => meet(one, room));
+  });

@@ -16,7 +16,7 @@ import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
-import { isSmall, namesIn, widthOf } from './plane-names.js';
+import { isOnHandle, isSmall, namesIn, roomOf, widthOf } from './plane-names.js';
 import { drawRobots } from './robots.js';
 import { emptyKite, inMetres, kite, referenceOf, sizes, trace } from './track.js';
 
@@ -39,7 +39,7 @@ export function createPlane(pathsCanvas, robotsCanvas) {
         drawGrid(context, view, names);
         drawPinnedGoals(context, view, pins, goal);
         drawPaths(context, view, scene, pins);
-        if (isPaid) drawPayments(context, view, driving);
+        if (isPaid) drawPayments(context, view, driving, [start, goal]);
         drawTarget(context, view, start, '--muted');
         drawTarget(context, view, goal, '--ink');
         drawPostureNames(context, names);
@@ -137,14 +137,14 @@ function drawPinnedGoals(context, view, pins, goal) {
   }
 }
 
-/** Along the path, a stroke wherever so much of J is paid. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run */
-function drawPayments(context, view, run) {
+/** Along the path, a stroke wherever so much of J is paid. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {readonly Posture[]} ends */
+function drawPayments(context, view, run, ends) {
   const last = run.time.length - 1;
   const half = 5;
   setLettering(context, { align: 'center' });
   const total = paidAt(run, last);
   let i = 0;
-  /** Where there is no room between two, only the first has its number. */
+  /** Where there is no room between two, only the first has its number, and on a handle none. */
   let named = [Number.NEGATIVE_INFINITY, 0];
   if (!Number.isFinite(total)) return;
   for (const cost of scaleLinear([0, total], [0, 1]).ticks(6).slice(1)) {
@@ -160,8 +160,10 @@ function drawPayments(context, view, run) {
     const look = { fill: colour('--muted'), halo: colour('--paper') };
     const [textX, textY] = [px + 24 * across, py + 18 * up];
     if (Math.abs(textX - named[0]) < 36 && Math.abs(textY - named[1]) < 15) continue;
+    const text = strings.paidText(cost);
+    if (isOnHandle(view, ends, roomOf({ text, px: textX, py: textY, align: 'center' }))) continue;
     named = [textX, textY];
-    fillTextWithHalo(context, strings.paidText(cost), textX, textY, look);
+    fillTextWithHalo(context, text, textX, textY, look);
   }
 }
 

@@ -62,10 +62,12 @@ async function overlaid() {
       for (const other of said.slice(i + 1)) {
         const across = Math.min(one.right, other.right) - Math.max(one.left, other.left);
         const down = Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top);
-        // Of an arrow and its knob it is the second name that keeps away: the others have their places.
+        // Of an arrow and its knob the second name keeps away, and of the knob what is paid: the others have their places.
         const isOnArrow = [one, other].some(({ whole }) => whole?.id === 'handles');
         const isDotted = [one, other].some(({ whole }) => whole?.matches('.dashed'));
-        if (across > 1 && down > 1 && one.whole !== (other.whole ?? null) && (isDotted || !isOnArrow))
+        const isPaid = other.text.startsWith('J ') && one.text.endsWith('-heading');
+        const isMet = isDotted || isPaid || !isOnArrow;
+        if (across > 1 && down > 1 && one.whole !== (other.whole ?? null) && isMet)
           all.push(`“${one.text}” and “${other.text}”`);
       }
     return all;
@@ -121,6 +123,29 @@ pageTest('on a laptop no words on the plane lie on others in any step of the les
     await endSurrounding(page);
   }
   assert.equal(found.join('\n'), '');
+});
+
+pageTest('where there is room for what is paid along the path, none of it lies on a knob', async (page) => {
+  if (page.engine !== 'chromium') return;
+  try {
+    await page.open('#lab&v=1');
+    await surround(page, [1366, 900]);
+    await page.evaluate(keepTexts);
+    for (const [name, link] of links.filter(([one]) => ['limits', 'paper, literal?'].includes(one))) {
+      await follow(page, link);
+      assert.deepEqual(await page.evaluate(overlaid), [], name);
+      const paid = await page.evaluate(() => {
+        const { texts } = /** @type {{ texts: WeakMap<Element, { text: string }[]> }} */ (
+          /** @type {unknown} */ (window)
+        );
+        const canvas = document.getElementById('plane-paths');
+        return (canvas && texts.get(canvas))?.filter(({ text }) => text.startsWith('J ')).length ?? 0;
+      });
+      assert.ok(paid >= 3, `${name}: ${paid}`);
+    }
+  } finally {
+    await endSurrounding(page);
+  }
 });
 
 pageTest('where x_e and y_e are drawn, the corner in which they meet is on the plane', async (page) => {
